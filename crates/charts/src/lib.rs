@@ -4,7 +4,7 @@
 //! The crate takes plain data and knows no physics and no paper. [`Report`] is everything that a page shows;
 //! [`page::render`] turns it into one HTML file without a single reference to the outside, that reads on a screen and on
 //! paper. Each chart ([`WorkPrecision`], [`Trajectory`], [`Sphere`], [`Areas`], [`Branches`], [`Timings`], and those of one run together, [`Sheet`]) is also a picture of its own, from
-//! its `svg` method: the same data give the same bytes.
+//! its `svg` method: the same data give the same bytes. A [`Sketch`] is a mechanism at its places, at one instant or moving.
 //!
 //! Texts may hold LaTeX between dollar signs; labels inside pictures are plain text. LaTeX that cannot be typeset is
 //! shown as its source and reported in [`Page::unset`].

@@ -44,15 +44,24 @@ pub struct Direction([f64; 3]);
 
 fn direction(text: &str) -> Result<Direction, String> {
     let accepted = || "three numbers that are not all zero, such as 1,-2,0.5, are accepted".to_owned();
-    let parts: Vec<f64> = text.split(',').map(|part| finite(part.trim())).collect::<Result<_, _>>().map_err(|_| accepted())?;
+    let parts: Vec<f64> =
+        text.split(',').map(|part| finite(part.trim())).collect::<Result<_, _>>().map_err(|_| accepted())?;
     let direction: [f64; 3] = parts.try_into().map_err(|_| accepted())?;
     let length = direction.iter().fold(0.0, |length: f64, part| length.hypot(*part));
-    if length > 0.0 && length.is_finite() { Ok(Direction(direction.map(|part| part / length))) } else { Err(accepted()) }
+    if length > 0.0 && length.is_finite() {
+        Ok(Direction(direction.map(|part| part / length)))
+    } else {
+        Err(accepted())
+    }
 }
 
 fn instant(text: &str) -> Result<f64, String> {
     let value = finite(text)?;
-    if value >= 0.0 { Ok(value) } else { Err("a time from 0 to the end of the run, in seconds, is accepted".to_owned()) }
+    if value >= 0.0 {
+        Ok(value)
+    } else {
+        Err("a time from 0 to the end of the run, in seconds, is accepted".to_owned())
+    }
 }
 
 /// Pictures of a motion, and the least of a system with many parts.
@@ -116,7 +125,8 @@ fn geometry(path: &Path, model: &Arc<Model>, state: &[f64]) -> Result<Geometry, 
     let geometry = Geometry::of(model, state).map_err(|why| refused(format!("its places have no values: {why}")))?;
     if !geometry.is_seen() {
         let accepted = "a system with [points], [frames] or [bodies] is accepted";
-        let why = "there is nothing to draw: its energies and forces are written in coordinates alone, which have no places";
+        let why =
+            "there is nothing to draw: its energies and forces are written in coordinates alone, which have no places";
         return Err(refused(format!("{why}; {accepted}")));
     }
     if !geometry.figure(0.0, state).has_values() {

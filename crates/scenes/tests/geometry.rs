@@ -24,7 +24,8 @@ fn links(geometry: &Geometry) -> Vec<Vec<&str>> {
 }
 
 fn place(geometry: &Geometry, figure: &Figure, name: &str) -> [f64; 3] {
-    let number = geometry.names.iter().position(|known| known == name).unwrap_or_else(|| panic!("no place is called {name}"));
+    let number =
+        geometry.names.iter().position(|known| known == name).unwrap_or_else(|| panic!("no place is called {name}"));
     figure.places[number]
 }
 

@@ -161,17 +161,23 @@ impl Drawing {
         self.element(title, " xmlns=\"http://www.w3.org/2000/svg\"", &style)
     }
 
-    fn element(&self, label: &str, namespace: &str, style: &str) -> String {
-        let label = html! { i title=(label) {} }.0;
+    fn element(&self, title: &str, namespace: &str, style: &str) -> String {
+        let label = html! { i title=(title) {} }.0;
         let label = label.trim_start_matches("<i title=").trim_end_matches("></i>");
-        let (width, heading) =
-            (coordinate(self.columns.max(1) as f64 * WIDTH), if style.is_empty() { 0.0 } else { 24.0 });
+        let columns = self.columns.max(1);
+        let lines = if style.is_empty() { Vec::new() } else { wrap(title, 54 * columns) };
+        let heading = if lines.is_empty() { 0.0 } else { 24.0 + LINE * (lines.len() - 1) as f64 };
+        let width = coordinate(columns as f64 * WIDTH);
         let (top, height) = (coordinate(-heading), coordinate(self.height.ceil() + heading));
-        let title = if style.is_empty() {
-            String::new()
-        } else {
-            format!("<text class=\"title\" x=\"8\" y=\"-6\">{}</text>", label.trim_matches('"'))
-        };
+        let title: String = lines
+            .iter()
+            .rev()
+            .enumerate()
+            .map(|(above, line)| {
+                let (y, line) = (coordinate(-6.0 - LINE * above as f64), html!((line)).0);
+                format!("<text class=\"title\" x=\"8\" y=\"{y}\">{line}</text>")
+            })
+            .collect();
         let body = &self.body;
         let svg = format!(
             "<svg{namespace} class=\"picture\" role=\"img\" aria-label={label} viewBox=\"0 {top} {width} {height}\">\

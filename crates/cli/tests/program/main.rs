@@ -20,6 +20,7 @@ mod references;
 mod refusals;
 mod reviews;
 mod runs;
+mod sketches;
 
 use serde_json::Value;
 use std::path::{Path, PathBuf};

@@ -1,6 +1,6 @@
 //! Bodies: links through places that are fixed in them, wheels, blocks on lines, particles, and ellipsoids of inertia.
 
-use super::parts::{Parts, Vector, scaled, sum};
+use super::parts::{Parts, Vector, distance, scaled, sum};
 use ::scenes::geometry::{Ellipsoid, Figure, Wheel};
 use charts::SketchPart;
 
@@ -47,7 +47,7 @@ pub fn draw(parts: &mut Parts<'_>) -> Drawn {
                 is_to_scale = true;
                 round(parts, at, *wheel);
             }
-            (Some(at), None) if slides(parts, at) => block(parts, body, at),
+            (Some(at), None) if model.frame.is_none() && slides(parts, at) => block(parts, body, at),
             (Some(at), None) => {
                 let places = geometry.links.iter().filter(|link| link.bodies.contains(&body));
                 let places = places.map(|link| link.places.len()).max().unwrap_or(1);
@@ -72,9 +72,11 @@ pub fn draw(parts: &mut Parts<'_>) -> Drawn {
         let shift = if beside { 2.7 * whole * number as f64 } else { 0.0 };
         let right = right(parts);
         let at = parts.place(move |figure| sum(figure.places[0], scaled(right, shift)));
-        parts.bodies[body] = Some(at);
         let share = shape(parts, body).map_or(1.0, |shape| (longest(&shape) / largest).clamp(0.45, 1.0));
         schematic(parts, body, at, whole * share);
+        let below = scaled(up(parts), -1.12 * whole * share);
+        let shifted = move |figure: &Figure| sum(sum(figure.places[0], scaled(right, shift)), below);
+        parts.bodies[body] = Some(if is_flat { parts.place(shifted) } else { at });
     }
     let note = match (untold.is_empty(), beside, is_to_scale) {
         (true, ..) => "",
@@ -93,16 +95,31 @@ fn right(parts: &Parts<'_>) -> Vector {
     }
 }
 
+/// The direction in which names stand above them.
+fn up(parts: &Parts<'_>) -> Vector {
+    match parts.geometry.plane {
+        Some(normal) if normal[2].abs() < 0.5 => [0.0, 0.0, 1.0],
+        _ => [0.0, 1.0, 0.0],
+    }
+}
+
 fn mean(figure: &Figure, places: &[usize]) -> Vector {
     let all = places.iter().fold([0.0; 3], |all, place| sum(all, figure.places[*place]));
     scaled(all, 1.0 / places.len().max(1) as f64)
 }
 
-/// Whether a body is a block on a line: one that touches nothing itself.
+/// Whether a body is a block on a line: not one that touches something, nor one that falls freely.
 fn slides(parts: &Parts<'_>, at: usize) -> bool {
     let geometry = parts.geometry;
+    let Some((_, along)) = geometry.slides.iter().find(|(place, _)| *place == at) else { return false };
+    let gravity = parts.figures.first().map_or([0.0; 3], |figure| figure.gravity);
+    let share: f64 = gravity.iter().zip(along).map(|(a, b)| a * b).sum();
+    let falls = share.abs() > 0.99 * distance(gravity, [0.0; 3]) && share != 0.0;
+    let is_held =
+        geometry.elements.iter().map(|element| &element.ends).chain(&geometry.rods).any(|ends| ends.contains(&at))
+            || geometry.links.iter().any(|link| link.places.contains(&at));
     let mut contacts = geometry.model.contacts.iter().filter(|contact| !contact.is_line);
-    geometry.slides.iter().any(|(place, _)| *place == at) && !contacts.any(|contact| geometry.first[contact.point.0] == at)
+    (is_held || !falls) && !contacts.any(|contact| geometry.first[contact.point.0] == at)
 }
 
 fn block(parts: &mut Parts<'_>, body: usize, at: usize) {
@@ -154,7 +171,11 @@ fn ellipsoid(parts: &mut Parts<'_>, body: usize, at: usize) -> bool {
 
 /// A body whose size nothing tells.
 fn schematic(parts: &mut Parts<'_>, body: usize, at: usize, size: f64) {
-    let whole = Ellipsoid { axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], lengths: [1.0, 1.0, 0.0], has_mass: false };
+    let whole = Ellipsoid {
+        axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        lengths: [1.0, 1.0, 0.0],
+        has_mass: false,
+    };
     let shape = shape(parts, body).unwrap_or(whole);
     let by = size / longest(&shape);
     rings(parts, body, at, shape, by);

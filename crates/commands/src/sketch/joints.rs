@@ -10,6 +10,7 @@ pub fn draw(parts: &mut Parts<'_>) {
         parts.add(match element.action {
             Action::Elastic => SketchPart::Spring(element.ends),
             Action::Viscous => SketchPart::Dashpot(element.ends),
+            Action::Field => SketchPart::Field(element.ends),
             Action::Given => SketchPart::Actuator(element.ends),
         });
     }
@@ -29,8 +30,11 @@ pub fn draw(parts: &mut Parts<'_>) {
             parts.add(SketchPart::Surface { at: foot, normal, of_ground: contact.with.is_none() });
         }
     }
+    rolled_on(parts);
     for force in 0..parts.figures.first().map_or(0, |figure| figure.forces.len()) {
-        let acts = |figure: &scenes::geometry::Figure| figure.forces[force].1.iter().any(|part| *part != 0.0 && part.is_finite());
+        let acts = |figure: &scenes::geometry::Figure| {
+            figure.forces[force].1.iter().any(|part| *part != 0.0 && part.is_finite())
+        };
         if parts.figures.iter().any(acts) {
             let at = geometry.first[parts.figures[0].forces[force].0];
             let along = parts.direction(move |figure| figure.forces[force].1);
@@ -39,11 +43,35 @@ pub fn draw(parts: &mut Parts<'_>) {
     }
 }
 
+/// Surfaces on which wheels roll by constraints.
+fn rolled_on(parts: &mut Parts<'_>) {
+    let geometry = parts.geometry;
+    for wheel in &geometry.wheels {
+        let (point, centre) = (geometry.first[wheel.point], geometry.centre(wheel.body));
+        let has_contact = geometry.model.contacts.iter().any(|contact| geometry.first[contact.point.0] == point);
+        let Some(centre) = centre.filter(|_| !has_contact) else { continue };
+        let is_flat = geometry.plane.is_some();
+        let normal = parts.direction(move |figure| {
+            let arm = sum(figure.places[centre], scaled(figure.places[point], -1.0));
+            // in space a wheel leans, and what it rolls on is level
+            if is_flat || figure.gravity == [0.0; 3] { arm } else { scaled(figure.gravity, -1.0) }
+        });
+        parts.add(SketchPart::Surface { at: point, normal, of_ground: true });
+    }
+}
+
 /// Places at which parts are joined to each other, and to the ground.
 fn joined(parts: &mut Parts<'_>) {
     let geometry = parts.geometry;
     let links: Vec<&Vec<usize>> = geometry.links.iter().map(|link| &link.places).collect();
-    let ends: Vec<usize> = geometry.elements.iter().map(|element| element.ends).chain(geometry.rods.iter().copied()).flatten().collect();
+    let ends: Vec<usize> = geometry
+        .elements
+        .iter()
+        .filter(|element| element.action != Action::Field)
+        .map(|element| element.ends)
+        .chain(geometry.rods.iter().copied())
+        .flatten()
+        .collect();
     for &place in &geometry.ground {
         let on_line = geometry.telescopes.iter().any(|ends| ends[0] == place);
         if links.iter().any(|link| link.contains(&place)) || ends.contains(&place) || on_line {
@@ -55,7 +83,9 @@ fn joined(parts: &mut Parts<'_>) {
     let all: Vec<(usize, usize)> =
         links.iter().enumerate().flat_map(|(link, places)| places.iter().map(move |place| (link, *place))).collect();
     for (number, &(link, place)) in all.iter().enumerate() {
-        let meets = all[..number].iter().any(|&(other, there)| other != link && (there == place || parts.coincide(there, place)));
+        let meets = all[..number]
+            .iter()
+            .any(|&(other, there)| other != link && (there == place || parts.coincide(there, place)));
         let on_block = geometry.slides.iter().any(|(block, _)| parts.coincide(*block, place));
         let is_rod = geometry.rods.iter().flatten().any(|end| *end == place);
         if meets || on_block || is_rod {

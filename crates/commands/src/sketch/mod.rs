@@ -26,6 +26,7 @@ pub fn sketch(title: &str, geometry: &Geometry, figures: &[Figure], towards: Opt
         instants,
         view,
         axes,
+        gravity: figures.first().map_or([0.0; 3], |figure| figure.gravity),
         has_scale: bodies.is_to_scale,
         note: bodies.note.to_owned(),
     }

@@ -3,14 +3,13 @@
 //! A function of a distance alone has a slope along the coordinates that is parallel to that of the distance, at every point. So a term
 //! k (r - l)^2/2 of the potential energy is a spring, and a constraint x^2 + y^2 = l^2 a rod, however they are written.
 
+use super::elements::{Load, grows};
+use super::samples::{POINTS, is_of_state, value, values};
 use super::{Action, Element, Place, terms, written_distances};
 use crate::equations::{Level, ScalarConstraint, held_of};
-use crate::{Along, Trace, Zero};
-use field::DoubleDouble;
+use crate::{Along, PointId, Trace, Zero};
 use symbolic::Sym;
 
-/// Points at which slopes are compared.
-const POINTS: u64 = 3;
 /// Slopes are parallel up to this part of their squares.
 const PARALLEL: f64 = 1e-12;
 /// Numbers that differ by a smaller part are one.
@@ -31,67 +30,84 @@ struct Sought {
     slope: Vec<Sym>,
     /// Pairs of points whose distance stands in it as it is written.
     written: Vec<[usize; 2]>,
+    /// The load and its term that it is, of a force at a place.
+    load: Option<(usize, usize)>,
 }
 
-/// Elements by energies and generalised forces, and rods by constraints.
-pub(super) fn along_distances(trace: &Trace<'_>, places: &[Place]) -> (Vec<Element>, Vec<[usize; 2]>) {
-    let sought = sought(trace);
+/// Elements by energies and forces, which loads lose then, and rods by constraints.
+pub(super) fn along_distances(
+    trace: &Trace<'_>,
+    places: &[Place],
+    loads: &mut [Load],
+) -> (Vec<Element>, Vec<[usize; 2]>) {
+    let sought = sought(trace, loads);
     let pairs = places.len() * places.len() / 2;
     if sought.is_empty() || pairs * trace.speeds.len() > MOST {
         return (Vec::new(), Vec::new());
     }
     let displaced = displaced(trace, places);
-    let (mut elements, mut rods) = (Vec::new(), Vec::new());
-    for Sought { action, slope, written } in sought {
+    let (mut elements, mut rods, mut taken) = (Vec::new(), Vec::new(), Vec::new());
+    for Sought { action, slope, written, load } in sought {
         let Some(slope) = values(trace, &slope) else { continue };
-        let is_spring = |forces: &[Stretched]| action != Some(Action::Elastic) || varies(forces.iter().map(|one| one.force));
-        let fits = |ends: &[usize; 2]| {
-            let found = stretched(&displaced, *ends, &slope);
-            found.filter(|found| is_spring(found)).is_some_and(|found| {
-                // along one coordinate every distance is a function of every other one
-                written.contains(ends) || along_several(&slope) || !varies(found.iter().map(|one| one.rate))
-            })
+        let of_ends = |ends: [usize; 2]| {
+            let found = stretched(&displaced, ends, &slope)?;
+            let is_force = action != Some(Action::Elastic) || varies(found.iter().map(|one| one.force));
+            // along one coordinate every distance is a function of every other one
+            let is_own = written.contains(&ends) || along_several(&slope) || !varies(found.iter().map(|one| one.rate));
+            (is_force && is_own).then_some((ends, found))
         };
         let others = (0..places.len()).flat_map(|b| (0..b).map(move |a| [a, b]));
         // as it is written; else between named points rather than others, from the origin rather than from elsewhere
-        let unnamed = |ends: &[usize; 2]| ends.iter().filter(|end| places[**end].name.is_empty()).count();
-        let found = written.iter().copied().find(|ends| fits(ends));
-        let Some(ends) = found.or_else(|| others.filter(fits).min_by_key(unnamed)) else { continue };
+        let unnamed =
+            |(ends, _): &([usize; 2], Vec<Stretched>)| ends.iter().filter(|end| places[**end].name.is_empty()).count();
+        let found = written.iter().copied().find_map(of_ends);
+        let Some((ends, found)) = found.or_else(|| others.filter_map(of_ends).min_by_key(unnamed)) else { continue };
+        taken.extend(load);
+        let forces: Vec<(f64, f64)> = found.iter().map(|one| (one.distance, one.force)).collect();
         match action {
+            Some(Action::Elastic) if !grows(&forces) => elements.push(Element { ends, action: Action::Field }),
             Some(action) => elements.push(Element { ends, action }),
             None => rods.push(ends),
         }
+    }
+    for (number, load) in loads.iter_mut().enumerate() {
+        let mut term = 0..;
+        load.terms.retain(|_| !taken.contains(&(number, term.next().unwrap_or_default())));
     }
     elements.dedup();
     (elements, rods)
 }
 
 /// All covectors that may be those of distances.
-fn sought(trace: &Trace<'_>) -> Vec<Sought> {
+fn sought(trace: &Trace<'_>, loads: &[Load]) -> Vec<Sought> {
     let model = trace.model;
     let by_each = |slope: &dyn Fn(usize) -> Sym| (0..trace.speeds.len()).map(slope).collect();
     let mut found = Vec::new();
     for (id, _) in model.energies.potential.into_iter().flat_map(|sum| terms(trace, sum)) {
         let slope = by_each(&|i| trace.by_coordinate(trace.scalar(id), i));
-        found.push(Sought { action: Some(Action::Elastic), slope, written: written_distances(trace, id) });
+        let written = written_distances(trace, id);
+        found.push(Sought { action: Some(Action::Elastic), slope, written, load: None });
     }
     for (id, _) in model.energies.dissipation.into_iter().flat_map(|sum| terms(trace, sum)) {
         let slope = by_each(&|i| trace.by_speed(trace.scalar(id), i));
-        found.push(Sought { action: Some(Action::Viscous), slope, written: written_distances(trace, id) });
+        let written = written_distances(trace, id);
+        found.push(Sought { action: Some(Action::Viscous), slope, written, load: None });
     }
     for force in &model.generalised {
         let Along::Speed(along) = force.along else { continue };
-        for (id, _) in terms(trace, force.is) {
-            let term = trace.scalar(id);
-            let used = term.symbols_of();
-            let has = |letters: &[Sym]| letters.iter().any(|letter| used.contains(letter));
-            let action = match (has(&trace.coordinates), has(&trace.speeds)) {
-                (true, false) => Action::Elastic,
-                (false, true) => Action::Viscous,
-                _ => continue,
-            };
+        for (id, is_negative) in terms(trace, force.is) {
+            let term = if is_negative { trace.scalar(id) } else { -trace.scalar(id) };
+            let Some(action) = action_of(trace, &[term]) else { continue };
             let slope = by_each(&|i| if i == along { term } else { Sym::ZERO });
-            found.push(Sought { action: Some(action), slope, written: Vec::new() });
+            found.push(Sought { action: Some(action), slope, written: Vec::new(), load: None });
+        }
+    }
+    for (number, load) in loads.iter().enumerate() {
+        let position = trace.position(PointId(load.place));
+        for (place, term) in load.terms.iter().enumerate() {
+            let Some(action) = action_of(trace, &term.components) else { continue };
+            let slope = by_each(&|i| -trace.dot(*term, trace.vector_by_coordinate(position, i)));
+            found.push(Sought { action: Some(action), slope, written: Vec::new(), load: Some((number, place)) });
         }
     }
     for (place, constraint) in model.constraints.iter().enumerate() {
@@ -99,11 +115,25 @@ fn sought(trace: &Trace<'_>) -> Vec<Sought> {
         let held = held_of(trace, place).into_iter().filter(|held| trace.level_of(held.zero) == Level::Position);
         let of_held = |held: ScalarConstraint| {
             let slope = by_each(&|i| trace.by_coordinate(held.zero, i));
-            Sought { action: None, slope, written: written_distances(trace, zero) }
+            Sought { action: None, slope, written: written_distances(trace, zero), load: None }
         };
         found.extend(held.map(of_held));
     }
     found
+}
+
+/// The action of a force whose components hold coordinates or speeds; none of others, and of reactions.
+fn action_of(trace: &Trace<'_>, components: &[Sym]) -> Option<Action> {
+    if !components.iter().all(|component| is_of_state(trace, *component)) {
+        return None;
+    }
+    let used: Vec<Sym> = components.iter().flat_map(|component| component.symbols_of()).collect();
+    let has = |letters: &[Sym]| letters.iter().any(|letter| used.contains(letter));
+    match (has(&trace.coordinates), has(&trace.speeds)) {
+        (_, true) => Some(Action::Viscous),
+        (true, false) => Some(Action::Elastic),
+        (false, false) => None,
+    }
 }
 
 /// Whether a covector has more than one component.
@@ -118,6 +148,7 @@ struct Stretched {
     force: f64,
     /// Its slope along the coordinates, by its length.
     rate: f64,
+    distance: f64,
 }
 
 /// The force along a distance at each point, where a slope is parallel to that of the distance.
@@ -132,7 +163,7 @@ fn stretched(displaced: &[Vec<Displaced>], [a, b]: [usize; 2], slope: &Slopes) -
             .map(|(a, b)| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>());
         // the square of the sine between them
         let is_parallel = square * other - product * product <= PARALLEL * square * other;
-        let found = Stretched { force: product / square, rate: square.sqrt() };
+        let found = Stretched { force: product / square, rate: square.sqrt(), distance };
         (square > PARALLEL && other > 0.0 && is_parallel && distance.is_finite()).then_some(found)
     };
     displaced.iter().zip(slope).map(one).collect()
@@ -156,24 +187,4 @@ fn displaced(trace: &Trace<'_>, places: &[Place]) -> Vec<Vec<Displaced>> {
         places.iter().map(one).collect()
     };
     (0..POINTS).map(at).collect()
-}
-
-/// Values of expressions at each point.
-fn values(trace: &Trace<'_>, of: &[Sym]) -> Option<Slopes> {
-    (0..POINTS).map(|point| of.iter().map(|each| value(trace, *each, point)).collect::<Option<Vec<_>>>()).collect()
-}
-
-/// The value of an expression at a point: coordinates, speeds and the time differ between points, parameters do not.
-fn value(trace: &Trace<'_>, of: Sym, point: u64) -> Option<f64> {
-    if let Some(constant) = of.as_constant() {
-        return Some(constant.to_f64());
-    }
-    let drawn = |name: &str| {
-        let letter = Sym::symbol(name);
-        let point = if trace.parameters.contains(&letter) { 0 } else { point };
-        let pi = (letter == trace.pi).then(|| DoubleDouble::from(std::f64::consts::PI));
-        Some(pi.unwrap_or_else(|| crate::real_points::drawn(name, point)))
-    };
-    let found = of.evaluate_analytic(&drawn).ok();
-    found.map(|value: DoubleDouble| value.hi()).filter(|value| value.is_finite())
 }

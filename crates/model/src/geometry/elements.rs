@@ -1,16 +1,20 @@
-//! Forces between two places.
+//! Forces between two places, and what is left of forces at one.
 
+use super::samples::{POINTS, value};
+use super::terms;
 use crate::arena::{Scalar, Vector as Form};
-use crate::{Force, FrameId, Material, ScalarId, Trace, VectorId};
+use crate::{Force, Material, PointId, ScalarId, Trace, Vector, VectorId};
 use symbolic::Sym;
 
 /// What the force of an element depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Action {
-    /// The positions: a spring.
+    /// The positions, and it grows against what moves the ends: a spring.
     Elastic,
     /// The speeds: a dashpot.
     Viscous,
+    /// The positions, and it falls with what moves the ends: an attraction from afar.
+    Field,
     /// Neither: a force that is given.
     Given,
 }
@@ -23,11 +27,15 @@ pub struct Element {
     pub action: Action,
 }
 
-/// Forces at places, along the axes of the ground.
-type PlacedForces = Vec<(usize, [Sym; 3])>;
+/// A force at a place, by its terms.
+#[derive(Clone, Debug)]
+pub(super) struct Load {
+    pub place: usize,
+    pub terms: Vec<Vector>,
+}
 
 /// The elements among the forces of a model, and the other forces.
-pub(super) fn of_forces(trace: &Trace<'_>) -> (Vec<Element>, PlacedForces) {
+pub(super) fn of_forces(trace: &Trace<'_>) -> (Vec<Element>, Vec<Load>) {
     let (mut elements, mut others) = (Vec::new(), Vec::new());
     for force in &trace.model.forces {
         let (ends, size) = match force {
@@ -35,14 +43,36 @@ pub(super) fn of_forces(trace: &Trace<'_>) -> (Vec<Element>, PlacedForces) {
             Force::On { at, is } => match from_ground(trace, at, *is) {
                 Some((from, size)) => ([from, at.point.0], size),
                 None => {
-                    others.push((at.point.0, trace.express(trace.vector(*is), FrameId::GROUND)));
+                    others.push(Load { place: at.point.0, terms: vector_terms(trace, *is) });
                     continue;
                 }
             },
         };
-        elements.extend(actions(trace, trace.scalar(size)).into_iter().map(|action| Element { ends, action }));
+        elements.extend(actions(trace, ends, trace.scalar(size)).into_iter().map(|action| Element { ends, action }));
     }
     (elements, others)
+}
+
+/// The terms of a vector; of one that is scaled by a sum, those of the sum.
+pub(super) fn vector_terms(trace: &Trace<'_>, vector: VectorId) -> Vec<Vector> {
+    let (mut open, mut found) = (vec![(vector, false)], Vec::new());
+    let signed = |is_negative: bool, of: Sym| if is_negative { -of } else { of };
+    while let Some((id, is_negative)) = open.pop() {
+        match trace.model.arena.vector_at(id) {
+            Some(Form::Sum(a, b)) => open.extend([(*b, is_negative), (*a, is_negative)]),
+            Some(Form::Difference(a, b)) => open.extend([(*b, !is_negative), (*a, is_negative)]),
+            Some(Form::Negation(a)) => open.push((*a, !is_negative)),
+            Some(Form::Scaled(scale, a)) => {
+                let one = |(term, is_less): (ScalarId, bool)| {
+                    let scale = signed(is_less != is_negative, trace.scalar(term));
+                    trace.vector(*a).map(|part| scale * part)
+                };
+                found.extend(terms(trace, *scale).into_iter().map(one));
+            }
+            _ => found.push(trace.vector(id).map(|part| signed(is_negative, part))),
+        }
+    }
+    found
 }
 
 /// The ground's end of a force between a place of the ground and a point, with its size.
@@ -56,13 +86,17 @@ fn from_ground(trace: &Trace<'_>, at: &Material, is: VectorId) -> Option<(usize,
 }
 
 /// The actions of a force by its size: what it is at rest, and what speeds add.
-fn actions(trace: &Trace<'_>, size: Sym) -> Vec<Action> {
+fn actions(trace: &Trace<'_>, ends: [usize; 2], size: Sym) -> Vec<Action> {
     let rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|speed| (*speed, Sym::ZERO)).collect();
     let at_rest = size.substitute(&rest);
     let has = |letters: &[Sym], of: Sym| of.symbols_of().iter().any(|letter| letters.contains(letter));
     let mut found = Vec::new();
     if has(&trace.coordinates, at_rest) {
-        found.push(Action::Elastic);
+        let line = trace.between(PointId(ends[0]), PointId(ends[1]));
+        let square = trace.dot(line, line);
+        let at = |point: u64| Some((value(trace, square, point)?, -value(trace, at_rest, point)?));
+        let grows = (0..POINTS).map(at).collect::<Option<Vec<_>>>().is_none_or(|samples| grows(&samples));
+        found.push(if grows { Action::Elastic } else { Action::Field });
     }
     if has(&trace.speeds, size) {
         found.push(Action::Viscous);
@@ -71,4 +105,11 @@ fn actions(trace: &Trace<'_>, size: Sym) -> Vec<Action> {
         found.push(Action::Given);
     }
     found
+}
+
+/// Whether the second numbers grow with the first, on the whole.
+pub(super) fn grows(samples: &[(f64, f64)]) -> bool {
+    let count = samples.len().max(1) as f64;
+    let (first, second) = samples.iter().fold((0.0, 0.0), |(a, b), (x, y)| (a + x / count, b + y / count));
+    samples.iter().map(|(x, y)| (x - first) * (y - second)).sum::<f64>() >= 0.0
 }

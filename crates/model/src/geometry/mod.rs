@@ -3,6 +3,7 @@
 mod distances;
 mod elements;
 mod places;
+mod samples;
 
 pub use elements::{Action, Element};
 pub use places::Place;
@@ -30,9 +31,16 @@ impl Geometry {
     /// The geometry of a traced model.
     pub fn of(trace: &Trace<'_>) -> Self {
         let places = places::places(trace);
-        let (mut elements, forces) = elements::of_forces(trace);
-        let (by_energies, rods) = distances::along_distances(trace, &places);
-        elements.extend(by_energies.into_iter().filter(|found| !elements.contains(found)).collect::<Vec<_>>());
+        let (mut elements, mut loads) = elements::of_forces(trace);
+        let (found, rods) = distances::along_distances(trace, &places, &mut loads);
+        for element in found {
+            if !elements.contains(&element) {
+                elements.push(element);
+            }
+        }
+        let left = loads.into_iter().filter(|load| !load.terms.is_empty());
+        let whole = |terms: &[Vector]| terms.iter().fold(Vector::ZERO, |sum, term| trace.sum(sum, *term));
+        let forces = left.map(|load| (load.place, trace.express(whole(&load.terms), FrameId::GROUND))).collect();
         Geometry { places, elements, rods, forces, touched: touched(trace) }
     }
 }
@@ -82,10 +90,12 @@ fn written_distances(trace: &Trace<'_>, scalar: ScalarId) -> Vec<[usize; 2]> {
     let (mut open, mut found) = (vec![scalar], Vec::new());
     while let Some(id) = open.pop() {
         match arena.scalar_at(id) {
-            Some(
-                Scalar::Sum(a, b) | Scalar::Difference(a, b) | Scalar::Product(a, b) | Scalar::Quotient(a, b),
-            ) => open.extend([*a, *b]),
-            Some(Scalar::Negation(a) | Scalar::Power(a, _) | Scalar::Function(_, a) | Scalar::RateOf(a)) => open.push(*a),
+            Some(Scalar::Sum(a, b) | Scalar::Difference(a, b) | Scalar::Product(a, b) | Scalar::Quotient(a, b)) => {
+                open.extend([*a, *b])
+            }
+            Some(Scalar::Negation(a) | Scalar::Power(a, _) | Scalar::Function(_, a) | Scalar::RateOf(a)) => {
+                open.push(*a)
+            }
             Some(Scalar::Norm(way) | Scalar::Dot(way, _)) => {
                 if let Some(Form::Between { from, to }) = arena.vector_at(*way) {
                     found.push([from.0.min(to.0), from.0.max(to.0)]);

@@ -3,7 +3,7 @@
 //! A point that is found by ways in several frames passes places where one way ends and the next begins: `O + r*A.x + l*B.x` passes the
 //! pin at `O + r*A.x`.
 
-use crate::arena::Vector as Form;
+use super::elements::vector_terms;
 use crate::{FrameId, Trace, Vector, VectorId};
 use symbolic::Sym;
 
@@ -45,20 +45,11 @@ pub(super) fn places(trace: &Trace<'_>) -> Vec<Place> {
 
 /// A way as a sum of ways, each in a frame of its own.
 fn parts(trace: &Trace<'_>, way: VectorId) -> Vec<Vector> {
-    let (mut open, mut found): (_, Vec<Vector>) = (vec![(way, false)], Vec::new());
-    while let Some((id, is_negative)) = open.pop() {
-        match trace.model.arena.vector_at(id) {
-            Some(Form::Sum(a, b)) => open.extend([(*b, is_negative), (*a, is_negative)]),
-            Some(Form::Difference(a, b)) => open.extend([(*b, !is_negative), (*a, is_negative)]),
-            Some(Form::Negation(a)) => open.push((*a, !is_negative)),
-            _ => {
-                let vector = trace.vector(id);
-                let vector = if is_negative { vector.map(|part| -part) } else { vector };
-                match found.last_mut() {
-                    Some(last) if last.frame == vector.frame => *last = trace.sum(*last, vector),
-                    _ => found.push(vector),
-                }
-            }
+    let mut found: Vec<Vector> = Vec::new();
+    for vector in vector_terms(trace, way) {
+        match found.last_mut() {
+            Some(last) if last.frame == vector.frame => *last = trace.sum(*last, vector),
+            _ => found.push(vector),
         }
     }
     found

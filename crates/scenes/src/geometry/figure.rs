@@ -176,7 +176,8 @@ fn written(model: &Model, (time, state): (Sym, &[Sym]), cases: &[Sym]) -> (Symbo
     values.extend(model.switches.iter().map(|switch| trace.scalar(*switch)));
     let values = put(&values);
     // a reaction is none of the geometry
-    let known = |each: Sym| if each.symbols_of().iter().all(|letter| inputs.contains(letter)) { each } else { Sym::ZERO };
+    let known =
+        |each: Sym| if each.symbols_of().iter().all(|letter| inputs.contains(letter)) { each } else { Sym::ZERO };
     let symbolic = Symbolic {
         bases: geometry.places.iter().map(|place| place.base).collect(),
         names: geometry.places.into_iter().map(|place| place.name).collect(),

@@ -1,7 +1,7 @@
 //! The ellipsoid of a body by its inertia: homogeneous, or a thin plate where one of its axes has no length.
 
-use super::figure::Figure;
 use super::Geometry;
+use super::figure::Figure;
 use model::Inertia;
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 
@@ -13,7 +13,7 @@ const FLAT: f64 = 1e-3;
 pub struct Ellipsoid {
     /// Along the axes of its frame, each of length one.
     pub axes: [[f64; 3]; 3],
-    /// In metres; where a body has no mass, parts of the longest.
+    /// In metres; where a body has no mass, those of one kilogram.
     pub lengths: [f64; 3],
     pub has_mass: bool,
 }
@@ -64,7 +64,6 @@ impl Geometry {
             return None;
         }
         let lengths = lengths.map(|length| if length <= FLAT * longest { 0.0 } else { length });
-        let lengths = if has_mass { lengths } else { lengths.map(|length| length / longest) };
         Some(Ellipsoid { axes, lengths, has_mass })
     }
 }

@@ -84,7 +84,8 @@ impl Geometry {
         let is_joined = |ends: &[usize; 2]| {
             elements.iter().any(|element| element.ends == *ends || element.ends == [ends[1], ends[0]])
         };
-        let telescopes: Vec<[usize; 2]> = once(&structure.telescopes).into_iter().filter(|ends| !is_joined(ends)).collect();
+        let telescopes: Vec<[usize; 2]> =
+            once(&structure.telescopes).into_iter().filter(|ends| !is_joined(ends)).collect();
         let rods = once(&symbolic.rods);
         let links = rigid::without_touched(structure.links, &wheels, model, &structure.first);
         Ok(Geometry {

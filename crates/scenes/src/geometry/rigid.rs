@@ -1,7 +1,7 @@
 //! What places keep at all states: fixed in the ground, fixed in a frame together, on a line.
 
-use super::figure::{Figure, Symbolic};
 use super::Wheel;
+use super::figure::{Figure, Symbolic};
 use model::{FrameId, Model};
 
 type Vector = [f64; 3];
@@ -58,8 +58,11 @@ impl Structure {
         let is_part = |(number, link): (usize, &Link)| {
             !all.iter().enumerate().any(|(other, larger)| {
                 let within = link.places.iter().all(|place| larger.places.contains(place));
-                let is_first = (link.places.len(), link.bodies.is_empty(), number)
-                    .cmp(&(larger.places.len(), larger.bodies.is_empty(), other));
+                let is_first = (link.places.len(), link.bodies.is_empty(), number).cmp(&(
+                    larger.places.len(),
+                    larger.bodies.is_empty(),
+                    other,
+                ));
                 let is_less = link.places.len() < larger.places.len() || is_first.is_gt();
                 other != number && within && is_less && link.bodies.iter().all(|body| larger.bodies.contains(body))
             })
@@ -67,13 +70,16 @@ impl Structure {
         let links = all.iter().enumerate().filter(|(number, link)| is_part((*number, link)));
         let links = links.map(|(_, link)| link.clone()).collect();
         let moving = (0..places).filter(|place| first[*place] == *place && !ground.contains(place));
-        let slides = moving.filter_map(|place| Some((place, line_of(samples.iter().map(|at| at.places[place]), near)?)));
+        let slides =
+            moving.filter_map(|place| Some((place, line_of(samples.iter().map(|at| at.places[place]), near)?)));
         let slides = slides.collect();
         let telescope = |(place, base): (usize, &Option<(usize, FrameId)>)| {
             let (from, frame) = (*base)?;
             let turned = turning[frame.0];
             let way = |at: &Figure| within(&at.frames[turned], difference(at.places[place], at.places[from]));
-            let is_line = turned != 0 && line_of(samples.iter().map(way).chain([[0.0; 3]]), near).is_some();
+            let is_line = turned != 0
+                && line_of(samples.iter().map(way), near).is_some()
+                && line_of(samples.iter().map(way).chain([[0.0; 3]]), near).is_some();
             is_line.then_some([from, place])
         };
         let telescopes = symbolic.bases.iter().enumerate().filter_map(telescope).collect();
@@ -123,7 +129,8 @@ fn firsts(samples: &[Figure], symbolic: &Symbolic, near: f64) -> Vec<usize> {
     let named = (0..count).filter(|place| !symbolic.names[*place].is_empty());
     let others = (0..count).filter(|place| symbolic.names[*place].is_empty());
     for place in named.chain(others) {
-        let is_one = |other: &&usize| samples.iter().all(|at| length(difference(at.places[place], at.places[**other])) <= near);
+        let is_one =
+            |other: &&usize| samples.iter().all(|at| length(difference(at.places[place], at.places[**other])) <= near);
         match known.iter().find(is_one) {
             Some(other) => first[place] = *other,
             None => known.push(place),
@@ -208,7 +215,8 @@ fn plane(samples: &[Figure], near: f64) -> Option<Vector> {
         // a plane that leans, through three places
         let places: Vec<Vector> = samples.iter().flat_map(|at| at.places.iter().copied()).collect();
         let start = *places.first()?;
-        let far = places.iter().map(|place| difference(*place, start)).max_by(|a, b| length(*a).total_cmp(&length(*b)))?;
+        let far =
+            places.iter().map(|place| difference(*place, start)).max_by(|a, b| length(*a).total_cmp(&length(*b)))?;
         let widest = places.iter().map(|place| cross(far, difference(*place, start)));
         let widest = widest.max_by(|a, b| length(*a).total_cmp(&length(*b)))?;
         let size = length(widest);
@@ -220,7 +228,10 @@ fn plane(samples: &[Figure], near: f64) -> Option<Vector> {
 fn size(samples: &[Figure]) -> f64 {
     let of = |at: &Figure| {
         let along = |k: usize| {
-            let (low, high) = at.places.iter().fold((f64::MAX, f64::MIN), |(low, high), place| (low.min(place[k]), high.max(place[k])));
+            let (low, high) = at
+                .places
+                .iter()
+                .fold((f64::MAX, f64::MIN), |(low, high), place| (low.min(place[k]), high.max(place[k])));
             high - low
         };
         length([along(0), along(1), along(2)])

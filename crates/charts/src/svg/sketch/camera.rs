@@ -1,8 +1,8 @@
 //! From where a mechanism is seen, and how its places come onto the paper.
 
+use super::Sketch;
 use super::extent::Extent;
-use super::{Drawing, Sketch};
-use crate::svg::drawing::{Anchor, WIDTH};
+use crate::svg::drawing::WIDTH;
 
 /// A direction of sight.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,28 +88,6 @@ impl Camera {
     /// The part of a direction that points to the eye.
     pub fn depth(&self, direction: [f64; 3]) -> f64 {
         dot(self.towards, unit(direction).unwrap_or_default())
-    }
-
-    /// The axes of the ground, in a corner.
-    pub fn draw_axes(&self, drawing: &mut Drawing, names: &[String; 3]) {
-        let (x, y) = (34.0, self.height - 34.0);
-        drawing.open("axes");
-        for (axis, name) in names.iter().enumerate().filter(|(_, name)| !name.is_empty()) {
-            let mut direction = [0.0; 3];
-            direction[axis] = 1.0;
-            let (along, down) = self.share(direction);
-            let length = along.hypot(down);
-            if length < 0.1 {
-                // one that points to the eye, or away from it
-                drawing.circle((x, y), 2.6, "axis-end");
-                continue;
-            }
-            let end = (x + 26.0 * along, y + 26.0 * down);
-            drawing.path(&arrow((x, y), end, 5.0), "axis");
-            let beyond = (x + (26.0 * length + 9.0) * along / length, y + (26.0 * length + 9.0) * down / length + 4.5);
-            drawing.text(beyond, Anchor::Middle, "small", name);
-        }
-        drawing.close();
     }
 }
 

@@ -1,9 +1,6 @@
-//! The box that a mechanism takes over all instants, and the scale beside it.
+//! The box that a mechanism takes over all instants.
 
-use super::camera::Camera;
-use super::{Drawing, Sketch, SketchPart};
-use crate::svg::drawing::{Anchor, WIDTH};
-use crate::svg::number::{coordinate, significant};
+use super::{Sketch, SketchPart};
 
 /// The least and the largest of two coordinates.
 #[derive(Clone, Copy, Debug)]
@@ -15,8 +12,7 @@ pub(super) struct Extent {
 impl Extent {
     /// Of all places that parts stand at, and of rings about them.
     pub fn of(sketch: &Sketch, flat: impl Fn([f64; 3]) -> (f64, f64)) -> Self {
-        let mut extent =
-            Extent { low: (f64::INFINITY, f64::INFINITY), high: (f64::NEG_INFINITY, f64::NEG_INFINITY) };
+        let mut extent = Extent { low: (f64::INFINITY, f64::INFINITY), high: (f64::NEG_INFINITY, f64::NEG_INFINITY) };
         for instant in &sketch.instants {
             let place = |at: &usize| instant.places.get(*at).map(|place| flat(*place));
             for part in &sketch.parts {
@@ -29,9 +25,8 @@ impl Extent {
                     _ => &[],
                 };
                 let own = axes.iter().filter_map(|axis| instant.directions.get(*axis).map(|axis| flat(*axis)));
-                let reach = own.fold((0.0, 0.0), |(right, up): (f64, f64), axis| {
-                    (right.hypot(axis.0), up.hypot(axis.1))
-                });
+                let reach =
+                    own.fold((0.0, 0.0), |(right, up): (f64, f64), axis| (right.hypot(axis.0), up.hypot(axis.1)));
                 extent.hold((x - reach.0, y - reach.1));
                 extent.hold((x + reach.0, y + reach.1));
             }
@@ -69,7 +64,8 @@ impl SketchPart {
             | SketchPart::Telescope(ends)
             | SketchPart::Spring(ends)
             | SketchPart::Dashpot(ends)
-            | SketchPart::Actuator(ends) => ends.to_vec(),
+            | SketchPart::Actuator(ends)
+            | SketchPart::Field(ends) => ends.to_vec(),
             SketchPart::Centre(at)
             | SketchPart::Pin(at)
             | SketchPart::Support(at)
@@ -81,40 +77,5 @@ impl SketchPart {
             | SketchPart::Surface { at, .. }
             | SketchPart::Arrow { at, .. } => vec![*at],
         }
-    }
-}
-
-/// A bar whose length is a round number of metres.
-pub(super) fn scale_bar(drawing: &mut Drawing, camera: &Camera) {
-    let most = 90.0 / camera.scale;
-    let power = 10_f64.powf(most.log10().floor());
-    let round = [5.0, 2.0, 1.0].into_iter().map(|digit| digit * power).find(|length| *length <= most);
-    let Some(length) = round.filter(|length| length.is_finite()) else { return };
-    let (right, y) = (WIDTH - 16.0, camera.height - 14.0);
-    let left = right - length * camera.scale;
-    let [from, to, at] = [left, right, y].map(coordinate);
-    drawing.path(&format!("M{from} {at}m0-4v8m0-4H{to}m0-4v8"), "axis");
-    drawing.text((0.5 * (left + right), y - 8.0), Anchor::Middle, "small", &metres(length));
-}
-
-/// A length as people write it.
-fn metres(length: f64) -> String {
-    let units = [(1e3, "km"), (1.0, "m"), (1e-3, "mm"), (1e-6, "µm")];
-    // centimetres are read more easily than tens of millimetres
-    let (of, unit) = units.into_iter().find(|(of, _)| length >= 0.999 * of).unwrap_or((1.0, "m"));
-    if unit == "mm" && length >= 0.0099 {
-        return format!("{} cm", significant(100.0 * length, 2));
-    }
-    format!("{} {unit}", significant(length / of, 2))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::metres;
-
-    #[test]
-    fn lengths_have_the_unit_that_people_use() {
-        let shown: Vec<String> = [2000.0, 5.0, 0.2, 0.05, 0.002, 2e-5].map(metres).into();
-        assert_eq!(shown, ["2 km", "5 m", "20 cm", "5 cm", "2 mm", "20 µm"]);
     }
 }

@@ -52,7 +52,7 @@ impl Labels {
                 ((left, base), [place.0, place.1 - 0.8 * HEIGHT, place.0 + width, place.1 + 0.2 * HEIGHT])
             };
             let cost = |rim: &Box4| -> usize {
-                let beyond = rim[0] < 2.0 || rim[2] > WIDTH - 2.0 || rim[1] < 2.0 || rim[3] > camera.height - 2.0;
+                let beyond = rim[0] < 2.0 || rim[2] > WIDTH - 2.0 || rim[1] < 2.0 || rim[3] > camera.height + 4.0;
                 let covered = ink.iter().filter(|point| holds(rim, **point)).count();
                 let names = taken.iter().filter(|other| meets(rim, other)).count();
                 covered + 1000 * names + if beyond { 500 } else { 0 }
@@ -102,9 +102,13 @@ const SIDES: [(f64, f64); 12] = [
 /// Points that strokes cover, some pixels apart.
 fn ink(sketch: &Sketch, first: &Instant, camera: &Camera) -> Vec<Flat> {
     let mut points = Vec::new();
-    for part in &sketch.parts {
-        let stands: Vec<Flat> =
-            part.stands_at().iter().filter_map(|place| first.places.get(*place)).map(|place| camera.place(*place)).collect();
+    for part in sketch.parts.iter().filter(|part| !matches!(part, SketchPart::Field(_))) {
+        let stands: Vec<Flat> = part
+            .stands_at()
+            .iter()
+            .filter_map(|place| first.places.get(*place))
+            .map(|place| camera.place(*place))
+            .collect();
         points.extend(&stands);
         for pair in stands.windows(2) {
             points.extend(along(pair[0], pair[1]));
@@ -126,8 +130,12 @@ fn ink(sketch: &Sketch, first: &Instant, camera: &Camera) -> Vec<Flat> {
                     (x + cos * a.0 + sin * b.0, y + cos * a.1 + sin * b.1)
                 }));
             }
-            SketchPart::Support(_) => points.extend([(-9.0, 15.0), (9.0, 15.0), (0.0, 12.0)].map(|(a, b)| (x + a, y + b))),
-            SketchPart::Block { .. } => points.extend([(-14.0, -8.0), (14.0, -8.0), (-14.0, 8.0), (14.0, 8.0)].map(|(a, b)| (x + a, y + b))),
+            SketchPart::Support(_) => {
+                points.extend([(-9.0, 15.0), (9.0, 15.0), (0.0, 12.0)].map(|(a, b)| (x + a, y + b)))
+            }
+            SketchPart::Block { .. } => {
+                points.extend([(-14.0, -8.0), (14.0, -8.0), (-14.0, 8.0), (14.0, 8.0)].map(|(a, b)| (x + a, y + b)))
+            }
             _ => {}
         }
     }

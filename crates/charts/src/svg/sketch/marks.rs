@@ -48,9 +48,8 @@ pub(super) fn ellipse(centre: Flat, a: Flat, b: Flat) -> String {
     let at = |p: f64, q: f64| (centre.0 + p * a.0 + q * b.0, centre.1 + p * a.1 + q * b.1);
     // the cubic curve that is nearest to a quarter of a circle
     let k = 0.552_284_75;
-    let quarter = |c: [f64; 6]| {
-        format!("C{} {} {}", point(&at(c[0], c[1])), point(&at(c[2], c[3])), point(&at(c[4], c[5])))
-    };
+    let quarter =
+        |c: [f64; 6]| format!("C{} {} {}", point(&at(c[0], c[1])), point(&at(c[2], c[3])), point(&at(c[4], c[5])));
     let quarters = [
         [1.0, k, k, 1.0, 0.0, 1.0],
         [-k, 1.0, -1.0, k, -1.0, 0.0],

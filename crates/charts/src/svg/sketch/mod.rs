@@ -6,6 +6,7 @@
 
 mod bars;
 mod camera;
+mod compass;
 mod extent;
 mod labels;
 mod marks;
@@ -19,7 +20,7 @@ pub use camera::View;
 
 use super::drawing::Drawing;
 use camera::Camera;
-use extent::scale_bar;
+use compass::compass;
 use labels::Labels;
 use shapes::shapes;
 use timeline::Timeline;
@@ -36,6 +37,8 @@ pub struct Sketch {
     pub view: View,
     /// The names of the axes x, y and z of the ground.
     pub axes: [String; 3],
+    /// The acceleration of free fall, of which the direction is drawn; zero where there is none.
+    pub gravity: [f64; 3],
     /// Whether lengths are those of the model, so that a scale is drawn.
     pub has_scale: bool,
     /// Text below the picture.
@@ -57,7 +60,10 @@ pub struct Instant {
 #[derive(Clone, Debug, PartialEq)]
 pub enum SketchPart {
     /// A rigid body through places that are fixed in it, in a colour by its number.
-    Plate { corners: Vec<usize>, colour: usize },
+    Plate {
+        corners: Vec<usize>,
+        colour: usize,
+    },
     /// A rigid rod without a mass.
     Rod([usize; 2]),
     /// A line on which one place moves beside another.
@@ -66,8 +72,13 @@ pub enum SketchPart {
     Dashpot([usize; 2]),
     /// A force between two places that is neither of a spring nor of a dashpot.
     Actuator([usize; 2]),
+    /// An attraction or a repulsion from afar.
+    Field([usize; 2]),
     /// A body that is a point with a mass.
-    Particle { at: usize, colour: usize },
+    Particle {
+        at: usize,
+        colour: usize,
+    },
     /// The centre of mass of a body.
     Centre(usize),
     /// A joint.
@@ -75,17 +86,40 @@ pub enum SketchPart {
     /// A place that is fixed in the ground, with something held there.
     Support(usize),
     /// A block that slides along a line.
-    Block { at: usize, along: usize, colour: usize },
+    Block {
+        at: usize,
+        along: usize,
+        colour: usize,
+    },
     /// The line that it slides on, through a place of the first instant.
-    Guide { at: usize, along: usize },
+    Guide {
+        at: usize,
+        along: usize,
+    },
     /// A closed curve about a place: an ellipse by its two half axes, lengths among the directions.
-    Ring { at: usize, axes: [usize; 2], colour: usize, spoke: bool },
+    Ring {
+        at: usize,
+        axes: [usize; 2],
+        colour: usize,
+        spoke: bool,
+    },
     /// The axes of a frame that turns.
-    Triad { at: usize, axes: [usize; 3], colour: usize },
+    Triad {
+        at: usize,
+        axes: [usize; 3],
+        colour: usize,
+    },
     /// A surface that is touched at a place, with its normal towards the body.
-    Surface { at: usize, normal: usize, of_ground: bool },
+    Surface {
+        at: usize,
+        normal: usize,
+        of_ground: bool,
+    },
     /// A force on a place, whose size is not drawn.
-    Arrow { at: usize, along: usize },
+    Arrow {
+        at: usize,
+        along: usize,
+    },
 }
 
 impl Sketch {
@@ -109,11 +143,8 @@ impl Sketch {
         shapes.iter().for_each(|shape| shape.draw(&mut drawing, &timeline));
         let names = Labels::of(self, &camera, first);
         names.draw(&mut drawing, &timeline);
-        camera.draw_axes(&mut drawing, &self.axes);
         drawing.height = camera.height;
-        if self.has_scale {
-            scale_bar(&mut drawing, &camera);
-        }
+        compass(&mut drawing, &camera, (&self.axes, self.gravity), self.has_scale);
         timeline.draw(&mut drawing);
         drawing.close();
         drawing.paragraph(&self.note, "small");

@@ -12,7 +12,8 @@ pub(super) fn plate(scene: Scene<'_>, corners: &[usize], colour: &str) -> Vec<Sh
     let Some(first) = scene.sketch.instants.first() else { return Vec::new() };
     let flat: Vec<Flat> = corners.iter().map(|corner| scene.at(first, *corner)).collect();
     let hull = hull(&flat);
-    let is_wide = hull.len() > 2 && is_flat(scene, corners) && width(&hull.iter().map(|k| flat[*k]).collect::<Vec<_>>()) > THIN;
+    let is_wide =
+        hull.len() > 2 && is_flat(scene, corners) && width(&hull.iter().map(|k| flat[*k]).collect::<Vec<_>>()) > THIN;
     if is_wide {
         let outline: Vec<usize> = hull.iter().map(|k| corners[*k]).collect();
         let points = scene.each(|instant| outline.iter().map(|corner| scene.at(instant, *corner)).collect());

@@ -11,7 +11,12 @@ pub(super) type Flat = (f64, f64);
 pub(super) enum Pose {
     Still(String),
     /// A path about its own origin, with the place of that, its turn in degrees, and its stretch along its own first axis.
-    Moved { path: String, places: Vec<Flat>, angles: Vec<f64>, stretches: Vec<f64> },
+    Moved {
+        path: String,
+        places: Vec<Flat>,
+        angles: Vec<f64>,
+        stretches: Vec<f64>,
+    },
     Bent(Vec<String>),
 }
 
@@ -35,9 +40,8 @@ impl Pose {
         let angles: Vec<f64> = match far {
             None => Vec::new(),
             Some(far) => {
-                let turn = |points: &Vec<Flat>| {
-                    (points[far].1 - points[0].1).atan2(points[far].0 - points[0].0).to_degrees()
-                };
+                let turn =
+                    |points: &Vec<Flat>| (points[far].1 - points[0].1).atan2(points[far].0 - points[0].0).to_degrees();
                 let first = turn(first);
                 unwound(points.iter().map(|points| turn(points) - first))
             }

@@ -102,6 +102,7 @@ fn strokes(scene: Scene<'_>, part: &SketchPart) -> Vec<Shape> {
             vec![Shape::new(4, "dashpot", scene.bar(*ends, if has_spring { DASHPOT_BESIDE } else { DASHPOT }))]
         }
         SketchPart::Actuator(ends) => vec![Shape::new(4, "force", scene.bar(*ends, ACTUATOR))],
+        SketchPart::Field(ends) => vec![Shape::new(0, "field", scene.line(*ends))],
         SketchPart::Particle { at, colour } => {
             vec![Shape::new(7, coloured("mass", *colour), scene.mark(*at, |at| circle(at, MASS)))]
         }

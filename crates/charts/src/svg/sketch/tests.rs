@@ -34,7 +34,10 @@ fn a_still_has_every_part_and_name_and_moves_nothing() {
 #[test]
 fn a_bar_that_swings_is_turned_as_a_whole_and_loops_without_a_script() {
     let svg = bar(&[0.0, 30.0, 60.0]).svg();
-    assert!(svg.contains("type=\"rotate\" values=\"0;-30;-60\"") && svg.contains("repeatCount=\"indefinite\""), "{svg}");
+    assert!(
+        svg.contains("type=\"rotate\" values=\"0;-30;-60\"") && svg.contains("repeatCount=\"indefinite\""),
+        "{svg}"
+    );
     assert!(!svg.contains("<script") && !svg.contains("attributeName=\"d\""), "{svg}");
     assert!(svg.contains("as quick as the motion"), "{svg}");
 }
