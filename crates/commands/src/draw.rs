@@ -15,7 +15,7 @@ use simulation::{Axes, Choice, IvpScene};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// What is drawn, and when.
+/// The scene, and the time at which it is drawn.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// The scene, a TOML file with points, bodies or frames; values of parameters are those of the file

@@ -29,7 +29,7 @@ use simulation::events::Margins;
 use simulation::events::{Passage, Switching};
 use simulation::ivp_scene::Parameter;
 use simulation::knowledge::Knowledge;
-use simulation::models::{ModelReaders, Modelled, read_models_by};
+use simulation::models::{ModelReaders, Modelled, has_model, holds_model, read_models_by};
 use simulation::problem::{Function, Invariant};
 use simulation::work_precision::Hybrid;
 use simulation::work_precision::{Configuration, Observed};
@@ -139,8 +139,12 @@ impl ModelScene {
             issues.push(Issue { span: None, title: why, label: String::new(), help: Some(VALUES.to_owned()) });
         }
         let names = model.as_deref().map(columns);
+        // outputs of a scene with a law of its own have the names of that
+        let has_own_law = has_model(text) && !holds_model(text);
+        let known = names.as_deref().filter(|_| !has_own_law);
         let run = match top.has("run") {
-            true => run::read(top, issues, names.as_deref()),
+            true if has_own_law => run::read(top, issues, known).map(|run| Run { outputs: Vec::new(), ..run }),
+            true => run::read(top, issues, known),
             false if given.run.is_some() => given.run,
             // keys of the run under another heading are told there
             false if issues.iter().any(|issue| issue.help.as_deref().is_some_and(|help| help.contains("[run]"))) => {

@@ -26,7 +26,7 @@ fn links(geometry: &Geometry) -> Vec<Vec<&str>> {
 fn place(geometry: &Geometry, figure: &Figure, name: &str) -> [f64; 3] {
     let number =
         geometry.names.iter().position(|known| known == name).unwrap_or_else(|| panic!("no place is called {name}"));
-    figure.places[number]
+    figure.places[number].into()
 }
 
 fn near(a: [f64; 3], b: [f64; 3], within: f64) {
@@ -38,7 +38,7 @@ fn the_rods_of_a_double_pendulum_have_their_ends_where_its_angles_say() {
     let scene = scene(include_str!("../../../scenes/models/double_pendulum.toml"));
     let geometry = geometry(&scene);
     assert_eq!(links(&geometry), [["O", "P"], ["P", "Q"]]);
-    assert_eq!(geometry.plane, Some([0.0, 0.0, 1.0]));
+    assert_eq!(geometry.plane.map(<[f64; 3]>::from), Some([0.0, 0.0, 1.0]));
     let figure = geometry.figure(0.0, &scene.start);
     let (sin, cos) = 120.0_f64.to_radians().sin_cos();
     near(place(&geometry, &figure, "P"), [sin, -cos, 0.0], 1e-12);
@@ -94,7 +94,7 @@ fn the_axis_of_a_top_leans_as_its_angles_say() {
     let (psi, theta) = (30.0_f64.to_radians(), 40.0_f64.to_radians());
     let axis = [psi.sin() * theta.sin(), -psi.cos() * theta.sin(), theta.cos()];
     near(place(&geometry, &figure, "G"), axis.map(|part| 0.3 * part), 1e-12);
-    near(figure.frames[3][2], axis, 1e-12);
+    near(figure.frames[3][2].into(), axis, 1e-12);
 }
 
 #[test]

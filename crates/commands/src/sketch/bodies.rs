@@ -1,10 +1,11 @@
 //! Bodies: links through places that are fixed in them, wheels, blocks on lines, particles, and ellipsoids of inertia.
 
-use super::parts::{Parts, Vector, distance, scaled, sum};
+use super::parts::Parts;
 use ::scenes::geometry::{Ellipsoid, Figure, Wheel};
 use charts::SketchPart;
+use nalgebra::Vector3;
 
-/// How bodies are drawn.
+/// The way in which bodies are drawn.
 pub struct Drawn {
     /// Whether lengths are those of the model.
     pub is_to_scale: bool,
@@ -71,11 +72,11 @@ pub fn draw(parts: &mut Parts<'_>) -> Drawn {
         let whole = if geometry.size > 0.0 { UNTOLD * geometry.size } else { 1.0 };
         let shift = if beside { 2.7 * whole * number as f64 } else { 0.0 };
         let right = right(parts);
-        let at = parts.place(move |figure| sum(figure.places[0], scaled(right, shift)));
+        let at = parts.place(move |figure| figure.places[0] + shift * right);
         let share = shape(parts, body).map_or(1.0, |shape| (longest(&shape) / largest).clamp(0.45, 1.0));
         schematic(parts, body, at, whole * share);
-        let below = scaled(up(parts), -1.12 * whole * share);
-        let shifted = move |figure: &Figure| sum(sum(figure.places[0], scaled(right, shift)), below);
+        let below = -1.12 * whole * share * up(parts);
+        let shifted = move |figure: &Figure| figure.places[0] + shift * right + below;
         parts.bodies[body] = Some(if is_flat { parts.place(shifted) } else { at });
     }
     let note = match (untold.is_empty(), beside, is_to_scale) {
@@ -88,33 +89,33 @@ pub fn draw(parts: &mut Parts<'_>) -> Drawn {
 }
 
 /// The direction in which bodies without places stand beside each other.
-fn right(parts: &Parts<'_>) -> Vector {
+fn right(parts: &Parts<'_>) -> Vector3<f64> {
     match parts.geometry.plane {
-        Some(normal) if normal[0].abs() > 0.5 => [0.0, 1.0, 0.0],
-        _ => [1.0, 0.0, 0.0],
+        Some(normal) if normal.x.abs() > 0.5 => Vector3::y(),
+        _ => Vector3::x(),
     }
 }
 
 /// The direction in which names stand above them.
-fn up(parts: &Parts<'_>) -> Vector {
+fn up(parts: &Parts<'_>) -> Vector3<f64> {
     match parts.geometry.plane {
-        Some(normal) if normal[2].abs() < 0.5 => [0.0, 0.0, 1.0],
-        _ => [0.0, 1.0, 0.0],
+        Some(normal) if normal.z.abs() < 0.5 => Vector3::z(),
+        _ => Vector3::y(),
     }
 }
 
-fn mean(figure: &Figure, places: &[usize]) -> Vector {
-    let all = places.iter().fold([0.0; 3], |all, place| sum(all, figure.places[*place]));
-    scaled(all, 1.0 / places.len().max(1) as f64)
+fn mean(figure: &Figure, places: &[usize]) -> Vector3<f64> {
+    let all: Vector3<f64> = places.iter().map(|place| figure.places[*place]).sum();
+    all / places.len().max(1) as f64
 }
 
 /// Whether a body is a block on a line: not one that touches something, nor one that falls freely.
 fn slides(parts: &Parts<'_>, at: usize) -> bool {
     let geometry = parts.geometry;
     let Some((_, along)) = geometry.slides.iter().find(|(place, _)| *place == at) else { return false };
-    let gravity = parts.figures.first().map_or([0.0; 3], |figure| figure.gravity);
-    let share: f64 = gravity.iter().zip(along).map(|(a, b)| a * b).sum();
-    let falls = share.abs() > 0.99 * distance(gravity, [0.0; 3]) && share != 0.0;
+    let gravity = parts.figures.first().map_or_else(Vector3::zeros, |figure| figure.gravity);
+    let share = gravity.dot(along);
+    let falls = share.abs() > 0.99 * gravity.norm() && share != 0.0;
     let is_held =
         geometry.elements.iter().map(|element| &element.ends).chain(&geometry.rods).any(|ends| ends.contains(&at))
             || geometry.links.iter().any(|link| link.places.contains(&at));
@@ -134,7 +135,7 @@ fn block(parts: &mut Parts<'_>, body: usize, at: usize) {
 fn round(parts: &mut Parts<'_>, at: usize, wheel: Wheel) {
     let Wheel { body, radius, axis, .. } = wheel;
     let Some(frame) = parts.geometry.model.bodies[body].frame.map(|frame| frame.0) else { return };
-    let mut half = |k: usize| parts.direction(move |figure| scaled(figure.frames[frame][k], radius));
+    let mut half = |k: usize| parts.direction(move |figure| radius * figure.frames[frame][k]);
     let axes = [half(0), half(1), half(2)];
     match (axis, parts.geometry.plane) {
         (Some(axis), _) => ring(parts, at, axes, axis, (body, true)),
@@ -171,11 +172,8 @@ fn ellipsoid(parts: &mut Parts<'_>, body: usize, at: usize) -> bool {
 
 /// A body whose size nothing tells.
 fn schematic(parts: &mut Parts<'_>, body: usize, at: usize, size: f64) {
-    let whole = Ellipsoid {
-        axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-        lengths: [1.0, 1.0, 0.0],
-        has_mass: false,
-    };
+    let whole =
+        Ellipsoid { axes: [Vector3::x(), Vector3::y(), Vector3::z()], lengths: [1.0, 1.0, 0.0], has_mass: false };
     let shape = shape(parts, body).unwrap_or(whole);
     let by = size / longest(&shape);
     rings(parts, body, at, shape, by);
@@ -189,8 +187,8 @@ fn rings(parts: &mut Parts<'_>, body: usize, at: usize, shape: Ellipsoid, by: f6
     let mut half = |k: usize| {
         let (axis, length) = (axes[k], by * lengths[k]);
         parts.direction(move |figure| {
-            let along = (0..3).fold([0.0; 3], |all, j| sum(all, scaled(figure.frames[axes_frame][j], axis[j])));
-            scaled(along, length)
+            let along = (0..3).map(|j| axis[j] * figure.frames[axes_frame][j]).sum::<Vector3<f64>>();
+            length * along
         })
     };
     let half_axes = [half(0), half(1), half(2)];
@@ -210,7 +208,7 @@ fn rings(parts: &mut Parts<'_>, body: usize, at: usize, shape: Ellipsoid, by: f6
 }
 
 fn triad(parts: &mut Parts<'_>, frame: usize, at: usize, (length, colour): (f64, usize)) {
-    let mut axis = |k: usize| parts.direction(move |figure| scaled(figure.frames[frame][k], length));
+    let mut axis = |k: usize| parts.direction(move |figure| length * figure.frames[frame][k]);
     let axes = [axis(0), axis(1), axis(2)];
     parts.add(SketchPart::Triad { at, axes, colour });
 }
@@ -226,7 +224,7 @@ fn frames_alone(parts: &mut Parts<'_>) {
     for (colour, frame) in last.into_iter().enumerate() {
         let name = parts.geometry.model.frames[frame].name.clone();
         triad(parts, frame, 0, (1.0, colour));
-        let beyond = parts.place(move |figure| sum(figure.places[0], scaled(figure.frames[frame][0], 1.08)));
+        let beyond = parts.place(move |figure| figure.places[0] + 1.08 * figure.frames[frame][0]);
         parts.names.push((beyond, name));
     }
 }

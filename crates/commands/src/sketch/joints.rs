@@ -1,8 +1,9 @@
-//! What holds and drives bodies: pins, supports, rods, springs, dampers, surfaces that are touched, forces.
+//! Joints, and all that acts on bodies: pins, supports, rods, springs, dampers, surfaces that are touched, forces.
 
-use super::parts::{Parts, scaled, sum};
+use super::parts::Parts;
 use charts::SketchPart;
 use model::geometry::Action;
+use nalgebra::Vector3;
 
 pub fn draw(parts: &mut Parts<'_>) {
     let geometry = parts.geometry;
@@ -23,7 +24,7 @@ pub fn draw(parts: &mut Parts<'_>) {
         let contact = &geometry.model.contacts[parts.figures[0].touches[touch].contact];
         let foot = parts.place(move |figure| {
             let touch = figure.touches[touch];
-            sum(figure.places[touch.point], scaled(touch.normal, -touch.gap))
+            figure.places[touch.point] - touch.gap * touch.normal
         });
         let normal = parts.direction(move |figure| figure.touches[touch].normal);
         if !contact.is_line {
@@ -52,9 +53,9 @@ fn rolled_on(parts: &mut Parts<'_>) {
         let Some(centre) = centre.filter(|_| !has_contact) else { continue };
         let is_flat = geometry.plane.is_some();
         let normal = parts.direction(move |figure| {
-            let arm = sum(figure.places[centre], scaled(figure.places[point], -1.0));
+            let arm = figure.places[centre] - figure.places[point];
             // in space a wheel leans, and what it rolls on is level
-            if is_flat || figure.gravity == [0.0; 3] { arm } else { scaled(figure.gravity, -1.0) }
+            if is_flat || figure.gravity == Vector3::zeros() { arm } else { -figure.gravity }
         });
         parts.add(SketchPart::Surface { at: point, normal, of_ground: true });
     }

@@ -26,7 +26,7 @@ pub fn sketch(title: &str, geometry: &Geometry, figures: &[Figure], towards: Opt
         instants,
         view,
         axes,
-        gravity: figures.first().map_or([0.0; 3], |figure| figure.gravity),
+        gravity: figures.first().map_or([0.0; 3], |figure| figure.gravity.into()),
         has_scale: bodies.is_to_scale,
         note: bodies.note.to_owned(),
     }
@@ -34,6 +34,10 @@ pub fn sketch(title: &str, geometry: &Geometry, figures: &[Figure], towards: Opt
 
 /// Everything of the figures, before parts add places and directions of their own.
 fn instants(figures: &[Figure]) -> Vec<Instant> {
-    let one = |figure: &Figure| Instant { time: figure.time, places: figure.places.clone(), directions: Vec::new() };
+    let one = |figure: &Figure| Instant {
+        time: figure.time,
+        places: figure.places.iter().map(|place| (*place).into()).collect(),
+        directions: Vec::new(),
+    };
     figures.iter().map(one).collect()
 }

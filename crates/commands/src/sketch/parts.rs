@@ -3,9 +3,7 @@
 use super::instants;
 use ::scenes::geometry::{Figure, Geometry};
 use charts::{Instant, SketchPart};
-
-/// A vector along the axes of the ground.
-pub type Vector = [f64; 3];
+use nalgebra::Vector3;
 
 /// A sketch under construction.
 pub struct Parts<'a> {
@@ -31,35 +29,23 @@ impl<'a> Parts<'a> {
     }
 
     /// A place beside those of the model.
-    pub fn place(&mut self, of: impl Fn(&Figure) -> Vector) -> usize {
+    pub fn place(&mut self, of: impl Fn(&Figure) -> Vector3<f64>) -> usize {
         for (instant, figure) in self.instants.iter_mut().zip(self.figures) {
-            instant.places.push(of(figure));
+            instant.places.push(of(figure).into());
         }
         self.instants.first().map_or(0, |instant| instant.places.len() - 1)
     }
 
-    pub fn direction(&mut self, of: impl Fn(&Figure) -> Vector) -> usize {
+    pub fn direction(&mut self, of: impl Fn(&Figure) -> Vector3<f64>) -> usize {
         for (instant, figure) in self.instants.iter_mut().zip(self.figures) {
-            instant.directions.push(of(figure));
+            instant.directions.push(of(figure).into());
         }
         self.instants.first().map_or(0, |instant| instant.directions.len() - 1)
     }
 
-    /// Where two places are one at all times.
+    /// Whether two places of the model are one at all times.
     pub fn coincide(&self, a: usize, b: usize) -> bool {
         let near = 1e-6 * self.geometry.size;
-        self.instants.iter().all(|instant| distance(instant.places[a], instant.places[b]) <= near)
+        self.figures.iter().all(|figure| (figure.places[a] - figure.places[b]).norm() <= near)
     }
-}
-
-pub fn scaled(vector: Vector, by: f64) -> Vector {
-    vector.map(|part| by * part)
-}
-
-pub fn sum(a: Vector, b: Vector) -> Vector {
-    std::array::from_fn(|k| a[k] + b[k])
-}
-
-pub fn distance(a: Vector, b: Vector) -> f64 {
-    a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
 }

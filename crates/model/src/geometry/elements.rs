@@ -6,7 +6,7 @@ use crate::arena::{Scalar, Vector as Form};
 use crate::{Force, Material, PointId, ScalarId, Trace, Vector, VectorId};
 use symbolic::Sym;
 
-/// What the force of an element depends on.
+/// The quantities that the force of an element depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Action {
     /// The positions, and it grows against what moves the ends: a spring.

@@ -10,7 +10,7 @@ use symbolic::Sym;
 /// A place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Place {
-    /// Of a named point; empty of others.
+    /// The name of a point; empty where it has none.
     pub name: String,
     /// From the origin, along the axes of the ground.
     pub position: [Sym; 3],

@@ -5,25 +5,23 @@ use crate::letters::Letters;
 use crate::program::recorded;
 use model::geometry::{Element, frame_axes};
 use model::{FrameId, Inertia, Model, Trace};
+use nalgebra::Vector3;
 use simulation::Program;
 use symbolic::{Sym, substitute_all};
 
-/// A vector along the axes of the ground.
-type Vector = [f64; 3];
-
-/// Where everything is at a time.
+/// The places and directions of a system at a time, along the axes of the ground.
 #[derive(Clone, Debug, Default)]
 pub struct Figure {
     pub time: f64,
-    pub places: Vec<Vector>,
+    pub places: Vec<Vector3<f64>>,
     /// The axes x, y and z of each frame.
-    pub frames: Vec<[Vector; 3]>,
+    pub frames: Vec<[Vector3<f64>; 3]>,
     pub touches: Vec<Touch>,
     /// Forces that stand between no two places, each at a place.
-    pub forces: Vec<(usize, Vector)>,
+    pub forces: Vec<(usize, Vector3<f64>)>,
     /// Mass, and the moments xx, yy, zz, xy, xz, yz of each body; zero where it has none.
     pub inertias: Vec<[f64; 7]>,
-    pub gravity: Vector,
+    pub gravity: Vector3<f64>,
 }
 
 /// A contact.
@@ -32,11 +30,11 @@ pub struct Touch {
     /// Its place in the model.
     pub contact: usize,
     pub point: usize,
-    pub normal: Vector,
+    pub normal: Vector3<f64>,
     pub gap: f64,
 }
 
-/// What of the geometry is no number.
+/// The part of the geometry that is no number.
 #[derive(Debug, Default)]
 pub(super) struct Symbolic {
     pub names: Vec<String>,
@@ -106,10 +104,10 @@ impl Recorded {
             inputs.extend(cases);
         }
         let mut left = values.into_iter();
-        let mut vector = || -> Vector { std::array::from_fn(|_| left.next().unwrap_or(f64::NAN)) };
+        let mut vector = || Vector3::from_fn(|_, _| left.next().unwrap_or(f64::NAN));
         let places = (0..self.places).map(|_| vector()).collect();
         let frames = (0..self.frames).map(|_| [vector(), vector(), vector()]).collect();
-        let normals: Vec<Vector> = self.contacts.iter().map(|_| vector()).collect();
+        let normals: Vec<Vector3<f64>> = self.contacts.iter().map(|_| vector()).collect();
         let forces = self.forces.iter().map(|place| (*place, vector())).collect();
         let gravity = vector();
         let touches = self.contacts.iter().zip(normals);

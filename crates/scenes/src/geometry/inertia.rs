@@ -12,7 +12,7 @@ const FLAT: f64 = 1e-3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ellipsoid {
     /// Along the axes of its frame, each of length one.
-    pub axes: [[f64; 3]; 3],
+    pub axes: [Vector3<f64>; 3],
     /// In metres; where a body has no mass, those of one kilogram.
     pub lengths: [f64; 3],
     pub has_mass: bool,
@@ -33,7 +33,7 @@ impl Geometry {
         let [mass, xx, yy, zz, xy, xz, yz] = *figure.inertias.get(body)?;
         let has_mass = mass > 0.0;
         let mass = if has_mass { mass } else { 1.0 };
-        let unit = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let unit = [Vector3::x(), Vector3::y(), Vector3::z()];
         let (axes, lengths) = match self.model.bodies.get(body)?.inertia.as_ref()? {
             // the radius of gyration
             Inertia::Axial(_) => (unit, [(zz / mass).sqrt(), (zz / mass).sqrt(), 0.0]),
@@ -50,7 +50,7 @@ impl Geometry {
                 let is_diagonal = [xy, xz, yz].iter().all(|entry| *entry == 0.0);
                 let (moments, axes) = match is_diagonal {
                     true => (Vector3::new(xx, yy, zz), unit),
-                    false => (eigenvalues, std::array::from_fn(|k| eigenvectors.column(k).into_owned().into())),
+                    false => (eigenvalues, std::array::from_fn(|k| eigenvectors.column(k).into_owned())),
                 };
                 // integrals of the squares along each axis
                 let squares: [f64; 3] = std::array::from_fn(|k| (0.5 * moments.sum() - moments[k]).max(0.0) / mass);

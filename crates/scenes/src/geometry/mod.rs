@@ -16,6 +16,7 @@ use crate::compiled_system::NotCompiled;
 use figure::Recorded;
 use model::Model;
 use model::geometry::Element;
+use nalgebra::Vector3;
 use rigid::Structure;
 use std::sync::Arc;
 
@@ -23,7 +24,7 @@ use std::sync::Arc;
 #[derive(Debug)]
 pub struct Geometry {
     pub model: Arc<Model>,
-    /// Of each place, empty where it has none.
+    /// Names of places, empty where they have none.
     pub names: Vec<String>,
     /// The first place of those that are one: by it parts stand there.
     pub first: Vec<usize>,
@@ -31,7 +32,7 @@ pub struct Geometry {
     pub ground: Vec<usize>,
     pub links: Vec<Link>,
     /// Places that move along a line of the ground, with its direction.
-    pub slides: Vec<(usize, [f64; 3])>,
+    pub slides: Vec<(usize, Vector3<f64>)>,
     /// Places that move along a line of a frame from another place.
     pub telescopes: Vec<[usize; 2]>,
     pub elements: Vec<Element>,
@@ -39,7 +40,7 @@ pub struct Geometry {
     /// Bodies that roll: the radius, and the axis of the body's frame, of a ball none.
     pub wheels: Vec<Wheel>,
     /// The normal of the plane in which everything moves; none of a system in space.
-    pub plane: Option<[f64; 3]>,
+    pub plane: Option<Vector3<f64>>,
     /// The largest distance of two places.
     pub size: f64,
     recorded: Recorded,

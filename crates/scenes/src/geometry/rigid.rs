@@ -1,10 +1,11 @@
-//! What places keep at all states: fixed in the ground, fixed in a frame together, on a line.
+//! The relations that places keep at all states: fixed in the ground, fixed in a frame together, on a line.
 
 use super::Wheel;
 use super::figure::{Figure, Symbolic};
 use model::{FrameId, Model};
+use nalgebra::Vector3;
 
-type Vector = [f64; 3];
+type Vector = Vector3<f64>;
 
 /// Lengths that differ by less than this part of the size are one.
 const SAME: f64 = 1e-7;
@@ -76,10 +77,10 @@ impl Structure {
         let telescope = |(place, base): (usize, &Option<(usize, FrameId)>)| {
             let (from, frame) = (*base)?;
             let turned = turning[frame.0];
-            let way = |at: &Figure| within(&at.frames[turned], difference(at.places[place], at.places[from]));
+            let way = |at: &Figure| within(&at.frames[turned], at.places[place] - at.places[from]);
             let is_line = turned != 0
                 && line_of(samples.iter().map(way), near).is_some()
-                && line_of(samples.iter().map(way).chain([[0.0; 3]]), near).is_some();
+                && line_of(samples.iter().map(way).chain([Vector::zeros()]), near).is_some();
             is_line.then_some([from, place])
         };
         let telescopes = symbolic.bases.iter().enumerate().filter_map(telescope).collect();
@@ -129,8 +130,7 @@ fn firsts(samples: &[Figure], symbolic: &Symbolic, near: f64) -> Vec<usize> {
     let named = (0..count).filter(|place| !symbolic.names[*place].is_empty());
     let others = (0..count).filter(|place| symbolic.names[*place].is_empty());
     for place in named.chain(others) {
-        let is_one =
-            |other: &&usize| samples.iter().all(|at| length(difference(at.places[place], at.places[**other])) <= near);
+        let is_one = |other: &&usize| samples.iter().all(|at| (at.places[place] - at.places[**other]).norm() <= near);
         match known.iter().find(is_one) {
             Some(other) => first[place] = *other,
             None => known.push(place),
@@ -166,8 +166,8 @@ fn fixed_together(samples: &[Figure], frame: usize, first: &[usize], near: f64) 
     for place in (0..first.len()).filter(|place| first[*place] == *place) {
         let fits = |class: &&mut Vec<usize>| {
             let other = class[0];
-            let start = difference(inside[0][place], inside[0][other]);
-            inside.iter().all(|at| length(difference(difference(at[place], at[other]), start)) <= near)
+            let start = inside[0][place] - inside[0][other];
+            inside.iter().all(|at| (at[place] - at[other] - start).norm() <= near)
         };
         match classes.iter_mut().find(fits) {
             Some(class) => class.push(place),
@@ -181,16 +181,16 @@ fn fixed_together(samples: &[Figure], frame: usize, first: &[usize], near: f64) 
 fn line_of(points: impl Iterator<Item = Vector>, near: f64) -> Option<Vector> {
     let points: Vec<Vector> = points.collect();
     let start = *points.first()?;
-    let ways: Vec<Vector> = points.iter().map(|point| difference(*point, start)).collect();
-    let far = ways.iter().copied().max_by(|a, b| length(*a).total_cmp(&length(*b)))?;
-    let size = length(far);
+    let ways: Vec<Vector> = points.iter().map(|point| *point - start).collect();
+    let far = ways.iter().copied().max_by(|a, b| a.norm().total_cmp(&b.norm()))?;
+    let size = far.norm();
     if size <= 100.0 * near {
         return None;
     }
-    let along = far.map(|part| part / size);
+    let along = far / size;
     let off = |way: &Vector| {
-        let share = dot(*way, along);
-        length(std::array::from_fn(|k| way[k] - share * along[k]))
+        let share = way.dot(&along);
+        (way - share * along).norm()
     };
     ways.iter().all(|way| off(way) <= near).then_some(along)
 }
@@ -199,12 +199,12 @@ fn line_of(points: impl Iterator<Item = Vector>, near: f64) -> Option<Vector> {
 fn plane(samples: &[Figure], near: f64) -> Option<Vector> {
     let axes = samples.first()?.frames.first()?;
     let is_normal = |normal: &Vector| {
-        let start = samples[0].places.first().map_or(0.0, |place| dot(*normal, *place));
+        let start = samples[0].places.first().map_or(0.0, |place| normal.dot(place));
         samples.iter().all(|at| {
-            let flat = at.places.iter().all(|place| (dot(*normal, *place) - start).abs() <= near);
+            let flat = at.places.iter().all(|place| (normal.dot(place) - start).abs() <= near);
             // an axis of every frame stays the normal
             let turns = (0..at.frames.len()).all(|frame| {
-                (0..3).any(|axis| samples.iter().all(|at| dot(at.frames[frame][axis], *normal).abs() >= 1.0 - SAME))
+                (0..3).any(|axis| samples.iter().all(|at| at.frames[frame][axis].dot(normal).abs() >= 1.0 - SAME))
             });
             flat && turns
         })
@@ -215,12 +215,11 @@ fn plane(samples: &[Figure], near: f64) -> Option<Vector> {
         // a plane that leans, through three places
         let places: Vec<Vector> = samples.iter().flat_map(|at| at.places.iter().copied()).collect();
         let start = *places.first()?;
-        let far =
-            places.iter().map(|place| difference(*place, start)).max_by(|a, b| length(*a).total_cmp(&length(*b)))?;
-        let widest = places.iter().map(|place| cross(far, difference(*place, start)));
-        let widest = widest.max_by(|a, b| length(*a).total_cmp(&length(*b)))?;
-        let size = length(widest);
-        (size > 0.0).then(|| widest.map(|part| part / size)).filter(is_normal)
+        let far = places.iter().map(|place| place - start).max_by(|a, b| a.norm().total_cmp(&b.norm()))?;
+        let widest = places.iter().map(|place| far.cross(&(place - start)));
+        let widest = widest.max_by(|a, b| a.norm().total_cmp(&b.norm()))?;
+        let size = widest.norm();
+        (size > 0.0).then(|| widest / size).filter(is_normal)
     })
 }
 
@@ -234,28 +233,12 @@ fn size(samples: &[Figure]) -> f64 {
                 .fold((f64::MAX, f64::MIN), |(low, high), place| (low.min(place[k]), high.max(place[k])));
             high - low
         };
-        length([along(0), along(1), along(2)])
+        Vector3::new(along(0), along(1), along(2)).norm()
     };
     samples.iter().map(of).fold(0.0, f64::max)
 }
 
 /// A vector along the axes of a frame.
-fn within(axes: &[Vector; 3], vector: Vector) -> Vector {
-    axes.map(|axis| dot(axis, vector))
-}
-
-pub(super) fn difference(a: Vector, b: Vector) -> Vector {
-    std::array::from_fn(|k| a[k] - b[k])
-}
-
-pub(super) fn dot(a: Vector, b: Vector) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-pub(super) fn length(vector: Vector) -> f64 {
-    dot(vector, vector).sqrt()
+pub(super) fn within(axes: &[Vector; 3], vector: Vector) -> Vector {
+    Vector3::from(axes.map(|axis| axis.dot(&vector)))
 }

@@ -2,7 +2,7 @@
 
 use super::Wheel;
 use super::figure::{Figure, Symbolic};
-use super::rigid::{Structure, difference, dot, length};
+use super::rigid::{Structure, within};
 use model::Model;
 
 /// Parts of a radius that differ by less are one.
@@ -12,12 +12,12 @@ pub(super) fn wheels(model: &Model, samples: &[Figure], symbolic: &Symbolic, str
     let mut found: Vec<Wheel> = Vec::new();
     for &(body, point) in &symbolic.touched {
         let (Some(frame), Some(centre)) = (model.bodies[body].frame, model.bodies[body].centre) else { continue };
-        let arm = |at: &Figure| difference(at.places[point], at.places[centre.0]);
-        let radius = samples.first().map_or(0.0, |at| length(arm(at)));
-        let keeps = samples.iter().all(|at| (length(arm(at)) - radius).abs() <= SAME * radius);
+        let arm = |at: &Figure| at.places[point] - at.places[centre.0];
+        let radius = samples.first().map_or(0.0, |at| arm(at).norm());
+        let keeps = samples.iter().all(|at| (arm(at).norm() - radius).abs() <= SAME * radius);
         let turned = structure.turning[frame.0];
-        let inside = |at: &Figure| at.frames[turned].map(|axis| dot(axis, arm(at)));
-        let is_fixed = samples.iter().all(|at| length(difference(inside(at), inside(&samples[0]))) <= SAME * radius);
+        let inside = |at: &Figure| within(&at.frames[turned], arm(at));
+        let is_fixed = samples.iter().all(|at| (inside(at) - inside(&samples[0])).norm() <= SAME * radius);
         let is_known = found.iter().any(|wheel| wheel.body == body);
         if radius <= 0.0 || !keeps || is_fixed || is_known {
             continue;

@@ -10,7 +10,7 @@ pub(super) struct Extent {
 }
 
 impl Extent {
-    /// Of all places that parts stand at, and of rings about them.
+    /// The box of all places that parts stand at, and of rings about them.
     pub fn of(sketch: &Sketch, flat: impl Fn([f64; 3]) -> (f64, f64)) -> Self {
         let mut extent = Extent { low: (f64::INFINITY, f64::INFINITY), high: (f64::NEG_INFINITY, f64::NEG_INFINITY) };
         for instant in &sketch.instants {

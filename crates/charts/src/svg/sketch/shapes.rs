@@ -37,7 +37,7 @@ impl Shape {
     }
 }
 
-/// What all parts see: the sketch and its places on the paper.
+/// The sketch and its places on the paper, for all parts.
 #[derive(Clone, Copy)]
 pub(super) struct Scene<'a> {
     pub sketch: &'a Sketch,

@@ -12,8 +12,9 @@ pub(super) struct Timeline {
     span: (f64, f64),
     /// Seconds of the picture.
     seconds: f64,
-    /// How many times slower, or quicker, than the motion.
+    /// The factor by which it is slower than the motion.
     slowed: f64,
+    /// The factor by which it is quicker.
     quickened: f64,
 }
 
