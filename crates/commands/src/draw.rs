@@ -72,6 +72,9 @@ const LARGEST: usize = 1_500_000;
 /// Bytes of one part in one picture.
 const BYTES: usize = 24;
 
+/// Squares of lengths have room up to here, in metres.
+const FARTHEST: f64 = 1e100;
+
 /// A turn by more than this between two pictures, in rad, is not seen as it is.
 const SEEN_TURN: f64 = 2.5;
 
@@ -123,13 +126,18 @@ fn close(model: &mut Model) -> Result<Vec<String>, Exit> {
 fn geometry(path: &Path, model: &Arc<Model>, state: &[f64]) -> Result<Geometry, Exit> {
     let refused = |why: String| Exit::refused(format!("{}: {why}", path.display()));
     let geometry = Geometry::of(model, state).map_err(|why| refused(format!("its places have no values: {why}")))?;
+    let figure = geometry.figure(0.0, state);
+    let farthest = figure.places.iter().flatten().fold(0.0, |farthest: f64, part| farthest.max(part.abs()));
+    if farthest > FARTHEST {
+        return Err(refused(format!("a position is {farthest:e} m; positions up to {FARTHEST:e} m are accepted")));
+    }
     if !geometry.is_seen() {
         let accepted = "a system with [points], [frames] or [bodies] is accepted";
         let why =
             "there is nothing to draw: its energies and forces are written in coordinates alone, which have no places";
         return Err(refused(format!("{why}; {accepted}")));
     }
-    if !geometry.figure(0.0, state).has_values() {
+    if !figure.has_values() {
         let accepted = "a start from which positions are numbers is accepted";
         return Err(refused(format!("a position has no value at the start; {accepted}")));
     }

@@ -18,7 +18,7 @@ const UNTOLD: f64 = 0.16;
 const ENOUGH: usize = 3;
 
 const NOT_TO_SCALE: &str = "The model gives these bodies no places: they are drawn beside each other, not to scale.";
-const UNTOLD_SIZE: &str = "The model gives no sizes: bodies are ellipsoids in the shape of their moments of inertia.";
+const UNTOLD_SIZE: &str = "The model gives no sizes: bodies have the shape of their moments of inertia.";
 
 pub fn draw(parts: &mut Parts<'_>) -> Drawn {
     let geometry = parts.geometry;
@@ -140,12 +140,19 @@ fn round(parts: &mut Parts<'_>, at: usize, wheel: Wheel) {
     match (axis, parts.geometry.plane) {
         (Some(axis), _) => ring(parts, at, axes, axis, (body, true)),
         (None, Some(normal)) => {
-            let across = (0..3).find(|axis| normal[*axis].abs() > 0.9).unwrap_or(2);
+            let across = across(parts, frame, normal);
             ring(parts, at, axes, across, (body, true));
         }
         (None, None) => (0..3).for_each(|axis| ring(parts, at, axes, axis, (body, axis == 2))),
     }
     parts.add(SketchPart::Centre(at));
+}
+
+/// The axis of a frame that is nearest to the normal of the plane.
+fn across(parts: &Parts<'_>, frame: usize, normal: Vector3<f64>) -> usize {
+    let share =
+        |axis: &usize| parts.figures.first().map_or(0.0, |figure| figure.frames[frame][*axis].dot(&normal).abs());
+    (0..3).max_by(|a, b| share(a).total_cmp(&share(b))).unwrap_or(2)
 }
 
 /// The ellipse across one of three half axes.
@@ -196,7 +203,7 @@ fn rings(parts: &mut Parts<'_>, body: usize, at: usize, shape: Ellipsoid, by: f6
         Some(thin) => ring(parts, at, half_axes, thin, (body, true)),
         None => match parts.geometry.plane {
             Some(normal) => {
-                let across = (0..3).find(|axis| normal[*axis].abs() > 0.9).unwrap_or(2);
+                let across = across(parts, axes_frame, normal);
                 ring(parts, at, half_axes, across, (body, true));
             }
             None => (0..3).for_each(|axis| ring(parts, at, half_axes, axis, (body, false))),

@@ -200,14 +200,16 @@ fn plane(samples: &[Figure], near: f64) -> Option<Vector> {
     let axes = samples.first()?.frames.first()?;
     let is_normal = |normal: &Vector| {
         let start = samples[0].places.first().map_or(0.0, |place| normal.dot(place));
-        samples.iter().all(|at| {
-            let flat = at.places.iter().all(|place| (normal.dot(place) - start).abs() <= near);
-            // an axis of every frame stays the normal
-            let turns = (0..at.frames.len()).all(|frame| {
-                (0..3).any(|axis| samples.iter().all(|at| at.frames[frame][axis].dot(normal).abs() >= 1.0 - SAME))
-            });
-            flat && turns
-        })
+        let is_flat = |at: &Figure| at.places.iter().all(|place| (normal.dot(place) - start).abs() <= near);
+        // an axis of every frame that turns stays the normal
+        let rests = |frame: usize| {
+            let axes = &samples[0].frames[frame];
+            samples.iter().all(|at| at.frames[frame].iter().zip(axes).all(|(now, then)| (now - then).norm() <= SAME))
+        };
+        let is_axis =
+            |frame: usize, axis: usize| samples.iter().all(|at| at.frames[frame][axis].dot(normal).abs() >= 1.0 - SAME);
+        samples.iter().all(is_flat)
+            && (0..samples[0].frames.len()).all(|frame| rests(frame) || (0..3).any(|axis| is_axis(frame, axis)))
     };
     // of several, as of a motion on a line, the one that points to the reader first
     let known = [axes[2], axes[1], axes[0]].into_iter().find(is_normal);

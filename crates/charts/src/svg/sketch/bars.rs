@@ -1,7 +1,7 @@
 //! Elements between two places, as paths along their first axis.
 
 /// A spring of the length of a stretched path.
-pub(super) const SPRING: &str = "M0 0H15l5-8 10 16 10-16 10 16 10-16 10 16 10-16 5 8H100";
+pub(super) const SPRING: &str = "M0 0H12l4-8 8 16 8-16 8 16 8-16 8 16 8-16 8 16 8-16 8 16 4-8H100";
 
 /// A dashpot: a piston in a cylinder.
 pub(super) const DASHPOT: &str = "M0 0H45M45-5V5M36-8H65V8H36M65 0H100";

@@ -35,6 +35,8 @@ pub(super) struct Camera {
 
 /// Pixels that the mechanism has at most, to the right and down.
 const ROOM: (f64, f64) = (WIDTH - 130.0, 300.0);
+/// Pictures that are not to scale take so much of it.
+const SCHEMATIC: f64 = 0.55;
 /// The margin above and below.
 const MARGIN: f64 = 48.0;
 /// The least height.
@@ -51,7 +53,8 @@ impl Camera {
         let extent = Extent::of(sketch, |place| camera.flat(place));
         let (width, height) = extent.size();
         let least = f64::MIN_POSITIVE.sqrt();
-        camera.scale = (ROOM.0 / width.max(least)).min(ROOM.1 / height.max(least));
+        let part = if sketch.has_scale { 1.0 } else { SCHEMATIC };
+        camera.scale = part * (ROOM.0 / width.max(least)).min(ROOM.1 / height.max(least));
         camera.middle = extent.middle();
         camera.height = (height * camera.scale + 2.0 * MARGIN).clamp(LEAST, ROOM.1 + 2.0 * MARGIN).round();
         camera

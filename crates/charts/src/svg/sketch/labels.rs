@@ -10,8 +10,9 @@ use crate::svg::number::coordinate;
 /// The width of a letter, and the height of a line, in pixels.
 const LETTER: f64 = 7.4;
 const HEIGHT: f64 = 14.0;
-/// More names are not read.
-const MOST: usize = 60;
+/// Where there are more names, so many of them stand there.
+const MOST: usize = 40;
+const FEW: usize = 16;
 /// Letters of a name.
 const LONGEST: usize = 24;
 
@@ -37,7 +38,9 @@ impl Labels {
         let ink = ink(sketch, first, camera);
         let mut taken: Vec<Box4> = Vec::new();
         let mut placed = Vec::new();
-        for (place, name) in sketch.names.iter().take(MOST) {
+        let count = sketch.names.len();
+        let step = if count > MOST { count.div_ceil(FEW) } else { 1 };
+        for (place, name) in sketch.names.iter().step_by(step) {
             let Some(here) = at(first, *place) else { continue };
             let text = crate::svg::drawing::shorten(name, LONGEST);
             let width = LETTER * text.chars().count() as f64;

@@ -16,6 +16,9 @@ const COLOURS: usize = 6;
 const MASS: f64 = 6.5;
 const PIN: f64 = 3.6;
 const CENTRE: f64 = 5.5;
+/// Parts from which on marks are smaller, and the least size of these.
+const MANY: f64 = 60.0;
+const LEAST: f64 = 0.3;
 /// The length of an arrow.
 const ARROW: f64 = 44.0;
 
@@ -60,6 +63,11 @@ impl Scene<'_> {
         instant.directions.get(number).copied().unwrap_or_default()
     }
 
+    /// The size of marks: smaller where there are many.
+    fn mark_size(&self) -> f64 {
+        (MANY / self.sketch.parts.len().max(1) as f64).clamp(LEAST, 1.0)
+    }
+
     fn mark(&self, place: usize, path: impl Fn(Flat) -> String) -> Pose {
         Pose::through(&self.each(|instant| vec![self.at(instant, place)]), |points| path(points[0]))
     }
@@ -91,6 +99,7 @@ pub(super) fn shapes(sketch: &Sketch, camera: &Camera) -> Vec<Shape> {
 }
 
 fn strokes(scene: Scene<'_>, part: &SketchPart) -> Vec<Shape> {
+    let size = scene.mark_size();
     let coloured = |class: &str, colour: usize| format!("{class} b{}", colour % COLOURS);
     match part {
         SketchPart::Plate { corners, colour } => plates::plate(scene, corners, &coloured("", *colour)),
@@ -104,13 +113,13 @@ fn strokes(scene: Scene<'_>, part: &SketchPart) -> Vec<Shape> {
         SketchPart::Actuator(ends) => vec![Shape::new(4, "force", scene.bar(*ends, ACTUATOR))],
         SketchPart::Field(ends) => vec![Shape::new(0, "field", scene.line(*ends))],
         SketchPart::Particle { at, colour } => {
-            vec![Shape::new(7, coloured("mass", *colour), scene.mark(*at, |at| circle(at, MASS)))]
+            vec![Shape::new(7, coloured("mass", *colour), scene.mark(*at, |at| circle(at, size * MASS)))]
         }
         SketchPart::Centre(at) => vec![
-            Shape::new(6, "centre", scene.mark(*at, |at| circle(at, CENTRE))),
-            Shape::new(6, "quarters", scene.mark(*at, |at| quarters(at, CENTRE))),
+            Shape::new(6, "centre", scene.mark(*at, |at| circle(at, size * CENTRE))),
+            Shape::new(6, "quarters", scene.mark(*at, |at| quarters(at, size * CENTRE))),
         ],
-        SketchPart::Pin(at) => vec![Shape::new(8, "pin", scene.mark(*at, |at| circle(at, PIN)))],
+        SketchPart::Pin(at) => vec![Shape::new(8, "pin", scene.mark(*at, |at| circle(at, size * PIN)))],
         SketchPart::Support(at) => vec![Shape::new(1, "surface", scene.mark(*at, support))],
         SketchPart::Block { at, along, colour } => {
             let path = |from: Flat, to: Flat| block(from, (to.0 - from.0, to.1 - from.1));
