@@ -1,9 +1,8 @@
 //! `dalembert draw`: a sketch of a system, drawn from its model: still, or moving as a run does.
 
-use crate::arguments::{Format, finite};
 use crate::clock;
 use crate::exit::{Exit, placed, print, warn};
-use crate::output::{Form, Provenance, Writes};
+use crate::output::{Form, Format, Provenance, Writes};
 use crate::progress::Progress;
 use crate::sketch::sketch;
 use ::scenes::geometry::{Figure, Geometry};
@@ -43,25 +42,21 @@ pub struct Asked {
 pub struct Direction([f64; 3]);
 
 fn direction(text: &str) -> Result<Direction, String> {
-    let accepted = || "three numbers that are not all zero, such as 1,-2,0.5, are accepted".to_owned();
-    let parts: Vec<f64> =
-        text.split(',').map(|part| finite(part.trim())).collect::<Result<_, _>>().map_err(|_| accepted())?;
-    let direction: [f64; 3] = parts.try_into().map_err(|_| accepted())?;
-    let length = direction.iter().fold(0.0, |length: f64, part| length.hypot(*part));
-    if length > 0.0 && length.is_finite() {
-        Ok(Direction(direction.map(|part| part / length)))
-    } else {
-        Err(accepted())
-    }
+    let parts: Option<Vec<f64>> = text.split(',').map(finite).collect();
+    let direction = parts.and_then(|parts| <[f64; 3]>::try_from(parts).ok()).and_then(|direction| {
+        let length = direction.iter().fold(0.0, |length: f64, part| length.hypot(*part));
+        (length > 0.0 && length.is_finite()).then(|| Direction(direction.map(|part| part / length)))
+    });
+    direction.ok_or_else(|| "three numbers that are not all zero, such as 1,-2,0.5, are accepted".to_owned())
 }
 
 fn instant(text: &str) -> Result<f64, String> {
-    let value = finite(text)?;
-    if value >= 0.0 {
-        Ok(value)
-    } else {
-        Err("a time from 0 to the end of the run, in seconds, is accepted".to_owned())
-    }
+    let time = finite(text).filter(|time| *time >= 0.0);
+    time.ok_or_else(|| "a time from 0 to the end of the run, in seconds, is accepted".to_owned())
+}
+
+fn finite(text: &str) -> Option<f64> {
+    text.trim().parse().ok().filter(|value: &f64| value.is_finite())
 }
 
 /// Pictures of a motion, and the least of a system with many parts.

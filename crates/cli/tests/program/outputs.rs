@@ -36,7 +36,7 @@ impl Folder {
 }
 
 /// Every command with an output, up to the name of its file, and a name that it accepts.
-const COMMANDS: [(&[&str], &str); 9] = [
+const COMMANDS: [(&[&str], &str); 10] = [
     (&["run", "scene.toml", "--out"], "out.csv"),
     (&["run", "scene.toml", "--out"], "out.npz"),
     (&["run", "scene.toml", "--transition"], "out.csv"),
@@ -46,6 +46,7 @@ const COMMANDS: [(&[&str], &str); 9] = [
     (&["chart", "scene.toml", "--seconds", "1", "--out"], "out.html"),
     (&["choose", "scene.toml", "--seconds", "1", "--out"], "out.svg"),
     (&["reference", "scene.toml", "--out"], "out.reference"),
+    (&["draw", "scene.toml", "--out"], "out.svg"),
 ];
 
 #[test]

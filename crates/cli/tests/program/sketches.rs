@@ -41,7 +41,7 @@ fn a_moving_sketch_needs_no_script_and_loops() {
 
 #[test]
 fn a_motion_that_ends_early_is_drawn_up_to_there() {
-    let output = run(&["draw", "scenes/governors/blow_up.toml", "--animate"]);
+    let output = run(&["draw", "scenes/friction/climbed_ladder.toml", "--animate"]);
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(output.status.code() == Some(1) && said.contains("the motion up to there is drawn"), "{said}");
     assert!(String::from_utf8_lossy(&output.stdout).contains("The motion ends early"));
