@@ -2,6 +2,7 @@
 
 use super::camera::Camera;
 use super::pose::Flat;
+use super::surfaces::BEYOND;
 use super::timeline::Timeline;
 use super::{Instant, Sketch, SketchPart};
 use crate::svg::drawing::{Anchor, Drawing, WIDTH};
@@ -132,6 +133,12 @@ fn ink(sketch: &Sketch, first: &Instant, camera: &Camera) -> Vec<Flat> {
                     let (sin, cos) = (f64::from(k) * std::f64::consts::TAU / 36.0).sin_cos();
                     (x + cos * a.0 + sin * b.0, y + cos * a.1 + sin * b.1)
                 }));
+            }
+            SketchPart::Surface { normal, .. } => {
+                let normal = first.directions.get(*normal).copied().unwrap_or_default();
+                let (right, down) = camera.share(normal);
+                let end = |side: f64| (x - side * BEYOND * down, y + side * BEYOND * right);
+                points.extend(along(end(-1.0), end(1.0)));
             }
             SketchPart::Support(_) => {
                 points.extend([(-9.0, 15.0), (9.0, 15.0), (0.0, 12.0)].map(|(a, b)| (x + a, y + b)))

@@ -6,7 +6,7 @@ use super::pose::{Flat, Pose};
 use super::shapes::{Scene, Shape};
 
 /// Beyond the places that are touched, in pixels.
-const BEYOND: f64 = 42.0;
+pub(super) const BEYOND: f64 = 42.0;
 /// Strokes of the hatching, and how far apart they are.
 const HATCH: f64 = 8.0;
 
