@@ -119,6 +119,9 @@ run = { span = "1 s" }
     assert_eq!(chain.rods.len(), 5);
     let circle = geometry(&scene(include_str!("../../../scenes/foreign/cartesian_pendulum.toml")));
     assert_eq!(circle.rods.len(), 1);
+    // by the sine and the cosine of an angle, without a frame
+    let cart = geometry(&scene(include_str!("../../../scenes/models/stiff_spring.toml")));
+    assert_eq!((cart.rods.len(), cart.elements.len()), (1, 2));
 }
 
 #[test]

@@ -14,8 +14,6 @@ pub struct Drawn {
 
 /// The radius of a body whose size nothing tells, as a part of the size of the whole.
 const UNTOLD: f64 = 0.16;
-/// Places of a body that stand for it, so that its ellipsoid is not drawn.
-const ENOUGH: usize = 3;
 
 const NOT_TO_SCALE: &str = "The model gives these bodies no places: they are drawn beside each other, not to scale.";
 const UNTOLD_SIZE: &str = "The model gives no sizes: bodies have the shape of their moments of inertia.";
@@ -50,9 +48,7 @@ pub fn draw(parts: &mut Parts<'_>) -> Drawn {
             }
             (Some(at), None) if model.frame.is_none() && slides(parts, at) => block(parts, body, at),
             (Some(at), None) => {
-                let places = geometry.links.iter().filter(|link| link.bodies.contains(&body));
-                let places = places.map(|link| link.places.len()).max().unwrap_or(1);
-                match places < ENOUGH && model.frame.is_some() && (places < 2 || geometry.plane.is_none()) {
+                match model.frame.is_some() && !is_outlined(parts, body) {
                     true if ellipsoid(parts, body, at) => is_to_scale = true,
                     _ => parts.add(SketchPart::Particle { at, colour: body }),
                 }
@@ -86,6 +82,19 @@ pub fn draw(parts: &mut Parts<'_>) -> Drawn {
     };
     frames_alone(parts);
     Drawn { is_to_scale, note }
+}
+
+/// Whether places that are fixed in a body show how it turns: two in a plane, three that are on no line in space.
+fn is_outlined(parts: &Parts<'_>, body: usize) -> bool {
+    let Some(figure) = parts.figures.first() else { return false };
+    let mut links = parts.geometry.links.iter().filter(|link| link.bodies.contains(&body));
+    let is_line = |places: &[usize]| {
+        let way = |place: usize| figure.places[place] - figure.places[places[0]];
+        let far = places.iter().map(|place| way(*place)).max_by(|a, b| a.norm().total_cmp(&b.norm()));
+        let far = far.unwrap_or_default();
+        places.iter().all(|place| far.cross(&way(*place)).norm() <= 1e-6 * far.norm_squared())
+    };
+    links.any(|link| parts.geometry.plane.is_some() || !is_line(&link.places))
 }
 
 /// The direction in which bodies without places stand beside each other.

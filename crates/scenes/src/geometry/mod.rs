@@ -87,7 +87,13 @@ impl Geometry {
         };
         let telescopes: Vec<[usize; 2]> =
             once(&structure.telescopes).into_iter().filter(|ends| !is_joined(ends)).collect();
-        let rods = once(&symbolic.rods);
+        let is_radius = |ends: &[usize; 2]| {
+            let centre = |wheel: &Wheel| model.bodies[wheel.body].centre.map(|centre| first(centre.0));
+            let of_wheel = |wheel: &Wheel| centre(wheel).is_some_and(|centre| ends.contains(&centre));
+            wheels.iter().any(|wheel| ends.contains(&first(wheel.point)) && of_wheel(wheel))
+        };
+        let rods = once(&[&symbolic.rods[..], &structure.rods].concat());
+        let rods = rods.into_iter().filter(|ends| !is_radius(ends)).collect();
         let links = rigid::without_touched(structure.links, &wheels, model, &structure.first);
         Ok(Geometry {
             model: Arc::clone(model),

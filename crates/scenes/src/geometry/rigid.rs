@@ -29,6 +29,8 @@ pub(super) struct Structure {
     pub links: Vec<Link>,
     pub slides: Vec<(usize, Vector)>,
     pub telescopes: Vec<[usize; 2]>,
+    /// Places that keep their distance from the one that they are found from, in no frame: by sines and cosines of an angle.
+    pub rods: Vec<[usize; 2]>,
     pub plane: Option<Vector>,
     pub size: f64,
     /// The first of the frames that turn together with each.
@@ -84,8 +86,17 @@ impl Structure {
             is_line.then_some([from, place])
         };
         let telescopes = symbolic.bases.iter().enumerate().filter_map(telescope).collect();
+        let rod = |(place, base): (usize, &Option<(usize, FrameId)>)| {
+            let ends = [first[(*base)?.0], first[place]];
+            let distance = |at: &Figure| (at.places[ends[1]] - at.places[ends[0]]).norm();
+            let start = distance(&samples[0]);
+            let keeps = start > near && samples.iter().all(|at| (distance(at) - start).abs() <= near);
+            let mut together = all.iter().map(|link| &link.places).chain([&ground]);
+            (keeps && !together.any(|places| ends.iter().all(|end| places.contains(end)))).then_some(ends)
+        };
+        let rods = symbolic.bases.iter().enumerate().filter_map(rod).collect();
         let plane = plane(samples, near);
-        Structure { first, ground, links, slides, telescopes, plane, size, turning }
+        Structure { first, ground, links, slides, telescopes, rods, plane, size, turning }
     }
 }
 
