@@ -42,7 +42,9 @@ pub(super) fn combinations(rows: &Rows, at_rest: &[(Sym, Sym)]) -> Result<Vec<Ve
             _ if vanishes(*value) => &[Case::Between],
             Some(number) if number.to_f64() > 0.0 => &[Case::Holds],
             Some(_) => &[Case::Fails],
-            None if letter.is_some_and(|letter| is_continuous(rows, *letter, *value)) => &[Case::Holds, Case::Fails],
+            None if letter.is_some_and(|letter| is_continuous(rows, &values, (*letter, *value))) => {
+                &[Case::Holds, Case::Fails]
+            }
             None => &[Case::Holds, Case::Fails, Case::Between],
         };
         all = all.iter().flat_map(|own| cases.iter().map(move |case| [&own[..], &[*case]].concat())).collect();
@@ -180,15 +182,24 @@ fn sought(letter: Sym, place: usize, range: Range) -> Unknown {
 /// The share of friction along a tangent.
 const SHARE: Range = Range { from: -1.0, to: 1.0 };
 
-/// Whether the law does not jump where a condition is zero: shown for conditions that are linear in a letter.
-fn is_continuous(rows: &Rows, letter: Sym, value: Sym) -> bool {
+/// Whether the law does not jump where a condition is zero: shown for conditions that are linear in a letter. A jump that is multiplied by the
+/// letter of another condition is none where that condition fails there, as in the middle of a play.
+fn is_continuous(rows: &Rows, values: &[Sym], (letter, value): (Sym, Sym)) -> bool {
     let jumps: Vec<Sym> = rows.residuals.iter().map(|row| row.diff(letter)).filter(|jump| !vanishes(*jump)).collect();
     value.symbols_of().into_iter().any(|own| {
         let slope = value.diff(own);
         if slope.symbols_of().contains(&own) || vanishes(slope) {
             return false;
         }
-        let there = own - value / slope;
-        jumps.iter().all(|jump| vanishes(jump.substitute(&[(own, there)])))
+        let there = [(own, own - value / slope)];
+        let mut cases: Vec<(Sym, Sym)> = Vec::new();
+        for (&other, of_other) in rows.condition_letters.iter().zip(values).filter(|(other, _)| **other != letter) {
+            match of_other.substitute(&there).as_constant().map(|number| number.to_f64()) {
+                Some(number) if number > 0.0 => cases.push((other, Sym::ONE)),
+                Some(number) if number < 0.0 => cases.push((other, Sym::ZERO)),
+                _ => {}
+            }
+        }
+        jumps.iter().all(|jump| vanishes(jump.substitute(&there).substitute(&cases)))
     })
 }

@@ -151,6 +151,20 @@ fn a_play_is_an_interval_of_equilibria_that_ends_where_the_springs_begin() {
     assert!((low + 0.1).abs() < 1e-8 && (high - 0.1).abs() < 1e-8, "{low} {high}");
 }
 
+/// A pendulum hangs in the middle of a play by `max(abs(a) - e, 0)`, where the sign of the angle is zero and no spring acts: one minimum.
+#[test]
+fn an_equilibrium_in_the_middle_of_a_play_is_one_motion() {
+    let text = "title = \"Pendulum in a play\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[parameters]\nm = \"1 kg\"\nk = \"50 N m\"\ne = \"0.1 rad\"\n[coordinates]\n\
+        a = \"rad\"\n[bodies]\nb = { centre = \"O + (0.5 m)*(sin(a)*N.x - cos(a)*N.y)\", mass = \"m\" }\n\
+        [energies]\npotential = \"k*max(abs(a) - e, 0)^2/2\"\n[run]\nspan = \"1 s\"\n";
+    let found = SteadyMotions::of_cases(&model(text), &asked(&[("a", -3.0, 2.9)], 2_000), || true);
+    let found = found.unwrap_or_else(|why| panic!("{why:?}"));
+    assert!(found.iter().all(|(_, own)| own.is_complete() && own.families.is_empty()), "{found:?}");
+    let motions: Vec<_> = found.iter().flat_map(|(_, own)| &own.motions).collect();
+    let [motion] = motions[..] else { panic!("{motions:?}") };
+    assert!(matches!(motion.stability, SteadyStability::MinimumOnSides), "{motion:?}");
+}
+
 /// Springs that are stiffer on one side, along two axes: two conditions are zero at the one equilibrium, a minimum of all four combinations.
 #[test]
 fn an_equilibrium_at_two_kinks_is_a_minimum_of_all_sides() {
