@@ -165,7 +165,7 @@ impl Drawing {
         let label = html! { i title=(title) {} }.0;
         let label = label.trim_start_matches("<i title=").trim_end_matches("></i>");
         let columns = self.columns.max(1);
-        let lines = if style.is_empty() { Vec::new() } else { wrap(title, 50 * columns) };
+        let lines = if style.is_empty() { Vec::new() } else { wrap(title, 52 * columns) };
         let heading = if lines.is_empty() { 0.0 } else { 24.0 + LINE * (lines.len() - 1) as f64 };
         let width = coordinate(columns as f64 * WIDTH);
         let (top, height) = (coordinate(-heading), coordinate(self.height.ceil() + heading));

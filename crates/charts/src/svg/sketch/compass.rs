@@ -8,7 +8,7 @@ use crate::svg::number::{coordinate, significant};
 const AXIS: f64 = 24.0;
 const FALL: f64 = 26.0;
 /// The height of the strip, and where the axes and the arrow stand in it.
-const HEIGHT: f64 = 76.0;
+const HEIGHT: f64 = 84.0;
 const AXES_AT: f64 = 46.0;
 const FALL_AT: f64 = 118.0;
 
