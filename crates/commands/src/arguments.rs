@@ -4,7 +4,7 @@ use crate::clock::Keeps;
 pub use crate::output::Format;
 use crate::{
     bodies, chart, choose, conform, derive, draw, ensemble, export, failures, inverse, ledger, linearise, motor, new,
-    numerical_stability, prove, reference, regimes, regulate, report, review, run, scenes, stationary,
+    numerical_stability, prove, reference, regimes, regulate, report, review, run, scenes, stationary, watch,
 };
 use clap::{Parser, Subcommand};
 use clap_complete::Shell;
@@ -36,7 +36,7 @@ pub struct Arguments {
     #[arg(long, short, global = true)]
     pub quiet: bool,
     /// Ends the command after so many seconds, and keeps what there is; without it after 300, `chart` after 30, and `ensemble`,
-    /// `review` without a file and the report never
+    /// `watch`, `review` without a file and the report never
     #[arg(long, global = true, value_name = "N", value_parser = whole::<u32>(1..=86_400))]
     pub seconds: Option<u32>,
 }
@@ -72,6 +72,7 @@ impl Arguments {
             Some(Command::Regimes(_)) => ("regimes", Nothing, Some(USUAL)),
             Some(Command::Failures(_)) => ("failures", Nothing, Some(USUAL)),
             Some(Command::Scenes(_)) => ("scenes", Nothing, Some(USUAL)),
+            Some(Command::Watch(asked)) => ("watch", asked.keeps(), None),
             Some(Command::Completions { .. }) => ("completions", Nothing, Some(USUAL)),
         };
         (name, keeps, self.seconds.or(usual))
@@ -113,6 +114,8 @@ pub enum Command {
     /// Linear equations about a point or along a run, for a system that is written in its file: A, B, C, D, eigenvalues, stability
     #[command(alias = "linearize")]
     Linearise(linearise::Asked),
+    /// A page in the browser that follows a file while it is written: equations, verdicts, the run, sliders, the claims of a paper
+    Watch(watch::Asked),
     /// The forces under which a system that is written in its file moves as prescribed
     Inverse(inverse::Asked),
     /// The optimal regulator of a system that is written in its file, by Riccati's equation, and its run on the nonlinear model
@@ -196,6 +199,7 @@ mod tests {
         "regimes",
         "scenes",
         "completions",
+        "watch",
         "help",
         "--help",
         "-h",

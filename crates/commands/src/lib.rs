@@ -15,6 +15,7 @@
 //! * `report`, `ledger` with `judge`, `review`, `derive`, `draw`, `linearise`, `inverse`, `regulate`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `numerical-stability`, `motor`, `conform`, `new`,
 //!   `failures`, `chart`, `choose`, `reference`, `scenes`: one file for each command;
 //! * `export`: a system for other simulators;
+//! * `watch`: a page that follows a file while it is written;
 //! * `summary`, `csv`, `pictures`, `sphere`: a run as text, JSON, a table and the data of pictures;
 //! * `speed`: the atlas of a scene as pictures, tables and advice;
 //! * `crew`: work shared among the processors;
@@ -29,6 +30,7 @@ mod atomic_write;
 mod bodies;
 mod chart;
 mod choose;
+mod claim_row;
 mod clock;
 mod conform;
 mod csv;
@@ -68,6 +70,7 @@ mod studies;
 mod summary;
 mod timings;
 mod values;
+mod watch;
 
 pub use chart::{Charted, charted};
 pub use choose::{ChosenModel, chosen_model};
@@ -114,6 +117,7 @@ pub fn run() -> ExitCode {
         Some(Command::Linearise(asked)) => linearise::linearise(&asked),
         Some(Command::Regulate(asked)) => regulate::show(&asked),
         Some(Command::Prove(asked)) => prove::prove(&asked),
+        Some(Command::Watch(asked)) => watch::watch(&asked),
         Some(Command::Bodies(asked)) => bodies::show(&asked),
         Some(Command::Stationary(asked)) => stationary::show(&asked),
         Some(Command::NumericalStability(asked)) => numerical_stability::show(&asked),

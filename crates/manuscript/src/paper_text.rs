@@ -44,7 +44,7 @@ pub struct PaperText {
 
 impl PaperText {
     /// The line of the file at which a part of it begins, from 1.
-    pub(crate) fn line_of(&self, at: &Range<usize>) -> usize {
+    pub fn line_of(&self, at: &Range<usize>) -> usize {
         1 + self.text.bytes().take(at.start).filter(|byte| *byte == b'\n').count()
     }
 

@@ -62,8 +62,9 @@ pub use parts::{
     UnsolvedLaw, Zero,
 };
 pub use presentation::{
-    Cosine, Divisor, HeldEquation, InQuasiVelocities, Lines, MatrixForm, Typeset, axes, casadi, code, code_from,
-    constraints, exchange, latex, left_out, modelica, shorter, sympy, text, titles, typeset, vectors,
+    Cosine, DerivedVector, Divisor, HeldEquation, InQuasiVelocities, Lines, MatrixForm, Typeset, axes, casadi, code,
+    code_from, constraints, derived_vectors, exchange, latex, left_out, modelica, shorter, sympy, text, titles,
+    typeset, vectors,
 };
 pub use quasi_velocities::{Coefficient, INTEGRAL, QuasiPrinciple, QuasiVelocities, quasi_agreement};
 pub use source::{

@@ -25,7 +25,7 @@ pub use quasi_velocities::{Divisor, InQuasiVelocities};
 pub use sympy::sympy;
 pub use text::text;
 pub(crate) use turns::{FreeTurn, short_form};
-pub use vectors::vectors;
+pub use vectors::{DerivedVector, derived_vectors, vectors};
 
 use crate::Trace;
 use crate::equations::{Equation, Integrability, Level, constraints_of as equations_of};

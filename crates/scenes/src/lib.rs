@@ -80,6 +80,7 @@ pub use scene::{Given, ModelScene, register};
 pub use size::{Task, too_large};
 pub use start::{Completed, Open, Unmet, consistent};
 pub use system_text::{
-    SystemText, completed_start, parse_titled, parse_with_source, read_model, read_titled, read_with_source, set_values,
+    SystemText, completed_start, completed_start_of, parse_titled, parse_with_source, read_model, read_titled,
+    read_with_source, set_values,
 };
 pub use warnings::Warn;

@@ -173,11 +173,15 @@ pub fn set_values(model: &mut Model, values: &[(String, f64)]) -> Result<(), Str
 /// Coordinates and speeds at the start of a file that were left out or guessed, and that constraints or an equilibrium have moved, with
 /// their values in SI units; none of a file that holds no such system.
 pub fn completed_start(path: &Path) -> Vec<(String, f64)> {
-    let Ok(text) = read_text(path) else { return Vec::new() };
-    if !holds_model(&text) {
+    read_text(path).map_or_else(|_| Vec::new(), |text| completed_start_of(&text))
+}
+
+/// The same of a text.
+pub fn completed_start_of(text: &str) -> Vec<(String, f64)> {
+    if !holds_model(text) {
         return Vec::new();
     }
-    let Some(model) = written(&text) else { return Vec::new() };
+    let Some(model) = written(text) else { return Vec::new() };
     let Ok(start) = start_of(&model) else { return Vec::new() };
     let names = model.state_names().into_iter().map(|(name, _)| name);
     let positions = model.positions();

@@ -6,6 +6,7 @@ mod conditions;
 mod figures;
 mod findings;
 mod font;
+pub mod live;
 mod outline;
 mod scenes;
 mod statement;
@@ -48,26 +49,56 @@ pub fn render(report: &Report) -> Page {
 }
 
 fn document(report: &Report, body: &Markup) -> String {
-    let page = html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="color-scheme" content="light dark";
-                meta http-equiv="Content-Security-Policy"
-                    content="default-src 'none'; font-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
-                meta name="generator" content=(report.generated_by);
-                title { (crate::text::plain(&report.title)) }
-                style { (PreEscaped(font::face())) (PreEscaped(svg::STYLE)) (PreEscaped(include_str!("page.css"))) (PreEscaped(cards::signs())) (PreEscaped(cards::numbers())) }
-            }
-            body {
-                (body)
-                script { (PreEscaped(include_str!("filter.js"))) (PreEscaped(include_str!("search.js"))) (PreEscaped(include_str!("sphere.js"))) }
-            }
-        }
+    let head = Head {
+        title: &crate::text::plain(&report.title),
+        generator: &report.generated_by,
+        policy: POLICY,
+        style: "",
+        icon: None,
     };
-    crate::visible(&page.into_string()).into_owned()
+    head.over(&html! {
+        (body)
+        script { (PreEscaped(include_str!("filter.js"))) (PreEscaped(include_str!("search.js"))) (PreEscaped(include_str!("sphere.js"))) }
+    })
+}
+
+/// Nothing comes from outside.
+const POLICY: &str = "default-src 'none'; font-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
+
+/// The head of a page.
+struct Head<'a> {
+    title: &'a str,
+    generator: &'a str,
+    /// The content security policy.
+    policy: &'a str,
+    /// Rules behind those of every page.
+    style: &'a str,
+    /// The address of the page's sign; a server is asked for one where none is named.
+    icon: Option<&'a str>,
+}
+
+impl Head<'_> {
+    /// The whole page with this body.
+    fn over(&self, body: &Markup) -> String {
+        let Head { title, generator, policy, style, icon } = self;
+        let page = html! {
+            (DOCTYPE)
+            html lang="en" {
+                head {
+                    meta charset="utf-8";
+                    meta name="viewport" content="width=device-width, initial-scale=1";
+                    meta name="color-scheme" content="light dark";
+                    meta http-equiv="Content-Security-Policy" content=(policy);
+                    meta name="generator" content=(generator);
+                    @if let Some(icon) = icon { link rel="icon" href=(icon); }
+                    title { (title) }
+                    style { (PreEscaped(font::face())) (PreEscaped(svg::STYLE)) (PreEscaped(include_str!("page.css"))) (PreEscaped(cards::signs())) (PreEscaped(cards::numbers())) (PreEscaped(style)) }
+                }
+                body { (body) }
+            }
+        };
+        crate::visible(&page.into_string()).into_owned()
+    }
 }
 
 /// A name as part of a link: no spaces.

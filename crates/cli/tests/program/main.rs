@@ -21,6 +21,7 @@ mod refusals;
 mod reviews;
 mod runs;
 mod sketches;
+mod watch;
 
 use serde_json::Value;
 use std::path::{Path, PathBuf};

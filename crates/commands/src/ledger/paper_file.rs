@@ -1,8 +1,8 @@
 //! `dalembert judge`: the claims of a paper that is a file.
 
 use super::certificates::CertificateFolder;
-use super::row;
 use crate::arguments::Format;
+use crate::claim_row::row;
 use crate::clock;
 use crate::exit::{Exit, print, warn};
 use crate::output::{Form, Maker, Writes};

@@ -6,39 +6,58 @@ use crate::joints::joints;
 use crate::principles::loads::{forces, torques};
 use crate::{Defined, FrameId, Material, Moves, PointId, Trace, Turn, Vector};
 use num_traits::Zero;
+use std::fmt;
 use symbolic::Sym;
+
+/// A vector that is derived of a model, or a line about one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DerivedVector {
+    /// `velocity(P)`; of a line the whole of it.
+    pub name: String,
+    /// By the axes of a frame, as text and in LaTeX; none of a line.
+    pub value: Option<[String; 2]>,
+}
+
+impl fmt::Display for DerivedVector {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.value {
+            Some([text, _]) => write!(f, "{} = {text}", self.name),
+            None => write!(f, "{}", self.name),
+        }
+    }
+}
+
+/// The vectors as text, a line each.
+pub fn vectors(trace: &Trace<'_>) -> Vec<String> {
+    derived_vectors(trace).iter().map(DerivedVector::to_string).collect()
+}
 
 /// The angular velocity of every frame; position, velocity and acceleration of every point of `[points]` and of definitions, and of
 /// every centre of mass that is no such point; vectors of definitions; forces and torques, one for each point or frame that they act
 /// on, weights beside them; then the joint of every body, about which its torque is.
-pub fn vectors(trace: &Trace<'_>) -> Vec<String> {
+pub fn derived_vectors(trace: &Trace<'_>) -> Vec<DerivedVector> {
     let (model, mut reading) = (trace.model, reading_of(trace));
     let mut lines = Vec::new();
+    let said = |line: String| DerivedVector { name: line, value: None };
     for (at, frame) in model.frames.iter().enumerate().skip(1) {
-        lines.push(format!(
-            "angular_velocity({}) = {}",
-            frame.name,
-            of(trace, &mut reading, trace.turning(FrameId(at)))
-        ));
+        let name = format!("angular_velocity({})", frame.name);
+        lines.push(named(name, trace, &mut reading, trace.turning(FrameId(at))));
         if let Some((parent, Turn::Free { .. })) = frame.parent {
             let (parent, name) = (&model.frames[parent.0].name, &frame.name);
-            lines.push(format!("{name}.Rxy = {parent}.x . {name}.y, and so on: direction cosines"));
+            lines.push(said(format!("{name}.Rxy = {parent}.x . {name}.y, and so on: direction cosines")));
         }
     }
     for (at, point) in model.points.iter().enumerate() {
         if !point.name.is_empty() && point.base.is_some() {
             let at = PointId(at);
-            lines.extend(motion(
-                &point.name,
-                [trace.position(at), trace.velocity(at), trace.acceleration(at)],
-                |vector| of(trace, &mut reading, vector),
-            ));
+            let vectors = [trace.position(at), trace.velocity(at), trace.acceleration(at)];
+            lines.extend(motion(&point.name, vectors, |name, vector| named(name, trace, &mut reading, vector)));
         }
     }
     for (name, defined) in &model.definitions {
         match *defined {
             Defined::Vector(vector) => {
-                lines.push(format!("{name} = {}", of(trace, &mut reading, trace.vector(vector))));
+                lines.push(named(name.clone(), trace, &mut reading, trace.vector(vector)));
             }
             Defined::Point { base, way, moves } => {
                 let way = way.map_or(Vector::ZERO, |way| trace.vector(way));
@@ -48,7 +67,8 @@ pub fn vectors(trace: &Trace<'_>) -> Vec<String> {
                     trace.sum(trace.velocity(base), rate),
                     trace.sum(trace.acceleration(base), trace.vector_rate(rate)),
                 ];
-                let told = motion(name, [position, rates[0], rates[1]], |vector| of(trace, &mut reading, vector));
+                let vectors = [position, rates[0], rates[1]];
+                let told = motion(name, vectors, |name, vector| named(name, trace, &mut reading, vector));
                 lines.extend(told.into_iter().take(if moves == Moves::ByCoordinates { 3 } else { 1 }));
             }
         }
@@ -56,45 +76,66 @@ pub fn vectors(trace: &Trace<'_>) -> Vec<String> {
     for body in &model.bodies {
         if let Some(centre) = body.centre.filter(|centre| model.points[centre.0].name.is_empty()) {
             let all = [trace.position(centre), trace.velocity(centre), trace.acceleration(centre)];
-            let told = all.map(|vector| of(trace, &mut reading, vector));
             let titles = ["centre of NAME - O", "velocity(NAME)", "acceleration(NAME)"];
-            let titled =
-                titles.iter().zip(told).map(|(title, is)| format!("{} = {is}", title.replace("NAME", &body.name)));
-            lines.extend(titled);
+            for (title, vector) in titles.into_iter().zip(all) {
+                lines.push(named(title.replace("NAME", &body.name), trace, &mut reading, vector));
+            }
         }
     }
     let given = forces(trace, false).len();
     for (number, force) in forces(trace, true).into_iter().enumerate() {
-        let is = of(trace, &mut reading, force.is.map(|part| with_masses(trace, part)));
         let place = place(trace, force.at, |way| of(trace, &mut reading, way));
         let kind = if number < given { "force on" } else { "weight of" };
-        lines.push(format!("{kind} {place} = {is}"));
+        let is = force.is.map(|part| with_masses(trace, part));
+        lines.push(named(format!("{kind} {place}"), trace, &mut reading, is));
     }
     for torque in torques(trace) {
         let frame = &model.frames[torque.on.0].name;
-        lines.push(format!("torque on {frame} = {}", of(trace, &mut reading, torque.is)));
+        lines.push(named(format!("torque on {frame}"), trace, &mut reading, torque.is));
     }
     for (body, parent, at) in joints(trace) {
         let parent = parent.map_or("the ground", |parent| model.bodies[parent.0].name.as_str());
         let at = point(trace, at, |way| of(trace, &mut reading, way));
-        lines.push(format!("joint of {} to {parent}: at {at}", model.bodies[body.0].name));
+        lines.push(said(format!("joint of {} to {parent}: at {at}", model.bodies[body.0].name)));
     }
     lines
 }
 
+/// A vector with its name.
+fn named(name: String, trace: &Trace<'_>, reading: &mut Reading, vector: Vector) -> DerivedVector {
+    let parts = parts(reading, vector);
+    let frame = &trace.model.frames[vector.frame.0].name;
+    let axes_of_latex = ["x", "y", "z"].map(|axis| format!(r"\mathbf{{{}}}_{axis}", frame.replace('_', r"\_")));
+    let latex = sum(&parts, |part| part.decimal_latex(), [r"\,", r"\left(", r"\right)"], &axes_of_latex);
+    DerivedVector { name, value: Some([text(frame, &parts), latex]) }
+}
+
+/// Components that do not vanish, each with its axis.
+type Parts = Vec<(Sym, usize)>;
+
+fn parts(reading: &mut Reading, vector: Vector) -> Parts {
+    let components = vector.components.iter().enumerate().map(|(axis, component)| (reading.of(*component), axis));
+    components.filter(|(component, _)| !component.is_zero()).collect()
+}
+
 /// A vector by the axes of its frame.
 pub(super) fn of(trace: &Trace<'_>, reading: &mut Reading, vector: Vector) -> String {
-    let frame = &trace.model.frames[vector.frame.0].name;
+    text(&trace.model.frames[vector.frame.0].name, &parts(reading, vector))
+}
+
+fn text(frame: &str, parts: &Parts) -> String {
+    let axes = ["x", "y", "z"].map(|axis| format!("{frame}.{axis}"));
+    sum(parts, |part| part.decimal_text(), ["*", "(", ")"], &axes)
+}
+
+/// Components before their axes, with a sign between them, the sign of a product and parentheses.
+fn sum(parts: &Parts, write: impl Fn(Sym) -> String, [times, open, close]: [&str; 3], axes: &[String; 3]) -> String {
     let mut text = String::new();
-    for (component, axis) in vector.components.iter().zip(["x", "y", "z"]) {
-        let component = reading.of(*component);
-        if component.is_zero() {
-            continue;
-        }
-        let written = component.decimal_text();
-        let (sign, size) = match written.strip_prefix('-') {
-            Some(rest) if !is_sum(rest) => ("-", rest.to_owned()),
-            _ if is_sum(&written) => ("", format!("({written})")),
+    for &(component, axis) in parts {
+        let (plain, written) = (component.decimal_text(), write(component));
+        let (sign, size) = match (plain.strip_prefix('-'), written.strip_prefix('-')) {
+            (Some(plain), Some(rest)) if !is_sum(plain) => ("-", rest.to_owned()),
+            _ if is_sum(&plain) => ("", format!("{open}{written}{close}")),
             _ => ("", written),
         };
         text += match (text.is_empty(), sign) {
@@ -102,15 +143,20 @@ pub(super) fn of(trace: &Trace<'_>, reading: &mut Reading, vector: Vector) -> St
             (false, "-") => " - ",
             (false, _) => " + ",
         };
-        text += &if size == "1" { format!("{frame}.{axis}") } else { format!("{size}*{frame}.{axis}") };
+        let axis = &axes[axis];
+        text += &if size == "1" { axis.clone() } else { format!("{size}{times}{axis}") };
     }
     if text.is_empty() { "0".to_owned() } else { text }
 }
 
 /// Position, velocity and acceleration of a point by its name.
-fn motion(name: &str, vectors: [Vector; 3], mut of: impl FnMut(Vector) -> String) -> Vec<String> {
+fn motion(
+    name: &str,
+    vectors: [Vector; 3],
+    mut named: impl FnMut(String, Vector) -> DerivedVector,
+) -> Vec<DerivedVector> {
     let titles = [format!("{name} - O"), format!("velocity({name})"), format!("acceleration({name})")];
-    titles.into_iter().zip(vectors).map(|(title, vector)| format!("{title} = {}", of(vector))).collect()
+    titles.into_iter().zip(vectors).map(|(title, vector)| named(title, vector)).collect()
 }
 
 /// A point by its name, or by its position vector.

@@ -8,6 +8,17 @@ use dalembert_model::{BodySource, MatrixForm, Model, Source, Trace};
 use symbolic::{Language, apart};
 
 #[test]
+fn derived_vectors_are_typeset_beside_their_text() {
+    let model = Model::of(&double_pendulum()).expect("it is a system");
+    let vectors = apart(|| dalembert_model::derived_vectors(&Trace::of(&model)));
+    let value = |name: &str| vectors.iter().find(|vector| vector.name == name).and_then(|vector| vector.value.clone());
+    let [text, latex] = value("velocity(P)").expect("P has a velocity");
+    assert_eq!([&*text, &*latex], ["l1*a'*A.x", r"l_1\dot{a}\,\mathbf{A}_x"]);
+    let [text, latex] = value("acceleration(P)").expect("P has an acceleration");
+    assert!(latex.matches(r"\mathbf{A}").count() == text.matches("A.").count() && !latex.contains('*'), "{latex}");
+}
+
+#[test]
 fn angles_stay_together_and_constants_are_as_written() {
     let text = |source: Source, principle| {
         let model = Model::of(&source).expect("it is a system");

@@ -1,0 +1,90 @@
+//! The equations, vectors and verdicts of a system.
+
+use super::super::cards::chip;
+use crate::{Verdict, text::Typesetter};
+use maud::html;
+
+/// Groups of equations, each a left and a right side in LaTeX, below a line that says where they come from.
+pub fn equations(from: &str, groups: &[Vec<(String, String)>]) -> String {
+    let mut set = Typesetter::default();
+    let set = &mut set;
+    html! {
+        @if !from.is_empty() { p.note { (from) } }
+        @for group in groups {
+            div.group { @for (left, right) in group { (set.formula(&format!("{left} = {right}"))) } }
+        }
+    }
+    .into_string()
+}
+
+/// A derived vector, or a line about one.
+#[derive(Clone, Debug, Default)]
+pub struct LiveVector {
+    pub name: String,
+    /// LaTeX; none of a line.
+    pub latex: Option<String>,
+}
+
+/// Names with their values side by side, and lines.
+pub fn vectors(all: &[LiveVector]) -> String {
+    let mut set = Typesetter::default();
+    let set = &mut set;
+    html! { dl.vectors { @for LiveVector { name, latex } in all {
+        @match latex {
+            Some(latex) => { dt { code { (name) } } dd { (set.formula(latex)) } }
+            None => { dd.whole { (name) } }
+        }
+    } } }
+    .into_string()
+}
+
+/// A statement about the equations of a system.
+#[derive(Clone, Debug, Default)]
+pub struct LiveVerdict {
+    pub title: String,
+    /// A verdict's name, or other words where it does not apply.
+    pub rung: String,
+    /// The verdict in a sentence.
+    pub said: String,
+    /// Grounds, each a line.
+    pub behind: Vec<String>,
+}
+
+/// Statements with their verdicts.
+pub fn verdicts(rows: &[LiveVerdict]) -> String {
+    let known = |rung: &str| Verdict::ALL.into_iter().find(|verdict| verdict.name() == rung);
+    html! {
+        @for LiveVerdict { title, rung, said, behind } in rows {
+            article.verdict {
+                @match known(rung) { Some(verdict) => (chip(verdict)), None => span.chip.open { (rung) } }
+                div {
+                    p { b { (title) } }
+                    p.note { (said) }
+                    @for line in behind { p.note { (line) } }
+                }
+            }
+        }
+    }
+    .into_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn equations_are_typeset_and_vectors_are_escaped() {
+        let shown = equations("by <lagrange>", &[vec![("M".into(), r"m l^2".into())]]);
+        assert!(shown.contains("by &lt;lagrange&gt;") && shown.contains("<math"), "{shown}");
+        let line = LiveVector { name: "a <constraint>".into(), latex: None };
+        let shown = vectors(&[LiveVector { name: "P - O".into(), latex: Some(r"l\,\mathbf{A}_y".into()) }, line]);
+        assert!(shown.contains("<math") && shown.contains("<dd class=\"whole\">a &lt;constraint&gt;</dd>"), "{shown}");
+    }
+
+    #[test]
+    fn a_statement_that_does_not_apply_has_no_sign_of_a_verdict() {
+        let row = LiveVerdict { title: "a = b".into(), rung: "does not apply".into(), ..LiveVerdict::default() };
+        let shown = verdicts(&[row, LiveVerdict { rung: "proved".into(), ..LiveVerdict::default() }]);
+        assert!(shown.contains("chip open\">does not apply") && shown.contains("chip proved"), "{shown}");
+    }
+}

@@ -1,0 +1,106 @@
+//! A file and those that it names, looked at again and again.
+
+use reader::{SceneError, read_text};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, SystemTime};
+
+/// A file whose clock says that it is older is read again only if its clock or its length says something new.
+const YOUNG: Duration = Duration::from_secs(2);
+
+/// An editor that writes a file anew may leave it empty, or away, for so many looks.
+const LOOKS: u32 = 3;
+
+/// The content of a file, or why there is none.
+type Content = Result<String, SceneError>;
+
+/// A file that is followed, whichever way it is saved: in place, or by another one that takes its name.
+pub struct FollowedFile {
+    path: PathBuf,
+    stamp: Option<Stamp>,
+    content: Option<Content>,
+    /// Looks since it was found empty or away.
+    looks: u32,
+    beside: Vec<(PathBuf, Option<Stamp>, Option<Content>)>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Stamp {
+    modified: SystemTime,
+    length: u64,
+}
+
+impl Stamp {
+    fn of(path: &Path) -> Option<Self> {
+        let data = std::fs::metadata(path).ok()?;
+        Some(Stamp { modified: data.modified().ok()?, length: data.len() })
+    }
+
+    fn is_young(&self) -> bool {
+        // a time to come is young
+        self.modified.elapsed().map_or(true, |age| age < YOUNG)
+    }
+}
+
+/// The content, where it may be another one than before: a clock may tick slower than files are saved.
+fn read_again(path: &Path, stamp: &mut Option<Stamp>) -> Option<Content> {
+    let now = Stamp::of(path);
+    if now.is_some() && now == *stamp && !now.is_some_and(|stamp| stamp.is_young()) {
+        return None;
+    }
+    *stamp = now;
+    Some(read_text(path))
+}
+
+impl FollowedFile {
+    /// Nothing is read yet.
+    pub fn new(path: &Path) -> Self {
+        FollowedFile { path: path.to_owned(), stamp: None, content: None, looks: 0, beside: Vec::new() }
+    }
+
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Follows files beside it, and no others.
+    pub fn follow(&mut self, paths: Vec<PathBuf>) {
+        let one = |path: PathBuf| {
+            let known = self.beside.iter().position(|(own, ..)| *own == path);
+            known.map(|place| self.beside.swap_remove(place)).unwrap_or_else(|| {
+                let mut stamp = None;
+                let content = read_again(&path, &mut stamp);
+                (path, stamp, content)
+            })
+        };
+        self.beside = paths.into_iter().map(one).collect();
+    }
+
+    /// The content of the file, if it or a file beside it has changed since the last look.
+    pub fn change(&mut self) -> Option<Content> {
+        let mut is_new = false;
+        for (path, stamp, known) in &mut self.beside {
+            if let Some(now) = read_again(path, stamp)
+                && known.as_ref() != Some(&now)
+            {
+                (*known, is_new) = (Some(now), true);
+            }
+        }
+        let now = match read_again(&self.path, &mut self.stamp) {
+            Some(now) if self.content.as_ref() != Some(&now) => now,
+            _ => {
+                self.looks = 0;
+                return self.content.clone().filter(|_| is_new);
+            }
+        };
+        let is_between = self.content.is_some() && now.as_ref().map_or(true, |text| text.trim().is_empty());
+        if is_between && self.looks < LOOKS {
+            (self.looks, self.stamp) = (self.looks + 1, None);
+            return None;
+        }
+        self.looks = 0;
+        self.content = Some(now);
+        self.content.clone()
+    }
+}
+
+#[cfg(test)]
+mod tests;

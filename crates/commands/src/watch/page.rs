@@ -1,0 +1,24 @@
+//! The board as a page: as a server gives it, and as a file.
+
+use super::board::Board;
+use crate::output::Maker;
+use charts::page::live::LivePage;
+use std::sync::Arc;
+
+/// The title of the page: the name of the file.
+pub type PageTitle = Arc<str>;
+
+/// The page with the script of this nonce.
+pub fn served(board: &Board, title: &str, nonce: &str) -> String {
+    with_page(board, title, |page| page.served(nonce))
+}
+
+/// The page whole, to be read without the program.
+pub fn saved(board: &Board, title: &str) -> String {
+    with_page(board, title, |page| page.saved())
+}
+
+fn with_page(board: &Board, title: &str, write: impl FnOnce(&LivePage<'_>) -> String) -> String {
+    let (version, parts) = board.shown();
+    write(&LivePage { title, generator: &Maker("watch").generator(), parts: &parts, version })
+}

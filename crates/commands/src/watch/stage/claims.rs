@@ -1,0 +1,54 @@
+//! The claims of a paper, told as they are decided.
+
+use super::Broken;
+use crate::claim_row::row;
+use crate::clock;
+use crate::watch::told::Told;
+use charts::ClaimRow;
+use charts::page::live::{self, LiveClaim, Part};
+use manuscript::{Finding, PaperText};
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// A page of many claims is not told anew for each of them.
+const PAUSE: Duration = Duration::from_millis(120);
+
+/// Corrections are looked for until so little time is left.
+const KEPT: Duration = Duration::from_millis(500);
+
+/// Judges every claim, and tells all of them whenever some are decided.
+pub(super) fn tell(path: &Path, text: String) -> Result<(), Broken> {
+    let paper = PaperText::parse(path, text)?;
+    let sources: Vec<LiveClaim> = paper.claims.iter().map(|claim| source(&paper, claim)).collect();
+    let shown = |findings: &[Finding]| -> Told {
+        let rows = findings.iter().map(Some).chain(std::iter::repeat(None));
+        let claims = sources.iter().cloned().zip(rows);
+        let claims: Vec<LiveClaim> =
+            claims.map(|(claim, found)| LiveClaim { row: found.map(decided), ..claim }).collect();
+        Told::part(Part::Claims, live::claims(&claims))
+    };
+    shown(&[]).write()?;
+    let mut last = Instant::now();
+    let so_far = |findings: &[Finding]| {
+        if last.elapsed() > PAUSE {
+            // who reads no more ends the process
+            let _ = shown(findings).write();
+            last = Instant::now();
+        }
+    };
+    let findings = paper.judge_each(so_far, || clock::left() > KEPT)?;
+    Ok(shown(&findings).write()?)
+}
+
+fn source(paper: &PaperText, claim: &manuscript::ClaimText) -> LiveClaim {
+    LiveClaim {
+        source: claim.formula.text.clone(),
+        row: None,
+        label: format!("{}, line {}", claim.key(), paper.line_of(&claim.at)),
+    }
+}
+
+/// The source stands beside the formula.
+fn decided(finding: &Finding) -> ClaimRow {
+    ClaimRow { reading: String::new(), ..row(&finding.judged) }
+}

@@ -1,0 +1,98 @@
+//! The stages of the page, each a process of its own.
+//!
+//! Algebra cannot be asked to end. A process can be ended at any instant, takes its memory with it, and a fault in it is a fault of one
+//! part of the page. So the program starts itself once for each stage, hands it the text, and reads lines of results.
+
+mod claims;
+mod motion;
+mod sketch;
+mod system;
+
+use super::told::{Given, Told};
+use crate::exit::Exit;
+use ::scenes::with_ways_to_a_system;
+use clap::ValueEnum;
+use reader::SceneError;
+use serde::{Deserialize, Serialize};
+use std::io::{self, BufRead, Read};
+use std::path::Path;
+
+/// A stage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ValueEnum)]
+#[serde(rename_all = "snake_case")]
+pub enum Stage {
+    /// Reads the text and derives its equations.
+    System,
+    /// Judges the principles and what the equations keep.
+    Verdicts,
+    /// Runs the scene.
+    Motion,
+    /// Judges the claims of a paper.
+    Claims,
+}
+
+impl Stage {
+    /// As the command line has it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Stage::System => "system",
+            Stage::Verdicts => "verdicts",
+            Stage::Motion => "motion",
+            Stage::Claims => "claims",
+        }
+    }
+}
+
+/// Why a stage tells no more.
+enum Broken {
+    /// The text is not acceptable.
+    Refused(String),
+    /// Nobody reads.
+    Unread,
+}
+
+impl From<SceneError> for Broken {
+    fn from(error: SceneError) -> Self {
+        Broken::Refused(with_ways_to_a_system(error).render(false))
+    }
+}
+
+impl From<io::Error> for Broken {
+    fn from(_: io::Error) -> Self {
+        Broken::Unread
+    }
+}
+
+/// Does the work of a stage on the text that standard input gives, for the file of this name.
+pub fn work(stage: Stage, path: &Path) -> Result<Exit, Exit> {
+    let mut line = String::new();
+    let unread = |error: &dyn std::fmt::Display| Exit::refused(format!("a stage is started by `watch` alone: {error}"));
+    io::stdin().lock().read_line(&mut line).map_err(|error| unread(&error))?;
+    let Given { text } = serde_json::from_str(&line).map_err(|error| unread(&error))?;
+    end_with_the_input();
+    let done = match stage {
+        Stage::System => system::tell(path, text),
+        Stage::Verdicts => system::tell_verdicts(path, text),
+        Stage::Motion => motion::tell(path, &text),
+        Stage::Claims => claims::tell(path, text),
+    };
+    match done {
+        Ok(()) => Ok(Exit::Done),
+        // who reads no more needs no word
+        Err(Broken::Unread) => Ok(Exit::Stopped),
+        Err(Broken::Refused(why)) => {
+            let _ = Told::Refused(why).write();
+            Ok(Exit::Stopped)
+        }
+    }
+}
+
+/// Ends the process with the program that started it, however that ended.
+fn end_with_the_input() {
+    let watched = std::thread::Builder::new().name("input".to_owned()).spawn(|| {
+        let _ = io::stdin().lock().read_to_end(&mut Vec::new());
+        std::process::exit(1);
+    });
+    // where no thread can be had, the stage ends at its deadline
+    drop(watched);
+}

@@ -1,0 +1,99 @@
+//! A stage at work in a process of its own, which ends with its handle.
+
+use super::stage::Stage;
+use super::told::{Given, Told};
+use std::io::{self, BufRead, BufReader, Read, Write};
+use std::path::Path;
+use std::process::{Child, ChildStdin, Command, ExitStatus, Stdio};
+use std::sync::mpsc::Sender;
+use std::thread;
+
+/// News of a worker, with the number that it was started with.
+pub struct WorkerNews {
+    pub number: u64,
+    pub event: WorkerEvent,
+}
+
+/// An event of a worker.
+pub enum WorkerEvent {
+    Told(Told),
+    /// Nothing more is told; the text of its standard error.
+    Silent(String),
+}
+
+/// A process that is stopped when this goes.
+pub struct Worker {
+    pub stage: Stage,
+    pub number: u64,
+    child: Child,
+    /// Open as long as the process is to live.
+    input: Option<ChildStdin>,
+}
+
+/// The orders of a worker.
+pub struct Order<'a> {
+    pub stage: Stage,
+    pub number: u64,
+    pub path: &'a Path,
+    pub text: String,
+    /// Seconds that it may take.
+    pub budget: u32,
+}
+
+impl Worker {
+    /// Starts the process; all that it tells goes to the sender.
+    ///
+    /// # Errors
+    /// No process, or no thread, can be had.
+    pub fn start<M: From<WorkerNews> + Send + 'static>(order: Order<'_>, sender: &Sender<M>) -> io::Result<Self> {
+        let Order { stage, number, path, text, budget } = order;
+        let given = serde_json::to_string(&Given { text })? + "\n";
+        let mut child = Command::new(std::env::current_exe()?)
+            .args(["watch", "--stage", stage.name(), "--seconds", &budget.to_string(), "--"])
+            .arg(path)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()?;
+        let (out, error) = (child.stdout.take(), child.stderr.take());
+        let mut worker = Worker { stage, number, input: child.stdin.take(), child };
+        let (Some(out), Some(mut error)) = (out, error) else { return Err(io::ErrorKind::BrokenPipe.into()) };
+        let told_beside = thread::Builder::new().spawn(move || {
+            let mut bytes = Vec::new();
+            // what was read until the pipe broke
+            let _ = error.read_to_end(&mut bytes);
+            String::from_utf8_lossy(&bytes).into_owned()
+        })?;
+        let sender = sender.clone();
+        thread::Builder::new().spawn(move || {
+            let lines = BufReader::new(out).lines().map_while(Result::ok);
+            for told in lines.filter_map(|line| serde_json::from_str(&line).ok()) {
+                if sender.send(WorkerNews { number, event: WorkerEvent::Told(told) }.into()).is_err() {
+                    return;
+                }
+            }
+            let beside = told_beside.join().unwrap_or_default();
+            // a session that is over hears nothing
+            let _ = sender.send(WorkerNews { number, event: WorkerEvent::Silent(beside) }.into());
+        })?;
+        // a process that ended at once tells why by its status
+        let _ = worker.input.as_mut().map(|input| input.write_all(given.as_bytes()).and_then(|()| input.flush()));
+        Ok(worker)
+    }
+
+    /// The status of a process that is silent.
+    ///
+    /// # Errors
+    /// It cannot be asked.
+    pub fn status(mut self) -> io::Result<ExitStatus> {
+        self.child.wait()
+    }
+}
+
+impl Drop for Worker {
+    fn drop(&mut self) {
+        // one that has ended cannot be ended again
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
