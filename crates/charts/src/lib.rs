@@ -10,6 +10,13 @@
 //! shown as its source and reported in [`Page::unset`].
 //!
 //! Key results, each a test: nothing is loaded from outside, every text is escaped and acts on no reader ([`visible`]), no number is silently left out.
+//!
+//! # Example
+//! ```
+//! assert_eq!(dalembert_charts::significant(0.30382, 3), "0.304");
+//! let formula = dalembert_charts::mathml(r"\frac{1}{2} m v^2").expect("it can be typeset");
+//! assert!(formula.starts_with("<math"));
+//! ```
 
 pub mod page;
 

@@ -14,6 +14,26 @@
 //! Every claim is cross-examined ([`examine`]): its dimensions agree, its sides are not one expression, a mutated right
 //! side is refuted, its hypotheses can be met. [`review`](mod@review) reports the term of the equation that a change of a
 //! page concerns. A [`certificate`] lets another program repeat the proof of a verdict.
+//!
+//! # Example
+//! ```
+//! use dalembert_claims::{Line, Page, Verdict};
+//! use field::Scalar;
+//! use symbolic::{Dimension, Sym};
+//!
+//! let [m, v] = ["m", "v"].map(Sym::symbol);
+//! let mut page = Page::of("textbook", |name| match name {
+//!     "m" => Some(Dimension::of(1, 0, 0, 0)),
+//!     "v" => Some(Dimension::of(0, 1, -1, 0)),
+//!     _ => None,
+//! });
+//! // the derived side, here the rate of m v^2/2 by v, and the right side as printed
+//! let derived = (m * v * v).half().diff(v);
+//! page.claim("eq1", "momentum", "the rate of the kinetic energy by the speed").holds([Line::equation(derived, m * v, Sym::ZERO)]);
+//! page.claim("eq2", "momentum", "the same with a lost factor").fails([Line::equation(derived, v, Sym::ZERO)]);
+//! let verdicts: Vec<Verdict> = page.judge().iter().map(|claim| claim.verdict).collect();
+//! assert_eq!(verdicts, [Verdict::Proved, Verdict::Refuted]);
+//! ```
 
 pub mod alphabet;
 pub mod catalogue;

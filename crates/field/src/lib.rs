@@ -14,6 +14,21 @@
 //! | `Sym` (crate `symbolic`) | proofs, printing, straight-line code |
 //!
 //! Key results: one suite of field laws ([`laws`]) that every field passes.
+//!
+//! # Example
+//! ```
+//! use dalembert_field::{Rational, Scalar, Tangent};
+//!
+//! /// x^3, over whatever x is.
+//! fn cube<S: Scalar>(x: S) -> S {
+//!     x * x * x
+//! }
+//!
+//! // over exact numbers, and with the derivative 3 x^2 beside the value
+//! let third = Rational::new(1, 3);
+//! assert_eq!(cube(third), Rational::new(1, 27));
+//! assert_eq!(cube(Tangent::variable(third)).slope, third);
+//! ```
 
 pub mod laws;
 

@@ -32,6 +32,32 @@
 //! Key results: every method has its order on nonlinear laws (`tests/methods/orders.rs`), outputs change no step and are as accurate as the end,
 //! the own inner loops do not allocate, and Gauss collocation with Jacobians in `f64` and residuals in double-double
 //! gives 26 digits at any stiffness in milliseconds.
+//!
+//! # Example
+//! ```
+//! use dalembert_integrators::{Method, Ode, Span, System, Tolerance, integrate};
+//! use field::Scalar;
+//!
+//! /// y'' = -y as two equations of the first order.
+//! struct Oscillator;
+//!
+//! impl<S: Scalar> Ode<S> for Oscillator {
+//!     fn dimension(&self) -> usize {
+//!         2
+//!     }
+//!
+//!     fn rates(&self, _t: S, y: &[S], dy: &mut [S]) {
+//!         (dy[0], dy[1]) = (y[1], -y[0]);
+//!     }
+//! }
+//!
+//! impl System for Oscillator {}
+//!
+//! let span = Span::new(0.0, 10.0, &[1.0, 0.0]);
+//! let outcome = integrate(&Oscillator, Method::DormandPrince8, &Tolerance::both(1e-10), &span, &mut ());
+//! assert!(outcome.reached());
+//! assert!((outcome.state[0] - 10_f64.cos()).abs() < 1e-8);
+//! ```
 
 mod batch;
 mod branches;

@@ -20,6 +20,28 @@
 //! | `steady motion` | the printed condition is that of the motions on which the listed letters rest |
 //! | `stability` | a steady motion is stable in the first approximation where, and only where, the inequality holds |
 //! | `number` | the value of a quantity for given data agrees with every printed digit, by enclosures |
+//!
+//! # Example
+//! ```
+//! use dalembert_manuscript::PaperText;
+//!
+//! let text = r#"
+//! title = "A pendulum in a textbook"
+//! gravity = "-g*N.y"
+//! parameters = { m = "kg", l = "m", g = "m/s^2" }
+//! coordinates = { theta = "rad" }
+//! bodies = { bob = { centre = "O + l*(sin(theta)*N.x - cos(theta)*N.y)", mass = "m" } }
+//! letters = { 'l' = "l", 'g' = "g", '\theta' = "theta" }
+//! [[claim]]
+//! equation = "eq1"
+//! kind = "equation of motion"
+//! formula = 'l \ddot\theta - g \sin\theta = 0'
+//! "#;
+//! let paper = PaperText::parse("textbook.toml".as_ref(), text.to_owned()).expect("it is a paper");
+//! let findings = paper.judge().expect("its formula is read");
+//! assert_eq!(findings[0].judged.verdict, claims::Verdict::Refuted);
+//! assert!(findings[0].corrections.iter().any(|one| one.formula == r"l \ddot\theta + g \sin\theta = 0"));
+//! ```
 
 mod certificate;
 mod change;

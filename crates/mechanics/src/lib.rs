@@ -21,6 +21,22 @@
 //!
 //! Each principle returns *residuals*: expressions in accelerations that vanish along the motion. The right-hand side of
 //! a run is one of the forms; it is a claim, and proved, that it makes every residual vanish.
+//!
+//! # Example
+//! ```
+//! use dalembert_mechanics::lagrange::lagrange;
+//! use field::{Scalar, Tangent};
+//!
+//! // a mass of 2 kg on a spring of 8 N/m: 2 x'' + 8 x vanishes along the motion
+//! let residual = |x: f64, acceleration: f64| {
+//!     lagrange(
+//!         |[x]: [Tangent<Tangent<f64>>; 1], [v]| v * v - Tangent::<Tangent<f64>>::int(4) * x * x,
+//!         [x], [0.0], [acceleration],
+//!     )
+//! };
+//! assert_eq!(residual(0.5, -2.0), [0.0]);
+//! assert_eq!(residual(0.5, 0.0), [4.0]);
+//! ```
 
 pub mod appell;
 pub mod bellman;

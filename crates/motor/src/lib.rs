@@ -8,6 +8,41 @@
 //! * [`machine_table`]: the table `[machine]` of a scene; [`text`] is a motor whose laws stand there;
 //! * [`Bench`]: a motor alone, its housing at rest; [`Metered`]: its run with the work of its supply;
 //! * [`Separable`]: laws that are sums of fields whose flows are known, for splitting methods; [`Kick`] is the motor's part of them.
+//!
+//! # Example
+//! ```
+//! use dalembert_motor::{Machine, RotorState, drive};
+//! use field::{Base, Circle, Over};
+//!
+//! /// A magnetised rotor in a field that turns at 100 rad/s: U = -b cos g.
+//! struct Magnet<P> {
+//!     b: P,
+//! }
+//!
+//! impl<P: Base> Machine<P> for Magnet<P> {
+//!     fn rotor(&self) -> RotorState {
+//!         RotorState::AngleAndSpeed
+//!     }
+//!
+//!     fn frame_speed(&self) -> P {
+//!         P::int(100)
+//!     }
+//!
+//!     fn field_energy<S: Over<P>>(&self, angle: Circle<S>) -> S {
+//!         -S::lift(self.b) * angle.cos
+//!     }
+//!
+//!     // no friction
+//!     fn moment_law<S: Over<P>>(&self, _slip: S, _speed: S) -> S {
+//!         S::zero()
+//!     }
+//! }
+//!
+//! // the torque is -U'(g): it pulls a rotor that leads back into the field
+//! let (sin, cos) = 0.3_f64.sin_cos();
+//! let torque = drive(&Magnet { b: 2.0 }, Circle { cos, sin }, 0.0, &[], &mut []);
+//! assert!((torque + 2.0 * sin).abs() < 1e-15);
+//! ```
 
 mod bench;
 mod bench_pieces;

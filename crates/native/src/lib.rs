@@ -6,6 +6,21 @@
 //!
 //! This is the one crate with unsafe code. Its conditions are few: the code is whole before it becomes executable, it lives as long as
 //! [`Code`] does, its frame on the stack is bounded and touched page by page, and [`Code::run`] checks every length that it relies on.
+//!
+//! # Example
+//! ```
+//! use dalembert_native::Code;
+//! use symbolic::{Sym, Tape};
+//!
+//! let (x, time) = (Sym::symbol("x"), Sym::symbol("t"));
+//! let tape = Tape::record(&[x, time], &[x * x + time]).expect("a polynomial");
+//! // no code where the processor is not supported: then the tape is evaluated
+//! if let Some(code) = Code::of(&tape) {
+//!     let mut values = [0.0];
+//!     code.run(&[3.0], 1.0, &mut values).expect("one state, one value");
+//!     assert_eq!(values, [10.0]);
+//! }
+//! ```
 
 mod c_entry;
 mod live;

@@ -8,6 +8,24 @@
 //! * [`linearisation`]: x' = A x + B w about a point; [`equilibrium()`]: a point of rest near a guess;
 //! * [`parse_ensemble`]: the same file with `[ensemble]`: many members, parameters and starts of their own;
 //! * [`CompiledSystem`]: the equations of motion as machine code, as series, and over every field that runs.
+//!
+//! # Example
+//! ```
+//! use dalembert_scenes::{Task, parse_titled};
+//!
+//! let text = r#"
+//! title = "A pendulum"
+//! gravity = "-(9.81 m/s^2)*N.y"
+//! parameters = { m = "1 kg", l = "0.5 m" }
+//! coordinates = { a = "rad" }
+//! bodies = { bob = { centre = "O + l*(sin(a)*N.x - cos(a)*N.y)", mass = "m" } }
+//! "#;
+//! let (title, model) = parse_titled("pendulum.toml", text, Task::Vary).expect("it is a system");
+//! assert_eq!((title.as_str(), model.speeds()), ("A pendulum", 1));
+//! // a slip is told with its place
+//! let error = parse_titled("pendulum.toml", &text.replace("m/s^2", "m/s"), Task::Vary).expect_err("no acceleration");
+//! assert!(error.to_string().contains("pendulum.toml:3"));
+//! ```
 
 mod admissible;
 mod branch;

@@ -1,4 +1,14 @@
 //! Units of measurement and quantities as texts: `"0.02 kg m^2"`, `"90 deg"`.
+//!
+//! # Example
+//! ```
+//! use dalembert_units::{Unit, quantity};
+//!
+//! let (inertia, dimension) = quantity::parse_any("20 g m^2").expect("a number with its unit");
+//! assert!((inertia - 0.02).abs() < 1e-15);
+//! assert_eq!(dimension.coherent(), "kg m^2");
+//! assert!(Unit::parse("parsec").is_err());
+//! ```
 
 pub mod quantity;
 mod spelling;

@@ -10,6 +10,14 @@
 //!
 //! To add a motor, write one file here, its line below, and one in the list; or its laws as text in a scene; or a list in
 //! another crate.
+//!
+//! # Example
+//! ```
+//! use dalembert_machines as _;
+//!
+//! let names: Vec<&str> = motor::catalogue::entries().iter().map(|entry| entry.name).collect();
+//! assert!(names.contains(&"synchronous") && names.contains(&"brushed"));
+//! ```
 
 pub mod asynchronous;
 pub mod brushed;

@@ -4,6 +4,12 @@
 //! * [`konosevich2022`]: gyrostats that an electric motor drives;
 //! * [`manglieva2022`]: systems with rolling, servo constraints and friction;
 //! * [`mukharlyamov2007`]: programmed constraints and their stabilisation.
+//!
+//! # Example
+//! ```
+//! let page = (dalembert_papers::mukharlyamov2007::PAPER.page)();
+//! assert!(page.claims().len() > 100, "a claim for each statement of the paper");
+//! ```
 
 pub mod konosevich2022;
 pub mod manglieva2022;

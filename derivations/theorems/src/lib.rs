@@ -7,6 +7,13 @@
 //! * [`stationary`], [`stability`]: all stationary motions of a gyrostat with any motor, and their stability;
 //! * [`numerical_stability`]: stability of a method's one-step map against that of the motion;
 //! * [`synchronism`]: a synchronous motor under load.
+//!
+//! # Example
+//! ```
+//! let page = (dalembert_theorems::synchronism::PAPER.page)();
+//! let judged = page.judge();
+//! assert!(judged.iter().all(|claim| claim.verdict != claims::Verdict::Undecided));
+//! ```
 
 pub mod numerical_stability;
 pub mod principles;
