@@ -3,7 +3,7 @@
 //! # Overview
 //! * [`letter_name`]: the name of a letter in one spelling, whatever braces and spaces it was written with;
 //! * [`read`]: a formula as a [`Statement`]: sides with their relations, every part with its place; an ambiguous formula
-//! is a [`NotFormula`] that names the accepted spellings;
+//!   is a [`NotFormula`] that names the accepted spellings;
 //! * [`formulas`]: the formulas of a display on several lines, and of double signs;
 //! * [`Meaning`], [`value`]: the sides over the values of the letters.
 //!

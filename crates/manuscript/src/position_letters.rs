@@ -79,7 +79,7 @@ pub(crate) fn by_position_letters(letters: &Letters<'_, '_>, expression: Sym, hy
             .zip(of_others)
             .fold(Sym::ONE, |all, (&leaf, &power)| (0..power).fold(all, |all, _| all * leaf));
         for (factor, (letter, _)) in factors.into_iter().zip(&kept).filter(|(factor, _)| factor.sign() != Some(0)) {
-            sum = sum + Sym::constant(factor) * other * *letter;
+            sum += Sym::constant(factor) * other * *letter;
         }
     }
     Some(letters.told(sum / below).substitute(&kept))

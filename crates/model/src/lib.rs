@@ -3,9 +3,9 @@
 //! # Overview
 //! * [`Source`]: a system as it is written, by keys whose values are expressions ([`expression`]);
 //! * [`Model`]: the system with every name resolved and every dimension checked. It owns its expressions and may be sent
-//! between threads;
+//!   between threads;
 //! * [`Trace`]: the model over symbols, in the graph of one thread: positions, velocities and accelerations formed recursively,
-//! each in a convenient frame;
+//!   each in a convenient frame;
 //! * [`principles`]: the equations of motion; each principle takes its derivatives automatically.
 //!
 //! ```

@@ -2,7 +2,7 @@
 //!
 //! # Overview
 //! * [`Machine`]: the trait that a motor's file implements: energies and laws of force, from which torque, currents, energies and power
-//! balance are derived;
+//!   balance are derived;
 //! * [`Motor`]: the form in which a motor runs: its laws, recorded once as programs, and its data;
 //! * [`catalogue`]: the motors by name, from every crate that is linked;
 //! * [`machine_table`]: the table `[machine]` of a scene; [`text`] is a motor whose laws stand there;

@@ -1,7 +1,7 @@
 //! Scene files: TOML with the place of every value, read table by table.
 //!
 //! * [`Table`]: the entries of a table as they are asked for, each with its unit and its bound; keys that nobody asks for are
-//! errors;
+//!   errors;
 //! * [`Quantity`]: a datum with its unit, its meaning and the values that it may have ([`Bound`], [`Allowed`]);
 //! * [`Issue`]: an error at a place, and the input accepted there; [`SceneError`] shows all errors of a file;
 //! * [`Family`]: systems that are read in one way, each by its name in the file.

@@ -3,7 +3,7 @@
 //! # Overview
 //! * [`Rectangle`]: a complex number between multiples of a power of two, rounded outwards;
 //! * [`zeros()`]: all zeros of a polynomial with enclosed coefficients, each in a proved rectangle, for every polynomial
-//! in the enclosures.
+//!   in the enclosures.
 //!
 //! ```
 //! use dalembert_algebra::complex::zeros;

@@ -3,8 +3,8 @@
 //! # Overview
 //! * [`determinant`] and [`minors`]: no division and no pivot, up to [`LARGEST`] unknowns;
 //! * [`Factors`]: A z = b by elimination, in an order that the [`Pattern`] of A gives, and where the pivots of this
-//! order are too small, by the largest entry of the rest. The order depends on the pattern alone, the choice between
-//! both ways on the entries alone: equal entries give equal bits;
+//!   order are too small, by the largest entry of the rest. The order depends on the pattern alone, the choice between
+//!   both ways on the entries alone: equal entries give equal bits;
 //! * [`Magnitude`]: the size of a number, by which pivots are chosen;
 //! * [`nonnegative_combination`]: a column as an exact combination of others with factors that are not negative.
 //!

@@ -8,7 +8,7 @@
 //! * `isolate`: all real roots, by Descartes' rule of signs; `sturm`: their number once more, by Sturm's theorem;
 //! * [`Enclosure`]: an interval between multiples of a power of two, rounded outwards;
 //! * [`TaylorModel`]: a function of a parameter as a polynomial and a bound of the rest, in floats rounded outwards; [`Ball`]: one number in this
-//! form, to thirty digits;
+//!   form, to thirty digits;
 //! * [`FixedPoint`]: the fixed point of a map that depends on a parameter, enclosed for every value of a range;
 //! * [`Surd`]: a fraction and a multiple of one square root;
 //! * [`Tower`]: likewise with two square roots;

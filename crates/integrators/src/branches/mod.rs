@@ -3,7 +3,7 @@
 //! # Overview
 //! * [`Curve`]: the equations, with their derivatives;
 //! * [`follow`]: pseudo-arclength continuation (Keller 1977), through folds, each located to rounding: saddle-node
-//! bifurcations of equilibria;
+//!   bifurcations of equilibria;
 //! * [`Equilibria`]: states where the rates of a law vanish, its steady states;
 //! * [`Repeating`]: motions that are periodic up to a shift, such as a whole turn, by shooting;
 //! * [`spectrum`]: eigenvalues and Floquet multipliers, which decide linear stability.

@@ -3,7 +3,7 @@
 //! # Overview
 //! * input: [`Span`], [`Budget`], [`Tolerance`];
 //! * during the run: the right-hand side with its budget (`budgeted_rhs`), the loop around the steps (`stepping`), the work
-//! after each of them (`watch`), states between two (`within`), the [`clock`];
+//!   after each of them (`watch`), states between two (`within`), the [`clock`];
 //! * output: to an [`Observer`] on the way, as an [`Outcome`] or a [`Failure`] at the end.
 
 pub(crate) mod brink;

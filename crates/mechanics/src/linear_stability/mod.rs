@@ -3,7 +3,7 @@
 //! # Overview
 //! * [`characteristic`]: det(mu - A) without a division, for any size;
 //! * [`HalfPlanes`]: the numbers of roots to the left of the imaginary axis, on it and to the right of it, by Routh's array
-//! as the remainders of Euclid's algorithm: rows that vanish or begin with zero are no exception;
+//!   as the remainders of Euclid's algorithm: rows that vanish or begin with zero are no exception;
 //! * [`growth`]: the largest real part of a root, between two numbers;
 //! * [`real_roots`]: the number of different real roots, by Sturm's theorem over the same numbers;
 //! * [`Inertia`]: the signs of a quadratic form, also on the subspace where given linear forms vanish;

@@ -11,10 +11,10 @@
 //! # Overview
 //! * [`Body`]: M, h, G exactly; h may hold one algebraic number;
 //! * `spectrum`: (K - lambda) v + b = 0 as polynomials in lambda, and the unseen eigenvalues, whose eigenvectors are
-//! orthogonal to b;
+//!   orthogonal to b;
 //! * [`Rotations`] ([`Body::rotations`]): all v for a given w;
 //! * [`Selected`]: all (v, w) for a given angular momentum about the vertical ([`Body::at_momentum`]), and the folds,
-//! where rotations merge in saddle-node bifurcations ([`Body::folds`]);
+//!   where rotations merge in saddle-node bifurcations ([`Body::folds`]);
 //! * [`Census`] ([`Body::census`]): the number of rotations, for every w;
 //! * [`followed()`]: continuation of a rotation along a path of data, proved to be the same at both ends.
 //!

@@ -1,7 +1,7 @@
 //! Mistaken derivations, and the terms lost by them.
 //!
 //! * Constraints on speeds are substituted into the kinetic energy, and Lagrange's equations are written for the independent
-//! coordinates: the momenta along the brackets of the constraints' fields are lost, unless the constraints are integrable.
+//!   coordinates: the momenta along the brackets of the constraints' fields are lost, unless the constraints are integrable.
 //! * The energy of accelerations is made of the kinetic energy by writing u' for u: all centrifugal and Coriolis terms are lost.
 
 use crate::Trace;

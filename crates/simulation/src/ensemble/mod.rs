@@ -3,7 +3,7 @@
 //! # Overview
 //! * [`EnsembleScene`]: a scene with a table `[ensemble]`, which lists the data that vary;
 //! * [`parametric_system`]: the interface of a scene to an ensemble: names of the numbers that may vary, a law with a symbol for each,
-//! members;
+//!   members;
 //! * [`vary`], [`draw`]: the distributions, and random numbers that depend on seed, member and datum alone;
 //! * [`run`]: all members in lanes and threads; [`lane_series()`]: the series of a recurrence in lanes;
 //! * [`fingerprint`]: the data that decide a member, by which rows of different ensembles are distinguished.

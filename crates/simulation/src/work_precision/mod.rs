@@ -3,8 +3,8 @@
 //! # Overview
 //! * [`Configuration`]: a formulation with a model; each family of scenes lists its own ([`IvpScene::ways`](crate::IvpScene::ways));
 //! * [`Observed`]: the quantities that all ways have, for comparing their errors by the reference of the scene's own
-//! model. A smaller model is measured by this reference too: no tolerance brings its error below that of the model
-//! itself;
+//!   model. A smaller model is measured by this reference too: no tolerance brings its error below that of the model
+//!   itself;
 //! * [`Atlas`]: the runs of all ways, their errors, work and times;
 //! * [`Hybrid`]: scenes whose law changes at events.
 
