@@ -65,7 +65,7 @@ fn a_filter_leaves_what_it_says_and_a_link_to_a_hidden_claim_shows_it() {
         const refuted = ledger.querySelector('button[data-verdict=refuted]');
         refuted.click();
         const left = [...ledger.querySelectorAll('.claim:not([hidden])')];
-        told.push(`${left.length < all} ${left.every((claim) => claim.dataset.verdict === 'refuted')}`);
+        told.push(`${left.length < all} ${left.every((claim) => claim.classList.contains('refuted'))}`);
         const hidden = ledger.querySelector('.claim[hidden]');
         location.hash = hidden.querySelector('a.id').hash;
         dispatchEvent(new HashChangeEvent('hashchange'));

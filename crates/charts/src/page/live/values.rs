@@ -64,11 +64,11 @@ mod tests {
 
     #[test]
     fn a_slider_has_the_ends_and_the_unit_of_its_number() {
-        let slider = Slider { id: "start.\"a'\"".into(), number: 2.5, unit: "rad/s".into(), range: [-5.0, 5.0] };
+        let slider = Slider { id: "start.\"theta'\"".into(), number: 2.5, unit: "rad/s".into(), range: [-5.0, 5.0] };
         let shown = sliders(&[slider], "about");
         assert!(shown.contains("min=\"-5\" max=\"5\" step=\"any\" value=\"2.5\""), "{shown}");
-        assert!(shown.contains("name=\"start.&quot;a'&quot;\"") && shown.contains("</output> rad/s"), "{shown}");
-        assert!(shown.contains("<code>start.a'</code>") && shown.contains("\"sliders long\""), "{shown}");
+        assert!(shown.contains("name=\"start.&quot;theta'&quot;\"") && shown.contains("</output> rad/s"), "{shown}");
+        assert!(shown.contains("<code>start.theta'</code>") && shown.contains("\"sliders long\""), "{shown}");
         assert_eq!(sliders(&[], "about"), "");
     }
 
