@@ -168,6 +168,13 @@ fn at_time(path: &Path, text: &SystemText, time: f64, towards: Option<[f64; 3]>)
                 path.display()
             )));
         }
+        let reached = run.outcome.time;
+        if reached < time * (1.0 - 1e-12) {
+            return Err(Exit::refused(format!(
+                "{}: --time {time}: an event ends the run at {reached} s; a time from 0 to {reached} s is accepted",
+                path.display()
+            )));
+        }
         run.outcome.state
     } else {
         scene.start.clone()

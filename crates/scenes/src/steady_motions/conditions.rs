@@ -52,7 +52,27 @@ pub(super) fn combinations(rows: &Rows, at_rest: &[(Sym, Sym)]) -> Result<Vec<Ve
             return Err(NoSteadyMotions::ManyConditions { conditions: rows.conditions.len(), most: MOST });
         }
     }
+    let own = &values[..rows.condition_letters.len()];
+    let pairs: Vec<(usize, usize)> = (0..own.len()).flat_map(|at| (0..at).map(move |other| (at, other))).collect();
+    for (at, other) in pairs {
+        if vanishes(own[at] - own[other]) {
+            all.retain(|cases| cases[at] == cases[other]);
+        } else if vanishes(own[at] + own[other]) {
+            all.retain(|cases| cases[at] == cases[other].opposite());
+        }
+    }
     Ok(all)
+}
+
+impl Case {
+    /// The case of the condition with the opposite value.
+    fn opposite(self) -> Self {
+        match self {
+            Self::Holds => Self::Fails,
+            Self::Fails => Self::Holds,
+            other => other,
+        }
+    }
 }
 
 /// The conditions of a law, and the gaps of its contacts, as texts.

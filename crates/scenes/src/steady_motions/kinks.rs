@@ -21,7 +21,15 @@ pub(super) fn joined(mut all: Vec<Combination>) -> Vec<Combination> {
     while let Some((places, members)) = meeting(&all) {
         let is_between = |(at, _): &&(usize, usize)| places.iter().any(|&place| !is_side(all[*at].0[place]));
         let kept = members.iter().find(is_between).copied();
-        let is_minimum = members.len() == 1 << places.len()
+        // opposite conditions have no more sides than one
+        let cases_there = &all[members[0].0].0;
+        let is_around = |cases: &[Case]| {
+            (0..cases.len()).all(|place| match places.contains(&place) {
+                true => is_side(cases[place]),
+                false => cases[place] == cases_there[place],
+            })
+        };
+        let is_minimum = members.len() == all.iter().filter(|(cases, _)| is_around(cases)).count()
             && places.iter().all(|&place| !jumps[place])
             && members.iter().all(|&(at, own)| {
                 matches!(all[at].1.motions[own].stability, SteadyStability::AtCondition { is_minimum: true })

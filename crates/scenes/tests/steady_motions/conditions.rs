@@ -165,6 +165,19 @@ fn an_equilibrium_in_the_middle_of_a_play_is_one_motion() {
     assert!(matches!(motion.stability, SteadyStability::MinimumOnSides), "{motion:?}");
 }
 
+/// Springs on both sides by `max(x, 0)` and `max(-x, 0)`: the conditions are opposite, and x = 0 is the one equilibrium.
+#[test]
+fn opposite_conditions_do_not_hold_together() {
+    let text = "title = \"Two springs\"\n[parameters]\nm = \"1 kg\"\n[coordinates]\nx = \"m\"\n[bodies]\nb = { centre = \"O + x*N.x\", mass = \"m\" }\n\
+        [energies]\npotential = \"(10 N/m)*max(x, 0)^2 + (7 N/m)*max(-x, 0)^2\"\n[run]\nspan = \"1 s\"\n";
+    let found = SteadyMotions::of_cases(&model(text), &asked(&[("x", -1.0, 1.0)], 2_000), || true);
+    let found = found.unwrap_or_else(|why| panic!("{why:?}"));
+    assert!(found.iter().all(|(_, own)| own.is_complete() && own.families.is_empty()), "{found:?}");
+    let motions: Vec<_> = found.iter().flat_map(|(_, own)| &own.motions).collect();
+    let [motion] = motions[..] else { panic!("{motions:?}") };
+    assert!(matches!(motion.stability, SteadyStability::MinimumOnSides), "{motion:?}");
+}
+
 /// Springs that are stiffer on one side, along two axes: two conditions are zero at the one equilibrium, a minimum of all four combinations.
 #[test]
 fn an_equilibrium_at_two_kinks_is_a_minimum_of_all_sides() {

@@ -35,7 +35,8 @@ pub(super) fn surface(scene: Scene<'_>, at: usize, normal: usize, of_ground: boo
     if is_edge {
         let points: Vec<Vec<Flat>> = frames
             .map(|(place, normal)| {
-                let along = unit(cross(scene.camera.towards(), *normal)).unwrap_or([1.0, 0.0, 0.0]);
+                // with the free side on its left, so that the strokes are in the solid
+                let along = unit(cross(*normal, scene.camera.towards())).unwrap_or([1.0, 0.0, 0.0]);
                 let (low, high) = reach(along, *place);
                 [low - beyond, high + beyond].map(|length| corner(*place, &[(along, length)])).to_vec()
             })

@@ -40,7 +40,12 @@ impl Timeline {
     pub fn values(&self, attribute: &str, values: &[String]) -> String {
         match self.moves() {
             false => String::new(),
-            true => format!("<animate attributeName=\"{attribute}\" values=\"{}\"{}/>", values.join(";"), self.runs()),
+            true => {
+                // a browser refuses a list with an empty path: an arrow of length zero is a point
+                let value = |value: &String| if value.is_empty() { "M0 0".to_owned() } else { value.clone() };
+                let values: Vec<String> = values.iter().map(value).collect();
+                format!("<animate attributeName=\"{attribute}\" values=\"{}\"{}/>", values.join(";"), self.runs())
+            }
         }
     }
 
