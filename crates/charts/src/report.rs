@@ -26,12 +26,12 @@ pub struct Report {
     /// Runs across stick, slip and detachment.
     pub rough: Vec<SceneSection>,
     pub timings: Vec<Timings>,
-    /// What stands in place of timings where there are none: text; empty where nothing is missed.
+    /// The text in the place of timings that are missing; empty where none are missing.
     pub timings_missing: String,
 }
 
 impl Report {
-    /// How many claims of all papers have this verdict.
+    /// The number of claims of all papers with this verdict.
     pub fn count(&self, verdict: Verdict) -> usize {
         self.papers.iter().map(|paper| paper.count(verdict)).sum()
     }
@@ -51,7 +51,7 @@ pub struct PaperSection {
 }
 
 impl PaperSection {
-    /// How many of the paper's claims have this verdict; corrections are not counted.
+    /// The number of the paper's claims with this verdict; corrections are not counted.
     pub fn count(&self, verdict: Verdict) -> usize {
         self.claims.iter().filter(|claim| claim.verdict == verdict).count()
     }
@@ -69,22 +69,22 @@ pub struct ClaimRow {
     pub id: String,
     /// The paper's own number, as printed: `(5.3)`; empty where it has none.
     pub equation_label: String,
-    /// The heading of the paper under which it stands: text, empty where there is none.
+    /// The heading of the paper's section with the claim: text, empty where there is none.
     pub section: String,
     /// Text.
     pub title: String,
     pub verdict: Verdict,
     /// The statement, a displayed formula each.
     pub latex: Vec<String>,
-    /// Everything that is presupposed, hypotheses, divisors that must not vanish, signs: texts.
+    /// All assumptions, as texts: hypotheses, divisors that must not vanish, signs.
     pub requires: Vec<String>,
-    /// How the verdict was reached: text.
+    /// The evidence for the verdict: text.
     pub evidence: String,
-    /// Where it fails: name (text) and exact value (text).
+    /// The point at which the claim fails: name (text) and exact value (text) of each letter.
     pub counterexample: Vec<(String, String)>,
     /// Left side minus right side: LaTeX.
     pub difference: Option<String>,
-    /// What holds instead, with its own verdict.
+    /// The corrected statement, with its own verdict.
     pub correction: Option<Box<ClaimRow>>,
     /// Why the print fails: text, empty where it does not.
     pub why: String,
@@ -131,7 +131,7 @@ pub struct Study {
     pub title: String,
     /// LaTeX between dollar signs.
     pub lead: String,
-    /// What happens in time, where the study follows something.
+    /// The motion in time, where the study follows one.
     pub run: Option<Trajectory>,
     pub pictures: Vec<Areas>,
     pub tables: Vec<Table>,

@@ -1,4 +1,4 @@
-//! What can be asked on the command line.
+//! The command line: subcommands, their arguments and the parsers of their values.
 
 use crate::clock::Keeps;
 pub use crate::output::Format;
@@ -120,7 +120,7 @@ pub enum Command {
     Inverse(inverse::Asked),
     /// The optimal regulator of a system that is written in its file, by Riccati's equation, and its run on the nonlinear model
     Regulate(regulate::Asked),
-    /// What the bodies of a scene come to: both inertia tensors, principal axes, centre of mass, weight
+    /// The mass properties of a scene's bodies: both inertia tensors, principal axes, centre of mass, weight
     Bodies(bodies::Asked),
     /// All steady motions of a system in a box, equilibria and those with constant speeds, none missing, and whether each is stable
     Stationary(stationary::Asked),
@@ -129,7 +129,7 @@ pub enum Command {
     NumericalStability(numerical_stability::Asked),
     /// A synchronous motor under load: pull-out, pull-in, what lies between, and which starts come into step
     Motor(motor::Asked),
-    /// What every motor must do, each with a verdict: power, passivity, frames, housing, rest, stiffness, dimensions
+    /// Checks the properties that every motor must have, each with a verdict: power, passivity, frames, housing, rest, stiffness, dimensions
     Conform(conform::Asked),
     /// Writes a new motor: its file, its line in the list, a scene and a test; or a scene with its laws as text
     New(new::Asked),
@@ -178,7 +178,7 @@ mod tests {
     use proptest::prelude::*;
     use proptest::test_runner::{RngSeed, TestRunner};
 
-    /// What stands on command lines, and what does not.
+    /// Words for random command lines: commands, options, values, and words that no command takes.
     const WORDS: &[&str] = &[
         "run",
         "chart",

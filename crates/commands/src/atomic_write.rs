@@ -1,7 +1,7 @@
-//! Files that are whole under their names, whenever the program is killed.
+//! Atomic writing of output files: a kill of the program never leaves an incomplete file under the requested name.
 //!
-//! What is written goes to a file beside its place, is brought to the disk, and then takes the place: under the name there
-//! is what was there before, or all of the new. A kill while it is written leaves `.NAME.*.part` behind; Ctrl-C does not.
+//! The content goes to a temporary file in the same folder, is synced to the disk, and is then renamed to the requested name,
+//! which holds either the old content or all of the new. A kill during the writing leaves `.NAME.*.part` behind; Ctrl-C does not.
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
@@ -155,7 +155,7 @@ pub fn folder(path: &Path) -> &Path {
 
 /// A file beside the place, which goes with what writes to it; as readable as others that a program makes.
 fn part(path: &Path) -> io::Result<NamedTempFile> {
-    // of a long name a part, since what is added must have room in a name too
+    // a long name is cut, since prefix and suffix must fit into a file name too
     let name: String =
         path.file_name().ok_or(io::ErrorKind::IsADirectory)?.to_string_lossy().chars().take(50).collect();
     let prefix = format!(".{name}.");

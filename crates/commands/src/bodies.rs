@@ -17,7 +17,7 @@ pub struct Asked {
     /// The scene, a TOML file
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
-    /// How to print them
+    /// Output format
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }

@@ -27,7 +27,7 @@ use studies::AnyScene;
 use studies::model_reduction::Hierarchy;
 use studies::scene::Setup;
 
-/// What is to be measured and drawn.
+/// Arguments of `chart`.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// The scene, a TOML file
@@ -39,7 +39,7 @@ pub struct Asked {
     /// Replaces the file of --out even where `chart` did not write what stands there
     #[arg(long, requires = "out")]
     pub force: bool,
-    /// How to print the results: text is for reading, JSON has one object for every run
+    /// Output format: text is for reading, JSON has one object for every run
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
     /// The unit in which the work of a picture is counted; without it evaluations

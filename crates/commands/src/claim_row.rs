@@ -25,7 +25,7 @@ pub fn row(claim: &Judged) -> ClaimRow {
     }
 }
 
-/// How the verdict was reached. A formula that fails is named by its place: it stands typeset above.
+/// The evidence for the verdict. A formula that fails is named by its line, since it stands typeset above.
 fn evidence(claim: &Judged) -> String {
     let failing =
         claim.evidence.strip_suffix(" fails").and_then(|text| claim.text.iter().position(|line| line == text));

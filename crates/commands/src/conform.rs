@@ -22,7 +22,7 @@ pub struct Asked {
     /// Another machine, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,
-    /// How to print it; JSON is one object: motor, checks with check, verdict, says
+    /// Output format; JSON is one object: motor, checks with check, verdict, says
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }
@@ -64,7 +64,7 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
         Format::Text => page(&title, &findings),
         Format::Json => format!("{:#}\n", object(&title, &findings)),
     })?;
-    // what was not decided is not known to hold
+    // an undecided property counts as one that may fail
     let open = |finding: &Finding| matches!(finding.verdict, PropertyVerdict::Fails(_) | PropertyVerdict::Undecided(_));
     Ok(if findings.iter().any(open) { Exit::Stopped } else { Exit::Done })
 }

@@ -1,4 +1,4 @@
-//! How the program ends: exit codes, messages, and writing that survives a closed pipe.
+//! The end of the program: exit codes, messages, and writing that survives a closed pipe.
 
 use crate::{clock, progress};
 use ::scenes::with_ways_to_a_system;
@@ -26,12 +26,12 @@ pub fn is_quiet() -> bool {
     QUIET.load(Relaxed)
 }
 
-/// What the caller is told.
+/// The outcome of a command, from which the exit code follows.
 #[derive(Debug)]
 pub enum Exit {
     /// All is well.
     Done,
-    /// What was asked ran, and did not come out as it should; the reason has been printed.
+    /// The command ran, but its result is not as it should be; the reason has been printed.
     Stopped,
     /// The input is not acceptable: a message in which nothing acts on a terminal but our own colours.
     Refused(String),
@@ -120,7 +120,7 @@ fn rendered(error: &SceneError) -> String {
 /// Prints to standard output, with nothing in it that acts on a terminal. A reader who has seen enough and closed the pipe is no error.
 pub fn print(text: &str) -> Result<(), Exit> {
     let _held = clock::held();
-    // what is printed holds what was found before
+    // the final text contains the interim results, which are not to be printed again
     clock::publish(String::new());
     progress::clear();
     let mut out = io::stdout().lock();

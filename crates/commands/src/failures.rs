@@ -22,7 +22,7 @@ pub struct Asked {
     /// Where the scene files are; those in `failures` there that hold the table [failure] are measured too
     #[arg(long, value_name = "FOLDER", default_value = "scenes")]
     pub scenes: PathBuf,
-    /// How to print them
+    /// Output format
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }

@@ -30,7 +30,7 @@ pub struct Asked {
     /// Instants beside the first
     #[arg(long, value_name = "N", default_value = "10", value_parser = whole::<u32>(1..=1_000_000))]
     pub samples: u32,
-    /// How to print the table
+    /// Output format of the table
     #[arg(long, value_enum, default_value_t)]
     pub format: Form,
 }

@@ -26,7 +26,7 @@ pub struct Asked {
     /// Another machine, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,
-    /// How to print it
+    /// Output format
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }
@@ -54,7 +54,7 @@ struct Case {
     shares: Result<Vec<Share>, String>,
 }
 
-/// What all of them share.
+/// Results that do not depend on bars or on the body that carries the motor.
 struct Common {
     motor: Loaded,
     in_step: Vec<Standing>,

@@ -20,7 +20,7 @@ static WORK: Mutex<Option<Work>> = Mutex::new(None);
 struct Work {
     label: String,
     begun: Instant,
-    /// Of [`MARKS`]; zero where nobody tells.
+    /// The completed part in units of 1 / [`MARKS`]; zero where the work does not report it.
     done: u64,
     bar: Option<ProgressBar>,
 }
@@ -32,7 +32,7 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Of the work that begins now.
+    /// Begins a phase of work, shown under a label.
     pub fn new(label: &str) -> Self {
         clear();
         // a title may hold what a terminal would obey
@@ -41,7 +41,7 @@ impl Progress {
         Progress { before: at_work().replace(work), shown: 0 }
     }
 
-    /// So much is done. Cheap: nothing happens between two marks of the bar.
+    /// Reports the completed fraction, from 0 to 1. Cheap: nothing happens between two marks of the bar.
     pub fn set(&mut self, fraction: f64) {
         let mark = (fraction * MARKS as f64) as u64;
         if mark > self.shown {

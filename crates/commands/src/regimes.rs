@@ -14,7 +14,7 @@ pub struct Asked {
     /// The scene, a TOML file with contacts or conditions; the folders `scenes/friction` and `scenes/models` hold examples
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
-    /// How to print them
+    /// Output format
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }
@@ -30,7 +30,7 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     Ok(if answer.determined { Exit::Done } else { Exit::Stopped })
 }
 
-/// What is consistent at the start.
+/// The regimes of contacts and conditions that are consistent at the start.
 struct Answer {
     regimes: Vec<Regime>,
     verdict: String,

@@ -19,10 +19,10 @@ use studies::stationary::stability::region::{
 const CELLS: [usize; 2] = [28, 21];
 /// Branches that are drawn.
 const DRAWN: usize = 8;
-/// What a column of nodes costs beside a line of links.
+/// The work for a column of nodes relative to that for a line of links.
 const NODES: f64 = 3.0;
 
-/// What is claimed.
+/// The note below the map: the statements that it makes, and those that it does not.
 const NOTE: &str = "In the middle of each cell the motion is isolated and judged exactly. Between neighbours it is followed \
     with proof, and where its verdict changes, or it merges with another, the place is bracketed: a dot lies between two points \
     1/32 of a cell apart that are judged exactly too; where omega0 is the second datum, merging motions are roots of a polynomial \
@@ -240,7 +240,7 @@ fn changes(change: Change) -> &'static str {
     }
 }
 
-/// What is at a node beside or instead of isolated motions.
+/// The text for a node with families of motions, or without motions; `None` where all motions are isolated.
 fn unusual(node: &Node) -> Option<String> {
     match &node.place {
         NodeMotions::Motions { families, .. } if families.is_empty() => None,

@@ -21,7 +21,7 @@ use studies::AnyScene;
 use studies::model_reduction::{Hierarchy, ReducedScene, Simplification, SimplifiedScene};
 use studies::scene::Scene;
 
-/// How a scene is to be run; what is left out, the scene says.
+/// Arguments of `run`; the scene gives the values of those that are left out.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// The scene, a TOML file; the folder `scenes` holds examples
@@ -54,7 +54,7 @@ pub struct Asked {
     /// Replaces the files of --out, --plot and --transition even where `run` did not write what stands there
     #[arg(long)]
     pub force: bool,
-    /// How to print the summary; JSON is one object: time, state, work, invariants, model, method; null where a number is not
+    /// Output format of the summary; JSON is one object: time, state, work, invariants, model, method; null where a number is not
     /// defined
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
@@ -63,7 +63,7 @@ pub struct Asked {
     pub samples: Option<u32>,
 }
 
-/// What the long help adds: names of methods and models.
+/// The end of the long help: names of methods and models.
 pub fn help() -> String {
     let column = |name: &str, what: &str| format!("  {name:<22} {what}\n");
     let methods: String = methods::list().map(|(name, what)| column(&name, what)).collect();
@@ -229,7 +229,7 @@ fn follow(scene: &dyn IvpScene, asked: &Asked, form: Option<Axes>) -> Result<Exi
         }
     };
 
-    // what follows may take longer than the run, and the run is not lost by it
+    // files are written first: the checks below may take longer than the run, and must not lose it
     let table = table.write(&trajectory.times, &trajectory.rows, (trajectory.outcome.time, &trajectory.last));
     let plot = plot
         .map(|plot| plot.write_text(&(provenance.markup() + &pictures::sheet(scene, &trajectory).svg())))
@@ -239,7 +239,7 @@ fn follow(scene: &dyn IvpScene, asked: &Asked, form: Option<Axes>) -> Result<Exi
     clock::publish(text(&told, None));
     let beside = phase("the run with half of its step", || problem.beside(&choice, &trajectory, clock::goes_on));
     clock::publish(text(&told, beside));
-    // what has no value, or parts from its law, is no result
+    // a run with undefined values, or one that departs from its law, is no result
     let spoilt = told.failures.iter().any(|failure| failure.kind.spoils());
     let is_kept = trajectory.undefined().is_empty() && trajectory.lost().is_none() && !spoilt;
     let serves = beside.is_none_or(|beside| beside.parting.serves()) && is_kept;
@@ -264,7 +264,7 @@ fn follow(scene: &dyn IvpScene, asked: &Asked, form: Option<Axes>) -> Result<Exi
         }
     }
     print(&text(&told, beside))?;
-    // what was computed is told in any case
+    // the summary is printed even where a file cannot be written
     for written in [table?, plot?, depends?].into_iter().flatten() {
         written.tell(asked.format)?;
     }

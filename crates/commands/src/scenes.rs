@@ -15,13 +15,13 @@ pub struct Asked {
     /// Where the scene files are
     #[arg(default_value = "scenes")]
     pub folder: PathBuf,
-    /// How to print them
+    /// Output format
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }
 
-/// Prints each scene of a folder with its machine or its system, and its title; one that is not acceptable with the number
-/// of its faults.
+/// Prints each scene of a folder with its machine or its system, and its title; an unacceptable file is listed with the
+/// number of its faults.
 pub fn list(asked: &Asked) -> Result<Exit, Exit> {
     let files = files(&asked.folder)?;
     let listed = files.iter().map(|path| (path.display().to_string(), listed(path)));

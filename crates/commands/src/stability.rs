@@ -18,7 +18,7 @@ pub fn text(motor: &MotorStates, judged: &[Judged]) -> String {
     out
 }
 
-/// Of a family: a line for each stretch with one verdict, and for each direction that is unlike those beside it.
+/// The verdicts along a family of motions: a line for each arc with one verdict, and for each direction that differs from its neighbours.
 pub fn along(motor: &MotorStates, along: &[Along]) -> String {
     let mut out = String::new();
     for (one, angle) in along.iter().zip(angles(motor)) {
@@ -50,7 +50,7 @@ fn components(v: Vector3<f64>) -> String {
     format!("({:.8}, {:.8}, {:.8})", v.x, v.y, v.z)
 }
 
-/// The same of a family, for a program.
+/// The verdicts along a family of motions as JSON: arcs and edges for each angle of the rotor.
 pub fn along_objects(motor: &MotorStates, along: &[Along]) -> Vec<Value> {
     let of_angle = |(one, angle): (&Along, Option<f64>)| {
         let arcs = one.arcs.iter().map(|arc| {
@@ -66,7 +66,7 @@ pub fn along_objects(motor: &MotorStates, along: &[Along]) -> Vec<Value> {
     along.iter().zip(angles(motor)).map(of_angle).collect()
 }
 
-/// The same for a program.
+/// The verdicts as JSON, an object for each angle of the rotor.
 pub fn objects(motor: &MotorStates, judged: &[Judged]) -> Vec<Value> {
     let each = judged.iter().zip(angles(motor)).map(|(one, angle)| {
         let mut object = object(one);
@@ -91,7 +91,7 @@ fn object(one: &Judged) -> Value {
     })
 }
 
-/// Of one of a family: what is said is said of the family.
+/// The name of a verdict; for a member of a family it is marked as a verdict on the family.
 fn named(judged: &Judged) -> String {
     let family = if judged.along > 0 { ", as a family" } else { "" };
     format!("{}{family}", name(judged.verdict))
@@ -124,10 +124,10 @@ fn letter(integral: Integral) -> &'static str {
     }
 }
 
-/// Nobody waits for deviations that grow more slowly, 1/s: by e in thirty years.
+/// Rates of growth below this are reported as negligible, 1/s: a deviation grows by the factor e in thirty years.
 const SLOW: f64 = 1e-9;
 
-/// How fast deviations grow.
+/// The rate at which the fastest deviation grows, from an enclosure in 1/s.
 fn grows([low, high]: [f64; 2]) -> String {
     let rate = 0.5 * (low + high);
     if rate >= SLOW {
@@ -141,7 +141,7 @@ fn grows([low, high]: [f64; 2]) -> String {
     )
 }
 
-/// What a verdict rests on.
+/// The reason for a verdict.
 fn because(judged: &Judged) -> String {
     let number = |n: usize, name: &str| format!("{n} {name}{}", if n == 1 { "" } else { "s" });
     let family = [(1, "the family"), (2, "the family (twice)")]

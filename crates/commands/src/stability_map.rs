@@ -12,7 +12,7 @@ use systems::gyrostat::Gyrostat;
 /// Columns and rows.
 const CELLS: (usize, usize) = (96, 72);
 
-/// What a motor does not bear.
+/// The label of cells where the load exceeds the motor's pull-out torque.
 const BEYOND: &str = "no stationary motion: the motor is pulled out";
 
 /// A scene over two data, each in its range; upright is against the weight that the scene has.

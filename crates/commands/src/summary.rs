@@ -6,7 +6,7 @@ use simulation::events::Passage;
 use simulation::{Axes, Choice, IvpScene, RunFailure, Trajectory};
 use std::fmt::Write;
 
-/// What is printed after a run.
+/// The summary of a run, as text or JSON.
 pub struct Summary<'a> {
     pub scene: &'a dyn IvpScene,
     pub choice: &'a Choice,
@@ -14,7 +14,7 @@ pub struct Summary<'a> {
     pub form: Option<Axes>,
     pub trajectory: &'a Trajectory,
     pub told: &'a simulation::RunNotes,
-    /// Of constant steps: what shorter ones say.
+    /// For constant steps: the comparison with a run of half the step size.
     pub beside: Option<Beside>,
     /// Values of the start that constraints or an equilibrium have moved.
     pub completed: &'a [(String, f64)],
@@ -134,7 +134,7 @@ impl Summary<'_> {
         text
     }
 
-    /// What the scene calls its outputs; every state where it names none.
+    /// Whether a state is one of the scene's outputs; every state is where the scene names none.
     fn shown(&self, name: &str) -> bool {
         let outputs = &self.scene.run().outputs;
         outputs.is_empty() || outputs.iter().any(|output| output == name)
@@ -146,7 +146,7 @@ pub fn failed(RunFailure { kind, at, evidence, remedy }: &RunFailure) -> Value {
     json!({ "kind": kind.name(), "at": at, "evidence": evidence, "remedy": remedy })
 }
 
-/// What shorter steps say, with the evaluations that they took.
+/// The verdict of the comparison with half the step size, with the evaluations that it took.
 fn judged(beside: Beside) -> Value {
     let (apart, from, why) = match beside.parting {
         Parting::Follows { apart } => (Some(apart), None, None),
@@ -204,7 +204,7 @@ impl ToldEvent<'_> {
     }
 }
 
-/// Of a quantity without a value.
+/// The text for a quantity without a value.
 const UNDEFINED: &str = "undefined";
 
 /// With nine digits after the point, or as a power of ten where those would say nothing.

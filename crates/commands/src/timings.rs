@@ -1,4 +1,4 @@
-//! What others take for the same proofs: read from what the measuring script has written, if it has.
+//! Times that other programs take for proofs of dalembert, read from the measuring script's file where it exists.
 
 use charts::{Contender, TimingRow, Timings};
 use serde_json::Value;

@@ -22,7 +22,7 @@ pub fn compact(values: &[(String, String)]) -> Vec<(String, String)> {
     out
 }
 
-/// How many of the first values are the components of one vector: its names end in 1, 2, 3, ...
+/// The number of leading values that are components of one vector: their names are one stem with 1, 2, 3, ...
 fn components(values: &[(String, String)]) -> usize {
     let Some(stem) = values.first().and_then(|(name, _)| name.strip_suffix('1')) else { return 0 };
     if !latex(&format!("{stem}1")).contains("_1") {

@@ -25,7 +25,7 @@ pub(super) fn ledger(paper: &PaperSection, set: &mut Typesetter) -> Markup {
     }
 }
 
-/// What stands above claims of one section.
+/// The heading above the claims of one section; `None` where the paper has no section for them.
 pub(super) fn heading(group: &[ClaimRow]) -> Option<&str> {
     group.first().map(|claim| claim.section.as_str()).filter(|section| !section.is_empty())
 }
@@ -35,7 +35,7 @@ pub(super) fn part(paper: &PaperSection, position: usize) -> String {
     format!("{}/part{}", anchor(&paper.id), position + 1)
 }
 
-/// How many claims, and how many of them need a reader's attention.
+/// The number of claims, and the numbers of those with a verdict that needs a reader's attention, as text.
 pub(super) fn counts(group: &[ClaimRow]) -> String {
     let noteworthy = [Verdict::Refuted, Verdict::Undefined, Verdict::Undecided, Verdict::Open];
     let counted = noteworthy.map(|verdict| (verdict, group.iter().filter(|claim| claim.verdict == verdict).count()));

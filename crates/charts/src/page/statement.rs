@@ -1,4 +1,4 @@
-//! What a claim says and what is known of it.
+//! A claim on the page: its statement, conditions, evidence, counterexample and remarks.
 
 use super::{conditions, findings};
 use crate::{ClaimRow, Verdict, text::Typesetter};
@@ -27,13 +27,13 @@ pub(super) fn whole(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
     }
 }
 
-/// Reasons that hundreds of rows have: they are told once, where the verdict is.
+/// Evidence that hundreds of rows share: it is stated once, beside the meaning of the verdict.
 const USUAL: [&str; 2] = ["normal form zero", "normal form of the difference is zero"];
 
-/// The same in words, behind the meaning of the verdict.
+/// The sentence that replaces the evidence in `USUAL`, beside the meaning of the verdict.
 pub(super) const UNTOLD: &str = "; where no reason is told: the normal form of the difference is zero";
 
-/// How it is known.
+/// The evidence of a claim; nothing where it is one of `USUAL`.
 pub(super) fn evidence(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
     let is_told = !claim.evidence.is_empty() && !USUAL.contains(&claim.evidence.as_str());
     html! { @if is_told { p.evidence { (set.text(&claim.evidence)) } } }

@@ -1,4 +1,4 @@
-//! What is the case over a plane of two quantities: coloured areas, curves over them, marked points.
+//! Maps over a plane of two quantities: coloured areas, curves over them, marked points.
 
 use super::{
     axis::{Axis, Tick},
@@ -39,14 +39,14 @@ pub struct AreaCurve {
 /// The left end of a plane over values with short numbers, and of one whose rows have names.
 const LEFT: f64 = 56.0;
 const LEFT_OF_NAMES: f64 = 160.0;
-/// What the label beside the axis takes with the gaps, and the width of a digit.
+/// The width of the label beside the axis with its gaps, and that of a digit.
 const LABEL: f64 = 32.0;
 const DIGIT: f64 = 8.5;
 const RIGHT: f64 = WIDTH - 14.0;
 const TOP: f64 = 10.0;
 const BOTTOM: f64 = 330.0;
 
-/// Kinds are told apart by so many colours.
+/// The number of colours for kinds of cells.
 const COLOURS: usize = 12;
 /// Points beyond which dashes would hide a curve.
 const DENSE: usize = 300;

@@ -160,7 +160,7 @@ mod tests {
         assert_eq!(shared([0.0, -2.3e-8]), (Some("10⁻⁸".to_owned()), "−2.0 −1.5 −1.0 −0.5 0.0".to_owned()));
         assert_eq!(shared([1e6, 3e6]), (Some("10⁶".to_owned()), "1.0 1.5 2.0 2.5 3.0".to_owned()));
         assert_eq!(shared([0.0, 5.0]).0, None);
-        // of numbers that are almost the same each keeps all its digits
+        // a common power of ten is left out where numbers that are almost equal need all their digits
         assert_eq!(shared([1e7, 1e7 + 20.0]).0, None);
     }
 

@@ -25,7 +25,7 @@ pub(crate) enum Anchor {
 pub(crate) struct Drawing {
     body: String,
     pub height: f64,
-    /// How many widths it is wide, if more than one.
+    /// The width in units of `WIDTH`; 0 and 1 both mean one.
     columns: usize,
 }
 

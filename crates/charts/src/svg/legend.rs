@@ -48,7 +48,7 @@ pub(crate) fn in_a_row(drawing: &mut Drawing, entries: &[Entry], (left, y): (f64
 
 const LONGEST: usize = 66;
 
-/// How many rows so many columns have, and how wide each column is.
+/// The number of rows for a number of columns, and the width of each column in pixels.
 fn layout(entries: &[Entry], columns: usize) -> (usize, Vec<f64>) {
     let rows = entries.len().div_ceil(columns).max(1);
     let width = |name: &str| 7.1 * name.chars().count().min(LONGEST) as f64 + 57.0;

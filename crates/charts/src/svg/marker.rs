@@ -1,4 +1,4 @@
-//! Twelve colours, shapes of marker and patterns of dashes: a series is known by any one of them.
+//! Looks of series: twelve colours, twelve shapes of markers and twelve patterns of dashes.
 
 use super::{
     drawing::Drawing,
@@ -7,7 +7,7 @@ use super::{
 
 const STYLES: usize = 12;
 
-/// How the series at this position is drawn.
+/// The look of a series: its colour, the shape of its markers, its dashes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Look {
     /// Chooses colour and dashes: class `s0` to `s11`; none for grey.
@@ -17,7 +17,7 @@ pub(crate) struct Look {
     dashes: Option<usize>,
 }
 
-/// How a marker is painted.
+/// The way in which a marker is painted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Paint {
     Full,
@@ -42,13 +42,13 @@ impl Look {
         Look { style: None, shape: 0, dashes: None }
     }
 
-    /// The same with the shape and the dashes of kinds, where it is of any.
+    /// The look with the shape and the dashes of the kinds of a series, where it has any.
     pub fn of_kind(self, shape: Option<usize>, dashes: Option<usize>) -> Self {
         let dashes = dashes.map_or(self.dashes, |kind| Some(kind % STYLES));
         Look { shape: shape.map_or(self.shape, |kind| kind % STYLES), dashes, ..self }
     }
 
-    /// Of the grey ones, which are many and small, the full circle is a dot and the full square a block.
+    /// The outline of a marker. Grey markers are many and small: their full circle is a dot, their full square a block.
     fn drawn(self, r: f64) -> (String, Paint) {
         match (self.style, self.shape) {
             (None, 0) => ("h0".to_owned(), Paint::Dot),

@@ -17,5 +17,5 @@ mod legend;
 mod marker;
 mod path;
 
-/// How charts look, by class; a page adds its own colours for dark screens.
+/// The style sheet of charts; a page adds its own colours for dark screens.
 pub(crate) const STYLE: &str = include_str!("chart.css");

@@ -1,4 +1,4 @@
-//! The same tasks done by others: bars of ratios.
+//! Bar charts of the times that other programs take, as ratios to those of dalembert.
 
 use super::{
     axis::{Axis, Tick},
@@ -7,7 +7,7 @@ use super::{
     number::significant,
 };
 
-/// How long tasks take here and elsewhere.
+/// The times of tasks, in dalembert and in other programs.
 #[derive(Clone, Debug, Default)]
 pub struct Timings {
     pub title: String,
@@ -40,7 +40,7 @@ const RIGHT: f64 = WIDTH - 150.0;
 const BAR: f64 = 13.0;
 
 impl TimingRow {
-    /// How many times our time a contender took, where both are known.
+    /// The time of a contender divided by ours; `None` where either is unknown.
     pub(crate) fn ratio(&self, contender: &Contender) -> Option<f64> {
         let ratio = contender.outcome.as_ref().ok()? / self.ours;
         (ratio.is_finite() && ratio > 0.0).then_some(ratio)

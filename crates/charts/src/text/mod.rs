@@ -15,11 +15,11 @@ pub struct Unset {
     pub reason: String,
 }
 
-/// Formulas wider than this, in em, are given places to break a line.
+/// Formulas wider than this, in em, may break into several lines.
 const BREAK_ABOVE: f64 = 20.0;
-/// The same inside prose, where a narrow screen must hold the formula and a sentence goes on around it.
+/// The width, in em, beyond which a formula in prose may break: narrower, since it must fit on a small screen within a sentence.
 const BREAK_IN_PROSE: f64 = 16.0;
-/// What one line of print holds, in em; wider pieces are printed smaller.
+/// The width of a printed line, in em; wider pieces are printed smaller.
 const PAPER: f64 = 44.0;
 
 /// Turns text and LaTeX into markup, and remembers what it could not typeset.
@@ -71,7 +71,7 @@ impl Typesetter {
         } }
     }
 
-    /// How wide a text is on one line, in em: enough to tell a short one from a long one.
+    /// An estimate of the width of a text on one line, in em.
     pub fn width(&self, text: &str) -> f64 {
         let (mut width, mut rest, mut formula) = (0.0, text, false);
         while let Some((part, tail)) = split_at_dollar(rest) {
@@ -155,7 +155,7 @@ pub(crate) fn plain(text: &str) -> String {
     unescape(text).replace('$', "")
 }
 
-/// What stands before and after the first dollar sign that no backslash escapes.
+/// The texts before and after the first dollar sign that no backslash escapes.
 fn split_at_dollar(text: &str) -> Option<(&str, &str)> {
     text.match_indices('$')
         .map(|(at, _)| at)

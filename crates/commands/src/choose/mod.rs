@@ -21,7 +21,7 @@ use studies::AnyScene;
 use studies::model_reduction::{Forms, Hierarchy, Models, Receipt, TextModels, Wish, choose};
 use studies::scene::Setup;
 
-/// What is to be met, and in what.
+/// Arguments of `choose`: the tolerance, the outputs that must meet it, and the forms of the answer.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// The scene, a TOML file
@@ -47,7 +47,7 @@ pub struct Asked {
     /// serves; what is chosen rests on counted work either way
     #[arg(long)]
     pub times: bool,
-    /// How to print the receipt; JSON has null where a number is not defined
+    /// Output format of the receipt; JSON has null where a number is not defined
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }

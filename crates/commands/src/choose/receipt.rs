@@ -119,7 +119,7 @@ fn beyond(line: &Line) -> String {
     error.map_or_else(|| line.name.clone(), |model| format!("{} ({:.0e})", line.name, model.first))
 }
 
-/// What deciding cost, and whether that comes back.
+/// The evaluations that the choice took, and from which run on it saves more than that.
 fn decided(receipt: &Receipt) -> String {
     let worth = receipt
         .worth()

@@ -15,7 +15,7 @@ use simulation::models::{has_model, holds_model};
 use std::path::Path;
 use symbolic::Language;
 
-/// What is to be derived, and how.
+/// Arguments of `derive`.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// The system: gyrostat, motor; a file with `[coordinates]`, whose equations of motion are written; or another scene, SCENE.toml,
@@ -25,13 +25,14 @@ pub struct Asked {
     /// The principle; without it the first that applies
     #[arg(long, value_enum)]
     pub principle: Option<PrincipleName>,
-    /// How to print the equations; of a scene text, LaTeX and MathML have its motor, the others its rates and Jacobian
+    /// Format of the equations; for a scene, text, LaTeX and MathML show its motor, the other formats its rates and Jacobian
     #[arg(long, value_enum)]
     pub format: Option<Equations>,
     /// For a scene's code: the equations in the axes of A (first) or of A* (second); without it the first
     #[arg(long)]
     pub form: Option<Axes>,
-    /// Of a file with `[coordinates]`: first the angular velocity of every frame, the position, velocity and acceleration of every point, and the kind of every constraint
+    /// For a file with `[coordinates]`: first the angular velocity of every frame, the position, velocity and acceleration of every point,
+    /// and the kind of every constraint
     #[arg(long)]
     pub echo: bool,
 }
@@ -56,7 +57,7 @@ pub enum PrincipleName {
     Gauss,
     /// Newton's and Euler's equations of every body with the loads of its joints
     NewtonEuler,
-    /// Hamilton's canonical equations, back along the speeds
+    /// Hamilton's canonical equations, written in the speeds instead of the momenta
     Hamilton,
     /// Maggi: Lagrange's equations along the quasi-velocities of the file, or along independent rates
     Maggi,
@@ -73,7 +74,7 @@ pub enum Equations {
     Mathml,
     /// Equations over symbols of their own; of a scene the rates and the Jacobian over the symbols of its states
     Sympy,
-    /// Straight-line code, every common part once; of a system the left sides less the right ones
+    /// Straight-line code, each common subexpression once; for a system the left sides minus the right ones
     C,
     Python,
     Rust,
@@ -82,7 +83,7 @@ pub enum Equations {
 /// Prints the equations.
 pub fn derive(asked: &Asked) -> Result<Exit, Exit> {
     let path = Path::new(&asked.system);
-    // of a scene with a motor its motor is shown, and by a principle the equations of the whole
+    // a scene with a motor shows the motor alone; with --echo or --principle the equations of the whole system
     let of_whole = asked.echo || asked.principle.is_some();
     let is_model = is_held(path, if of_whole { has_model } else { holds_model });
     if asked.echo && !is_model {
@@ -153,14 +154,14 @@ fn mathml(derived: &Derived<'_, '_>) -> Result<String, String> {
 /// The principle of a system that is written in its file.
 fn in_file(name: PrincipleName) -> Result<NamedPrinciple, Exit> {
     let named = name.to_possible_value().and_then(|value| NamedPrinciple::of_name(value.get_name()).ok());
-    // of those that are none of a file
+    // some names are principles of the built-in systems alone
     named.ok_or_else(|| {
         let names: Vec<&str> = NamedPrinciple::all().into_iter().map(NamedPrinciple::name).collect();
         Exit::refused(format!("for a system that is written in its file the principle may be: {}", names.join(", ")))
     })
 }
 
-/// Forms are of a scene's code alone.
+/// Refuses --form, which applies to a scene's code alone.
 fn refuse_form(asked: &Asked, why: &str) -> Result<(), Exit> {
     match asked.form {
         None => Ok(()),
@@ -171,7 +172,7 @@ fn refuse_form(asked: &Asked, why: &str) -> Result<(), Exit> {
     }
 }
 
-/// The principle of a system that the program brings along.
+/// The principle for one of the built-in systems.
 fn built_in(name: PrincipleName) -> Result<Principle, Exit> {
     Ok(match name {
         PrincipleName::Momentum => Principle::Momentum,

@@ -100,7 +100,7 @@ impl Table {
         settled.map_err(|error| self.unwritable(&error))?;
         self.settled = Instant::now();
         let same = self.file.try_clone().and_then(Handle::from_file).and_then(|own| {
-            // what is no file any more might wait for a reader
+            // opening a pipe in the place of the file would wait for a reader
             Ok(self.path.is_file()
                 && Handle::from_path(&self.path)? == own
                 && self.file.metadata()?.len() == self.length)

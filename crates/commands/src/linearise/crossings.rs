@@ -20,7 +20,7 @@ pub(super) fn show(asked: &Asked, model: &Model, name: &str, range: [f64; 2]) ->
             point_of(&mut model, asked.about == super::About::Equilibrium).map_err(|issue| issue.title)?;
         Ok((model, state))
     };
-    // what is wrong with the name or the start is told at once
+    // an unacceptable name or start is refused before the search begins
     at(range[0]).map_err(refused)?;
     let spectrum = |value: f64| {
         let (model, state) = at(value).map_err(|_| NotEnclosed::NoMotion)?;

@@ -13,7 +13,7 @@ const TEST: &str = include_str!("test.txt");
 const SCENE: &str = include_str!("scene.txt");
 const TEXT: &str = include_str!("text.txt");
 
-/// What is to be begun.
+/// Arguments of `new`.
 #[derive(Args, Debug)]
 pub struct Asked {
     #[command(subcommand)]

@@ -49,7 +49,7 @@ pub struct Asked {
     /// A method with constant steps, of --drift, such as implicit_midpoint; may be repeated. Without it the four classical ones
     #[arg(long, value_name = "METHOD", value_parser = constant, requires = "drift")]
     pub method: Vec<Method>,
-    /// How to print it; JSON is one object: scene, model, omega0, motions
+    /// Output format; JSON is one object: scene, model, omega0, motions
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }

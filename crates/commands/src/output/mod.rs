@@ -53,7 +53,7 @@ pub struct Output {
     rights: Rights,
 }
 
-/// What [`Writes`] says, kept for the instant at which the file is written.
+/// An owned copy of [`Writes`] for the instant at which the file is written.
 struct Rights {
     maker: Maker,
     force: bool,

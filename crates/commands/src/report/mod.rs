@@ -115,7 +115,7 @@ pub fn of_scene(scene: &dyn IvpScene, atlas: &Atlas, work: Vec<WorkPrecision>) -
     charts::page::render(&report).html
 }
 
-/// What is said and listed below the pictures of an atlas.
+/// Adds advice, the note on the measurements and the tables of Pareto fronts to the section of a scene.
 fn explained(section: &mut SceneSection, atlas: &Atlas) {
     section.facts.extend([1e-3, 1e-6, 1e-9].map(|error| ("advice".to_owned(), advice(atlas, error))));
     section.note = pictures::measured_by(atlas);

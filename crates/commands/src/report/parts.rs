@@ -21,7 +21,7 @@ use studies::governors;
 use studies::regimes;
 use studies::scene::Scene;
 
-/// What the page is made of. Most parts wait for nothing and are computed side by side; times are taken afterwards,
+/// The parts of the report. Most are independent and are computed in parallel; times are measured afterwards,
 /// while nothing else runs.
 pub struct Parts {
     papers: Vec<Option<(PaperSection, bool)>>,
@@ -149,7 +149,7 @@ impl Parts {
         let prepared = self.prepared.into_iter().flatten();
         let (across, smooth): (Vec<Prepared>, Vec<Prepared>) = prepared.partition(|one| one.across_events);
         report.scenes = smooth.into_iter().map(&mut charted).collect();
-        // of these there are the tables alone: the page is to stay small, `dalembert chart` draws them
+        // scenes with events get tables without pictures, which keeps the page small; `dalembert chart` draws them
         let tabled = |prepared| SceneSection { work: Vec::new(), ..charted(prepared) };
         report.rough = across.into_iter().map(tabled).collect();
         let texts = self.texts.into_iter().flatten().flatten();
@@ -191,7 +191,7 @@ fn driven(scenes: &[Read]) -> impl Iterator<Item = &Scene> {
 const SUMMARY: &str = "Equations of motion derived from bodies and energies; every statement of a paper judged by exact \
                        arithmetic; every method on every scene measured by a reference that two methods confirm.";
 
-/// What came out, and where to begin to read.
+/// The summary of the results, and where to begin to read.
 fn found(report: &Report, digits: f64) -> String {
     let claims: usize = report.papers.iter().map(|paper| paper.claims.len()).sum();
     let mut text = String::new();

@@ -66,7 +66,7 @@ pub fn prepare(Read { id, scene: any, kept }: &Read) -> Prepared {
         true => (OF_A_MECHANISM, mechanism, Trials { evaluations: EVALUATIONS, ..usual }),
         false => (PATIENCE, motor, usual),
     };
-    // what a scene is made to show may be its end: that is no fault of the run
+    // a scene may be made to show a failure: then the early end is no fault of the run
     let atlas = match (scene.told(&choice, &run).diagnosis, scene.hybrid()) {
         (Some(_), None) => Err(NoReference::Ends),
         (_, Some(hybrid)) => {
@@ -160,7 +160,7 @@ fn facts(scene: &dyn IvpScene, run: &Trajectory) -> Vec<(String, String)> {
     facts
 }
 
-/// What each smaller model of the same data does to the outputs, where there is one.
+/// The table of reduced models of the scene's motor: states, evaluations, difference of the run; `None` where there are none.
 fn ladder(scene: &Scene, run: &Trajectory, atlas: Option<&Atlas>) -> Option<Table> {
     let models = scene.given.models();
     let floors = atlas.map(floors).unwrap_or_default();

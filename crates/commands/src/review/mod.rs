@@ -20,12 +20,12 @@ use std::path::PathBuf;
 /// Everything that is compared.
 #[derive(Args, Debug)]
 pub struct Asked {
-    /// A system or a paper in its file: its equations, steady motions and run, or its claims, are compared; without it the reviewed pages
-    /// of the project
+    /// A system or a paper in its file: its equations, steady motions and run, or its claims, are compared; without it the project's
+    /// reviewed pages
     #[arg(value_name = "SCENE.toml|PAPER.toml")]
     pub file: Option<PathBuf>,
-    /// The commit to compare with, or another file in the place of FILE; pages that wait for a review, `.snap.new`, are compared with those
-    /// that stand
+    /// The commit to compare with, or another file in the place of FILE; pages that wait for a review, `.snap.new`, are compared with
+    /// the accepted ones
     #[arg(long, value_name = "COMMIT|FILE", default_value = "HEAD")]
     pub against: String,
     /// The range of a coordinate in which steady motions of a system are compared, in SI units; without it angles alone are sought

@@ -10,10 +10,10 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 const FOLDER: &str = "snapshots";
-/// Of pages that are no claims so many lines are shown.
+/// The largest number of changed lines shown for a page without claims.
 const SHOWN: usize = 12;
 
-/// What changed in one page.
+/// A page with its changes.
 struct Changed {
     page: String,
     told: Vec<String>,
@@ -86,7 +86,7 @@ fn lines(old: &str, new: &str) -> Vec<String> {
     told
 }
 
-/// What of a row is no number.
+/// The words of a row that are not numbers.
 fn words(line: &str) -> Vec<&str> {
     line.split_whitespace().filter(|word| word.parse::<f64>().is_err()).collect()
 }

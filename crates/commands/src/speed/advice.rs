@@ -17,7 +17,7 @@ pub fn advice(atlas: &Atlas, error: f64) -> String {
     costs.sort_by(|a, b| a.0.total_cmp(&b.0));
     let to = tolerance(error);
     let Some((least, best)) = costs.first() else {
-        // what reaches it may not have had its turn in the time that was allowed for times
+        // methods that reach the error may be untimed, where the time allowed for measuring was spent
         let counted = |one: &Series<'_>| cost(&one.trials(Counted::Evaluations), error);
         let fewest = series.iter().filter_map(|one| Some((counted(one)?, one))).min_by(|a, b| a.0.total_cmp(&b.0));
         return fewest.map_or_else(

@@ -13,7 +13,7 @@ use integrators::{Holding, Means, Method, Point, Trial};
 use simulation::Atlas;
 use simulation::work_precision::{Configuration, Standing};
 
-/// What a run is charged with.
+/// The measure of a run's cost.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Counted {
     Evaluations,

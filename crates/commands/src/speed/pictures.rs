@@ -66,7 +66,7 @@ fn drawn(series: &Series<'_>, counted: Counted, unit: f64, quiet: bool) -> chart
     }
 }
 
-/// What errors, evaluations and times of a scene are, for the line below its charts.
+/// The line below a scene's charts, which defines its errors, evaluations and times.
 pub fn measured_by(atlas: &Atlas) -> String {
     let reference = &atlas.reference;
     let across = atlas.explored.iter().any(|one| one.way.formulation == Formulation::Contacts);

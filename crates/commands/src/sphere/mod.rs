@@ -38,7 +38,7 @@ pub struct Stationary {
 /// The conditions of stationary motion, and what decides about each motion.
 struct Cone {
     conditions: Conditions<f64>,
-    /// What the rotor keeps: its relative speed, rad/s.
+    /// The rotor's constant speed relative to the carrier, rad/s.
     speed: f64,
     /// D = det A / det A*
     singularity: f64,
@@ -212,7 +212,7 @@ fn study(found: &[Case]) -> Study {
     }
 }
 
-/// What carrier and rotor come to, in the principal axes of A*.
+/// The data of carrier and rotor with their units, vectors in the principal axes of A*.
 fn facts(case: &Case) -> Vec<(String, String)> {
     let Case { conditions, speed, singularity, .. } = case;
     let numbers = |v: Vector3<f64>| v.iter().map(|x| significant(*x, 3)).collect::<Vec<_>>().join(", ");

@@ -53,7 +53,7 @@ impl Known<'_> {
     }
 }
 
-/// How pieces are told apart: by their stability.
+/// The class of a piece by its stability, for its colour, and the name of the class.
 pub(super) fn class(piece: &Piece) -> (usize, &'static str) {
     match piece.fate {
         Some(fate) => (Fate::ALL.iter().position(|known| *known == fate).unwrap_or(0), fate.name()),

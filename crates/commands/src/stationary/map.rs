@@ -55,7 +55,7 @@ pub(super) fn show(asked: &Asked, scene: &Scene) -> Result<Exit, Exit> {
     Ok(Exit::Done)
 }
 
-/// Of all motions.
+/// Prints and draws the map of all stationary motions.
 fn every(asked: &Asked, output: Option<Output>, map: &region_map::Asked<'_>) -> Result<Exit, Exit> {
     let refused = |reason: NoRegion| Exit::refused(format!("{}: {reason}", asked.scene.display()));
     let atlas = map.atlas().map_err(refused)?;

@@ -34,23 +34,23 @@ pub struct Asked {
     /// The scene, a TOML file
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
-    /// Those with this angular velocity about the vertical, rad/s
+    /// Stationary motions with this angular velocity about the vertical, rad/s
     #[arg(long, value_name = "W", value_parser = finite, allow_negative_numbers = true, conflicts_with_all = ["momentum", "cone"])]
     pub omega0: Option<f64>,
-    /// Those with this angular momentum about the vertical, N m s; without any of the three, that of the scene's start
+    /// Stationary motions with this angular momentum about the vertical, N m s; without any of the three options, that of the scene's start
     #[arg(long, value_name = "P", value_parser = finite, allow_negative_numbers = true, conflicts_with = "cone")]
     pub momentum: Option<f64>,
-    /// How many there are for every angular velocity, and where two merge
+    /// The number of stationary motions for every angular velocity, and the angular velocities at which two merge
     #[arg(long)]
     pub cone: bool,
     /// Twice: where the rotation about the rotor's axis is stable, over two data in SI units, such as load and carrier.centre.3; where
     /// this is no axis of all bodies, every motion
     #[arg(long, value_name = "DATUM=FROM..TO", value_parser = ranged, num_args = 1, conflicts_with_all = ["momentum", "cone"])]
     pub map: Vec<Ranged>,
-    /// Of a map: the axis against the weight
+    /// For --map: the rotor's axis points against the weight
     #[arg(long, requires = "map")]
     pub upright: bool,
-    /// Of a map: every stationary motion, not that about the axis alone
+    /// For --map: every stationary motion, not only the rotation about the rotor's axis
     #[arg(long, requires = "map", conflicts_with = "upright")]
     pub every: bool,
     /// The picture of a map, of --map or of two --along, or of the branches along one parameter
@@ -61,8 +61,8 @@ pub struct Asked {
     pub force: bool,
     #[command(flatten)]
     pub steady: SteadyBox,
-    /// The steady motions at values of a parameter in SI units, or of the speed of a cyclic coordinate, and where they change, in a system
-    /// that is written in its file; twice: a map of the numbers of steady motions and of stable ones over both
+    /// The steady motions of a system in its file at values of a parameter in SI units, or of the speed of a cyclic coordinate, and
+    /// where they change; twice: a map of the numbers of steady motions and of stable ones over both
     #[arg(long, value_name = "NAME=FROM..TO", value_parser = named_range, num_args = 1, conflicts_with_all = ["omega0", "momentum", "cone", "map"])]
     pub along: Vec<(String, Range)>,
     /// Values of --along: 41 without it, and 24 in each direction of a map
@@ -71,7 +71,7 @@ pub struct Asked {
     /// Another machine, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,
-    /// How to print them
+    /// Output format
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }
@@ -168,7 +168,7 @@ fn refuse_others(asked: &Asked) -> Result<(), Exit> {
     }
 }
 
-/// What all motions have in common.
+/// The quantity that is given for all motions: angular velocity about the vertical, rad/s, or angular momentum about it, N m s.
 #[derive(Clone, Copy)]
 enum Given {
     Speed(f64),

@@ -42,7 +42,7 @@ fn line(place: usize, found: &Found) -> String {
         found.rotor_speed,
         found.momentum,
     ];
-    // what rounds to nothing has no sign
+    // a number that prints as zero is printed without a sign
     let numbers = numbers.map(|x| format!("{:>13.8}", if x.abs() < 5e-9 { 0.0 } else { x })).concat();
     let mut out = format!("  {place} {:<10}{numbers}{:>13.1e}\n", kind(found.kind), found.residual);
     if let Some([low, high]) = found.multiplier {

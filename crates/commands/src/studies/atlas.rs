@@ -152,7 +152,7 @@ fn single(groups: &[Group<'_>]) -> Table {
     Table { caption: "The best single choice".to_owned(), head: head.map(str::to_owned).to_vec(), rows }
 }
 
-/// What the best single choices lose on each scene.
+/// The table of regrets: the loss of the best single choices on each scene.
 fn losses(group: &Group<'_>) -> Table {
     let mut head = vec!["Scene".to_owned()];
     let mut rows: Vec<Vec<String>> = group.scenes.iter().map(|(title, _)| vec![(*title).to_owned()]).collect();

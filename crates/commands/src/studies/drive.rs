@@ -13,7 +13,7 @@ const FASTEST: (f64, f64) = (2.0 / STEP, 1.0 / (STEP * STEP));
 /// Until the portrait of the capacitor is one thick line, s.
 const FILLS: f64 = 4.0;
 
-/// What the study is made of, each part computed by itself.
+/// The parts of the study of the electromechanical drive, each a job of its own.
 #[derive(Default)]
 pub struct Drive {
     exact: Option<Result<(Vec<Sample>, f64), Failure>>,
@@ -149,7 +149,7 @@ fn table(runs: &[&Run]) -> Table {
     Table { caption: String::new(), head: head.map(String::from).into(), rows: runs.iter().map(row).collect() }
 }
 
-/// What step and gains the experiment can bear.
+/// The text on the step sizes and gains with which Euler's method stays stable in the experiment.
 fn bounds(digits: f64, bearable: Result<Bearable, Failure>, most_damping: f64) -> String {
     let step = match bearable {
         Ok(found) => format!(

@@ -11,7 +11,7 @@ use studies::stabilisation::regions::{self, Fate, Map};
 use studies::stabilisation::schemes::Scheme;
 use studies::stabilisation::treatments::{Goal, Line, RUNS, Scan, compare, times};
 
-/// What the study is made of, each part computed by itself.
+/// The parts of the study of gains of stabilised constraints, each a job of its own.
 #[derive(Default)]
 pub struct Gains {
     maps: [Option<Map>; SCHEMES.len()],

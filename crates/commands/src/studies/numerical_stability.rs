@@ -114,7 +114,7 @@ fn picture(of: &Surveyed) -> Areas {
     }
 }
 
-/// What a splitting was seen to do at the tested step nearest to one.
+/// The class of a splitting's measured behaviour at a step size, from the nearest tested one.
 fn tested(split: &Split, step: f64, motion_grows: bool) -> usize {
     let off = |known: f64| (known / step).ln().abs();
     let near = split.tested.grows.iter().filter(|(known, _)| off(*known) < NEAR);

@@ -4,7 +4,7 @@ use super::extent;
 use charts::{AreaCurve, Areas, Table, significant};
 use studies::stabilisation::treatments::{Line, Measure, SPAN, Scan};
 
-/// What errors and times of the table are, and what theory says to them.
+/// The note below the table: definitions of its errors and times, and the orders that theory gives.
 pub fn note() -> &'static str {
     r"Critically damped, $b=2w$, $k=w^2$. Error: the largest of angle, place and their rates at 100 times, relative to the size of each. A Jacobian counts as the evaluations of its columns. Time: medians of runs that take turns within one run of the program while nothing else runs; 1 is the fastest of the table. Gains that grow as $1/h$ and $1/h^2$ bring a violation back fastest and make the equations stiff at every step: the classical Runge-Kutta method then has order 1. With gains that stay as they are the error is $h^pe(w)$ plus higher powers, $e$ the same for all steps: so the gain of the least error is a time of the motion, not of the step, which the rows with twice the steps confirm where the error is small enough for its first power to lead. Which time that is, is measured, not derived. Gear-Gupta-Leimkuhler is half-explicit for Euler (order 1) and for the classical coefficients (order 3), Radau IIA with one stage for backward Euler (order 1), and Gauss with one stage, projected at the end of each step, for the midpoint rule (order 2; without the projection the error of the constraint changes its sign at each step instead of decaying)."
 }

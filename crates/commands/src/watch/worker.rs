@@ -60,7 +60,7 @@ impl Worker {
         let (Some(out), Some(mut error)) = (out, error) else { return Err(io::ErrorKind::BrokenPipe.into()) };
         let told_beside = thread::Builder::new().spawn(move || {
             let mut bytes = Vec::new();
-            // what was read until the pipe broke
+            // after a read error the bytes read before it are kept
             let _ = error.read_to_end(&mut bytes);
             String::from_utf8_lossy(&bytes).into_owned()
         })?;

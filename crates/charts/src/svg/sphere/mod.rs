@@ -126,7 +126,7 @@ impl Sphere {
         )
     }
 
-    /// What every sphere has, once for all of a page: the graticule and the stubs of the axes, as JSON.
+    /// The data that all spheres of a page share: the graticule and the stubs of the axes, as JSON.
     pub(crate) fn shared_data() -> String {
         let strands: Vec<_> = strand::graticule().iter().chain(&stubs()).map(Strand::json).collect();
         format!("[{}]", strands.join(","))
@@ -151,7 +151,7 @@ impl Sphere {
         Scale::of(self.curves.iter().flat_map(|curve| curve.points.iter().filter_map(|point| point.value)))
     }
 
-    /// What rings stand for, each sentence once.
+    /// Draws the legend of hollow marks, each note once.
     fn holes(&self, drawing: &mut Drawing) {
         let mut told: Vec<&str> = Vec::new();
         for mark in self.marks.iter().filter(|mark| mark.hollow && !mark.note.is_empty()) {
@@ -185,7 +185,7 @@ impl Sphere {
 pub(crate) const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 impl Curve {
-    /// How it is drawn, by its class or else by its position.
+    /// Colour and dashes of the curve, by its class or else by its position.
     fn look(&self, position: usize) -> Look {
         Look::of(self.class.unwrap_or(position))
     }

@@ -112,7 +112,7 @@ impl Trajectory {
         }
     }
 
-    /// What stands below the last panel: times, legend, who stopped and why, what was left out.
+    /// Draws the foot below the last panel: times, legend, runs that stopped with their reasons, notes on omitted points.
     fn foot(&self, drawing: &mut Drawing, (x, below): (&Axis, &str), names: &[&str], stops: &[Stop]) {
         for Tick { at, label } in &x.ticks {
             drawing.text(

@@ -59,7 +59,7 @@ pub(super) fn draw(drawing: &mut Drawing, track: &Track, look: Look, x: &Axis, y
     drawing.close();
 }
 
-/// How often a line changes between rising and falling.
+/// The number of changes of a line between rising and falling.
 fn turns(places: &[(f64, f64)]) -> usize {
     let slopes: Vec<f64> = places.windows(2).map(|pair| pair[1].1 - pair[0].1).filter(|slope| *slope != 0.0).collect();
     slopes.windows(2).filter(|pair| pair[0].signum() != pair[1].signum()).count()

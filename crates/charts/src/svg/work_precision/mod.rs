@@ -9,7 +9,7 @@ use super::{
     number::{counted, significant},
 };
 
-/// What the work is counted in.
+/// The measure of work on the horizontal axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Work {
     /// Evaluations of the right side: an integer, the same on every machine.
@@ -20,7 +20,7 @@ pub enum Work {
 }
 
 impl Work {
-    /// How the axis is named.
+    /// The label of the axis.
     pub fn label(self) -> &'static str {
         match self {
             Work::Evaluations => "evaluations of the right-hand side",
@@ -42,10 +42,10 @@ impl Work {
 pub struct WorkPrecision {
     pub title: String,
     pub x: Work,
-    /// What the error is, plain text with its unit: the vertical axis. Empty means `error`.
+    /// The label of the vertical axis, the kind of error as plain text with its unit. Empty means `error`.
     pub error: String,
     pub series: Vec<Method>,
-    /// What nothing beats in work and error at once, from the cheapest on: drawn as a staircase behind the series.
+    /// The Pareto front, from the cheapest point on: no run has less work and less error. Drawn as a staircase behind the series.
     pub front: Vec<Point>,
     /// Text below the chart.
     pub note: String,
@@ -55,11 +55,11 @@ pub struct WorkPrecision {
 #[derive(Clone, Debug, Default)]
 pub struct Method {
     pub name: String,
-    /// Under which its failures are told, with those of others; empty for its own name.
+    /// The name under which its failures are reported, with those of the family; empty for its own name.
     pub family: String,
-    /// What the shape of its markers and the dashes of its line stand for; empty where they stand for the series itself.
+    /// The meanings of its markers' shape and of its line's dashes; empty where they stand for the series itself.
     pub kinds: [String; 2],
-    /// Grey and without an entry in the legend: one that others beat.
+    /// Whether the series is drawn in grey and without an entry in the legend.
     pub quiet: bool,
     /// In the order of the tolerances: a line joins them.
     pub points: Vec<Point>,
@@ -143,7 +143,7 @@ impl WorkPrecision {
         drawing
     }
 
-    /// What is not drawn where it belongs, and why.
+    /// Sentences on points that are left out or drawn at the edge, with the reasons.
     fn omissions(&self) -> Vec<String> {
         let points = || self.series.iter().flat_map(|method| &method.points);
         let exact = points().filter(|point| positive(point.work) && point.error == 0.0).count();

@@ -10,7 +10,7 @@ use super::super::{
 };
 use super::{Method, Point, Work, positive};
 
-/// How each series is drawn, and what shapes and dashes stand for.
+/// The look of each series, and the meanings of shapes and dashes.
 pub(super) struct Looks<'a> {
     pub series: Vec<Look>,
     /// The meanings of shapes, and of dashes.

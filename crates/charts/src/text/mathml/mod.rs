@@ -28,7 +28,7 @@ pub fn pieces(math: &str, limit: f64) -> Vec<Piece> {
     parts.into_iter().enumerate().map(piece).collect()
 }
 
-/// So many parentheses deep a line may break.
+/// The largest depth of parentheses at which a line may break.
 const DEEPEST: i32 = 4;
 
 /// The content of a bracketed row that is too wide for a line, or the element itself. Brackets that stood around
@@ -87,7 +87,7 @@ fn cut<'e, 'a>(elements: &'e [Element<'a>], depth: i32, limit: f64) -> Vec<&'e [
     parts
 }
 
-/// How wide the parentheses about a position are.
+/// The width of the parentheses about a position, with their content, in em.
 fn group_width(elements: &[Element], at: usize) -> f64 {
     let outwards = |steps: &mut dyn Iterator<Item = &Element>, sign: i32| {
         let depths = steps.scan(0, |depth, element| {

@@ -12,20 +12,20 @@ use studies::synchronism::pull_in::PullIn;
 const LOADS: [f64; 7] = [0.0, 0.1, 0.2, 0.4, 0.7, 0.95, 1.05];
 const STARTS: (usize, usize) = (4, 4);
 
-/// What was found in one gyrostat.
+/// The results for a synchronous motor in one gyrostat, beside those on a bench.
 pub struct Carried {
     title: String,
-    /// A' and what is left of it against a moment between rotor and carrier, kg m^2.
+    /// The rotor's axial moment of inertia A', and the effective one against a torque between rotor and carrier, kg m^2.
     axial: [f64; 2],
     pull_out: f64,
-    /// Of the rotor alone, and of one that is lighter as the carrier gives way.
+    /// Pull-in with the rotor's own moment of inertia, and with the effective one.
     pull_in: [Option<PullIn>; 2],
     /// On the bench and in the gyrostat, by load.
     shares: [Vec<Share>; 2],
 }
 
 impl Carried {
-    /// Of a scene with a motor that follows its field; `None` on a bench, or where the motor does not.
+    /// Computes the results for a scene with a synchronous motor; `None` on a bench, or for another motor.
     pub fn of(scene: &Scene) -> Option<Self> {
         let Setup::Gyrostat(bodies) = &scene.system else { return None };
         let axial = [bodies.rotor.axial, giving_way(bodies)];

@@ -35,7 +35,7 @@ struct OfBars {
     shares: Vec<Share>,
 }
 
-/// What the study is made of, each part computed by itself.
+/// The parts of the study of synchronism, each a job of its own.
 #[derive(Default)]
 pub struct Synchronism {
     title: String,
@@ -48,7 +48,7 @@ pub struct Synchronism {
 }
 
 impl Synchronism {
-    /// Of the first scene of a motor with bars on a bench, and of the first in which a gyrostat carries one.
+    /// Adds the jobs for the first scene of a motor with bars on a bench, and for the first in which a gyrostat carries one.
     pub fn enlist<'s>(&'s mut self, scenes: impl Iterator<Item = &'s Scene>, crew: &mut JobPool<'s>) {
         let scenes: Vec<&Scene> = scenes.filter(|scene| with_bars(scene, 0).is_some()).collect();
         let on_bench = |scene: &&&Scene| matches!(scene.system, Setup::Bench { .. });

@@ -15,7 +15,7 @@ fn a_file_is_told_once_for_each_of_its_contents_however_it_was_saved() {
     let mut file = FollowedFile::new(&path);
     assert_eq!(after_looks(&mut file), Some(Ok("one".to_owned())));
     assert_eq!(after_looks(&mut file), None);
-    // of the same length, at once
+    // a text with the length of the old one, written at once
     std::fs::write(&path, "two").expect("it can be written");
     assert_eq!(after_looks(&mut file), Some(Ok("two".to_owned())));
     std::fs::write(&other, "six").expect("it can be written");
