@@ -263,7 +263,7 @@ fn equalities(
                 (vanishes(motion, difference, &conditions(motion, assumed)), motion)
             }
         };
-        // what vanishes along every motion divides nothing
+        // a divisor that vanishes along every motion leaves the formula undefined
         let outcome = match (outcome, &along) {
             (Outcome::Zero(divisors), Some(Ok(along))) => {
                 let is_zero = |divisor: &&Sym| decide(along.reduced(**divisor), &along.hypotheses).is_zero();

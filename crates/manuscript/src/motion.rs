@@ -101,7 +101,7 @@ impl<'t, 'm> Motion<'t, 'm> {
     }
 
     fn keep(&mut self, constraints: &[Equation]) {
-        // what is led to zero is not zero
+        // the residual of a stabilised constraint need not be zero
         let constraints: Vec<Equation> = constraints.iter().filter(|one| one.gains.is_none()).cloned().collect();
         if constraints.is_empty() {
             return;

@@ -226,9 +226,9 @@ pub(crate) fn completed(found: Refutation, conditions: &[Condition]) -> Option<R
     Some(Refutation { point: whole(&more.point), is_formal: found.is_formal })
 }
 
-/// Whether a point can be one of real numbers where the conditions hold. Beside an equation an angle, its sine and its cosine may have any values
-/// of their own, as may a half turn: what does not vanish there does not vanish for all angles. A condition that asks for the angle, or for the half
-/// turn, ties them together.
+/// Whether a point can be one of real numbers where the conditions hold. To refute an equation an angle, its sine and its cosine may have
+/// independent values, as may pi: an expression that does not vanish there does not vanish for all angles. A condition that contains the
+/// angle, or pi, ties them together.
 fn may_be_real(point: &[(Sym, Sym)], conditions: &[Condition]) -> bool {
     let asked = |letter: Sym| conditions.iter().any(|condition| condition.expression().leaves_of().contains(&letter));
     point.iter().all(|(letter, _)| match letter.node() {

@@ -66,7 +66,7 @@ pub(crate) fn steady_motion(
             // no partner makes it right
             Some(Joint::Other) => return Ok(()),
             Some(found) => {
-                // what was not given is listed
+                // the conditions added above are dropped, so that their divisors are listed as required
                 steady.conditions.truncate(given);
                 found.told(&steady, &written, letters, &mut trial);
                 *finding = trial;

@@ -11,8 +11,8 @@ use symbolic::{Sym, Tape, apart};
 /// The share of all moments by which one may exceed the sum of the two others, for data with few digits.
 const ROUNDING: f64 = 1e-9;
 
-/// All bodies that cannot exist, where numbers tell so: a mass that is not positive, a principal moment of inertia that is negative, or
-/// that is larger than the two others together.
+/// All bodies that cannot exist, as far as numbers show: a mass that is not positive, a principal moment of inertia that is negative
+/// or larger than the sum of the two others.
 pub fn impossible(model: &Model) -> Vec<Issue> {
     let numbers: Vec<Option<f64>> = apart(|| {
         let trace = Trace::of(model);
@@ -125,8 +125,8 @@ fn principal(inertia: &[Option<Option<f64>>; 6]) -> Option<[f64; 3]> {
     Some(moments)
 }
 
-/// Whether masses may be placed so that these are moments about principal axes: each moment is the sum of two of three second moments
-/// of the mass, none of which is negative.
+/// Whether three numbers can be the principal moments of inertia of masses: each is the sum of two of the three second moments of the
+/// mass, none of which is negative.
 fn is_possible([a, b, c]: [f64; 3]) -> bool {
     let rounding = ROUNDING * (a.abs() + b.abs() + c.abs());
     [[a, b, c], [b, c, a], [c, a, b]].iter().all(|[one, other, last]| *last <= one + other + rounding)

@@ -149,7 +149,7 @@ pub fn derived<R: Send>(
     let NamedPrinciple::InRates(in_rates) = principle else {
         return Err(refused("this principle needs quasi-velocities"));
     };
-    // what is written there means nothing outside of its graph
+    // symbols belong to this graph alone, so that `show` runs within it
     symbolic::apart(|| {
         let trace = Trace::of(&model);
         let form = MatrixForm::of(&trace, in_rates).map_err(refused)?.in_file(&model, &text.text);

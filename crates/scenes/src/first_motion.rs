@@ -159,7 +159,7 @@ pub(crate) fn inertia_for(model: &Model, speed: usize) -> &'static str {
 /// Parts of a direction below this part of the largest one are rounding.
 const PART: f64 = 1e-9;
 
-/// What a speed moves, and where that stands; a free frame stands for its three speeds.
+/// The name of the coordinate that a speed moves, and its place in the file; for a speed of a free frame the speed's own name.
 fn moved(model: &Model, speed: usize) -> (String, Range<usize>) {
     match model.coordinates.get(speed) {
         Some(coordinate) => (coordinate.name.clone(), coordinate.at.clone()),

@@ -74,8 +74,8 @@ impl KeptScene {
         })
     }
 
-    /// The energy less that at a steady motion, and less the work of its constant cyclic speeds u on the changes of their momenta: E - sum u p is
-    /// of second order about such a motion.
+    /// The change of E - sum u p from its value at a steady motion, with the energy E, the constant cyclic speeds u and their momenta p:
+    /// a quantity of second order about the motion.
     pub fn energy_about(&self, steady: &[f64]) -> Integral {
         let first = self.integrals.len() - self.cyclic.len();
         let energy = self.integrals.first().map(|energy| (1.0, Arc::clone(&energy.value)));
@@ -185,7 +185,7 @@ fn momenta(model: &Model, states: usize) -> (Vec<Integral>, Vec<usize>) {
         let program = program.clone();
         let value = move |time: f64, state: &[f64]| {
             let mut values = vec![f64::NAN; count];
-            // what a run meters stands behind the state
+            // metered quantities, such as work, follow the state
             program.run(time, &state[..states], &mut values).unwrap_or(());
             values[place]
         };

@@ -33,7 +33,7 @@ impl Rows {
         if rows.is_empty() || rows.amax() == 0.0 {
             return DMatrix::identity(n, n);
         }
-        // of what is no number the decomposition has no end
+        // the singular value decomposition does not end for NaN
         if !rows.iter().all(|entry| entry.is_finite()) {
             return DMatrix::zeros(n, 0);
         }

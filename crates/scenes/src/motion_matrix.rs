@@ -67,7 +67,7 @@ impl Terms {
 
     /// The first n unknowns of a direction that the matrix takes to zero.
     pub fn free(&self, n: usize) -> Option<Vec<f64>> {
-        // of what is no number the decomposition has no end
+        // the singular value decomposition does not end for NaN
         if !self.matrix.iter().all(|entry| entry.is_finite()) {
             return None;
         }

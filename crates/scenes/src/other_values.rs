@@ -65,7 +65,7 @@ impl Modelled for ModelScene {
             let start = matrix.and_then(|terms| joined(&model, self.start.clone(), terms.mass(model.speeds())));
             let start = start.unwrap_or_else(|| self.start.clone());
             model.start = starting(&model, &start).start;
-            // what is left of rounding
+            // the completed start satisfies the constraints but for rounding, which a guess may correct
             model.start.iter_mut().for_each(|start| start.is_guess = true);
             model.start_speeds.clear();
         }

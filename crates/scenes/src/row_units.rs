@@ -51,8 +51,8 @@ pub(crate) fn rate_unit(unit: &str) -> String {
     }
 }
 
-/// The unit in which runs and tables have a quantity of a model by its name: of the state, an output, an energy, a parameter, an input; 1
-/// of what has none.
+/// The unit in which runs and tables give a quantity of a model, by its name: a state, an output, an energy, a parameter, an input;
+/// 1 for a quantity without a unit.
 pub fn unit_of(model: &Model, name: &str) -> String {
     let rate = |unit: &str| unit.strip_suffix("/s").map_or_else(|| coherent(unit), |of| rate_unit(&coherent(of)));
     let state = model.state_names().into_iter().find_map(|(own, unit)| (own == name).then(|| rate(&unit)));

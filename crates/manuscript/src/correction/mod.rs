@@ -74,7 +74,7 @@ fn under(ground: &TextClaim<'_, '_, '_>, candidates: Vec<String>) -> Vec<Correct
         if found.len() >= MOST_TOLD || !ground.goes_on() {
             break;
         }
-        // what holds for one sign of a letter need not be told for its zero
+        // a hypothesis on the sign of a letter makes that of its zero superfluous
         let letter = hypothesis.split(' ').next();
         if hypothesis.ends_with("= 0") && found.iter().any(|one| one.changes[0].after.split(' ').next() == letter) {
             continue;

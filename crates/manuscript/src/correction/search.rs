@@ -289,19 +289,19 @@ fn pairs<'a>(edits: &'a [&Edit]) -> impl Iterator<Item = Vec<Edit>> + 'a {
 /// The formula after its edits, and where they stand in it.
 pub(super) fn edited(formula: &str, edits: &[Edit]) -> (String, Vec<Range<usize>>) {
     let mut ordered: Vec<&Edit> = edits.iter().collect();
-    // what is added before a part comes after the edit of the part
+    // a sign before a part is inserted after the part itself is edited
     ordered.sort_by_key(|edit| (Reverse((edit.span.start, edit.span.end)), edit.kind == EditKind::Sign));
     let (mut text, mut parts) = (formula.to_owned(), Vec::<Range<usize>>::new());
     for edit in ordered {
         let (next, mut part) = edit.applied(&text);
-        // what is shown around an edit is marked with it, where no other edit stands there
+        // the context of an edit is marked with it, where it overlaps no other edit
         let around = &edit.around;
         let stands_there =
             |other: &&Edit| *other != edit && around.start <= other.span.end && other.span.start <= around.end;
         if !edits.iter().any(|other| stands_there(&other)) {
             part = part.start - (edit.span.start - around.start)..part.end + (around.end - edit.span.end);
         }
-        // what stands behind moves along
+        // spans behind the edit are shifted by the change of length
         for behind in &mut parts {
             *behind = behind.start + next.len() - text.len()..behind.end + next.len() - text.len();
         }

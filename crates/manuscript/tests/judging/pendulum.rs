@@ -66,7 +66,7 @@ fn quantities_have_their_values() {
     ] {
         assert_eq!(verdict(&on_pendulum("formula", formula, "")), expected, "{formula}");
     }
-    // what needs the equations of motion is no identity
+    // a formula that needs the equations of motion is no identity
     let rate = r"\frac{d}{dt}(T) = -m g l \dot\theta\sin\theta";
     assert_eq!(verdict(&on_pendulum("identity", rate, "")), "refuted");
 }

@@ -60,7 +60,7 @@ impl ImplicitSpeeds {
                 return;
             }
             let size = step.iter().fold(0.0, |size: f64, part| size.max(part.approx().abs()));
-            // what no longer becomes smaller is rounding
+            // a step that no longer decreases is rounding
             if !size.is_finite() || size == 0.0 || size >= last && size < f64::EPSILON.sqrt() {
                 return;
             }

@@ -3,9 +3,9 @@
 //!
 //!   d = -W J^T (J W J^T)^-1 r ,
 //!
-//! where W holds the mobilities, one over the diagonal of the mass matrix. Errors of runs are those with the whole matrix, M^-1 in the place
-//! of W, which takes twice as long. One factorisation at the state serves all its corrections. Constraints that are led to zero need not
-//! hold; those that others imply hold with these.
+//! where W is the diagonal matrix of the inverse diagonal entries of the mass matrix M. Runs have the errors that M^-1 in place of W gives,
+//! which takes twice as long. One factorisation at a state serves all its corrections. Stabilised constraints are not projected;
+//! redundant ones hold with those that imply them.
 //!
 //! A residual is rounding where it is below a few roundings of its size: the root of the squares of its derivatives times coordinates, speeds
 //! and time.
@@ -53,7 +53,7 @@ pub(crate) struct ConstraintProjection {
     all: Program,
     /// Row and column of each entry of J.
     entries: Vec<(usize, usize)>,
-    /// Of J W J^T.
+    /// The sparsity pattern of J W J^T.
     pattern: Pattern,
     rooms: Mutex<Vec<Room>>,
 }
@@ -233,7 +233,7 @@ impl ConstraintProjection {
                 }
             }
             let now = largest(off);
-            // what is not a number is no nearer
+            // false for NaN too: such a correction is undone
             if now < best {
                 (best, moved) = (now, true);
             } else {

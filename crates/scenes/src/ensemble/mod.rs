@@ -253,7 +253,7 @@ impl ModelEnsemble {
                     first..first + 4
                 }
             };
-            // what the file guesses stays a guess
+            // a value that is a guess in the file stays a guess
             first.for_each(|place| given[place] = !is_guess(place));
         }
         if let Some(issue) = self.bodies.impossible(model, &parameters).into_iter().next() {

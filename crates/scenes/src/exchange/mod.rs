@@ -94,7 +94,7 @@ fn told(text: &SystemText, issue: Issue) -> SceneError {
 /// The run of a text, where it says one.
 fn run_of(text: &SystemText) -> Option<Run> {
     let mut found = None;
-    // what else stands in the file has been read
+    // the other tables have been read and checked before
     let _ = tables(&text.name, &text.text, |top, issues| {
         found = run::read(top, issues, None);
         Some(())

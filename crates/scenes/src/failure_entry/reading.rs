@@ -70,7 +70,7 @@ impl Keys {
         let within =
             table.optional_count("within", "one by the part of the threshold to which runs agree", 10, 1_000_000);
         let [holds, fails] = ["holds_at", "fails_at"].map(|key| {
-            // that it is missing is told as of any text
+            // reading a missing key as a text reports it as missing
             if !table.has(key) {
                 table.text(key, "a value with its unit, such as \"0.1 s\"");
             }

@@ -222,7 +222,7 @@ fn plane(samples: &[Figure], near: f64) -> Option<Vector> {
         samples.iter().all(is_flat)
             && (0..samples[0].frames.len()).all(|frame| rests(frame) || (0..3).any(|axis| is_axis(frame, axis)))
     };
-    // of several, as of a motion on a line, the one that points to the reader first
+    // a motion on a line has several normals: the one towards the reader comes first
     let known = [axes[2], axes[1], axes[0]].into_iter().find(is_normal);
     known.or_else(|| {
         // a plane that leans, through three places

@@ -98,7 +98,7 @@ impl Implicit {
             accelerations.copy_from_slice(&found[..speeds]);
             multipliers.iter_mut().zip(&found[speeds..]).for_each(|(lambda, less)| *lambda = -less);
         });
-        // what is not determined stays no number
+        // undetermined accelerations and multipliers stay NaN
         shown.unwrap_or(());
         extended
     }

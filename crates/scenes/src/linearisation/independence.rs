@@ -8,8 +8,8 @@ const FAIR: f64 = 0.1;
 /// Pivots below this part of the largest entry of a row are taken for zero.
 const ZERO: f64 = 1e-10;
 
-/// The columns that rows determine, one for each row, in the order of the rows; the first rows are served first, each with a column
-/// that serves again among all rows.
+/// The columns that rows determine, one for each row, in the order of the rows. The first rows have the same columns alone as among
+/// all rows.
 ///
 /// # Errors
 /// A row that depends on those before it.

@@ -1,9 +1,8 @@
 //! Linearisation of a model about a point: x' = A x + B w, y = C x + D w.
 //!
-//! Derivatives are those of the equations, exact; nothing is a difference quotient. Where the point moves with accelerations, these and the
-//! reactions there belong to the derivatives. Constraints are solved for as many coordinates and speeds as they tie together, so
-//! that the state x holds independent variations alone: of coordinates, then of speeds. Where constraints of speeds cannot be
-//! integrated, it holds fewer speeds than coordinates.
+//! The Jacobians are exact derivatives of the equations, not difference quotients. Where the point moves with accelerations, these and
+//! the reactions there enter the derivatives. Constraints eliminate as many variations as they tie together, and the state x holds the
+//! independent ones: those of coordinates, then those of speeds. Nonholonomic constraints leave fewer speeds than coordinates in x.
 //!
 //! A free frame varies by three small turns about its own axes, and not by the four parts of its quaternion.
 

@@ -1,9 +1,9 @@
-//! The one mode whose conditions move as its cases say, among all cases of conditions that are at zero.
+//! The choice of the mode after an event: the only one consistent with its cases, among all cases of the conditions at zero.
 //!
-//! Next after an instant a condition g with g = 0 is on where the first of g', g'', ... that is not zero is positive, off where it is
-//! negative, and held where the switch s that keeps it at zero lies between 0 and 1: where it is at a bound, by the first of s', s'', ...
-//! that is not zero. Every sign is decided beside the rounding error of its value, in every candidate alike, so that two cases whose
-//! difference is a rounding are told apart by the next rate and not by chance.
+//! Just after an instant a condition g with g = 0 is on where the first nonzero one of g', g'', ... is positive, off where it is
+//! negative, and held where the switch s that keeps it at zero lies between 0 and 1; for s at a bound the first nonzero one of s', s'',
+//! ... decides. Every sign is compared with the rounding error of its value, in all candidates alike: where two cases differ by
+//! rounding alone, the next derivative decides.
 
 use super::combinations::combinations;
 use super::continuum::is_continuum;
@@ -197,7 +197,7 @@ impl Candidates {
         (mode, phases): (&Mode, &[Vec<Phase>]),
         open: Open<'_>,
     ) -> Self {
-        // of cases that rest the one that the event led to comes first
+        // candidates are tried in this order: the case after the event comes first
         let cases = |switch: usize| match mode.cases[switch] {
             Case::On => [Case::On, Case::Off, Case::Held],
             Case::Off => [Case::Off, Case::On, Case::Held],

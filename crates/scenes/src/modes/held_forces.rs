@@ -32,7 +32,7 @@ pub(super) fn held_forces(unknowns: &[Sym], held: &[(Sym, Sym)], zeros: &[Sym]) 
     let mut bounds = Vec::new();
     equations = substitute_all(&equations, &middle);
     for (number, (slopes, &force)) in slopes.iter().zip(&forces).enumerate() {
-        // what the switch does to its own condition
+        // the derivative of the condition's rate with respect to its own switch
         let bound = slopes[zeros.len() + number];
         if vanishes(bound) {
             return None;

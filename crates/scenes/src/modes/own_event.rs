@@ -66,7 +66,7 @@ impl Modes {
         state.copy_from_slice(&set);
         let expansions = self.laws.expansions().map_err(refused)?;
         let instant = Instant { late, ..Instant::at(event.time, state) };
-        // what was held, and is where it was, may be held still
+        // a condition that was held may stay held where the event has not moved it
         let now = expansions.as_given(&instant, &Mode::off(&self.laws.model));
         let stays = |switch: &usize| {
             now.as_ref().is_some_and(|now| {

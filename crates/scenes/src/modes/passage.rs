@@ -169,7 +169,7 @@ impl Modes {
             Fall::Event { event: number } => {
                 return self.after_own(before, (number, late), event, state, (&known, &held));
             }
-            // what touches zero has not passed it
+            // a condition that touches zero has not passed it
             Fall::Passes { switch } if event.what == Happening::Touches => Some(switch),
             Fall::Passes { switch } => {
                 mode.cases[switch] = if mode.cases[switch] == Case::On { Case::Off } else { Case::On };
@@ -231,7 +231,7 @@ impl Modes {
             current.moded.system.set_algebraic_speeds(event.time, state);
             return Ok(After::Unchanged(current));
         }
-        // what sticks now does so at zero
+        // held conditions and sticking contacts are set to exactly zero
         expansions.return_to_zero(event.time, state, &current.moded.system.mode, 0.0);
         current.moded.system.set_algebraic_speeds(event.time, state);
         self.push_off(event.time, state, &current);
@@ -285,13 +285,13 @@ impl Modes {
             // one that follows at once is open wherever it is
             if condition.terms[0].abs() <= near && open.switches.contains(&switch) { near } else { 0.0 }
         };
-        // what follows at once may leave zero more slowly than the terms of which it is the sum
+        // a value with algebraic speeds may leave zero more slowly than the terms of its sum
         let left =
             |jet: &Jet<TERMS>, is_direct: bool| rounding(jet).max(if is_direct { jet.hidden(slack) } else { 0.0 });
         let near_contact = |((phase, contact), kind): ((&Phase, &Touching<TERMS>), &Kind)| {
             let below = |jet: &Jet<TERMS>| (-2.0 * jet.terms[0]).max(rounding(jet)).max(0.0);
             match *phase {
-                // what is far from zero is not near it
+                // a gap far above zero has the margin zero
                 Phase::Apart => [below(&contact.gap).max(left(&contact.gap, kind.is_direct)), 0.0, 0.0],
                 Phase::Carried => [0.0; 3],
                 Phase::Sticks(face) | Phase::Leans { face, .. } => margins(contact, face).each_ref().map(rounding),

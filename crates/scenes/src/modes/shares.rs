@@ -29,7 +29,7 @@ pub(super) fn shares(
             continue;
         }
         if mode.cases[switch] != Case::Held && rests(expansion, mode.cases[switch], switch, slack) {
-            // what rests by its own bound, and not by others, is held there
+            // a condition at rest that no others imply is held
             match Implied::of(slopes, &expansions.held(&mode), switch) {
                 // a diode that blocks keeps it there alone, by the voltage that this case leaves across it
                 Some(implied) if expansions.has_algebraic() && implied.terms().next().is_none() => {}

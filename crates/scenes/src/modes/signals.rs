@@ -184,7 +184,7 @@ pub(super) fn written(
         };
         for (fall, signal) in watched {
             let [value, rate] = with_rate(signal);
-            // what the law keeps as it is never falls: a condition that others imply while they are held
+            // a signal that the law keeps constant never falls: a condition that others imply while they are held
             if !rests(rate) {
                 falls.push(fall);
                 all.extend([value, rate]);
@@ -286,8 +286,8 @@ fn of_contact(
 }
 
 impl Current {
-    /// Whether a signal that began at zero falls at zero once it has risen beyond its bound, and not at this bound on the other side: bounds
-    /// of errors are wide where reactions are followed by their rates.
+    /// Whether a signal that began at zero and has risen beyond its error bound counts as falling at zero, not only below minus the
+    /// bound: error bounds are wide where reactions are integrated by their rates.
     pub(super) fn passes_at_zero(&self, fall: Fall) -> bool {
         matches!(fall, Fall::Passes { .. }) && self.moded.system.has_implicit_speeds()
     }

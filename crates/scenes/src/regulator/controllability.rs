@@ -37,8 +37,8 @@ impl Controllability {
         Controllability::Modes(values.iter().copied().filter(is_out_of_reach).collect())
     }
 
-    /// Of stages at the ends and in the middles of equal steps: the Gramian W' = A W + W A^T + B B^T from zero, over each step with the
-    /// equations of its middle.
+    /// The rank of the Gramian, W' = A W + W A^T + B B^T from W = 0, along a motion; each step uses the equations at its middle.
+    /// `stages` stand at the ends and middles of equal steps of the length `step`, s.
     pub fn along(stages: &[Stage], step: f64) -> Self {
         let n = stages.first().map_or(0, |stage| stage.a.nrows());
         let mut gramian = DMatrix::zeros(n, n);

@@ -24,7 +24,7 @@ pub struct States {
 }
 
 impl States {
-    /// Of equations at instants and the cost of the end, whose first variations are `displacements`.
+    /// The states for linear equations at instants and the cost at the end; the first `displacements` variations are displacements.
     pub fn of(stages: &[Stage], last: Option<&DMatrix<f64>>, displacements: usize) -> Self {
         let all = stages.first().map_or(0, |stage| stage.a.ncols());
         let parts = stages.iter().flat_map(|stage| [&stage.a, &stage.state]).chain(last);

@@ -9,21 +9,21 @@ use reader::{Issue, Table, tables};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// The system of a file with its source; what is wrong with it goes into the list.
+/// The system of a file with its source; its faults are added to the list of issues.
 pub(crate) fn model(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<(Model, Source)> {
     model_with(top, issues, Vec::new())
 }
 
-/// The same with more outputs.
+/// The system of a file with its source and with further outputs.
 pub(crate) fn model_with(top: &mut Table<'_>, issues: &mut Vec<Issue>, outputs: Vec<Entry>) -> Option<(Model, Source)> {
     let mut source = named_systems::source(top, issues)?;
     source.outputs.extend(outputs);
     let faults = match Model::of(&source).and_then(settled) {
-        // what could not be read is missing in it
+        // a table with unreadable parts gives an incomplete model
         Ok(model) => return (!top.has_issues()).then_some((model, source)),
         Err(faults) => faults,
     };
-    // what could not be read explains what is missing
+    // unreadable parts may be the cause of these faults, and are reported already
     if !top.has_issues() && !text::has_unknown_tables(top) {
         issues.extend(faults.into_iter().map(text::issue));
     }

@@ -32,7 +32,7 @@ pub(crate) fn joined(model: &Model, mut state: Vec<f64>, mass: DMatrix<f64>) -> 
     let moved = |(residual, jacobian): (DVector<f64>, DMatrix<f64>)| {
         let by_reactions = mass.solve(&jacobian.transpose());
         let slopes = &jacobian * &by_reactions;
-        // of what is no number the decomposition has no end
+        // the singular value decomposition does not end for NaN
         if !slopes.iter().chain(residual.iter()).all(|entry| entry.is_finite()) {
             return None;
         }

@@ -1,7 +1,7 @@
 //! The state at time zero: what the file gives, completed so that every constraint holds.
 //!
-//! Coordinates that the file does not give, or gives as a guess, are moved by Newton's method with least changes until the constraints
-//! of positions hold; then speeds so that all constraints hold, which is linear in them.
+//! Coordinates that the file does not give, or gives as a guess, are moved by Newton's method with least changes until the position
+//! constraints hold; then speeds are moved until all constraints hold, a linear problem.
 
 mod algebraic;
 mod constraints;
@@ -40,8 +40,8 @@ const MET: f64 = 1e-10;
 /// Residuals below this are what rounding leaves.
 const ROUNDED: f64 = 1e-14;
 
-/// A part of a state that is moved by less than this part of its size, or of the largest one where it was zero, has not moved: rounding
-/// of a few steps by singular values.
+/// A component of a state that changes by less than this relative amount, or of the largest component where it was zero, keeps its
+/// value: the change is the rounding of a few steps by singular values.
 const STAYS: f64 = 32.0 * f64::EPSILON;
 
 /// Singular values below this part of the largest one are taken for zero.
@@ -132,7 +132,7 @@ impl StartSolver {
         let by_all =
             |state: Vec<f64>, given: &[bool]| completed(self.constraints.as_ref(), parameters, speeds, state, given);
         let Some((others, own)) = &self.with_inertia else { return by_all(state, given) };
-        // what has inertia starts as it is written, where it is enough to move the others
+        // coordinates with inertia keep their values where moving the others suffices
         let first = completed(others.as_ref(), parameters, speeds, state.clone(), given)?;
         let positions = self.constraints.as_ref().map_or(0, |constraints| constraints.layout.positions());
         let mut kept = vec![true; given.len()];
@@ -193,7 +193,7 @@ fn completed(
                 layout.displace(&mut state, (at, order), -part);
             }
         }
-        // what rounding alone has moved stays as it was written
+        // values changed by rounding alone are restored
         let (coordinates, speeds) = (0..layout.positions(), layout.positions()..state.len());
         for parts in [coordinates, speeds] {
             let largest = state[parts.clone()].iter().fold(0.0, |largest: f64, part| largest.max(part.abs()));

@@ -1,9 +1,9 @@
-//! Constraints that follow from others: along every motion, or at one instant.
+//! Redundant constraints: those that follow from others along every motion, or at one instant only.
 //!
-//! Where the gradient of a constraint depends on those before it, two cases are possible. In a chain of parallelograms one rod holds
-//! what the others hold already, wherever the mechanism stands; at the dead point of a crank two constraints are parallel for an
-//! instant. The state is displaced along what all constraints leave and brought back to them. Where as many of them are independent
-//! there as here, the others follow from these; at a dead point more of them are independent beside it.
+//! Where the gradient of a constraint depends on those before it, two cases are possible. In a chain of parallelograms one rod is
+//! redundant in every configuration; at the dead point of a crank two constraints have parallel gradients for an instant. To tell
+//! them apart the state is displaced along the tangent space and projected back onto the constraints. Where the rank there equals
+//! the rank here, the dependent constraints are redundant; near a dead point the rank is higher.
 
 use super::constraints::Constraints;
 use super::{MET, MOST_STEPS, RANK, Unmet};
@@ -90,8 +90,8 @@ impl Constraints {
         })
     }
 
-    /// The first dependent constraint, where the constraints do not depend on each other as they do here at a displaced state at which all
-    /// of them hold; or where no such state is reached.
+    /// The first dependent constraint, where the rank of the constraints is another at a displaced state at which all hold, or where no
+    /// such state is reached; `None` where the ranks agree.
     fn fails(&self, rows: &Rows, state: &[f64], parameters: &[f64], probe: usize) -> Option<usize> {
         let first = rows.dependent.first().copied();
         let displaced = SIZES.iter().find_map(|size| self.displaced(state, parameters, probe, *size));

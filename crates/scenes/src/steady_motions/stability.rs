@@ -50,7 +50,7 @@ pub(super) fn judged(
         return SteadyStability::AtCondition { is_minimum: false };
     }
     let is_open = boxes.lies_aside(enclosure) != Some(true);
-    // what is held fixed by hand might move
+    // a coordinate held fixed by the user may move: then the energy test decides nothing
     let is_whole =
         equations.coordinates == equations.unknowns.len() && equations.coordinates + equations.cyclic.len() == n;
     let keeps_energy = equations.have_potential || keeps_energy(model);

@@ -122,7 +122,7 @@ fn a_block_on_a_belt_sticks_and_slips() {
         let k = draw.between(20.0, 80.0);
         let w = (k / mass).sqrt();
         let belt = draw.between(0.1, 0.4) * friction * w / k;
-        // so little that the block does not pass the speed of the belt before it sticks
+        // a small decrease: the block is to stick before it passes the speed of the belt
         let fall = draw.between(0.02, 0.15) * mass * w / friction;
         let grows = 0.5 * friction * fall / mass;
         let turns = (w * w - grows * grows).sqrt();

@@ -162,7 +162,7 @@ fn an_event_that_only_ends_a_run_changes_no_law() {
     close(run.outcome.time, 2.0, 1e-9);
 }
 
-/// Of two events that could end the run the one that does is named: by its name, else by its line.
+/// The message names the event that ended the run, one of two that could: by its name, else by its line.
 #[test]
 fn the_event_that_ends_a_run_is_told() {
     let ends = |when: &str, name: &str| {

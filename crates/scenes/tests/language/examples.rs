@@ -18,7 +18,7 @@ const OTHERS: [&str; 3] = [
     include_str!("../../../../scenes/failures/bounces.toml"),
 ];
 
-/// What keeps a file from being read by every command that its tables are for.
+/// The error with which the reader for the file's tables refuses it; `None` where it is read.
 fn wrong(text: &str, tables: &Value) -> Option<String> {
     let failed = |error: reader::SceneError| error.to_string();
     let is_valued = !text.contains("[N/m]") && tables["inputs"]["u"] != "N";

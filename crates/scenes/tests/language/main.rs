@@ -1,5 +1,5 @@
-//! The language of texts: its schema for editors and its reference in the book have the keys that the reader knows, and every example
-//! that they give is read.
+//! The language of scene files: its schema for editors and its reference in the book have the keys that the reader knows, and every
+//! example in them is read.
 
 mod examples;
 mod expressions;

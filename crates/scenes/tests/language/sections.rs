@@ -34,7 +34,7 @@ pub struct Row {
     pub example: Cell,
 }
 
-/// What stands in the place of an example.
+/// The example of a key.
 pub enum Cell {
     /// Lines of TOML.
     Lines(Vec<String>),

@@ -217,7 +217,7 @@ fn every_model_has_a_reference_of_25_digits_that_is_its_own() {
         };
         assert!(is_own, "{} has changed: `dalembert reference` makes its reference anew", path.display());
         if scene.hybrid().is_none() {
-            // that of a run which ends by itself ends before
+            // the reference of a run that ends early has a shorter span
             problem.span = *kept.reference.times.last().expect("there are instants");
         }
         let run = problem.simulate(

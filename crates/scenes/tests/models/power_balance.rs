@@ -38,8 +38,8 @@ fn the_work_of_a_force_and_of_a_damper_is_that_of_their_closed_forms() {
     }
 }
 
-/// A rod that turns at a given rate w pushes a bead outwards: r = r0 cosh(w t). With the velocity (r', w r) its energy grows by the work
-/// of the rod's reaction, m w^2 (r^2 - r0^2).
+/// A rod that turns at a given rate w pushes a bead outwards: r = r0 cosh(w t). With the velocity (r', w r) the bead's energy grows by
+/// the work of the rod's reaction, m w^2 (r^2 - r0^2).
 #[test]
 fn a_constraint_that_knows_the_time_does_work() {
     let keys = "[[constraint]]\nzero = \"y*cos((0.7 rad/s)*t) - x*sin((0.7 rad/s)*t)\"";

@@ -10,8 +10,8 @@ fn turned(angle: f64) -> f64 {
     angle - (angle / (2.0 * PI)).round() * 2.0 * PI
 }
 
-/// Of Andrews' mechanism the crank's two sides and two shapes of each loop balance the torque; they are the same where all angles are counted from
-/// the ground.
+/// Andrews' mechanism has eight equilibria under its torque, which differ by the side of the crank and the shapes of the loops. A model
+/// whose angles are measured from the ground has the same eight.
 #[test]
 fn a_mechanism_of_three_loops_has_all_its_equilibria_however_its_angles_are_counted() {
     let from_ground = ["K1 turned Theta", "K5 turned Phi", "K7 turned Omega"]

@@ -1,8 +1,8 @@
 //! An impact with friction in space, along the direction in which the contact slides.
 //!
-//! The impulses N and T change the sliding velocity v by N c + D T with a vector c and a matrix D. Where c and D v lie along v, as for a
-//! ball, T does so too in the whole impact, and its law is that of an impact in the plane of the normal and of v. Elsewhere the direction
-//! of sliding turns within the impact (Routh 1860), which is refused.
+//! The impulses N and T change the sliding velocity v by N c + D T with a vector c and a matrix D. Where c and D v are parallel to v, as
+//! for a ball, T stays parallel to v in the whole impact, and the law is that of an impact in the plane of the normal and v. Elsewhere
+//! the direction of sliding turns within the impact (Routh 1860), which is refused.
 
 use super::impact_law::NotStruck;
 use integrators::Real;

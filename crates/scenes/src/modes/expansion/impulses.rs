@@ -33,13 +33,13 @@ impl Expansions {
         letters.iter().map(of).collect()
     }
 
-    /// Takes from the speeds what held conditions, and contacts in touch, have moved off zero: impulses of the forces that hold them, so
-    /// that constraints stay as they are. Whether these are determined.
+    /// Corrects the speeds so that held conditions and contacts in touch are at zero, by impulses of the forces that hold them, which
+    /// preserves the constraints. Returns whether the impulses are determined.
     pub fn return_to_zero(&self, time: f64, state: &mut [f64], mode: &Mode, slack: f64) -> bool {
         self.return_to(time, state, mode, slack, |_| [0.0; 2])
     }
 
-    /// The same to a sliding velocity of each contact that is held.
+    /// Corrects the speeds so that each held contact has a given sliding velocity, m/s, by impulses of the forces that hold it.
     pub fn return_to(
         &self,
         time: f64,
@@ -57,7 +57,7 @@ impl Expansions {
             let Some(found) = self.run((clock, &parts), mode, &[], &unknown) else { return false };
             let Expansion { conditions, contacts, switches, hidden, .. } = found;
             let off = |&letter: &usize| match letter.checked_sub(conditions.len()) {
-                // of values that follow at once what is left is that of hidden constraints
+                // a value that is algebraic in the unknowns has no residual of its own: that of the hidden constraint counts
                 _ if self.is_value(letter) => Jet::zero(),
                 None => conditions[letter],
                 Some(place) => {

@@ -52,7 +52,7 @@ impl Expansions {
         }
         let part = |(error, value): (f64, &Jet<1>)| {
             let part = MORE * error.max(ROUNDING * value.terms[0].abs()) / value.doubts[0];
-            // what is no number confirms the bound
+            // NaN keeps the bound as it is
             if part < 1.0 { part } else { 1.0 }
         };
         errors.into_iter().zip(&bounded).map(part).collect()

@@ -1,8 +1,8 @@
 //! Directions in which contacts in space begin to slide from rest.
 //!
-//! With T = -mu |N| d of each contact that begins, the slip begins with accelerations a that depend on all d, and each d is the direction
-//! of its own a = |a| d. Where friction is just at its bound a is zero; then d = -T/|T| of the contacts that stick so far, and the d turn so
-//! that the rate of each a lies along its d.
+//! Each contact that begins to slip has the friction T = -mu |N| d and an acceleration a of slip that depends on all d, and d is its
+//! direction, a = |a| d. Where friction is exactly at its bound, a is zero: then d = -T/|T| with the friction T of sticking, and the
+//! directions turn in such a way that the rate of each a lies along its d.
 
 mod alone;
 mod together;

@@ -1,9 +1,9 @@
 //! Taylor coefficients of a quantity along a motion, each with the rounding error that it may carry.
 //!
-//! At an event some values are zero but for rounding, and the next coefficient decides what follows. A coefficient counts as zero
+//! At an event some values are zero but for rounding, and the next coefficient decides the sign. A coefficient counts as zero
 //! where it is not larger than its doubt: a running bound of the errors of the state, of the time and of every operation. A value
-//! that begins at zero has the sign with which it leaves the band of its own doubt: -e s + s^2 with a small e falls, but not by more
-//! than e^2/4, which may be less than a rounding.
+//! at zero has the sign with which it leaves the band of its doubt: -e s + s^2 with a small e falls, but not by more than e^2/4,
+//! which may be less than a rounding.
 
 mod operators;
 

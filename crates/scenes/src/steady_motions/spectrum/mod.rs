@@ -102,9 +102,9 @@ impl fmt::Display for NotEnclosed {
 pub enum EnclosedVerdict {
     /// All but zeros that have reasons lie left of the imaginary axis.
     Asymptotic,
-    /// So many lie right of it, at least.
+    /// At least this number of eigenvalues has a positive real part.
     Unstable(usize),
-    /// None is known to lie right of it: so many lie on it, and so many in discs that touch it.
+    /// No eigenvalue is known to lie right of the axis: `on_axis` of them lie on it, `touching` in discs that touch it.
     Undecided { on_axis: usize, touching: usize },
 }
 
@@ -132,7 +132,7 @@ impl EnclosedSpectrum {
             Kept { momenta: equations.kept_momenta.clone(), energy: keeps_energy, free: equations.free_speeds.len() };
         let mut zeros: Vec<ZeroReason> = equations.cyclic.iter().cloned().map(ZeroReason::Cyclic).collect();
         let own = reasons(&at, &speeds, &reduced, &kept);
-        // of the matrix without cyclic coordinates
+        // the zeros of the reduced matrix, which has no cyclic coordinates
         let forced = own.len();
         zeros.extend(own);
         let is_even = keeps_energy && m == layout.positions;
@@ -142,7 +142,7 @@ impl EnclosedSpectrum {
         Ok(EnclosedSpectrum { exact, ..found })
     }
 
-    /// Of a matrix of which so many eigenvalues are zero.
+    /// Encloses the eigenvalues of a matrix, `forced` of which are zero; `None` where no discs are found.
     fn of_matrix(matrix: &[Vec<Ball>], zeros: Vec<ZeroReason>, forced: usize, is_even: bool) -> Option<Self> {
         let size = matrix.len();
         let mut coefficients = characteristic(matrix, &Ball::constant(1.0));

@@ -55,7 +55,8 @@ fn moves_as(equations: &SteadyEquations, enclosure: &[Interval], state: &[f64]) 
 }
 
 impl ExactAlong {
-    /// Of the steady motion at a state, along a parameter by its name: the motion must be one at every value, and all numbers fractions.
+    /// Exact boundaries along a parameter, by its name, for the steady motion at a state. The state must be a steady motion for every
+    /// value of the parameter, and all numbers rational.
     ///
     /// # Errors
     /// Why there are no exact boundaries.

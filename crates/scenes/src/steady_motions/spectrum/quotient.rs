@@ -25,7 +25,7 @@ impl Quotient {
         Quotient { above: vec![Rational::int(0), Rational::int(1)], below: vec![Rational::int(1)] }
     }
 
-    /// Of an expression in the letter alone; none where it is no fraction of polynomials.
+    /// The fraction that equals an expression in the letter alone; `None` where it is no fraction of polynomials.
     pub fn of(expression: Sym, letter: Sym) -> Option<Self> {
         if let Some(value) = expression.as_constant() {
             return value.is_defined().then(|| Self::constant(value));
@@ -87,7 +87,7 @@ impl Ordered for Quotient {
         None
     }
 
-    /// Of constants alone.
+    /// The sign of a constant; `None` where the letter occurs.
     fn sign(&self) -> Option<i32> {
         match (&self.above[..], &self.below[..]) {
             ([], _) => Some(0),

@@ -24,13 +24,13 @@ pub enum ZeroReason {
     SpeedConstraints,
 }
 
-/// What a model keeps.
+/// The conserved quantities of a model.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Kept {
     /// Coordinates whose momenta are kept, with their names.
     pub momenta: Vec<(usize, String)>,
     pub energy: bool,
-    /// Speeds for every value of which there are steady motions: as many directions in which the linear equations leave everything as it is.
+    /// The number of speeds for every value of which there are steady motions: each gives a null vector of the linear equations.
     pub free: usize,
 }
 
