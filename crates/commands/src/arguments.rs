@@ -15,16 +15,16 @@ use std::str::FromStr;
 
 /// Derives, proves and runs equations of motion.
 ///
-/// Without a command: the main job. Every paper's statements are judged, every scene is run and charted, and one page
-/// is written that needs nothing else to be read.
+/// Without a command the report is made: every paper's statements are judged, every scene is run and charted, and all of it is
+/// written into one self-contained page.
 ///
 /// Exit codes: 0 all is well; 1 a run, or every member of an ensemble, stopped before its end, or the time was over; 2 the input is
 /// not acceptable; 130 Ctrl-C ended it. Where the time is over, or at Ctrl-C, `run`, `ensemble`, `chart` and `reference` keep what
 /// there is; a second Ctrl-C ends them at once.
 ///
-/// A file is whole under its name or is not there. The end of its name says the form: .csv, .npz, .svg, .html, .reference or .fmu. Folders that
-/// are missing are made. A file that stands there is replaced only if the command wrote it, or with --force; a file that the command
-/// reads is never replaced.
+/// Output files are written atomically. The end of the name says the form: .csv, .npz, .svg, .html, .reference or .fmu. Missing folders
+/// are made. An existing file is replaced only if the command wrote it, or with --force; a file that the command reads is never
+/// replaced.
 #[derive(Debug, Parser)]
 #[command(name = "dalembert", version, args_conflicts_with_subcommands = true)]
 pub struct Arguments {
@@ -35,14 +35,14 @@ pub struct Arguments {
     /// Results and errors only: no progress, no names of files that were written
     #[arg(long, short, global = true)]
     pub quiet: bool,
-    /// Ends the command after so many seconds, and keeps what there is; without it after 300, `chart` after 30, and `ensemble`,
-    /// `watch`, `review` without a file and the report never
+    /// Time limit in seconds, after which the command ends and keeps its results so far; the default is 300, for `chart` 30, and none for
+    /// `ensemble`, `watch`, `review` without a file and the report
     #[arg(long, global = true, value_name = "N", value_parser = whole::<u32>(1..=86_400))]
     pub seconds: Option<u32>,
 }
 
 impl Arguments {
-    /// The name of the command, whether it can keep a part of its results, and the seconds that it is given.
+    /// The name of the command, whether it can keep a part of its results, and its time limit in seconds.
     pub fn timed(&self) -> (&'static str, Keeps, Option<u32>) {
         use Keeps::{Nothing, Part};
         let (name, keeps, usual) = match &self.command {
@@ -79,7 +79,7 @@ impl Arguments {
     }
 }
 
-/// Seconds after which a command ends that is not told otherwise.
+/// The default time limit of a command, s.
 const USUAL: u32 = 300;
 
 #[derive(Debug, Subcommand)]
@@ -91,9 +91,9 @@ pub enum Command {
     Chart(chart::Asked),
     /// The smallest model, and the cheapest method for it, that meet a tolerance in the outputs that matter
     Choose(choose::Asked),
-    /// A scene's solution to the digits that two methods share, and the file that keeps it
+    /// Computes a reference solution of a scene, to the digits on which two methods agree, and keeps it in a file
     Reference(reference::Asked),
-    /// Runs many members of a scene whose table `ensemble` says what varies; a run that was killed is continued
+    /// Runs the members of an ensemble, whose table `ensemble` in the scene says what varies; a run that was killed is continued
     Ensemble(ensemble::Asked),
     /// Every claim of the papers with its verdict
     Ledger(ledger::Asked),
@@ -124,10 +124,10 @@ pub enum Command {
     Bodies(bodies::Asked),
     /// All steady motions of a system in a box, equilibria and those with constant speeds, none missing, and whether each is stable
     Stationary(stationary::Asked),
-    /// The steps for which each method keeps a steady motion stable or unstable as it is, and for which it does not
+    /// The step sizes for which each method preserves the stability or instability of a steady motion
     #[command(alias = "phantom")]
     NumericalStability(numerical_stability::Asked),
-    /// A synchronous motor under load: pull-out, pull-in, what lies between, and which starts come into step
+    /// A synchronous motor under load: pull-out and pull-in torque, motions between them, and the starts that synchronise
     Motor(motor::Asked),
     /// Checks the properties that every motor must have, each with a verdict: power, passivity, frames, housing, rest, stiffness, dimensions
     Conform(conform::Asked),
@@ -135,7 +135,7 @@ pub enum Command {
     New(new::Asked),
     /// Every consistent regime of a scene with rough contacts at its start, with all margins
     Regimes(regimes::Asked),
-    /// Every way in which methods fail: theory's threshold beside the measured one, what survives, advice
+    /// The catalogue of failures of methods: thresholds by theory and by runs, methods that survive, advice
     Failures(failures::Asked),
     /// Lists the scenes of a folder, each with its title
     Scenes(scenes::Asked),
@@ -146,7 +146,7 @@ pub enum Command {
     },
 }
 
-/// A number that is one.
+/// Reads a finite number.
 pub fn finite(text: &str) -> Result<f64, String> {
     text.parse()
         .ok()
@@ -154,7 +154,7 @@ pub fn finite(text: &str) -> Result<f64, String> {
         .ok_or_else(|| "a finite number such as 6.5 is accepted".to_owned())
 }
 
-/// A count within a range.
+/// Reads an integer within a range.
 pub fn whole<N>(range: RangeInclusive<N>) -> impl Fn(&str) -> Result<N, String> + Clone
 where
     N: FromStr + PartialOrd + Display + Clone,
@@ -165,7 +165,7 @@ where
     }
 }
 
-/// The error allowed in a step.
+/// Reads the error allowed in a step.
 pub fn tolerance(text: &str) -> Result<f64, String> {
     let value: f64 = text.parse().map_err(|_| "a number such as 1e-8 is accepted".to_owned())?;
     check_tolerance(value).map_err(|wrong| format!("{wrong}; from 1e-14 to below 1 is accepted"))?;

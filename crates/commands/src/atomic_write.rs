@@ -9,17 +9,17 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use tempfile::{Builder, NamedTempFile};
 
-/// A file that is written, beside the place that it has not taken yet; one that is dropped is gone.
+/// A complete temporary file in the folder of its destination; it is removed when the value is dropped.
 pub struct Beside {
     file: NamedTempFile,
     path: PathBuf,
     part: Part,
 }
 
-/// Files that stand beside their places: removed where the program is ended in the midst of its work.
+/// The paths of all temporary files, which are removed when the program is ended early.
 static PARTS: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// One of them.
+/// The path of a temporary file, listed in `PARTS` while this lives.
 struct Part(PathBuf);
 
 impl Part {
@@ -40,7 +40,7 @@ fn parts<T>(change: impl FnOnce(&mut Vec<PathBuf>) -> T) -> T {
     change(&mut PARTS.lock().unwrap_or_else(PoisonError::into_inner))
 }
 
-/// Removes what has not taken its place, where the program is ended.
+/// Removes all temporary files, when the program is ended early.
 pub fn remove_parts() {
     for part in parts(std::mem::take) {
         // where it cannot be removed there is nothing else to do
@@ -48,15 +48,15 @@ pub fn remove_parts() {
     }
 }
 
-/// Why a file did not take its place.
+/// The reason for which a temporary file was not renamed to its destination.
 pub enum Untaken {
-    /// Something stands there; the file is still beside it.
+    /// The destination exists; the temporary file is kept.
     Occupied(Beside),
     Failed(io::Error),
 }
 
 impl Beside {
-    /// Writes a file beside its place, in a folder that exists, and brings it to the disk.
+    /// Writes a temporary file beside its destination, in a folder that exists, and syncs it to the disk.
     ///
     /// # Errors
     /// Those of the system; then nothing is left behind.
@@ -70,10 +70,10 @@ impl Beside {
         Ok(Beside { file, path: path.to_owned(), part })
     }
 
-    /// Takes the place of the file that stands there, with its permissions.
+    /// Replaces the file at the destination, and keeps its permissions.
     ///
     /// # Errors
-    /// Those of the system; then the other file stands as before.
+    /// Those of the system; then the file at the destination is unchanged.
     pub fn replace(self) -> io::Result<()> {
         if let Ok(before) = fs::metadata(&self.path) {
             self.file.as_file().set_permissions(before.permissions())?;
@@ -83,7 +83,7 @@ impl Beside {
         Ok(())
     }
 
-    /// Takes the place if nothing stands there.
+    /// Renames the file to its destination if nothing exists there.
     ///
     /// # Errors
     /// [`Untaken`].
@@ -97,14 +97,14 @@ impl Beside {
             Err(refused) if fs::symlink_metadata(&path).is_ok() => {
                 Err(Untaken::Occupied(Beside { file: refused.file, path, part }))
             }
-            // some file systems know no way to take a place only if it is free
+            // some file systems cannot rename on the condition that the destination is free
             Err(refused) => {
                 refused.file.persist(&path).map(|_| settle(&path)).map_err(|error| Untaken::Failed(error.error))
             }
         }
     }
 
-    /// Stays under the name that it has beside its place.
+    /// Keeps the file under its temporary name, which is returned.
     ///
     /// # Errors
     /// Those of the system.
@@ -113,18 +113,18 @@ impl Beside {
     }
 }
 
-/// Replaces a file by another, all of it or nothing.
+/// Replaces the content of a file, atomically.
 ///
 /// # Errors
-/// Those of the system; then the file stands as before.
+/// Those of the system; then the file is unchanged.
 pub fn replace(path: &Path, content: &str) -> io::Result<()> {
     Beside::write(path, |out| out.write_all(content.as_bytes()))?.replace()
 }
 
-/// Writes a file where none is, all of it or nothing.
+/// Writes a new file, atomically.
 ///
 /// # Errors
-/// Those of the system; a file that stands there is one.
+/// Those of the system, also where the file exists already.
 pub fn create(path: &Path, content: &str) -> io::Result<()> {
     let written = Beside::write(path, |out| out.write_all(content.as_bytes()))?;
     written.take().map_err(|untaken| match untaken {
@@ -133,13 +133,13 @@ pub fn create(path: &Path, content: &str) -> io::Result<()> {
     })
 }
 
-/// Whether a file can be written there, in folders that need not exist yet; nothing is made.
+/// Checks that a file can be written at a path whose folders need not exist yet; nothing is made.
 ///
 /// # Errors
 /// Those of the system.
 pub fn probe(path: &Path) -> io::Result<()> {
     let name = path.file_name().ok_or(io::ErrorKind::IsADirectory)?;
-    // the folders that are missing would stand in this one
+    // the nearest folder that exists, in which the missing ones would be made
     let there = folder(path).ancestors().find(|folder| folder.as_os_str().is_empty() || folder.exists());
     let there = there.filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     if !there.is_dir() {
@@ -153,7 +153,7 @@ pub fn folder(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// A file beside the place, which goes with what writes to it; as readable as others that a program makes.
+/// An empty temporary file beside a destination, with the permissions of a usual new file.
 fn part(path: &Path) -> io::Result<NamedTempFile> {
     // a long name is cut, since prefix and suffix must fit into a file name too
     let name: String =
@@ -166,7 +166,7 @@ fn part(path: &Path) -> io::Result<NamedTempFile> {
     builder.tempfile_in(folder(path))
 }
 
-/// Brings the new name to the disk, where the system can bring a folder to it.
+/// Syncs the folder of a new name to the disk, where the system can sync folders.
 fn settle(path: &Path) {
     let _ = File::open(folder(path)).and_then(|folder| folder.sync_all());
 }

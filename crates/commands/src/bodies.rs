@@ -1,4 +1,4 @@
-//! `dalembert bodies`: what the physical data of a scene's gyrostat come to.
+//! `dalembert bodies`: mass properties of a scene's gyrostat, from its physical data.
 
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
@@ -11,7 +11,7 @@ use std::path::PathBuf;
 use studies::scene::{Scene, Setup};
 use systems::gyrostat::Gyrostat;
 
-/// Whose bodies are to be looked at.
+/// Arguments of `bodies`.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// The scene, a TOML file

@@ -61,8 +61,8 @@ pub enum Axis {
     Time,
 }
 
-/// Measures every method, prints the tables, draws the chart where one is asked for. A third of the time is for the reference, a
-/// third for the runs, a part of what they leave for taking times.
+/// Measures every method, prints the tables, draws the chart where one is asked for. The reference may take a third of the time, the
+/// runs another third, and the timing of the runs a part of the rest.
 pub fn chart(asked: &Asked) -> Result<Exit, Exit> {
     let scene = match AnyScene::open(&asked.scene)? {
         AnyScene::Driven(scene) => {
@@ -88,7 +88,7 @@ pub fn chart(asked: &Asked) -> Result<Exit, Exit> {
     }
 }
 
-/// Every run of a scene beside its reference, in the time that is left.
+/// The errors of all methods on a scene against its reference, in the time that is left.
 ///
 /// # Errors
 /// Why there is no reference, on lines of their own.
@@ -106,11 +106,11 @@ fn measured(
     }
     let problem = smooth.problem(form.unwrap_or_default());
     let mut ways = smooth.ways();
-    // behind the scene's own: other formulations may spend all the time, and what a model is off would not be known
+    // reduced models run right after the scene's own: other formulations may use up the time, and their errors would stay unknown
     let models = smaller(scene, &ways);
     ways.splice(1..1, models);
     ways.retain(|way| form.is_none_or(|form| written_in(way, form)));
-    // beyond the end of its law there is no motion for methods to find
+    // methods are compared up to the end of the law only, beyond which there is no motion
     let run = problem.simulate(&following(smooth.run().choice()), |_| ());
     if run.left.is_some() || run.ends_before(problem.span) {
         let ends = || format!("the run ends at t = {} s, before its span", run.outcome.time);
@@ -125,7 +125,7 @@ fn measured(
     }
 }
 
-/// The same of a scene whose law changes at events, which each method finds itself.
+/// The errors of all methods on a scene whose law changes at events, which each method locates itself.
 fn across_events(
     scene: &dyn Hybrid,
     trials: &Trials,
@@ -164,7 +164,7 @@ pub fn charted(scene: &Arc<dyn Modelled>, left: impl Fn() -> Duration) -> Result
     Ok(Charted { text: text(&title, &atlas), object: object(&title, &atlas), pictures })
 }
 
-/// Prints what came out, and draws it where that is asked for.
+/// Prints the results, and draws them where a picture is asked for.
 fn told(
     title: &str,
     atlas: &Atlas,
@@ -202,7 +202,7 @@ fn no_reference(scene: &dyn IvpScene, run: &Trajectory, reason: &str) -> String 
     format!("no reference: {reason}\n{diagnosis}")
 }
 
-/// The models of the hierarchy that are no machines of their own: windings lumped, currents that are not followed.
+/// The reduced models of the hierarchy that are not machines by name: lumped windings, quasi-steady currents.
 fn smaller(scene: &AnyScene, known: &[Configuration]) -> Vec<Configuration> {
     let (ladder, formulation) = match scene {
         AnyScene::Driven(scene) if matches!(scene.system, Setup::Bench { .. }) => {
@@ -231,7 +231,7 @@ fn written_in(way: &Configuration, form: Axes) -> bool {
 const COLUMNS: [&str; 8] =
     ["formulation", "model", "method", "tolerance [1]", "evaluations", "time [s]", "error [1]", "failure"];
 
-/// Where the chart goes, before the work.
+/// The destination of the chart, checked before the work.
 fn output(asked: &Asked) -> Result<Option<Output>, Exit> {
     let kept = references::place(&asked.scene);
     let writes = Writes { command: "chart", force: asked.force, reads: vec![&asked.scene, &kept] };
@@ -309,7 +309,7 @@ fn object(title: &str, atlas: &Atlas) -> Value {
     })
 }
 
-/// The fronts, the models, and of the scene's own first formulation a line for each run.
+/// The Pareto fronts, the models, and a line for each run of the scene's first formulation with its own model.
 fn text(title: &str, atlas: &Atlas) -> String {
     let reference = &atlas.reference;
     let mut text = format!(

@@ -1,10 +1,10 @@
-//! A claim that was decided, as a line of a page.
+//! A judged claim as a row of the report's ledger.
 
 use crate::values;
 use charts::ClaimRow;
 use claims::{Judged, Verdict};
 
-/// A claim with its verdict; in the thread in which the paper's claims were made.
+/// The row of a judged claim; to be called in the thread that made the paper's claims.
 pub fn row(claim: &Judged) -> ClaimRow {
     let requires = claim.requires.iter().chain(&claim.signs).map(|(_, latex)| format!("${latex}$")).collect();
     ClaimRow {

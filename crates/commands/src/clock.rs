@@ -1,8 +1,8 @@
 //! The one clock of a command: its deadline, Ctrl-C, and the thread that sees that both are obeyed.
 //!
-//! A command that can keep something breaks off by itself: its integrations ask [`integrators::clock`]. Everything else,
-//! algebra as deep as it may be, needs to know nothing: the thread of the clock ends the program in its place, after it has
-//! printed the results that were found until then. While something is printed or written the thread waits.
+//! A command that can keep partial results stops by itself: its integrations ask [`integrators::clock`]. All other work, such as
+//! algebra, need not ask: the thread of the clock ends the program instead, after it has printed the results so far. While
+//! something is printed or written the thread waits.
 
 use crate::{atomic_write, progress};
 use integrators::clock::{ask_for_the_end, is_asked, set_deadline, was_obeyed};
@@ -15,27 +15,27 @@ use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError, RwLock, RwLockReadGuard};
 use std::time::{Duration, Instant};
 
-/// A command that can break off by itself is given so long for it.
+/// The time that a command has to stop by itself after its deadline.
 const GRACE: Duration = Duration::from_millis(700);
-/// The least time that is kept for judging and printing what was found.
+/// The least time that is reserved for judging and printing the results.
 const CLOSING: Duration = Duration::from_millis(400);
-/// The part of the time given that is kept for it.
+/// The reserved part of the time limit: one over this number.
 const CLOSING_PART: u32 = 20;
-/// The interval at which the thread looks: shorter than a user feels.
+/// The interval at which the thread checks the time: too short for a user to notice.
 const TICK: Duration = Duration::from_millis(20);
-/// The sign of progress is drawn ten times a second.
+/// Ticks between two drawings of the progress bar: ten drawings a second.
 const TICKS_A_DRAWING: u32 = 5;
-/// The time that is left where nothing limits it.
+/// The time that is left where there is no limit.
 const NO_LIMIT: Duration = Duration::from_secs(366 * 86_400);
-/// As shells tell a program that SIGINT ended.
+/// The exit code that shells report for a program ended by SIGINT.
 const BY_CTRL_C: u8 = 130;
 
-/// Whether a command can keep something when it is broken off.
+/// Whether a command can keep partial results when it is stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Keeps {
-    /// Its results are worth something as far as they go.
+    /// Partial results are useful and are kept.
     Part,
-    /// Its results are whole or none.
+    /// Results are complete or none.
     Nothing,
 }
 
@@ -47,13 +47,13 @@ struct Clock {
 }
 
 static CLOCK: OnceLock<Clock> = OnceLock::new();
-/// Read by whoever prints or writes, written by the thread when it ends the program.
+/// Locked for reading by code that prints or writes, for writing by the thread when it ends the program.
 static OUTPUT: RwLock<()> = RwLock::new(());
 /// Whether the user pressed Ctrl-C.
 static PRESSED: AtomicBool = AtomicBool::new(false);
-/// Whether a command that broke off by itself found nothing to keep.
+/// Whether a command that stopped by itself has no results to keep.
 static NOTHING: AtomicBool = AtomicBool::new(false);
-/// The phase that was at work when the end came.
+/// The phase of the work in which the end came.
 static PHASE: OnceLock<Option<String>> = OnceLock::new();
 /// Results that are printed if the program is ended before it prints them.
 static FOUND: Mutex<String> = Mutex::new(String::new());
@@ -66,7 +66,7 @@ pub fn start(command: &'static str, keeps: Keeps, seconds: Option<u32>) {
         set_deadline(deadline);
     }
     let pressed = Arc::new(AtomicBool::new(false));
-    // where signals cannot be watched, or no thread can be had, Ctrl-C ends the program as ever
+    // without signals or threads Ctrl-C ends the program in the system's own way
     let watched = std::thread::Builder::new().name("clock".to_owned());
     let flag = Arc::clone(&pressed);
     if watched.spawn(move || clock.watch(&pressed)).is_ok() {
@@ -80,18 +80,18 @@ pub fn left() -> Duration {
     deadline.map_or(NO_LIMIT, |deadline| deadline.saturating_duration_since(Instant::now()))
 }
 
-/// Breaks off what asks this, once the user asked for the end.
+/// Breaks once the user has pressed Ctrl-C.
 pub fn goes_on() -> ControlFlow<()> {
     if is_asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }
 
-/// Whether there is time for more work, beside what judging and printing the results so far will take.
+/// Whether there is time for more work, besides the time reserved for judging and printing the results.
 pub fn has_time() -> bool {
     let given = CLOCK.get().and_then(|clock| clock.seconds).map_or(Duration::ZERO, |s| Duration::from_secs(s.into()));
     goes_on().is_continue() && left() > CLOSING.max(given / CLOSING_PART)
 }
 
-/// While this lives the clock waits: what is printed or written is not cut.
+/// A guard during which the clock does not end the program, so that no output is cut.
 pub fn held() -> RwLockReadGuard<'static, ()> {
     OUTPUT.read().unwrap_or_else(PoisonError::into_inner)
 }
@@ -101,17 +101,17 @@ pub fn publish(found: String) {
     *FOUND.lock().unwrap_or_else(PoisonError::into_inner) = found;
 }
 
-/// The phase that is at work when the end comes is the one that is told; the first call counts.
+/// Records the present phase as the one in which the end came; only the first call counts.
 pub fn note_phase() {
     PHASE.get_or_init(progress::phase);
 }
 
-/// Says that a command that broke off by itself keeps nothing.
+/// Records that a command that stopped by itself keeps nothing.
 pub fn keeps_nothing() {
     NOTHING.store(true, Relaxed);
 }
 
-/// The exit code of a command that broke off by itself, after the reason was told; `None` where it did not.
+/// Prints the reason for which a command stopped by itself, and returns its exit code; `None` where it was not stopped.
 pub fn broke_off() -> Option<u8> {
     let clock = CLOCK.get().filter(|_| PRESSED.load(Relaxed) || was_obeyed())?;
     clock.tell(if NOTHING.load(Relaxed) { "nothing is kept" } else { "what there is, is kept" });
@@ -119,7 +119,7 @@ pub fn broke_off() -> Option<u8> {
 }
 
 impl Clock {
-    /// Until the program ends.
+    /// Watches time and signals until the program ends.
     fn watch(&self, pressed: &AtomicBool) {
         let (mut asked, mut turn): (Option<Instant>, u32) = (None, 0);
         loop {
@@ -130,7 +130,7 @@ impl Clock {
                 }
                 asked = Some(Instant::now());
                 PRESSED.store(true, Relaxed);
-                // to whom results are whole or none, runs that were broken off would be results
+                // commands that need complete results must not take a stopped run for a result
                 if self.keeps == Keeps::Part {
                     ask_for_the_end();
                 }
@@ -156,7 +156,7 @@ impl Clock {
         progress::clear();
         atomic_write::remove_parts();
         let found = FOUND.try_lock().map(|found| found.clone()).unwrap_or_default();
-        // a second Ctrl-C may come while a full pipe holds standard output: then nothing is found that is not printed
+        // a second Ctrl-C may come while a full pipe blocks standard output: all results are printed then
         if !found.is_empty() {
             // where this cannot be written, the exit code must do
             let _ = io::stdout().write_all(charts::visible(&found).as_bytes()).and_then(|()| io::stdout().flush());

@@ -1,4 +1,4 @@
-//! `dalembert conform`: what every motor and every system should do, and whether this one does.
+//! `dalembert conform`: checks of the properties that every motor and every system should have.
 
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
@@ -13,7 +13,7 @@ use std::path::Path;
 use studies::conformance::{conform, page, sample};
 use studies::scene::Scene;
 
-/// Which motor is to be checked.
+/// Arguments of `conform`.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// A machine by its name, with data of a small motor; or a scene, a TOML file, whose motor or whose system may be written in it

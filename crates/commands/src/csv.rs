@@ -1,5 +1,5 @@
-//! Tables: their origin as comments, names of columns with their units, then rows, every number with all its digits; a cell is empty
-//! where there is none. A trajectory may be an archive of NumPy as well.
+//! Tables as CSV: their origin as comments, names of columns with their units, then rows with all digits of every number; cells without
+//! a value are empty. A trajectory may also be a NumPy archive.
 
 use crate::exit::Exit;
 use crate::output::{Form, Output, Provenance, Writes, Written};
@@ -8,7 +8,7 @@ use exchange::npz::{self, Array};
 use std::io::{self, Write};
 use std::path::Path;
 
-/// A trajectory that will be written, or none.
+/// The destination of a trajectory, where one is asked for.
 pub struct Table {
     output: Option<Output>,
     heading: Vec<String>,
@@ -16,7 +16,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// Before the work, so that a wrong name does not cost it: names with their units, time first.
+    /// Checks the destination before the work. The columns have names with units, time first.
     pub fn at(
         writes: &Writes<'_>,
         path: Option<&Path>,
@@ -28,12 +28,12 @@ impl Table {
         Ok(Table { output, heading, provenance })
     }
 
-    /// Where it goes.
+    /// The destination.
     pub fn output(&self) -> Option<&Output> {
         self.output.as_ref()
     }
 
-    /// Writes it: the samples of a run, then its end where that comes after the last of them, as at an event.
+    /// Writes the samples of a run, then its end where that comes after the last sample, as at an event.
     pub fn write(self, times: &[f64], rows: &[Vec<f64>], end: (f64, &[f64])) -> Result<Option<Written>, Exit> {
         let Table { output, heading, provenance } = self;
         let samples = times.iter().copied().zip(rows.iter().map(Vec::as_slice));
@@ -77,7 +77,7 @@ fn columns(heading: &[String], rows: &[(f64, &[f64])], provenance: &Provenance) 
     told.into_iter().chain(values).collect()
 }
 
-/// A square table of how each quantity at the end depends on each at the start, or none.
+/// The destination of a transition matrix, the derivatives of the state at the end by that at the start, where one is asked for.
 pub struct Matrix {
     output: Option<Output>,
     columns: Vec<String>,
@@ -85,7 +85,7 @@ pub struct Matrix {
 }
 
 impl Matrix {
-    /// Before the work: names with their units.
+    /// Checks the destination before the work. The names have units.
     pub fn at(
         writes: &Writes<'_>,
         path: Option<&Path>,
@@ -96,12 +96,12 @@ impl Matrix {
         Ok(Matrix { output, columns: columns.to_vec(), provenance })
     }
 
-    /// Where it goes.
+    /// The destination.
     pub fn output(&self) -> Option<&Output> {
         self.output.as_ref()
     }
 
-    /// Writes it, a row for each quantity at the end; the unit of an entry is that of its row over that of its column.
+    /// Writes the matrix, a row for each quantity at the end; the unit of an entry is that of its row over that of its column.
     pub fn write(self, rows: &[Vec<f64>]) -> Result<Option<Written>, Exit> {
         let Matrix { output, columns, provenance } = self;
         let content = |out: &mut dyn Write| {
@@ -122,7 +122,7 @@ fn heading(columns: &[String]) -> Vec<String> {
     std::iter::once("end by start".to_owned()).chain(columns.iter().cloned()).collect()
 }
 
-/// With all its digits; empty where it is no number.
+/// A number with all its digits; empty where it is not finite.
 fn cell(value: f64) -> String {
     if value.is_finite() { value.to_string() } else { String::new() }
 }

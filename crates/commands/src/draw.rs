@@ -14,7 +14,7 @@ use simulation::{Axes, Choice, IvpScene};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// The scene, and the time at which it is drawn.
+/// Arguments of `draw`.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// The scene, a TOML file with points, bodies or frames; values of parameters are those of the file
@@ -59,18 +59,18 @@ fn finite(text: &str) -> Option<f64> {
     text.trim().parse().ok().filter(|value: &f64| value.is_finite())
 }
 
-/// Pictures of a motion, and the least of a system with many parts.
+/// The number of pictures of a motion, and the least one for a system with many parts.
 const PICTURES: usize = 240;
 const FEWEST: usize = 24;
-/// A moving picture has about so many bytes at most.
+/// The approximate largest size of a moving picture, in bytes.
 const LARGEST: usize = 1_500_000;
 /// Bytes of one part in one picture.
 const BYTES: usize = 24;
 
-/// Squares of lengths have room up to here, in metres.
+/// The largest length whose square is a finite number, with room to spare, in metres.
 const FARTHEST: f64 = 1e100;
 
-/// A turn by more than this between two pictures, in rad, is not seen as it is.
+/// A turn by more than this between two pictures, in rad, would look like another turn.
 const SEEN_TURN: f64 = 2.5;
 
 /// Draws the system.
@@ -95,7 +95,7 @@ pub fn draw(asked: &Asked) -> Result<Exit, Exit> {
     Ok(ending)
 }
 
-/// The sketch of a text at its start; parameters and inputs without values count as one and as nothing.
+/// The sketch of a text at its start; parameters without values count as one, inputs as zero.
 fn still(path: &Path, text: &SystemText, towards: Option<[f64; 3]>) -> Result<Sketch, Exit> {
     let (title, mut model) = ::scenes::parse_titled(&text.name, &text.text, Task::Run)?;
     let open = close(&mut model)?;
@@ -108,7 +108,7 @@ fn still(path: &Path, text: &SystemText, towards: Option<[f64; 3]>) -> Result<Sk
     Ok(drawn)
 }
 
-/// Gives parameters without a value one, and inputs without one zero; the names of these parameters.
+/// Sets parameters without a value to one, inputs without one to zero; returns the names of these parameters.
 fn close(model: &mut Model) -> Result<Vec<String>, Exit> {
     model.close_inputs();
     let open = model.parameters.iter().filter(|parameter| parameter.value.is_none());

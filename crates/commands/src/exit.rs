@@ -10,18 +10,18 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
-/// Begins what a terminal obeys.
+/// The escape character, which begins the commands of a terminal.
 const ESCAPE: &str = "\u{1b}";
 
-/// Whether nothing but results and errors is wanted: said once, when the program begins.
+/// Whether only results and errors are printed: set once, when the program begins.
 static QUIET: AtomicBool = AtomicBool::new(false);
 
-/// From here on nothing is told but results and errors.
+/// Restricts all output to results and errors.
 pub fn be_quiet() {
     QUIET.store(true, Relaxed);
 }
 
-/// Whether nothing but results and errors is wanted.
+/// Whether only results and errors are printed.
 pub fn is_quiet() -> bool {
     QUIET.load(Relaxed)
 }
@@ -29,11 +29,11 @@ pub fn is_quiet() -> bool {
 /// The outcome of a command, from which the exit code follows.
 #[derive(Debug)]
 pub enum Exit {
-    /// All is well.
+    /// Success.
     Done,
     /// The command ran, but its result is not as it should be; the reason has been printed.
     Stopped,
-    /// The input is not acceptable: a message in which nothing acts on a terminal but our own colours.
+    /// The input is not acceptable: a message without terminal commands but our own colours.
     Refused(String),
     /// The command line is not acceptable; the reason has been printed.
     Wrong,
@@ -69,7 +69,7 @@ impl Exit {
         Exit::refused(format!("{} cannot be written: {reason}{remedy}", path.display()))
     }
 
-    /// Prints the message, if there is one, and gives the exit code.
+    /// Prints the message, if there is one, and returns the exit code.
     pub fn tell(self) -> ExitCode {
         if matches!(self, Exit::Done | Exit::Stopped)
             && let Some(code) = clock::broke_off()
@@ -102,7 +102,7 @@ impl From<SceneError> for Exit {
     }
 }
 
-/// All that is wrong with a scene, as standard error takes it: nothing of its texts acts on a terminal.
+/// All faults of a scene as text for standard error, without terminal commands from the scene.
 fn rendered(error: &SceneError) -> String {
     let mut error = error.clone();
     let seen = |text: &mut String| *text = visible(text).into_owned();
@@ -117,7 +117,7 @@ fn rendered(error: &SceneError) -> String {
     error.render(colours).split(ESCAPE).map(visible).collect::<Vec<_>>().join(ESCAPE)
 }
 
-/// Prints to standard output, with nothing in it that acts on a terminal. A reader who has seen enough and closed the pipe is no error.
+/// Prints to standard output, without terminal commands in the text. A closed pipe is no error.
 pub fn print(text: &str) -> Result<(), Exit> {
     let _held = clock::held();
     // the final text contains the interim results, which are not to be printed again
@@ -132,8 +132,8 @@ pub fn print(text: &str) -> Result<(), Exit> {
     }
 }
 
-/// Prints what clap has to say instead of a command: help and version to standard output, which must take them; what is wrong
-/// with a command line to standard error.
+/// Prints the messages of clap: help and version to standard output, where a failure is an error; faults of the command line to
+/// standard error.
 pub fn print_instead(said: &clap::Error) -> Exit {
     let hostile = std::env::args_os().any(|argument| {
         let argument = argument.to_string_lossy();
@@ -154,12 +154,12 @@ pub fn print_instead(said: &clap::Error) -> Exit {
     }
 }
 
-/// Tells something beside the results: where standard error takes nothing, the exit code must do.
+/// Prints a warning to standard error; a failure to do so is ignored.
 pub fn warn(text: &str) {
     told(&visible(text));
 }
 
-/// Tells what is wrong with a scene beside the results.
+/// Prints the faults of a scene to standard error.
 pub fn warn_of(error: &SceneError) {
     told(&rendered(error));
 }

@@ -9,10 +9,10 @@ use clap::Args;
 use exchange::fmu::{Binary, NoBinary};
 use std::path::{Path, PathBuf};
 
-/// The compiler of a unit's sources.
+/// The C compiler for the sources of a functional mock-up unit.
 const COMPILER: &str = "cc";
 
-/// Lines behind the options.
+/// The end of the long help.
 pub const HELP: &str = "\
 A unit of FMI 3.0 is for model exchange and for co-simulation. Its parameters can be changed, its inputs are those of the file that have no
 value, its events are those of the file and the conditions of `if`, `sign`, `abs`, `min`, `max` and `table`; it has directional derivatives.
@@ -21,7 +21,7 @@ It holds its sources, and a binary for this platform where the C compiler `cc` i
 Left to `run`, and refused with the line of the file: contacts, diodes, laws that are implicit; by --fmu and --modelica dry friction too, which
 may stick.";
 
-/// A scene, and the file to be written.
+/// Arguments of `export`.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// The scene, a file with `[coordinates]`
@@ -34,7 +34,7 @@ pub struct Asked {
     pub force: bool,
 }
 
-/// One file.
+/// The file to be written, exactly one.
 #[derive(Args, Debug)]
 #[group(required = true, multiple = false)]
 pub struct Target {
@@ -92,7 +92,7 @@ pub fn export(asked: &Asked) -> Result<Exit, Exit> {
     Ok(Exit::Done)
 }
 
-/// The binary of a unit; none, which is told, where there is no compiler.
+/// The binary of a functional mock-up unit; `None`, with a warning, where there is no compiler.
 fn compiled(output: &Output, unit: &exchange::fmu::Unit) -> Result<Option<Binary>, Exit> {
     let folder = tempfile::tempdir().map_err(Exit::refused)?;
     match Binary::of(unit, COMPILER, folder.path(), || clock::goes_on().is_continue()) {

@@ -13,10 +13,10 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use studies::failures::{ALL, Failing, Found, NotFound, Threshold, measure_text, text_entries, text_entry};
 
-/// Which ways to fail are to be measured.
+/// Arguments of `failures`.
 #[derive(Args, Debug)]
 pub struct Asked {
-    /// Those whose name contains this, such as windings or pull-out; or a scene of your own with the table [failure]
+    /// Entries whose name contains this, such as windings or pull-out; or a scene of your own with the table [failure]
     #[arg(default_value = "", value_name = "NAME|SCENE.toml")]
     pub name: String,
     /// Where the scene files are; those in `failures` there that hold the table [failure] are measured too
@@ -27,17 +27,17 @@ pub struct Asked {
     pub format: Format,
 }
 
-/// A way to fail: of the program, or a scene with the table `[failure]`.
+/// An entry of the catalogue: one of the program's own, or a scene with the table `[failure]`.
 pub enum Way {
     Known { failing: &'static Failing, scene: PathBuf },
     Text { entry: Box<FailureEntry>, scene: PathBuf },
 }
 
-/// A way with what was found.
+/// An entry with its measured threshold and trials.
 pub type Measured = (Way, Result<Found, NotFound>);
 
 impl Way {
-    /// All ways with the scenes of a folder; texts that cannot be read apart.
+    /// All entries with the scenes of a folder, and the errors of texts that cannot be read.
     pub fn all(folder: &Path) -> (Vec<Self>, Vec<SceneError>) {
         let known = ALL.iter().map(|failing| Way::Known { failing, scene: folder.join(failing.scene) });
         let (mut ways, mut errors) = (known.collect::<Vec<_>>(), Vec::new());
@@ -50,7 +50,7 @@ impl Way {
         (ways, errors)
     }
 
-    /// Measures it.
+    /// Measures the entry by runs.
     pub fn measured(self, folder: &Path) -> Measured {
         let found = match &self {
             Way::Known { failing, .. } => failing.measure(folder),
@@ -79,7 +79,7 @@ impl Way {
         }
     }
 
-    /// In the folder of scenes; of a text its path.
+    /// The path of the scene in the folder of scenes; of a text its own path.
     fn scene_in_folder(&self) -> String {
         match self {
             Way::Known { failing, .. } => failing.scene.to_owned(),
@@ -113,7 +113,7 @@ impl Way {
     }
 }
 
-/// Measures the ways whose name contains what was asked for, or the way of a file, and prints them.
+/// Measures the entries whose name contains the argument, or the entry of a file, and prints them.
 pub fn list(asked: &Asked) -> Result<Exit, Exit> {
     let file = Path::new(&asked.name);
     let (chosen, mut missed) = match file.extension().is_some_and(|extension| extension == "toml") {
@@ -153,7 +153,7 @@ pub fn list(asked: &Asked) -> Result<Exit, Exit> {
     Ok(if agree && all { Exit::Done } else { Exit::Stopped })
 }
 
-/// The ways of the folder that are asked for, and why others cannot be read.
+/// The entries that are asked for, and the errors of files that cannot be read.
 fn chosen(asked: &Asked) -> Result<(Vec<Way>, Vec<Exit>), Exit> {
     let (ways, errors) = Way::all(&asked.scenes);
     let names = ways.iter().map(Way::name).collect::<Vec<_>>().join(", ");
@@ -167,7 +167,7 @@ fn chosen(asked: &Asked) -> Result<(Vec<Way>, Vec<Exit>), Exit> {
     Ok((chosen, errors.into_iter().map(Exit::from).collect()))
 }
 
-/// The trials of one fate together: those that hold first, then those that err silently.
+/// The trials grouped by their outcome: those that hold first, then those with a silent error.
 pub fn grouped(found: &Found) -> Vec<(String, String)> {
     let mut groups: Vec<(u8, String, Vec<&str>)> = Vec::new();
     for trial in &found.trials {
@@ -187,7 +187,7 @@ pub fn quantity(value: Option<f64>, unit: &str) -> String {
     if unit.is_empty() || value.is_none() { number } else { format!("{number} {unit}") }
 }
 
-/// Whether theory and measurement are one, and how well that was told.
+/// Whether the thresholds of theory and measurement agree, with the accuracy of the comparison.
 pub fn judged(threshold: &Threshold) -> String {
     format!("{} {}", if threshold.agrees() { "agrees" } else { "DISAGREES" }, threshold.within)
 }

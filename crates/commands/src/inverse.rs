@@ -10,7 +10,7 @@ use clap::{Args, ValueEnum};
 use serde_json::json;
 use std::path::PathBuf;
 
-/// Which motion is prescribed, and which parameters are unknown.
+/// Arguments of `inverse`: the prescribed motion and the unknown parameters.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// A file with `[coordinates]`
@@ -73,7 +73,7 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     let with_unit = |name: &String| (name.clone(), unit_of(&model, name));
     let state: Vec<(String, String)> = model.state_names().iter().map(|(name, _)| with_unit(name)).collect();
     let speeds = &state[model.positions()..];
-    // a charge is the integral of its current from wherever it starts
+    // charges are not shown: each is the integral of its current from an arbitrary value
     let is_shown = |place: &usize| !charges.contains(place);
     let shown =
         |all: &[(String, String)]| (0..all.len()).filter(is_shown).map(|place| all[place].clone()).collect::<Vec<_>>();

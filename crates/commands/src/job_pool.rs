@@ -1,8 +1,8 @@
-//! Work that does not wait for other work, shared among the processors: the longest first.
+//! A pool of independent jobs, run on all processors, the longest first.
 
 use std::sync::{Mutex, PoisonError, mpsc};
 
-/// Jobs, each with a place for its result: what comes out does not depend on who did it when.
+/// Independent jobs, each with a place for its result. The results do not depend on the order or thread of execution.
 #[derive(Default)]
 pub struct JobPool<'s> {
     jobs: Vec<Job<'s>>,
@@ -14,12 +14,12 @@ struct Job<'s> {
 }
 
 impl<'s> JobPool<'s> {
-    /// One more job. Its cost, roughly in seconds, decides when it is begun and how much of the work it is.
+    /// Adds a job. Its cost, roughly in seconds, decides when it begins and its share of the progress.
     pub fn add<T: Send>(&mut self, cost: f64, place: &'s mut Option<T>, work: impl FnOnce() -> T + Send + 's) {
         self.jobs.push(Job { cost, work: Box::new(move || *place = Some(work())) });
     }
 
-    /// Does them all; tells which part of the work is done.
+    /// Runs all jobs, and reports the completed part of the work, from 0 to 1.
     pub fn work(mut self, mut done: impl FnMut(f64)) {
         self.jobs.sort_by(|a, b| b.cost.total_cmp(&a.cost));
         let all: f64 = self.jobs.iter().map(|job| job.cost).sum();

@@ -11,19 +11,19 @@
 //! ```
 //!
 //! # Overview
-//! * `arguments`: the command line; what can be asked of a command stands beside it;
+//! * `arguments`: the command line; the options of each command stand in its own file;
 //! * `report`, `ledger` with `judge`, `review`, `derive`, `draw`, `linearise`, `inverse`, `regulate`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `numerical-stability`, `motor`, `conform`, `new`,
 //!   `failures`, `chart`, `choose`, `reference`, `scenes`: one file for each command;
 //! * `export`: a system for other simulators;
 //! * `watch`: a page that follows a file while it is written;
 //! * `summary`, `csv`, `pictures`, `sphere`: a run as text, JSON, a table and the data of pictures;
 //! * `speed`: the atlas of a scene as pictures, tables and advice;
-//! * `crew`: work shared among the processors;
+//! * `job_pool`: independent jobs on all processors;
 //! * `values`, `timings`: exact values and measured times for a reader;
-//! * `ending`: exit codes, and writing that survives a closed pipe; `whole`: files that survive a kill; `output`: one rule
-//!   for what a command may write, and over what;
+//! * `exit`: exit codes, and writing that survives a closed pipe; `atomic_write`: files that survive a kill; `output`: the rule
+//!   for the files that a command may write and replace;
 //! * [`charted`], [`chosen_model`], [`steady_motions`], [`finding_object`]: results of commands as values, for other programs;
-//! * `clock`, which is the deadline and Ctrl-C; `progress`, which it draws.
+//! * `clock`: the deadline and Ctrl-C; `progress`: the progress bar.
 
 mod arguments;
 mod atomic_write;
@@ -140,7 +140,7 @@ fn completions(shell: Shell) -> String {
     String::from_utf8_lossy(&script).into_owned()
 }
 
-/// The main job.
+/// Makes the report, the job without a command.
 fn report(asked: &report::Asked) -> Result<Exit, Exit> {
     let files = scenes::files(&asked.scenes)?;
     report::write(asked, &files)

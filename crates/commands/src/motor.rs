@@ -1,4 +1,4 @@
-//! `dalembert motor`: in step and out of it under load, and from which starts the motor comes into step.
+//! `dalembert motor`: a synchronous motor under load: synchronous and asynchronous motions, and the starts that synchronise.
 
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
@@ -17,7 +17,7 @@ use studies::synchronism::loaded::{Loaded, giving_way, with_bars};
 use studies::synchronism::maps::{alone, over_starts};
 use studies::synchronism::pull_in::PullIn;
 
-/// Whose motor is to be loaded.
+/// Arguments of `motor`.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// The scene, a TOML file with a synchronous motor, on a bench or in a gyrostat
@@ -33,23 +33,23 @@ pub struct Asked {
 
 /// The numbers of bars that are compared, beside the scene's own.
 const BARS: [usize; 5] = [0, 1, 2, 3, 8];
-/// The loads of the table, as shares of the pull-out.
+/// The loads of the table, as shares of the pull-out torque.
 const LOADS: [f64; 8] = [0.0, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.05];
 /// Angles and slips of the starts.
 const STARTS: (usize, usize) = (8, 6);
-/// Swings for which each start is followed.
+/// The length of the run from each start, in periods of small oscillations.
 const SWINGS: f64 = 200.0;
 
-/// A motor with what becomes of it.
+/// A motor with a number of bars, and its results.
 struct Case {
     bars: Option<usize>,
-    /// kg m^2
+    /// The axial moment of inertia, kg m^2.
     axial: f64,
     in_gyrostat: bool,
     pull_in: Result<Option<PullIn>, String>,
-    /// To which the slipping tends with ever longer turns, N m.
+    /// The load to which asynchronous motions tend as their period grows, N m.
     limit: Option<f64>,
-    /// Under no further load.
+    /// Asynchronous motions without a further load.
     unloaded: Vec<Slipping>,
     shares: Result<Vec<Share>, String>,
 }
@@ -58,14 +58,14 @@ struct Case {
 struct Common {
     motor: Loaded,
     in_step: Vec<Standing>,
-    /// Without a further load, exactly.
+    /// Synchronous angles without a further load, exact.
     angles: Vec<Angle>,
     pull_out: Standing,
     loads: Vec<f64>,
     span: f64,
 }
 
-/// Prints it.
+/// Prints the results.
 pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     let scene = with_model(Scene::open(&asked.scene)?, asked.model.as_deref(), &asked.scene)?;
     let refused = |reason: String| Exit::refused(format!("{}: {reason}", asked.scene.display()));
@@ -97,7 +97,7 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
         let same = own.and_then(|bars| with_bars(&scene, bars)).unwrap_or_else(|| scene.clone());
         motors.push((own, same));
     }
-    // each by itself; an expression graph stays in its thread
+    // one thread for each motor: an expression graph stays in its thread
     let cases: Vec<Case> = std::thread::scope(|scope| {
         let running: Vec<_> = motors.iter().map(|(bars, scene)| scope.spawn(|| case(*bars, scene, &common))).collect();
         running.into_iter().filter_map(|case| case.join().ok().flatten()).collect()
@@ -125,7 +125,7 @@ fn case(bars: Option<usize>, scene: &Scene, common: &Common) -> Option<Case> {
     Some(Case { bars, axial: motor.axial, in_gyrostat, pull_in, limit, unloaded, shares })
 }
 
-/// Degrees.
+/// An angle in degrees.
 fn degrees(angle: f64) -> f64 {
     angle.to_degrees()
 }
@@ -214,7 +214,7 @@ fn text(scene: &Scene, common: &Common, cases: &[Case]) -> String {
     out
 }
 
-/// `48  0.35`, with what is undecided.
+/// The share of starts that synchronise, such as `48  0.35`, with the number of undecided ones.
 fn share(share: &Share) -> String {
     let time = share.time.map_or_else(|| "-".to_owned(), |time| format!("{time:.2}"));
     let open = if share.undecided() > 0 { format!("?{}", share.undecided()) } else { String::new() };
