@@ -202,7 +202,7 @@ fn no_reference(scene: &dyn IvpScene, run: &Trajectory, reason: &str) -> String 
     format!("no reference: {reason}\n{diagnosis}")
 }
 
-/// The reduced models of the hierarchy that are not machines by name: lumped windings, quasi-steady currents.
+/// The reduced models of the hierarchy that are not machines by name, such as lumped windings or unfollowed currents.
 fn smaller(scene: &AnyScene, known: &[Configuration]) -> Vec<Configuration> {
     let (ladder, formulation) = match scene {
         AnyScene::Driven(scene) if matches!(scene.system, Setup::Bench { .. }) => {

@@ -37,7 +37,7 @@ const BARS: [usize; 5] = [0, 1, 2, 3, 8];
 const LOADS: [f64; 8] = [0.0, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.05];
 /// Angles and slips of the starts.
 const STARTS: (usize, usize) = (8, 6);
-/// The length of the run from each start, in periods of small oscillations.
+/// The length of the run from each start, in units of 1/omega, omega the angular frequency of small oscillations.
 const SWINGS: f64 = 200.0;
 
 /// A motor with a number of bars, and its results.

@@ -38,11 +38,11 @@ pub fn trajectory(scene: &dyn IvpScene, run: &Trajectory) -> charts::Trajectory 
     }
 }
 
-/// One run on one sheet: its outputs against time, below them what should stay zero, and beside them speeds over coordinates.
+/// One run on one sheet: its outputs against time, below them quantities that should stay zero, and beside them speeds over coordinates.
 pub fn sheet(scene: &dyn IvpScene, run: &Trajectory) -> Sheet {
     let mut against_time = trajectory(scene, run);
     let stopped = run.stopped();
-    // the sheet says once why
+    // the sheet states the reason once, for all panels
     let tracks = against_time.panels.iter_mut().flat_map(|panel| &mut panel.series);
     tracks.for_each(|track| track.stopped = None);
     let checks = run.checks.iter().enumerate().map(|(place, name)| {
@@ -65,7 +65,7 @@ pub fn sheet(scene: &dyn IvpScene, run: &Trajectory) -> Sheet {
     Sheet { title: scene.title().to_owned(), columns: vec![left, phases.take(MOST_PHASES).collect()], note }
 }
 
-/// Pictures of speeds over coordinates that a sheet has.
+/// The largest number of phase portraits on a sheet.
 const MOST_PHASES: usize = 4;
 
 /// A name with its unit.
@@ -73,7 +73,7 @@ fn with_unit(name: &str, unit: &str) -> String {
     if unit == "1" || unit.is_empty() { name.to_owned() } else { format!("{name}, {unit}") }
 }
 
-/// Where the curves of a panel stand far apart and each hardly moves, the motion is what departs from the start.
+/// A panel whose curves lie far apart and hardly move shows their changes since the start instead.
 fn small(mut panel: Panel) -> Panel {
     let extent = |points: &mut dyn Iterator<Item = f64>| {
         let (low, high) = points.fold((f64::MAX, f64::MIN), |(low, high), value| (low.min(value), high.max(value)));
@@ -93,7 +93,7 @@ fn small(mut panel: Panel) -> Panel {
     panel
 }
 
-/// Curves that move less than this share of what they cover together are shown as changes.
+/// Curves that move less than this share of the range of all of them are shown as changes.
 const SMALL: f64 = 0.1;
 
 /// The label of a panel for columns with one unit.
@@ -101,7 +101,7 @@ fn of_unit(unit: &str) -> String {
     if unit.is_empty() { "without a unit".to_owned() } else { unit.to_owned() }
 }
 
-/// A state as a reader writes it.
+/// The name of a state as a label.
 pub fn label(name: &str) -> String {
     match name {
         "angle" => "\u{3b3}".to_owned(),

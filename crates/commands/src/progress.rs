@@ -8,13 +8,13 @@ use integrators::clock::was_obeyed;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Below this nobody wants to see a sign.
+/// The time before which no progress is shown.
 const PATIENCE: Duration = Duration::from_millis(700);
 const MARKS: u64 = 1000;
 const WITH_BAR: &str = "{msg} {wide_bar} {percent} % {eta}";
 const WITH_SECONDS: &str = "{spinner} {msg}, {elapsed}";
 
-/// The phase at work: drawn by the thread of the clock, so that silent work is seen to go on.
+/// The present phase of the work: drawn by the thread of the clock, so that long steps show progress too.
 static WORK: Mutex<Option<Work>> = Mutex::new(None);
 
 struct Work {
@@ -25,7 +25,7 @@ struct Work {
     bar: Option<ProgressBar>,
 }
 
-/// A phase of the work; with it goes its sign.
+/// A phase of the work; its progress bar disappears when this is dropped.
 pub struct Progress {
     before: Option<Work>,
     shown: u64,
@@ -35,7 +35,7 @@ impl Progress {
     /// Begins a phase of work, shown under a label.
     pub fn new(label: &str) -> Self {
         clear();
-        // a title may hold what a terminal would obey
+        // a title may contain terminal commands
         let label = visible(label).into_owned();
         let work = Work { label, begun: Instant::now(), done: 0, bar: None };
         Progress { before: at_work().replace(work), shown: 0 }
@@ -65,12 +65,12 @@ fn at_work() -> MutexGuard<'static, Option<Work>> {
     WORK.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// The name of what is at work.
+/// The label of the present phase.
 pub fn phase() -> Option<String> {
     at_work().as_ref().map(|work| work.label.clone())
 }
 
-/// Draws it, once it has taken longer than a moment.
+/// Draws the progress of the present phase, once it has lasted longer than `PATIENCE`.
 pub fn draw() {
     let mut now = at_work();
     let Some(work) = now.as_mut().filter(|work| work.begun.elapsed() > PATIENCE && !is_quiet()) else { return };
@@ -87,7 +87,7 @@ pub fn draw() {
     bar.tick();
 }
 
-/// Takes the sign away, until it is drawn again.
+/// Removes the progress bar until it is drawn again.
 pub fn clear() {
     if let Some(bar) = at_work().as_mut().and_then(|work| work.bar.take()) {
         bar.finish_and_clear();

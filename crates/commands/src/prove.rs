@@ -1,4 +1,4 @@
-//! `dalembert prove`: whether every principle gives a system the same equations of motion, and whether these keep what they should.
+//! `dalembert prove`: proofs that every principle gives the same equations of motion of a system, and that these conserve what they should.
 
 use crate::arguments::Format;
 use crate::exit::{Exit, is_quiet, print, warn};
@@ -8,13 +8,13 @@ use model::{Agreement, Judgement, Mistake, Model, Subject, Trace, Work, forming,
 use serde_json::json;
 use std::path::PathBuf;
 
-/// Which system is to be proved.
+/// Arguments of `prove`.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// A file with `[coordinates]`; values of parameters are not needed
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
-    /// A mistaken derivation in the place of all others: whether it is refuted, and the terms that it loses
+    /// Tests a known mistake in a derivation instead: whether it is refuted, and the terms that it loses
     #[arg(long, value_enum)]
     pub mistake: Option<MistakeName>,
     #[arg(long, value_enum, default_value_t)]
@@ -38,7 +38,7 @@ impl From<MistakeName> for Mistake {
     }
 }
 
-/// Compares the residuals of every principle with those of the first, parameters as letters, states what the equations keep, and
+/// Compares the residuals of every principle with those of the first, with parameters as letters, judges conservation statements, and
 /// prints a verdict for each.
 pub fn prove(asked: &Asked) -> Result<Exit, Exit> {
     let model = SystemText::read(&asked.scene)?.for_judgement()?;
@@ -62,10 +62,10 @@ pub fn prove(asked: &Asked) -> Result<Exit, Exit> {
     Ok(if rows.iter().any(fails) { Exit::Stopped } else { Exit::Done })
 }
 
-/// Seconds of a comparison below which nobody wants to hear of it.
+/// The expected time, s, above which a comparison is announced.
 const SHORT: f64 = 0.2;
 
-/// Tells of equations that are long to form.
+/// Announces equations that take long to derive.
 fn tell_of_forming(model: &Model) {
     let (seconds, bytes) = forming(model);
     if seconds > SHORT && !is_quiet() {
@@ -73,17 +73,17 @@ fn tell_of_forming(model: &Model) {
     }
 }
 
-/// Tells of a long comparison before it begins.
+/// Announces a long comparison before it begins.
 fn tell(work: &Work) {
     if work.seconds() > SHORT && !is_quiet() {
         warn(&work.to_string());
     }
 }
 
-/// Characters of a list of divisors that is written in each line; a longer one in the first line that has it.
+/// The length, in characters, up to which a list of divisors is repeated in each line; a longer one is written once.
 const MOST_REPEATED: usize = 100;
 
-/// A line, where lists of divisors are known from lines before it.
+/// The line of a judgement; `known` holds the lists of divisors of the lines before it.
 fn text(row: &Judgement, known: &mut Vec<(Vec<String>, String)>) -> String {
     let behind = row.behind.iter().map(|line| format!("    {line}\n"));
     let mut said = row.said();

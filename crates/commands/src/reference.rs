@@ -15,25 +15,25 @@ use std::fmt::Write;
 use std::path::PathBuf;
 use studies::AnyScene;
 
-/// Whose solution is to be known to all digits.
+/// Arguments of `reference`.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// The scene, a TOML file
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
-    /// Where it is kept; without it where charts look for it: `references/SCENE.reference` in the scene's folder
+    /// The file of the reference; the default is `references/SCENE.reference` in the scene's folder, where charts look for it
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
     /// Replaces the file even where `reference` did not write what stands there
     #[arg(long)]
     pub force: bool,
-    /// Ends sooner than the scene, s: for one whose motion ends
+    /// An earlier end than that of the scene, s, for a scene whose motion ends
     #[arg(long, value_name = "T")]
     pub until: Option<f64>,
 }
 
-/// Computes it, says what it is, and writes it where charts and the report look for it. Another computer may share a digit more
-/// or less: a reference that is there gives way to a better one only.
+/// Computes the reference, prints it, and writes it where charts and the report look for it. Another computer may give a digit more
+/// or less: an existing reference is replaced by a better one only.
 pub fn reference(asked: &Asked) -> Result<Exit, Exit> {
     let scene = AnyScene::open(&asked.scene)?;
     let smooth = scene.smooth();
@@ -81,18 +81,18 @@ fn lacking(is_trusted: bool) -> String {
     if is_trusted { String::new() } else { format!(": no reference, which needs {ENOUGH_DIGITS}") }
 }
 
-/// Where it is kept, before the work.
+/// The destination of the reference, checked before the work.
 fn output(asked: &Asked) -> Result<Output, Exit> {
     let writes = Writes { command: "reference", force: asked.force, reads: vec![&asked.scene] };
     writes.output(&place(asked), &[Form::Reference])
 }
 
-/// Where it goes.
+/// The path of the reference.
 fn place(asked: &Asked) -> PathBuf {
     asked.out.clone().unwrap_or_else(|| references::place(&asked.scene))
 }
 
-/// The same of a motion across events, with these.
+/// Computes the reference of a motion across events, and prints these too.
 fn across_events(scene: &dyn Hybrid, title: &str, asked: &Asked) -> Result<Exit, Exit> {
     if asked.until.is_some() {
         return Err(Exit::refused(format!(
@@ -127,7 +127,7 @@ fn across_events(scene: &dyn Hybrid, title: &str, asked: &Asked) -> Result<Exit,
     keep(output, &*owner, &Stored::of(&*owner, found.reference, found.events), asked)
 }
 
-/// The search for the end of a law: constant steps may lead out of it where the motion does not.
+/// The method that searches for the end of a law: constant steps may leave the law's domain where the motion does not.
 pub fn following(own: Choice) -> Choice {
     match own.method.steps() {
         None => own,
@@ -135,10 +135,10 @@ pub fn following(own: Choice) -> Choice {
     }
 }
 
-/// Writes a reference, unless one of the same motion is there whose methods share as many digits.
+/// Writes a reference, unless one of the same motion exists on which the methods agree to as many digits.
 fn keep(output: Output, owner: &dyn Owner, made: &Stored, asked: &Asked) -> Result<Exit, Exit> {
     let path = place(asked);
-    // a pipe would be waited for
+    // reading a pipe would wait for a writer
     let there = path.is_file().then(|| std::fs::read_to_string(&path).ok()).flatten();
     let there = there.and_then(|text| Stored::read(&text).ok());
     let of_this = |there: &Stored| there.reference.times == made.reference.times && there.belongs_to(owner);

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::PathBuf;
 
-/// Whose regimes are to be found.
+/// Arguments of `regimes`.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// The scene, a TOML file with contacts or conditions; the folders `scenes/friction` and `scenes/models` hold examples
@@ -46,7 +46,7 @@ struct Regime {
     reactions_determined: bool,
 }
 
-/// The contact, what is asked, and by how much it is met.
+/// A condition on a contact, and the margin by which it is met.
 struct Margin {
     contact: String,
     condition: String,

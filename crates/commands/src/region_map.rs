@@ -37,7 +37,7 @@ pub struct Asked<'a> {
 }
 
 impl Asked<'_> {
-    /// All nodes, what joins them, and what is between.
+    /// The stationary motions at all nodes, their continuation between neighbours, and the changes on the way.
     ///
     /// # Errors
     /// [`NoRegion`].
@@ -118,7 +118,7 @@ impl Asked<'_> {
         if given { String::new() } else { format!("Angular velocity: {} rad/s. ", self.speed) }
     }
 
-    /// For readers.
+    /// The map as text.
     pub fn text(&self, atlas: &Atlas) -> String {
         let [(first, _), (second, _)] = self.data;
         let mut out = format!("{}\n{}{NOTE}\n", self.scene.title, self.turning());
@@ -157,7 +157,7 @@ impl Asked<'_> {
         out
     }
 
-    /// For programs.
+    /// The map as JSON.
     pub fn object(&self, atlas: &Atlas) -> Value {
         let [(first, _), (second, _)] = self.data;
         let nodes = atlas.columns.iter().enumerate().flat_map(|(column, nodes)| {
@@ -188,12 +188,12 @@ impl Asked<'_> {
     }
 }
 
-/// A place: brackets are told apart by far fewer digits.
+/// A coordinate of a place in the map, as text.
 fn shown(value: f64) -> String {
     significant(value, 9)
 }
 
-/// Where a branch lies, and what it is.
+/// The range of a branch, and its kind.
 fn described(atlas: &Atlas, branch: &Branch) -> String {
     let all = atlas.columns.iter().map(Vec::len).sum::<usize>();
     let mut mean = [0.0; 3];

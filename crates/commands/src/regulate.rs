@@ -1,4 +1,4 @@
-//! `dalembert regulate`: the optimal regulator of a system, its run on the nonlinear model, and the cost beside Riccati's.
+//! `dalembert regulate`: the optimal regulator of a system, its run on the nonlinear model, and the cost compared with Riccati's.
 
 use crate::arguments::Format;
 use crate::exit::{Exit, placed, print};
@@ -17,7 +17,7 @@ use simulation::events::Passage;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-/// The scene, and where its run goes.
+/// Arguments of `regulate`.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// A file with `[coordinates]` and `[regulator]`
@@ -69,7 +69,7 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     Ok(if stopped(run).is_some() { Exit::Stopped } else { Exit::Done })
 }
 
-/// Why a run does not reach its end, where it does not.
+/// The reason for which a run does not reach its end; `None` where it does.
 fn stopped(run: &ClosedRun) -> Option<String> {
     run.left.map(str::to_owned).or_else(|| run.outcome.failure().map(|failure| failure.to_string()))
 }
@@ -88,7 +88,7 @@ impl Told<'_> {
         &self.names[self.found.places[place]]
     }
 
-    /// Names of states: that of a variation, less the parts of those that are left out.
+    /// Names of states: that of a variation, minus multiples of the variations that are left out.
     fn states(&self) -> Vec<String> {
         let States { by_variations, kept, left_out } = &self.found.states;
         let named = |(row, &place): (usize, &usize)| {
@@ -128,7 +128,7 @@ impl Told<'_> {
         left_out.iter().map(told).collect()
     }
 
-    /// The cost of the run up to its end, and of what is left there.
+    /// The cost of the run up to its end, plus the cost of the remaining deviation.
     fn cost(&self) -> f64 {
         self.found.run.costs.last().copied().unwrap_or(0.0) + self.found.left
     }

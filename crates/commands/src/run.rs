@@ -1,4 +1,4 @@
-//! `dalembert run`: one scene, one method.
+//! `dalembert run`: integrates one scene by one method.
 
 use crate::arguments::{Format, tolerance, whole};
 use crate::exit::{Exit, print, warn};
@@ -33,22 +33,22 @@ pub struct Asked {
     /// Error allowed in a step, relative, and absolute in SI units
     #[arg(long = "tol", value_name = "T", value_parser = tolerance, allow_negative_numbers = true)]
     pub tolerance: Option<f64>,
-    /// Another machine, made of the scene's data, or a smaller model, as `choose` names it: of a system that is written in its file
+    /// Another machine, made of the scene's data, or a reduced model, as `choose` names it: for a system that is written in its file
     /// "without P", "rigid P", "quasi-steady X", "fixed X", "unfollowed X", with names of parameters P and of states X
     #[arg(long)]
     pub model: Option<String>,
     /// The equations in the axes of A (first) or of A* (second); results are in the axes of the data either way
     #[arg(long)]
     pub form: Option<Axes>,
-    /// Writes the trajectory as a table, or as arrays of NumPy, with the scene, its hash, the method and the tolerance; each column with its unit: time, states, rotor's speed; of a mechanism time, states, work
-    /// and what follows from them; of a system that is written in its file time, states, outputs, energies
+    /// Writes the trajectory as a table, or as NumPy arrays, with the scene, its hash, the method and the tolerance. Each column has its unit:
+    /// time, states, the rotor's speed; for a system that is written in its file time, states, outputs, energies, work
     #[arg(long, value_name = "FILE.csv|FILE.npz")]
     pub out: Option<PathBuf>,
-    /// Writes how the end depends on the start as a table: a row for each state at the end, a column for each at the start
+    /// Writes the transition matrix as a table: a row for each state at the end, a column for each at the start
     #[arg(long, value_name = "FILE.csv")]
     pub transition: Option<PathBuf>,
-    /// Draws the run on one sheet: its columns against time, each with its unit, what should stay zero (the change of the energy, the
-    /// residual of constraints), and speeds over coordinates
+    /// Draws the run on one sheet: its columns against time, each with its unit, quantities that should stay zero (the change of the
+    /// energy, the residual of constraints), and speeds over coordinates
     #[arg(long, value_name = "FILE.svg")]
     pub plot: Option<PathBuf>,
     /// Replaces the files of --out, --plot and --transition even where `run` did not write what stands there
@@ -115,7 +115,7 @@ pub fn run(asked: &Asked) -> Result<Exit, Exit> {
     }
 }
 
-/// Runs a system that is written in its file by a smaller model: one that is known of it, or elements that are left out.
+/// Runs a reduced model of a system that is written in its file: a known one, or one without some elements.
 fn smaller(scene: &Arc<dyn Modelled>, name: &str, asked: &Asked) -> Result<Exit, Exit> {
     if let Ok(known) = ReducedScene::of(&**scene, vec![Hierarchy::of_model(&**scene)], name) {
         return follow(&known, asked, None);
@@ -125,7 +125,7 @@ fn smaller(scene: &Arc<dyn Modelled>, name: &str, asked: &Asked) -> Result<Exit,
     follow(&found, asked, None)
 }
 
-/// The machine and the smaller model of a name: `multi_current`, `lumped windings`, or both with a semicolon between them.
+/// The machine and the reduced model of a name: `multi_current`, `lumped windings`, or both with a semicolon between them.
 fn machine_and_smaller(name: Option<&str>) -> (Option<&str>, Option<&str>) {
     match name.map(|name| (name, name.split_once(';'))) {
         None => (None, None),
@@ -136,7 +136,7 @@ fn machine_and_smaller(name: Option<&str>) -> (Option<&str>, Option<&str>) {
     }
 }
 
-/// A smaller model has fewer states than a transition matrix is about.
+/// Refuses --transition for a reduced model, which lacks some of the matrix's states.
 fn without_transition(asked: &Asked) -> Result<(), Exit> {
     match asked.transition {
         None => Ok(()),
@@ -146,7 +146,7 @@ fn without_transition(asked: &Asked) -> Result<(), Exit> {
     }
 }
 
-/// Machines and forms are for systems with a motor.
+/// Refuses --model and --form for a scene without a motor.
 pub fn refuse(what: &str, model: bool, form: bool, path: &Path) -> Result<(), Exit> {
     let given = [("--model", model), ("--form", form)];
     match given.iter().find(|(_, given)| *given) {
@@ -158,7 +158,7 @@ pub fn refuse(what: &str, model: bool, form: bool, path: &Path) -> Result<(), Ex
     }
 }
 
-/// A motor alone has one form of its equations.
+/// Refuses --form for a motor alone, whose equations have one form.
 pub fn one_form(scene: &Scene, form: bool, path: &Path) -> Result<(), Exit> {
     match form && scene.on_bench() {
         false => Ok(()),
@@ -271,7 +271,7 @@ fn follow(scene: &dyn IvpScene, asked: &Asked, form: Option<Axes>) -> Result<Exi
     Ok(ending)
 }
 
-/// A splitting of a law without pieces.
+/// The error of a splitting method on a law that has no sub-flows.
 fn no_pieces(choice: &Choice, path: &Path) -> Exit {
     let others = methods::list().map(|(name, _)| name).filter(|name| {
         let numbered = name.replace("STEPS", "1");
@@ -289,7 +289,7 @@ fn no_pieces(choice: &Choice, path: &Path) -> Exit {
 const SPLITTINGS: &str = "splittings (strang, blanes_moan_4, blanes_moan_6, kahan_li_8) apply to gyrostats and motors whose law has pieces \
                           with known flows, and not to a system that is written in its file";
 
-/// A part of a command that may take long.
+/// Does a part of a command that may take long, with a progress bar.
 fn phase<T>(label: &str, work: impl FnOnce() -> T) -> T {
     let _progress = Progress::new(label);
     work()
@@ -312,7 +312,7 @@ pub fn with_model(scene: Scene, model: Option<&str>, path: &Path) -> Result<Scen
     })
 }
 
-/// The scene's own choices, but for those that are made on the command line.
+/// The choices of the scene, replaced by those of the command line.
 fn choice(own: &simulation::Run, asked: &Asked) -> Choice {
     let own = own.choice();
     Choice {

@@ -1,4 +1,4 @@
-//! `dalembert scenes`: what there is to run.
+//! `dalembert scenes`: a list of the scenes in a folder.
 
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
@@ -9,7 +9,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use studies::AnyScene;
 
-/// Which scenes are to be listed.
+/// Arguments of `scenes`.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// Where the scene files are
@@ -32,7 +32,7 @@ pub fn list(asked: &Asked) -> Result<Exit, Exit> {
     Ok(Exit::Done)
 }
 
-/// Its machine or its system, and its title; or the number of its faults.
+/// The machine or system of a scene, and its title; or the number of its faults.
 fn listed(path: &Path) -> Result<(String, String), usize> {
     match AnyScene::open(path) {
         Ok(AnyScene::Driven(scene)) => Ok((scene.machine.name().to_owned(), scene.title)),
@@ -73,7 +73,7 @@ pub fn files(folder: &Path) -> Result<Vec<PathBuf>, Exit> {
         for entry in std::fs::read_dir(next).map_err(unreadable)? {
             let entry = entry.map_err(unreadable)?;
             let path = entry.path();
-            // a link to a folder is not followed: it might lead back
+            // a link to a folder is not followed: it might lead to a parent folder
             if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
                 folders.push(path);
             } else if path.extension().is_some_and(|extension| extension == "toml") {

@@ -4,7 +4,7 @@ use ::scenes::steady_motions::{EigenvalueDisc, EnclosedSpectrum, EnclosedVerdict
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// The zeros by their reasons: `5 of x, y, yaw, rear, front, on which nothing depends; 1 of the energy, which is kept`.
+/// The zero eigenvalues by their reasons: `5 of x, y, yaw, rear, front, on which nothing depends; 1 of the energy, which is kept`.
 fn zeros(all: &[ZeroReason]) -> String {
     let named = |of: &dyn Fn(&ZeroReason) -> Option<&String>| -> Vec<&str> {
         all.iter().filter_map(of).map(String::as_str).collect()
@@ -43,7 +43,7 @@ fn zeros(all: &[ZeroReason]) -> String {
     parts.join("; ")
 }
 
-/// A line for the zeros, and one for each disc.
+/// A line for the zero eigenvalues, and one for each disc.
 pub(crate) fn lines(found: &EnclosedSpectrum) -> String {
     let mut out = "eigenvalues by enclosures\n".to_owned();
     // writing to a String cannot fail
@@ -119,7 +119,7 @@ pub(crate) fn word(found: &EnclosedSpectrum) -> &'static str {
     }
 }
 
-/// For programs.
+/// The spectrum as JSON.
 pub(crate) fn object(found: &EnclosedSpectrum) -> Value {
     let reason = |reason: &ZeroReason| match reason {
         ZeroReason::Cyclic(name) => json!({ "cyclic": name }),

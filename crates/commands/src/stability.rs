@@ -8,7 +8,7 @@ use std::fmt::Write;
 use studies::stationary::motor::MotorStates;
 use studies::stationary::stability::{Along, Integral, Judged, Reason, StabilityVerdict};
 
-/// A line for each angle of the rotor, and one for what it rests on.
+/// The verdicts as text: a line for each angle of the rotor, with the reason.
 pub fn text(motor: &MotorStates, judged: &[Judged]) -> String {
     let mut out = String::new();
     for (one, angle) in judged.iter().zip(angles(motor)) {

@@ -15,7 +15,7 @@ const CELLS: (usize, usize) = (96, 72);
 /// The label of cells where the load exceeds the motor's pull-out torque.
 const BEYOND: &str = "no stationary motion: the motor is pulled out";
 
-/// A scene over two data, each in its range; upright is against the weight that the scene has.
+/// A map of a scene over two data, each in its range.
 pub struct Asked<'a> {
     pub scene: &'a Scene,
     pub data: [(&'a Datum, [f64; 2]); 2],
@@ -24,8 +24,8 @@ pub struct Asked<'a> {
     pub hanging: bool,
 }
 
-/// For the report: over both speeds, and over the load and the height of the carrier's centre of mass, for each gyrostat of this
-/// kind that turns by a motor.
+/// The maps of the report: over both speeds, and over the load and the height of the carrier's centre of mass, for each gyrostat
+/// with this symmetry and a motor.
 pub fn all(scenes: &[&Scene]) -> Vec<Areas> {
     let mut known: Vec<&Gyrostat<f64>> = Vec::new();
     let mut maps = Vec::new();
@@ -62,12 +62,12 @@ fn of_gyrostat(scene: &Scene, bodies: &Gyrostat<f64>, hanging: bool) -> Vec<Area
     speeds.into_iter().chain(loads).collect()
 }
 
-/// A datum that no motor knows.
+/// A datum that does not enter the motor.
 fn load_free(scene: &Scene) -> Option<Datum> {
     Datum::named(scene, "gravity").ok()
 }
 
-/// The size of angular velocities and rotor speeds at which weight and rotation are in balance.
+/// The scale of angular velocities and rotor speeds, rad/s, at which weight and rotation are in balance.
 fn reach(bodies: &Gyrostat<f64>) -> [f64; 2] {
     let derived = bodies.derived();
     let size = derived.full.moments.max();
@@ -76,13 +76,13 @@ fn reach(bodies: &Gyrostat<f64>) -> [f64; 2] {
     [w, rotor].map(rounded)
 }
 
-/// To two digits, lest the decimals that are computed with be long.
+/// A value rounded to two digits, which keeps the exact arithmetic on it short.
 fn rounded(value: f64) -> f64 {
     format!("{value:.1e}").parse().unwrap_or(value)
 }
 
 impl Asked<'_> {
-    /// Column by column: the first datum's value, and what is there.
+    /// The columns of the map: the value of the first datum, and the cell there.
     ///
     /// # Errors
     /// [`NoPlane`].
@@ -101,7 +101,7 @@ impl Asked<'_> {
         }
     }
 
-    /// The loads beyond which the motor holds no angle.
+    /// The curve of pull-out loads, beyond which the motor has no synchronous motion.
     fn pull_out(&self) -> Option<AreaCurve> {
         let [(first, [low, high]), (second, [bottom, top])] = self.data;
         let held = Plane::of(self.scene, [first, second], self.speed, true).ok()?.bears()?;
@@ -110,7 +110,7 @@ impl Asked<'_> {
         Some(AreaCurve { name: "pull-out".into(), points })
     }
 
-    /// As a picture.
+    /// The map as a picture.
     pub fn map(&self, columns: &[(f64, Cell)]) -> Areas {
         let [(first, own), (second, range)] = self.data;
         let beyond = Fate::ALL.len();
@@ -124,7 +124,7 @@ impl Asked<'_> {
         };
         let rows: Vec<Vec<usize>> = (0..CELLS.1).map(row).collect();
         let mut kinds: Vec<String> = Fate::ALL.iter().map(|fate| fate.name().into()).collect();
-        // only where it is
+        // only where such cells occur
         kinds.extend(rows.iter().flatten().any(|one| *one == beyond).then(|| BEYOND.to_owned()));
         let place = if self.hanging { "hanging" } else { "upright" };
         let turning = [first, second].iter().all(|datum| datum.name != "omega0");
@@ -158,8 +158,8 @@ pub fn labelled(datum: &Datum) -> String {
     format!("{}, {}", datum.name, datum.unit)
 }
 
-/// The k-th edge of a kind from column to column, as long as their number is the same. What lies beyond the picture parts one
-/// piece from the next.
+/// The k-th edge of a kind from column to column, as long as their number is the same. A point beyond the picture separates
+/// pieces of the curve.
 fn curve(columns: &[(f64, Cell)], neutral: bool, name: &str) -> AreaCurve {
     let mut pieces: Vec<Vec<(f64, f64)>> = Vec::new();
     let mut open = 0;

@@ -1,4 +1,4 @@
-//! A run in a few lines, or as one JSON object.
+//! The summary of a run, in a few lines or as one JSON object.
 
 use integrators::{Beside, Lost, Parting};
 use serde_json::{Map, Value, json};
@@ -10,7 +10,7 @@ use std::fmt::Write;
 pub struct Summary<'a> {
     pub scene: &'a dyn IvpScene,
     pub choice: &'a Choice,
-    /// Where there are several.
+    /// The form of the equations, where there are several.
     pub form: Option<Axes>,
     pub trajectory: &'a Trajectory,
     pub told: &'a simulation::RunNotes,
@@ -21,7 +21,7 @@ pub struct Summary<'a> {
 }
 
 impl Summary<'_> {
-    /// `{time, state, work, invariants, model, method, ...}`, one object on its lines.
+    /// The summary as a JSON object: `{time, state, work, invariants, model, method, ...}`.
     pub fn json(&self) -> String {
         let Summary { scene, choice, form, trajectory, told, beside, completed } = self;
         let outcome = &trajectory.outcome;
@@ -71,7 +71,7 @@ impl Summary<'_> {
         format!("{object:#}\n")
     }
 
-    /// For reading.
+    /// The summary as text.
     pub fn text(&self) -> String {
         let Summary { scene, choice, form, trajectory, told, beside, completed } = self;
         let outcome = &trajectory.outcome;
@@ -158,7 +158,7 @@ fn judged(beside: Beside) -> Value {
             "evaluations": beside.work.rates })
 }
 
-/// The version and the processor, on whose fused multiplication the last digits depend.
+/// The version of the program, and the processor: the last digits depend on fused multiplication.
 fn made_by() -> String {
     let (processor, system) = (std::env::consts::ARCH, std::env::consts::OS);
     let rounds = if integrators::fuses() { "fused" } else { "unfused" };
@@ -170,16 +170,16 @@ pub fn passed(Passage { time, what, then, .. }: &Passage) -> Value {
     json!({ "time": time, "what": what, "then": then })
 }
 
-/// The most events that are shown; of more the first and the last.
+/// The largest number of events that are shown; of more the first and the last ones are.
 const MOST_SHOWN: usize = 20;
 
-/// An event that is told, or so many that are not.
+/// An event that is shown, or the number of events that are left out.
 pub enum ToldEvent<'a> {
     Passage(&'a Passage),
     LeftOut(usize),
 }
 
-/// The start and the events of a run that are told.
+/// The start and the events of a run that are shown.
 pub fn told_passages(passages: &[Passage]) -> Vec<ToldEvent<'_>> {
     let left_out = passages.len().saturating_sub(MOST_SHOWN);
     if left_out == 0 {
@@ -191,7 +191,7 @@ pub fn told_passages(passages: &[Passage]) -> Vec<ToldEvent<'_>> {
 }
 
 impl ToldEvent<'_> {
-    /// Its line, behind the word `event`.
+    /// The line of the event, after the word `event`.
     pub fn line(&self) -> String {
         match self {
             ToldEvent::Passage(Passage { time, what, then, .. }) => {
@@ -207,7 +207,7 @@ impl ToldEvent<'_> {
 /// The text for a quantity without a value.
 const UNDEFINED: &str = "undefined";
 
-/// With nine digits after the point, or as a power of ten where those would say nothing.
+/// A number with nine digits after the point, or as a power of ten where these would show no digits of it.
 fn readable(value: f64) -> String {
     if !value.is_finite() {
         return UNDEFINED.to_owned();

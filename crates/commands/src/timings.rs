@@ -4,11 +4,11 @@ use charts::{Contender, TimingRow, Timings};
 use serde_json::Value;
 use std::path::Path;
 
-/// Where the script writes, beside the folder of scenes.
+/// The output file of the script, relative to the parent of the folder of scenes.
 const FILE: &str = "benches/peers/proofs.json";
 const COMMAND: &str = "python3 benches/peers/proofs.py";
 
-/// The times, or why there are none.
+/// The times, or the reason for which there are none.
 pub fn read(scenes: &Path) -> Result<Timings, String> {
     let path = scenes.parent().unwrap_or(Path::new("")).join(FILE);
     let missing = || format!("Not measured here: {COMMAND} writes {FILE}, and the next page shows it.");
@@ -16,7 +16,7 @@ pub fn read(scenes: &Path) -> Result<Timings, String> {
     timings(&text).ok_or_else(|| format!("{FILE} is not what this program reads; {COMMAND} writes it anew."))
 }
 
-/// From `tasks`, each `{task, dalembert, sympy, flint}` in seconds or, where there is no answer, with the reason as text.
+/// Reads `tasks`, each `{task, dalembert, sympy, flint}` in seconds or, where there is no answer, with the reason as text.
 fn timings(text: &str) -> Option<Timings> {
     let value: Value = serde_json::from_str(text).ok()?;
     let rows: Vec<TimingRow> = value.get("tasks")?.as_array()?.iter().filter_map(row).collect();
@@ -40,7 +40,7 @@ fn row(value: &Value) -> Option<TimingRow> {
     Some(TimingRow { task, ours: value.get("dalembert")?.as_f64()?, others: others.into() })
 }
 
-/// `sympy 1.14.0, flint 3.6.0.`
+/// The versions of the tools, such as `sympy 1.14.0, flint 3.6.0.`
 fn versions(value: &Value) -> String {
     let Some(Value::Object(versions)) = value.get("versions") else { return String::new() };
     let named = versions.iter().filter_map(|(name, version)| Some(format!("{name} {}", version.as_str()?)));

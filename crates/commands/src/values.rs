@@ -1,8 +1,8 @@
-//! Exact values by name, as a reader takes them in: components of one vector together, names as formulas.
+//! Exact values by name for readers: the components of one vector together, names as formulas.
 
 use symbolic::Sym;
 
-/// Texts for names and values: `$\\nu$` and `(0, 3/5, 4/5)`. In the thread in which the paper's claims were made, which
+/// Texts for names and values: `$\\nu$` and `(0, 3/5, 4/5)`. To be called in the thread that made the paper's claims, which
 /// knows how the paper writes its letters.
 pub fn compact(values: &[(String, String)]) -> Vec<(String, String)> {
     let mut out = Vec::new();

@@ -30,8 +30,8 @@ pub struct Asked {
     /// Largest error allowed, relative to the size of each output
     #[arg(long = "tol", value_name = "T", value_parser = tolerance, allow_negative_numbers = true, default_value = "1e-6")]
     pub tolerance: f64,
-    /// The quantities that matter, by the names of a run's columns; without it the `outputs` of [run], and all columns where it names none. The answer says
-    /// which were taken
+    /// The outputs that must meet the tolerance, by the names of a run's columns; the default is the `outputs` of [run], or all columns where
+    /// [run] names none. The answer says which were taken
     #[arg(long, value_name = "A,B", value_delimiter = ',')]
     pub outputs: Vec<String>,
     /// The model that is taken for exact: another machine, made of the scene's data
@@ -43,8 +43,8 @@ pub struct Asked {
     /// Replaces the file of --out even where `choose` did not write what stands there
     #[arg(long, requires = "out")]
     pub force: bool,
-    /// Takes times besides, side by side for three seconds, and looks for stretches of the run on which a smaller model of a motor
-    /// serves; what is chosen rests on counted work either way
+    /// Also measures times, side by side for three seconds, and looks for segments of the run on which a reduced model of a motor
+    /// serves; the choice itself rests on counted work in any case
     #[arg(long)]
     pub times: bool,
     /// Output format of the receipt; JSON has null where a number is not defined
@@ -52,7 +52,7 @@ pub struct Asked {
     pub format: Format,
 }
 
-/// For taking times, which are told and decide nothing, and again for where to switch between models.
+/// The time for measuring times, which are reported and decide nothing, and again for finding where to switch between models.
 const MEASURING: Duration = Duration::from_secs(3);
 
 /// Chooses, prints the receipt, draws what is asked for.
@@ -109,7 +109,7 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
 /// The choice among models.
 ///
 /// # Errors
-/// Why nothing is chosen, in a sentence.
+/// The reason for which nothing is chosen, a sentence.
 fn decided(models: &dyn Models, wish: &Wish, own: Option<&dyn Modelled>) -> Result<Receipt, String> {
     let receipt = choose(models, wish).map_err(|why| format!("nothing can be chosen: {why}"))?;
     match own.and_then(|scene| missed(scene, &receipt)) {
@@ -145,7 +145,7 @@ pub fn chosen_model(scene: &Arc<dyn Modelled>, tolerance: f64, outputs: Vec<Stri
     })
 }
 
-/// Pushes that the run that was taken has passed over, of the scene's own model: no error estimate has seen them.
+/// A failure that spoils the chosen run of the scene's own model, such as a pulse between two steps, which no error estimate sees.
 fn missed(scene: &dyn Modelled, receipt: &Receipt) -> Option<RunFailure> {
     let plan = &receipt.lines.get(receipt.taken.filter(|at| *at == 0)?)?.choice.as_ref()?.plan;
     let choice = Choice { method: plan.method, tolerance: plan.tolerance, ..scene.run().choice() };
@@ -156,7 +156,7 @@ fn missed(scene: &dyn Modelled, receipt: &Receipt) -> Option<RunFailure> {
 
 const AXES: [Axes; 2] = [Axes::First, Axes::Second];
 
-/// Outputs of the scene's columns, of its `outputs`, and those that were asked for: where they come from, in words.
+/// Descriptions of the three sources of outputs: the scene's columns, its `outputs`, the command line.
 type Origins = [&'static str; 3];
 
 const ORIGINS: Origins = ["all columns of the run", "as `outputs` of [run] names them", "as `outputs` names them"];
@@ -171,14 +171,14 @@ fn outputs(asked: &Asked, given: Vec<String>, known: &[String]) -> Result<(Vec<S
         .map_err(|why| Exit::refused(format!("{}: {why}", asked.scene.display())))
 }
 
-/// Those that are asked for, or those of the scene, or all states that its own model shows; and which of these they are.
+/// The outputs of the command line, or those of the scene, or all states that its own model shows, with the source in words.
 fn watched(
     asked: &[String],
     given: Vec<String>,
     known: &[String],
     [all, of_scene, named]: Origins,
 ) -> Result<(Vec<String>, &'static str), String> {
-    // the work that a mechanism's run meters is none of its hierarchy's
+    // the work that a mechanism's run meters is not a column of its reduced models
     if let Some(wrong) = asked.iter().find(|name| !known.contains(name) || *name == "work") {
         let known: Vec<&str> = known.iter().map(String::as_str).filter(|name| *name != "work").collect();
         return Err(format!("unknown output `{wrong}`; known: {}", known.join(", ")));

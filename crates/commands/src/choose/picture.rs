@@ -1,11 +1,11 @@
-//! Error against the cost of models.
+//! A chart of error against cost for all models.
 
 use charts::{Method, Point, Work, WorkPrecision};
 use std::time::Duration;
 use studies::model_reduction::{Models, Receipt, Wish, choose};
 
-/// Error against evaluations of every model, each by the cheapest method for a tolerance: by the reference where one is kept,
-/// else as promised.
+/// The error against the evaluations of every model, each by the cheapest method for a tolerance: the error against the reference
+/// where one is kept, else the estimated one.
 pub fn of(title: &str, models: &dyn Models, wish: &Wish, first: Receipt) -> WorkPrecision {
     let mut receipts = vec![first];
     for tolerance in [1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8] {

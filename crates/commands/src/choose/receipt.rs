@@ -1,4 +1,4 @@
-//! The receipt of a choice, for readers and for programs.
+//! The receipt of a choice, as text and as JSON.
 
 use super::command::typed;
 use serde_json::{Value, json};
@@ -9,7 +9,7 @@ use studies::model_reduction::sampled_run::{INSTANTS, LOOKS};
 use studies::model_reduction::switching::STRETCHES;
 use studies::model_reduction::{Line, Loss, Receipt, Sufficiency};
 
-/// For readers.
+/// The receipt as text.
 pub fn text(title: &str, (receipt, origin): (&Receipt, &str), command: Option<&[String]>) -> String {
     let mut out =
         format!("{title}\n\nto {:.0e} in {} ({origin})\n\n", receipt.tolerance, receipt.watched.names.join(", "));
@@ -89,7 +89,7 @@ pub fn text(title: &str, (receipt, origin): (&Receipt, &str), command: Option<&[
     out
 }
 
-/// For which times errors are promised, and by what.
+/// The times for which errors are estimated, and the kind of estimate.
 fn promise(receipt: &Receipt) -> String {
     let mut text = format!(
         "promised: the largest error of the whole run, of a method by a finer run, of a smaller model by its run beside that of the \
@@ -108,12 +108,12 @@ fn promise(receipt: &Receipt) -> String {
     text
 }
 
-/// A model that does not serve and can be run: a sentence says enough of it.
+/// Whether a model runs but does not meet the tolerance: one sentence names all of these.
 fn hopeless(line: &Line) -> bool {
     line.verdict == Sufficiency::TooFar && line.asked_as.is_some()
 }
 
-/// A model that does not serve, with its error where it is known.
+/// A model that does not meet the tolerance, with its error where it is known.
 fn beyond(line: &Line) -> String {
     let error = line.model.as_ref().ok().filter(|model| model.first > 0.0);
     error.map_or_else(|| line.name.clone(), |model| format!("{} ({:.0e})", line.name, model.first))
@@ -137,7 +137,7 @@ fn told(value: Option<f64>) -> String {
     known.map_or_else(|| "-".to_owned(), |value| format!("{value:.1e}"))
 }
 
-/// Why a line has no run.
+/// The reason for which a line has no run.
 fn said(line: &Line) -> String {
     match line.verdict {
         Sufficiency::Suffices => "too inexact",
@@ -151,7 +151,7 @@ fn said(line: &Line) -> String {
     .to_owned()
 }
 
-/// For programs.
+/// The receipt as JSON.
 pub fn object(title: &str, (receipt, origin): (&Receipt, &str), command: Option<&[String]>) -> Value {
     let line = |line: &Line| {
         let model = line.model.as_ref().ok();

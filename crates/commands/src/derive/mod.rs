@@ -103,7 +103,7 @@ pub fn derive(asked: &Asked) -> Result<Exit, Exit> {
     Ok(Exit::Done)
 }
 
-/// Whether a file can be read and its text is of a kind.
+/// Whether a file can be read and its text has a property.
 fn is_held(path: &Path, kind: fn(&str) -> bool) -> bool {
     read_text(path).is_ok_and(|text| kind(&text))
 }
@@ -143,7 +143,7 @@ fn of_model(asked: &Asked, path: &Path) -> Result<String, Exit> {
     written.map_err(Exit::refused)
 }
 
-/// One element for each equation.
+/// The equations as MathML, one element each.
 fn mathml(derived: &Derived<'_, '_>) -> Result<String, String> {
     let equations = model::typeset(derived.trace, &derived.for_reading()?).into_iter().flatten();
     let typeset = equations.map(|each| charts::mathml(&format!("{} = {}", each.left, each.right)));

@@ -39,7 +39,7 @@ fn letters(equations: &[Equation]) -> Vec<Sym> {
     letters
 }
 
-/// A module with the letters as symbols and the list `equations`.
+/// A Python module with the letters as SymPy symbols and the list `equations`.
 fn sympy(equations: &[Equation]) -> String {
     let names: Vec<String> = letters(equations).into_iter().filter_map(Sym::identifier).collect();
     let mut text = format!(
@@ -53,7 +53,7 @@ fn sympy(equations: &[Equation]) -> String {
     text + "]\n"
 }
 
-/// A language of straight-line code: how it comments, and what it needs before the functions.
+/// A language of straight-line code: the sign of its comments, and the lines before the functions.
 struct Written {
     language: Language,
     comment: &'static str,
@@ -77,7 +77,7 @@ fn residuals(equations: &[Equation], written: &Written) -> Result<String, Exit> 
     Ok(format!("{comment} The letters y: {}.\n{comment} Left sides less right sides.\n{needs}{code}", names.join(", ")))
 }
 
-/// Refuses a law one of whose constants is no double: its code would compute with infinity or zero instead.
+/// Refuses a law with a constant outside the range of double precision: its code would compute with infinity or zero instead.
 fn in_doubles(tape: &Tape) -> Result<(), Exit> {
     tape.beyond_range().map_or(Ok(()), |constant| {
         let mut digits = constant.to_string();
@@ -92,7 +92,7 @@ fn in_doubles(tape: &Tape) -> Result<(), Exit> {
     })
 }
 
-/// A scene's motor for reading, or the scene's rates and Jacobian as functions.
+/// The equations of a scene's motor as text, or the scene's rates and Jacobian as functions.
 pub(super) fn of_scene(asked: &Asked) -> Result<String, Exit> {
     let format = asked.format.unwrap_or(Equations::Text);
     let sympy = Written { needs: "from sympy import cos, sin, sqrt, symbols\n\n\n", ..PYTHON };

@@ -1,4 +1,4 @@
-//! The fates of the members of an ensemble.
+//! Counts of the ensemble members that reached the end and of those that stopped, by reason.
 
 use crate::exit::is_quiet;
 use simulation::RunFailure;
@@ -6,24 +6,24 @@ use simulation::ensemble::Stopped;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// The fates of the members.
+/// Counts of the members that reached the end and of those that stopped.
 #[derive(Default)]
 pub struct Fates {
     pub members: u64,
-    /// By the kind of their reason.
+    /// Stopped members by the kind of their reason.
     stopped: BTreeMap<String, Counted>,
 }
 
-/// Members that stopped for reasons of one kind.
+/// The members that stopped for reasons of one kind.
 struct Counted {
     count: u64,
-    /// The first of them, and its reason with its numbers.
+    /// The first such member.
     member: u64,
     why: String,
 }
 
 impl Fates {
-    /// One more member by its number, with the reason for which it stopped, where it did.
+    /// Counts a member by its number, with the reason for which it stopped, where it did.
     pub fn add(&mut self, member: u64, stopped: Option<&str>) {
         self.members += 1;
         if let Some(why) = stopped {
@@ -41,7 +41,7 @@ impl Fates {
         self.members - self.stopped()
     }
 
-    /// For reading; with the failures of the first member of each kind.
+    /// The counts as text, with the failures of the first member of each kind.
     pub fn text(&self, path: &Path, before: u64, failures: impl Fn(u64) -> Vec<RunFailure>) -> String {
         let (reached, stopped) = (self.reached(), self.stopped());
         let mut text = format!("{} members: {reached} reached the end, {stopped} did not\n", self.members);
@@ -54,7 +54,7 @@ impl Fates {
         if before > 0 {
             text += &format!("the first {before} were there already\n");
         }
-        // the name of a file is no result
+        // the name of a file is not a result, and --quiet prints results only
         if is_quiet() { text } else { text + &format!("{}\n", path.display()) }
     }
 }

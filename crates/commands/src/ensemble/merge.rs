@@ -1,4 +1,4 @@
-//! The tables of the parts of an ensemble: which members they lack, and one table of all, row by row as one run would have written it.
+//! Joining the tables of the parts of an ensemble: the missing members, and one table, byte for byte as one run would have written it.
 
 use super::fates::Fates;
 use super::rows::{Makers, RowOfMember, Rows};
@@ -11,10 +11,10 @@ use std::io::{self, BufReader};
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 
-/// Members between two looks at the clock.
+/// The number of members between two checks of the clock.
 const BETWEEN: u64 = 1 << 12;
 
-/// A table at one of its rows.
+/// A table of a part with its current row.
 struct Part<'a> {
     path: &'a Path,
     rows: Rows<'a, BufReader<File>>,
@@ -35,7 +35,7 @@ fn foreign(path: &Path, line: usize, why: &str) -> Exit {
     ))
 }
 
-/// The rows of all parts by their members, each once: `take` gets the row of a member, or the members that no part has.
+/// Goes through all members once: `take` gets the row of a member, or a range of members that no part has.
 fn joined(
     scene: &EnsembleScene,
     paths: &[PathBuf],
@@ -108,7 +108,7 @@ pub fn merge(
 ) -> Result<Exit, Exit> {
     let heading = crate::csv::line(&scene.headings()) + "\n";
     let output = writes.output(out, &[Form::Table(heading.trim_end().to_owned())])?;
-    // all are looked at before anything is written
+    // all tables are checked before anything is written
     let (mut absent, mut fates) = (Vec::new(), Fates::default());
     joined(scene, paths, makers, |joined| {
         match joined {

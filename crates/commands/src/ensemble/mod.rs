@@ -1,4 +1,4 @@
-//! `dalembert ensemble`: many members of one scene, their results in a table that survives a kill; in parts on many machines too.
+//! `dalembert ensemble`: runs the members of an ensemble; the table of results survives a kill, and parts run on several computers.
 
 mod fates;
 mod merge;
@@ -18,37 +18,37 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 use table::Table;
 
-/// Which members are to be run, and where the results go.
+/// Arguments of `ensemble`.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// The scene with a table `ensemble`, such as `scenes/ensembles/spread.toml` or `scenes/models/double_pendulum.toml`
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
-    /// The table of results, a row for each member; one of this very ensemble is continued. Without it: the scene's name, here
+    /// The table of results, a row for each member; a table of this ensemble is continued. The default is the scene's name, here
     #[arg(long, value_name = "FILE.csv")]
     pub out: Option<PathBuf>,
-    /// Begins anew where another file stands, or a table of another ensemble
+    /// Replaces another file, or a table of another ensemble
     #[arg(long)]
     pub force: bool,
-    /// Threads; without it as many as there are processors. The results do not depend on it
+    /// The number of threads; the default is the number of processors. The results do not depend on it
     #[arg(long, value_name = "N", value_parser = whole::<u16>(1..=1024))]
     pub threads: Option<u16>,
-    /// One part of so many: its members stand side by side, and its rows are those of a run of all. Without --out its table is NAME.I-of-N.csv
+    /// Part I of N: a contiguous range of members, with the rows that a run of all members gives. Without --out its table is NAME.I-of-N.csv
     #[arg(long, value_name = "I/N", conflicts_with_all = ["merge", "missing"])]
     pub part: Option<Part>,
-    /// Writes the rows of these tables as one table of all members, as a run of all would have written it
+    /// Joins these tables into one table of all members, as a run of all members would have written it
     #[arg(long, value_name = "FILE.csv", num_args = 1.., conflicts_with = "missing")]
     pub merge: Vec<PathBuf>,
     /// Prints the members that none of these tables has, a range in each line; the exit code is 0 where none is missing, else 1
     #[arg(long, value_name = "FILE.csv", num_args = 1.., conflicts_with_all = ["out", "force", "threads"])]
     pub missing: Vec<PathBuf>,
-    /// With --merge and --missing: takes rows of other versions of the program, and of processors that round otherwise
+    /// With --merge and --missing: accepts rows of other versions of the program, and of processors that round differently
     #[arg(long)]
     pub any_processor: bool,
 }
 
 impl Asked {
-    /// The name of the table, where none is given.
+    /// The default name of the table.
     fn usual(&self) -> PathBuf {
         let end = self.part.map_or_else(|| "csv".to_owned(), |part| format!("{part}.csv"));
         let path = self.scene.with_extension(end);
@@ -56,7 +56,7 @@ impl Asked {
     }
 }
 
-/// Runs what is not done yet, and says what became of all.
+/// Runs the members that are not done yet, and prints the counts of all.
 pub fn run(asked: &Asked) -> Result<Exit, Exit> {
     if asked.any_processor && asked.merge.is_empty() && asked.missing.is_empty() {
         return Err(Exit::refused(
@@ -103,7 +103,7 @@ pub fn run(asked: &Asked) -> Result<Exit, Exit> {
     drop(progress);
     print(&told.text(path, before, |member| scene.failures(member, &|| clock::goes_on().is_continue())))?;
     if told.members == all {
-        // as of a run that stops, where none came to its end
+        // the exit code of a run that stops, where no member reached its end
         return Ok(if told.reached() > 0 { Exit::Done } else { Exit::Stopped });
     }
     print(&format!("broken off: the same command goes on with member {}\n", next(told.members)))?;

@@ -1,17 +1,17 @@
-//! The rows of a table of an ensemble as they stand in a file, one after the other: each is of this ensemble, or the file is refused.
+//! Reads the table of an ensemble row by row; a file with a row of another ensemble is refused.
 
 use crate::csv;
 use ::csv::{ReaderBuilder, StringRecord};
 use simulation::ensemble::{EnsembleScene, Fingerprint};
 use std::io::{self, BufRead, Read};
 
-/// No row is as long.
+/// The largest length of a row, in bytes.
 const LONGEST: u64 = 1 << 24;
 
-/// Why a file is no table of an ensemble: its line, and the reason.
+/// The line at which a file is no table of the ensemble, and the reason.
 pub type Foreign = (usize, String);
 
-/// Whose rows are accepted.
+/// The origins of rows that are accepted.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Makers {
     /// Rows of this version of the program, on a processor that rounds as this one does.
@@ -19,14 +19,14 @@ pub enum Makers {
     Any,
 }
 
-/// The member of a row, and its fate.
+/// A row: its member, and whether it reached the end.
 pub struct RowOfMember {
     pub member: u64,
-    /// Why it stopped, where it did.
+    /// The reason for which the member stopped, where it did.
     pub stopped: Option<String>,
 }
 
-/// A table that is read. One line is held at a time.
+/// A reader of a table, which holds one line at a time.
 pub struct Rows<'a, R> {
     table: R,
     scene: &'a EnsembleScene,
@@ -41,7 +41,7 @@ pub struct Rows<'a, R> {
 }
 
 impl<'a, R: BufRead> Rows<'a, R> {
-    /// None where not even the headings are whole: a run was killed before its first row.
+    /// Opens a table; `None` where the headings are incomplete, since a run was killed before its first row.
     pub fn of(mut table: R, scene: &'a EnsembleScene, makers: Makers) -> Result<Option<Self>, Foreign> {
         let headings = scene.headings();
         let heading = csv::line(&headings) + "\n";
@@ -66,17 +66,17 @@ impl<'a, R: BufRead> Rows<'a, R> {
         self.columns
     }
 
-    /// The last row as it stands in the file.
+    /// The bytes of the last row, as in the file.
     pub fn text(&self) -> &[u8] {
         &self.text
     }
 
-    /// The line of the last row.
+    /// The line number of the last row.
     pub fn line(&self) -> usize {
         self.line
     }
 
-    /// The next row that is whole.
+    /// The next complete row.
     pub fn next_row(&mut self) -> Result<Option<RowOfMember>, Foreign> {
         self.line += 1;
         let line = self.line;
@@ -112,7 +112,7 @@ impl<'a, R: BufRead> Rows<'a, R> {
     }
 }
 
-/// The cells of one line; none where it is not one row.
+/// The cells of one line; `None` where it is not one row.
 fn cells(line: &[u8]) -> Option<StringRecord> {
     let mut reader = ReaderBuilder::new().has_headers(false).buffer_capacity(1 << 10).from_reader(line);
     let mut records = reader.records();

@@ -1,8 +1,8 @@
-//! The table of an ensemble on the disk: whole rows in the order of the members, so what there is says where to go on.
+//! The table of an ensemble on the disk: complete rows in the order of the members, so that a run continues after the last one.
 //!
-//! Each row ends with the fingerprint of all that decides a member and of who computed it. A column is what every reader
-//! bears, and it stays with its rows when tables are joined; a comment or a file beside the table would not. A line that was
-//! cut is taken away, and the last whole row is computed again: it must come out the same.
+//! Each row ends with the fingerprint of all that decides a member's result, and of the program and processor. A column works with
+//! every reader and stays with its rows when tables are joined, unlike a comment or a second file. An incomplete last line is
+//! removed, and the last complete row is computed again: it must be reproduced.
 
 use super::fates::Fates;
 use super::rows::{Foreign, Makers, Rows};
@@ -18,10 +18,10 @@ use std::ops::{ControlFlow, RangeInclusive};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// Rows are written when there are so many bytes of them.
+/// The number of waiting bytes at which rows are written.
 const BLOCK: usize = 1 << 14;
 
-/// The interval at which written rows are brought to the disk.
+/// The interval at which written rows are synced to the disk.
 const CHUNK: Duration = Duration::from_millis(500);
 
 /// The table on the disk.
@@ -39,7 +39,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// Makes the table of some members, or goes on with the one that is there.
+    /// Makes the table of some members, or continues an existing one.
     pub fn open(
         writes: &Writes<'_>,
         path: &Path,
@@ -54,7 +54,7 @@ impl Table {
                 let reason = "another run writes to it; wait for its end, or name another file";
                 return Err(Exit::refused(format!("{}: {reason}", path.display())));
             }
-            // where files cannot be locked, two runs at once are the user's care
+            // where files cannot be locked, the user must avoid two runs at once
             Ok(()) | Err(TryLockError::Error(_)) => {}
         }
         let fingerprint = Fingerprint::of(scene);
@@ -85,7 +85,7 @@ impl Table {
         Ok((table, told))
     }
 
-    /// A kill takes what is not written, a failure of the power what is not brought to the disk.
+    /// Adds a row. A kill loses rows that are not written yet, a power failure those that are not synced.
     pub fn push(&mut self, row: &Row) -> Result<(), Exit> {
         self.waiting += &line(row, self.columns, &self.fingerprint);
         if self.settled.elapsed() >= CHUNK {
@@ -94,7 +94,7 @@ impl Table {
         if self.waiting.len() >= BLOCK { self.write().map_err(|error| self.unwritable(&error)) } else { Ok(()) }
     }
 
-    /// Writes what waits, brings all to the disk, and looks whether it is still there.
+    /// Writes the waiting rows, syncs all to the disk, and checks that the file is still the same.
     pub fn settle(&mut self) -> Result<(), Exit> {
         let settled = self.write().and_then(|()| self.file.sync_data());
         settled.map_err(|error| self.unwritable(&error))?;
@@ -122,13 +122,13 @@ impl Table {
         Ok(())
     }
 
-    /// The rows that are whole stay, so that the run can go on.
+    /// The error of a failed write; complete rows are kept, so that the run can be continued.
     fn unwritable(&self, error: &io::Error) -> Exit {
         Exit::unwritable(&self.path, error)
     }
 }
 
-/// The number of bytes of a file that are whole rows of the members, which it has from the first one on, and their summary.
+/// The number of bytes of a file's complete rows, which belong to the members from the first one on, and their counts.
 fn read(
     table: impl BufRead,
     scene: &EnsembleScene,
@@ -162,7 +162,7 @@ fn read(
             again = line(&row, rows.columns(), &fingerprint.to_string());
             ControlFlow::Continue(())
         });
-        // a member that the clock broke off comes out in no way
+        // a member that the clock stopped has no row to compare
         if !again.is_empty() && again.as_bytes() != last {
             return Err((rows.line() - 1, format!("member {} comes out otherwise today", next - 1)));
         }
@@ -170,12 +170,12 @@ fn read(
     Ok((whole, told))
 }
 
-/// A row of so many columns, with its end; what a member has not is empty.
+/// The line of a row, with its end of line; cells without a value are empty.
 fn line(row: &Row, columns: usize, fingerprint: &str) -> String {
     let number = |x: Option<f64>| x.filter(|x| x.is_finite()).map_or_else(String::new, |x| x.to_string());
     let mut cells = vec![row.number.to_string()];
     cells.extend(row.drawn.iter().map(f64::to_string));
-    // a row is one line
+    // a reason must not break the line
     cells.push(row.stopped.as_deref().map_or_else(String::new, |why| why.replace(['\n', '\r'], " ")));
     cells.push(number(row.last.as_ref().map(|last| last.time)));
     cells.push(row.steps.to_string());

@@ -1,4 +1,4 @@
-//! Files of certificates: one for each paper, in a folder.
+//! Files of certificates of verdicts: one for each paper, in a folder.
 
 use crate::arguments::Format;
 use crate::exit::Exit;
@@ -15,7 +15,7 @@ pub struct CertificateFolder<'a> {
 
 impl<'a> CertificateFolder<'a> {
     /// # Errors
-    /// Something stands there that is no folder.
+    /// The path exists and is not a folder.
     pub fn of(path: &'a Path, command: &'static str, force: bool) -> Result<Self, Exit> {
         if path.exists() && !path.is_dir() {
             return Err(Exit::refused(format!(
@@ -26,7 +26,7 @@ impl<'a> CertificateFolder<'a> {
         Ok(CertificateFolder { path, command, force })
     }
 
-    /// Writes the certificates of a paper, by its key, title and citation; nothing where it has none.
+    /// Writes the certificates of a paper, with its key, title and citation; no file where it has none.
     pub fn write(
         &self,
         [key, title, citation]: [&str; 3],

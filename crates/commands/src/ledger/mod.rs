@@ -16,7 +16,7 @@ use claims::{Judged, Verdict, entries};
 use clap::Args;
 use std::path::PathBuf;
 
-/// Which claims are to be listed.
+/// Arguments of `ledger`.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// Claims whose id contains this, such as konosevich2022/eq5.3 or statement3; those whose id begins with it come first
@@ -29,7 +29,7 @@ pub struct Asked {
     /// formulas, requires, why, reading, note, counterexample, correction
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
-    /// Writes a file PAPER.json for each paper: what a checker needs to repeat the proof of every verdict, see verify/README.md
+    /// Writes a file PAPER.json for each paper, from which a checker can repeat the proof of every verdict, see verify/README.md
     #[arg(long, value_name = "DIR")]
     pub certificates: Option<PathBuf>,
     /// Replaces files of --certificates even where `ledger` did not write what stands there
@@ -37,7 +37,7 @@ pub struct Asked {
     pub force: bool,
 }
 
-/// Prints the claims whose id contains the filter, of one verdict where one is asked for.
+/// Prints the claims whose id contains the filter, and whose verdict is the requested one, if any.
 pub fn list(asked: &Asked) -> Result<Exit, Exit> {
     let verdict = asked.verdict.as_deref().map(verdict).transpose()?;
     let folder =
@@ -87,7 +87,7 @@ fn verdict(name: &str) -> Result<Verdict, Exit> {
 /// A claim with its certificates.
 type Certified = (Judged, Vec<Certificate>);
 
-/// The claims whose id contains this, decided, with their certificates where these are wanted; the others are not.
+/// Judges the claims whose id contains the filter and no others, with their certificates where these are wanted.
 fn those_with(filter: &str, certified: bool) -> Vec<Certified> {
     let mut judged: Vec<Option<Vec<Certified>>> = papers().iter().map(|_| None).collect();
     let mut crew = JobPool::default();
@@ -103,7 +103,7 @@ fn those_with(filter: &str, certified: bool) -> Vec<Certified> {
     }
     crew.work(|_| ());
     let mut all: Vec<Certified> = judged.into_iter().flatten().flatten().collect();
-    // who names a page or the beginning of an id means these: what has the word elsewhere comes behind
+    // a filter that names a page or the beginning of an id means these: ids with the word elsewhere come last
     all.sort_by_key(|(claim, _)| !claim.id.starts_with(filter));
     all
 }

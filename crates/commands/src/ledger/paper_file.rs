@@ -1,4 +1,4 @@
-//! `dalembert judge`: the claims of a paper that is a file.
+//! `dalembert judge`: verdicts on the claims of a paper in a file.
 
 use super::certificates::CertificateFolder;
 use crate::arguments::Format;
@@ -15,10 +15,10 @@ use serde_json::json;
 use std::path::PathBuf;
 use std::time::Duration;
 
-/// No correction is looked for in the last part of the time.
+/// The time before the deadline in which no correction is searched for.
 const KEPT: Duration = Duration::from_millis(500);
 
-/// Which paper is to be judged.
+/// Arguments of `judge`.
 #[derive(Args, Debug)]
 #[command(group(ArgGroup::new("written").args(["page", "certificates"]).multiple(true)))]
 pub struct Asked {
@@ -34,18 +34,18 @@ pub struct Asked {
     /// Writes a page with every claim, for a browser
     #[arg(long, value_name = "FILE.html")]
     pub page: Option<PathBuf>,
-    /// Writes PAPER.json there: what a checker needs to repeat the proof of every verdict, see verify/README.md
+    /// Writes PAPER.json into this folder, from which a checker can repeat the proof of every verdict, see verify/README.md
     #[arg(long, value_name = "DIR")]
     pub certificates: Option<PathBuf>,
     /// Replaces the file of --page or --certificates even where `judge` did not write what stands there
     #[arg(long, requires = "written")]
     pub force: bool,
-    /// Prints only how many verdicts are those that the file expects; each other one is an error, and the exit code is then 1
+    /// Prints only the number of verdicts that the file expects; each other verdict is an error, and the exit code is then 1
     #[arg(long)]
     pub test: bool,
 }
 
-/// The content of the file, below the options.
+/// The end of the long help: the contents of a paper's file.
 pub const HELP: &str = r#"A paper's file:
 
   title = "A pendulum"
@@ -71,7 +71,7 @@ with two readings is refused at its place, with the spellings that have one.
 
 Where a claim is refuted, the smallest edits of its formula that make it true are told, each one proved."#;
 
-/// Judges every claim and prints what was found.
+/// Judges every claim and prints the findings.
 pub fn judge(asked: &Asked) -> Result<Exit, Exit> {
     let mut paper = PaperText::read(&asked.paper)?;
     let writes = Writes { command: "judge", force: asked.force, reads: vec![&asked.paper] };
@@ -84,14 +84,14 @@ pub fn judge(asked: &Asked) -> Result<Exit, Exit> {
         )));
     }
     let so_far = |findings: &[Finding]| {
-        // one object of a list is no list
+        // JSON is printed as one complete list
         if !asked.json && !asked.test {
             clock::publish(findings.iter().map(Finding::text).collect());
         }
     };
     let folder =
         asked.certificates.as_deref().map(|path| CertificateFolder::of(path, "judge", asked.force)).transpose()?;
-    // a verdict needs no correction: what is printed leaves time for itself
+    // corrections are optional: the search for them ends in time for printing
     let goes_on = || !asked.test && clock::left() > KEPT;
     let findings = match folder {
         Some(_) => paper.certify_each(so_far, goes_on)?,
@@ -140,7 +140,7 @@ fn tested(findings: &[Finding]) -> String {
     format!("{met} of {} verdicts as expected{rest}\n", expected.len())
 }
 
-/// A claim with its verdict, for programs.
+/// A claim with its verdict as JSON.
 pub fn object(finding: &Finding) -> serde_json::Value {
     let Finding { judged, printed, given, expected, allowed, sides, kind, corrections, search, .. } = finding;
     let told = |pairs: &[(String, String)]| pairs.iter().map(|(text, _)| text.clone()).collect::<Vec<_>>();
@@ -165,7 +165,7 @@ pub fn object(finding: &Finding) -> serde_json::Value {
         "right": sides.as_ref().map(|sides| &sides.right),
         "missing": judged.difference.as_ref().map(|(text, _)| text),
         "missing_latex": judged.difference.as_ref().map(|(_, latex)| latex),
-        // why there is no correction, and the smallest edits that make the claim true, all of one size
+        // the reason for which there is no correction, or the smallest edits that make the claim true, all of one size
         "search": search.told().filter(|_| corrections.is_empty()),
         "corrections": corrections.iter().map(corrected).collect::<serde_json::Value>(),
         "objections": judged.objections,
@@ -180,7 +180,7 @@ fn corrected(correction: &Correction) -> serde_json::Value {
         "says": correction.says(),
         "changes": changes.iter().map(change).collect::<serde_json::Value>(),
         "formula": formula,
-        // bytes of the formula that were changed
+        // byte ranges of the formula that were changed
         "changed": parts.iter().map(|part| [part.start, part.end]).collect::<Vec<_>>(),
         "verdict": judged.verdict.name(),
         "evidence": judged.evidence,
@@ -211,11 +211,11 @@ fn section(paper: &PaperText, findings: &[Finding]) -> PaperSection {
 /// A paper's section of the report, and whether every verdict is the one that its file expects.
 ///
 /// # Errors
-/// All that is wrong in the file.
+/// All faults of the file.
 pub fn judged(paper: &PaperText) -> Result<(PaperSection, bool), SceneError> {
     let findings = paper.judge_each(|_| (), || clock::left() > KEPT)?;
     let mut section = section(paper, &findings);
-    // the report is to stay small: what is proved reads as it is printed, and `judge --page` sets it
+    // to keep the report small, formulas of proved claims are left as printed; `judge --page` typesets them
     for row in section.claims.iter_mut().filter(|row| row.verdict == Verdict::Proved && !row.reading.is_empty()) {
         row.latex.clear();
     }

@@ -1,4 +1,4 @@
-//! `dalembert linearise --along NAME=FROM..TO`: values between which eigenvalues change sides, by enclosures.
+//! `dalembert linearise --along NAME=FROM..TO`: brackets of the values at which eigenvalues cross the imaginary axis, by enclosures.
 
 use super::{Asked, Form};
 use crate::clock::has_time;
@@ -10,7 +10,7 @@ use model::Model;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// Prints them.
+/// Prints the crossings.
 pub(super) fn show(asked: &Asked, model: &Model, name: &str, range: [f64; 2]) -> Result<Exit, Exit> {
     let refused = |why: String| Exit::refused(format!("{}: --along {name}: {why}", asked.scene.display()));
     let at = |value: f64| -> Result<(Model, Vec<f64>), String> {

@@ -19,7 +19,7 @@ use reader::read_text;
 use serde_json::json;
 use std::path::PathBuf;
 
-/// The model that is linearised, and its point.
+/// Arguments of `linearise`: the model and the point of linearisation.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// A file with `[coordinates]`
@@ -34,14 +34,14 @@ pub struct Asked {
     /// The period of the motion from the start of the file, in seconds: its Floquet multipliers instead of linear equations
     #[arg(long, value_name = "T", value_parser = period, allow_negative_numbers = true, conflicts_with_all = ["about", "times", "inputs"])]
     pub period: Option<f64>,
-    /// A parameter along which stability changes: the exact boundaries of Routh's criterion about the point; with a range, of it or of a
-    /// coordinate or speed at the start: values between which eigenvalues change sides, by enclosures: NAME=FROM..TO
+    /// A parameter along which stability changes: exact boundaries by Routh's criterion. With a range, NAME=FROM..TO, of a parameter or of a
+    /// coordinate or speed at the start: brackets of the values at which eigenvalues cross the imaginary axis, by enclosures
     #[arg(long, value_name = "NAME[=FROM..TO]", value_parser = boundaries::asked, conflicts_with_all = ["times", "inputs", "period"])]
     pub along: Option<boundaries::AlongWhat>,
-    /// Another value, in SI units, of a parameter, or of a coordinate or a speed at the start; may be repeated
+    /// Another value, in SI units, for a parameter, or for a coordinate or a speed at the start; may be repeated
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = named_value)]
     pub values: Vec<(String, f64)>,
-    /// A parameter that is an input, beside the inputs of the file; may be repeated
+    /// A parameter that is taken as an input, in addition to the inputs of the file; may be repeated
     #[arg(long = "input", value_name = "NAME")]
     pub inputs: Vec<String>,
     /// Format of the matrices; CSV has a row for each entry, in the unit of its row, per second in A and B, over that of its
@@ -51,20 +51,20 @@ pub struct Asked {
 }
 
 impl Asked {
-    /// The file as a run.
+    /// The scene of the file, ready to run.
     fn run(&self) -> Result<ModelScene, Exit> {
         let given = Given { values: self.values.clone(), ..Given::default() };
         Ok(ModelScene::parse_with(&self.scene.display().to_string(), &read_text(&self.scene)?, given)?)
     }
 }
 
-/// A point of a system.
+/// The point of linearisation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum About {
     /// As the file gives it, completed so that constraints hold
     #[default]
     Start,
-    /// A point of rest, found from the coordinates at the start; speeds that the file gives are left aside
+    /// An equilibrium, found from the coordinates at the start; speeds in the file are ignored
     Equilibrium,
 }
 
@@ -93,7 +93,7 @@ fn period(text: &str) -> Result<f64, String> {
     period.ok_or_else(|| "a time above zero, in seconds, such as 0.5 is accepted".to_owned())
 }
 
-/// Prints the matrices, the eigenvalues and what they say.
+/// Prints the matrices, the eigenvalues and the verdict on stability.
 pub fn linearise(asked: &Asked) -> Result<Exit, Exit> {
     let refused = |why: String| Exit::refused(format!("{}: {why}", asked.scene.display()));
     if let Some(period) = asked.period {
@@ -101,7 +101,7 @@ pub fn linearise(asked: &Asked) -> Result<Exit, Exit> {
     }
     let mut model = read_model(&asked.scene, Task::Vary)?;
     set_values(&mut model, &asked.values).map_err(|why| refused(format!("--set: {why}")))?;
-    // inputs without a value are taken about zero
+    // inputs without a value are zero at the point
     model.close_inputs();
     let inputs = inputs_of(&mut model, &asked.inputs).map_err(refused)?;
     let whole = model.clone();
@@ -145,7 +145,7 @@ pub fn linearise(asked: &Asked) -> Result<Exit, Exit> {
     Ok(Exit::Done)
 }
 
-/// Times with the states then.
+/// The times of linearisation with the states then.
 fn instances(model: &mut Model, asked: &Asked) -> Result<Vec<points::Instance>, Exit> {
     let refused = |why: String| Exit::refused(format!("{}: {why}", asked.scene.display()));
     if !asked.times.is_empty() {

@@ -7,7 +7,7 @@ use ::scenes::linearisation::{Multipliers, Names, NoMultipliers, Ones, Orbit, Va
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// Prints them.
+/// Prints the Floquet multipliers.
 pub(super) fn show(asked: &Asked, period: f64) -> Result<Exit, Exit> {
     let refused = |why: String| Exit::refused(format!("{}: {why}", asked.scene.display()));
     let scene = asked.run()?;

@@ -11,13 +11,13 @@ use serde_json::json;
 use std::collections::HashMap;
 use std::fmt::Write;
 
-/// The linear equations about a point, and at a steady motion its eigenvalues in discs, or why there are none.
+/// The linear equations about a point; at a steady motion also its eigenvalues in discs, or the reason for which there are none.
 pub(super) struct Found {
     pub linear: Linear,
     pub enclosed: Option<Result<EnclosedSpectrum, NotEnclosed>>,
 }
 
-/// Names of what rows and columns are, each with its unit.
+/// The names of rows and columns, each with its unit.
 pub(super) struct Headed {
     names: Names,
     headed: HashMap<String, String>,
@@ -34,7 +34,7 @@ impl Headed {
         Headed { headed: headed.collect(), names }
     }
 
-    /// The values of a point, each coordinate with its rates; accelerations that are taken for zero are zero.
+    /// The values of a point, each coordinate with its rates; accelerations that are rounding are printed as zero.
     fn point(&self, point: &Point, standing: Standing) -> String {
         let still = if standing == Standing::Moving { 1.0 } else { 0.0 };
         let point = Point {
@@ -126,17 +126,17 @@ pub(super) fn text(headed: &Headed, Found { linear: found, enclosed }: &Found) -
     text
 }
 
-/// Values of one kind, in which those that rounding alone left are zero.
+/// Values of one kind, with rounding errors replaced by zero.
 fn without_rounding(values: &DVector<f64>) -> DVector<f64> {
     values.map(|value| shown(value, values.amax()))
 }
 
-/// An entry that rounding alone left reads as zero.
+/// An entry, or zero where it is rounding compared with the largest one.
 fn shown(value: f64, largest: f64) -> f64 {
     if value.abs() < 1e-14 * largest { 0.0 } else { value }
 }
 
-/// Twelve digits, in a column.
+/// A number with twelve digits, padded for a column.
 fn number(value: f64) -> String {
     let value = if value == 0.0 { 0.0 } else { value };
     let text = match value.abs() {

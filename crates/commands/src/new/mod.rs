@@ -26,13 +26,13 @@ pub enum What {
     Motor(Motor),
 }
 
-/// Which motor, and where.
+/// Arguments of `new motor`.
 #[derive(Args, Debug)]
 pub struct Motor {
     /// Lower case letters, digits and _, as in `salient_pole`
     #[arg(value_name = "NAME")]
     pub name: String,
-    /// A scene with its laws as text in the place of a file of the program
+    /// Writes a scene with the motor's laws as text, instead of a Rust file
     #[arg(long)]
     pub text: bool,
     /// The folder of the project; with --text any folder
@@ -40,17 +40,17 @@ pub struct Motor {
     pub project: PathBuf,
 }
 
-/// Where the machines are listed, as modules and as motors, and how the lists end.
+/// The file that lists the machines, as modules and as motors.
 const LIST: &str = "derivations/machines/src/lib.rs";
 const ENDS: [&str; 2] = ["\n\nmotor::submit! {", "\n        ],"];
 
-/// A file with what is written into it.
+/// A file with the text to be written.
 struct Begun {
     place: PathBuf,
     text: String,
 }
 
-/// Writes what was asked for; all of it or nothing.
+/// Writes all files of the new motor, or none.
 pub fn write(asked: &Asked) -> Result<Exit, Exit> {
     let What::Motor(asked) = &asked.what;
     let name = asked.name.as_str();
@@ -68,7 +68,7 @@ pub fn write(asked: &Asked) -> Result<Exit, Exit> {
     let scene = scene_place(asked, in_project);
     let begun = begun(asked, &scene);
     for Begun { place, .. } in &begun {
-        // a folder of the name would be the same module
+        // a folder of this name would be a module of the same name
         if place.exists() || (!asked.text && place.with_extension("").is_dir()) {
             let place = place.display();
             return Err(Exit::refused(format!("{place} exists; the name of a motor that does not exist is accepted")));
@@ -108,7 +108,7 @@ pub fn write(asked: &Asked) -> Result<Exit, Exit> {
     Ok(Exit::Done)
 }
 
-/// Among the project's scenes; without the project in the folder itself.
+/// The path of the new scene: among the project's scenes, or in the folder itself without a project.
 fn scene_place(asked: &Motor, in_project: bool) -> PathBuf {
     let folder = if in_project { "scenes/machines" } else { "" };
     asked.project.join(folder).join(&asked.name).with_extension("toml")
@@ -130,7 +130,7 @@ fn begun(asked: &Motor, scene: &Path) -> Vec<Begun> {
     ]
 }
 
-/// `salient_pole` as a type: `SalientPole`.
+/// The name of a type for a motor's name: `SalientPole` for `salient_pole`.
 fn camel(name: &str) -> String {
     let capital = |part: &str| {
         let mut letters = part.chars();
@@ -139,12 +139,12 @@ fn camel(name: &str) -> String {
     name.split('_').map(capital).collect()
 }
 
-/// The text of a file; empty where there is none.
+/// The text of a file; empty where it cannot be read.
 fn read(place: &Path) -> String {
     fs::read_to_string(place).unwrap_or_default()
 }
 
-/// A list with one more line before its end.
+/// A text with a line inserted before the end of a list.
 fn with_line(text: &str, line: &str, end: &str) -> String {
     match text.split_once(end) {
         Some((before, after)) => format!("{before}\n{line}{end}{after}"),
@@ -152,7 +152,7 @@ fn with_line(text: &str, line: &str, end: &str) -> String {
     }
 }
 
-/// A file in a folder that need not be there yet.
+/// Makes a file, and its folder where it is missing.
 fn create(place: &Path, text: &str) -> Result<(), Exit> {
     if let Some(folder) = place.parent() {
         fs::create_dir_all(folder).map_err(|error| Exit::unwritable(folder, &error))?;

@@ -18,16 +18,16 @@ use std::fmt::Write;
 use std::ops::ControlFlow;
 use studies::scene::Scene;
 
-/// Periods over which a drift is told.
+/// The number of periods over which the drift is reported.
 const MILLION: f64 = 1e6;
 
-/// Steps of a run, where nobody says how long it is.
+/// The default number of steps of a run.
 const AFFORDABLE: u32 = 2_000_000;
 
-/// The part of an integral beyond which its drift is no longer in proportion to time.
+/// The relative change of an integral beyond which its drift is no longer proportional to time.
 const A_TENTH: f64 = 0.1;
 
-/// The methods that run where none is asked for.
+/// The default methods.
 pub(super) const CLASSICAL: [Method; 4] = [
     Method::Euler { steps: 1 },
     Method::RungeKutta4 { steps: 1 },
@@ -35,7 +35,7 @@ pub(super) const CLASSICAL: [Method; 4] = [
     Method::BackwardEuler { steps: 1 },
 ];
 
-/// A method with a number of steps, and what is found of it.
+/// A method with a number of steps in a period, and the drifts that it causes.
 struct Row {
     method: Method,
     steps: u32,
@@ -43,7 +43,7 @@ struct Row {
     measured: Result<Vec<Option<Measured>>, String>,
 }
 
-/// All that is found.
+/// The drifts of all methods.
 struct Found {
     title: String,
     window: Window,
@@ -58,14 +58,14 @@ pub(super) fn goes_on() -> ControlFlow<()> {
     if clock::has_time() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
 }
 
-/// The methods that are asked for, each with each number of steps.
+/// All combinations of the requested methods and numbers of steps.
 pub(super) fn methods(asked: &Asked) -> Vec<(Method, u32)> {
     let methods = if asked.method.is_empty() { &CLASSICAL[..] } else { &asked.method[..] };
     let each = |method: &Method| asked.steps.iter().map(|steps| (*method, *steps)).collect::<Vec<_>>();
     methods.iter().flat_map(each).collect()
 }
 
-/// Periods of a run with so many steps in each.
+/// The number of periods of a run with a given number of steps in each.
 pub(super) fn periods(asked: &Asked, steps: u32) -> u32 {
     asked.periods.unwrap_or((AFFORDABLE / steps).clamp(2, MILLION as u32))
 }
@@ -139,7 +139,7 @@ pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
 }
 
 impl Found {
-    /// The part of its size that a change of an integral is; the change itself where it has no size.
+    /// The change of an integral relative to its size; the change itself where it has no size.
     fn part(&self, place: usize, change: f64) -> f64 {
         if self.sizes[place] > 0.0 { change / self.sizes[place] } else { change }
     }
@@ -182,7 +182,7 @@ impl Found {
         out
     }
 
-    /// In a window, and in a million of them.
+    /// The drift by theory in one window, and in a million of them.
     fn theory(&self, place: usize, row: &Row) -> [String; 2] {
         let expected = match &row.expected {
             Ok(all) => all[place],

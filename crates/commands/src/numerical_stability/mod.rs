@@ -1,4 +1,4 @@
-//! `dalembert numerical-stability`: for which steps a method's map says of a stationary motion what is true.
+//! `dalembert numerical-stability`: the step sizes for which a method preserves the stability or instability of a stationary motion.
 
 mod drift;
 mod model;
@@ -22,7 +22,7 @@ use studies::numerical_stability::survey::steps;
 use studies::numerical_stability::tested_steps::Tested;
 use studies::scene::Scene;
 
-/// Whose motions methods are to be judged on.
+/// Arguments of `numerical-stability`.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// The scene, a TOML file
@@ -36,17 +36,17 @@ pub struct Asked {
     /// Another machine, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,
-    /// The drift of energies and momenta that a motion keeps, by theory and by runs: along the motion from the start, or of oscillations
-    /// about each steady motion
+    /// The drift of conserved energies and momenta, by theory and by runs: along the motion from the start, or for oscillations about each
+    /// steady motion
     #[arg(long, value_enum, value_name = "MOTION", num_args = 0..=1, require_equals = true, default_missing_value = "start")]
     pub drift: Option<Motion>,
-    /// Equal steps in a period, of --drift; several with commas
+    /// For --drift: equal steps in a period; several with commas
     #[arg(long, value_name = "N,N", value_delimiter = ',', default_values_t = [20, 100], value_parser = whole::<u32>(1..=1_000_000), requires = "drift")]
     pub steps: Vec<u32>,
-    /// Periods of the runs of --drift; without it as many as two million steps hold, and not above a million
+    /// For --drift: the number of periods of each run; the default is two million steps, and at most a million periods
     #[arg(long, value_name = "N", value_parser = whole::<u32>(2..=1_000_000), requires = "drift")]
     pub periods: Option<u32>,
-    /// A method with constant steps, of --drift, such as implicit_midpoint; may be repeated. Without it the four classical ones
+    /// For --drift: a method with constant steps, such as implicit_midpoint; may be repeated. The default is the four classical ones
     #[arg(long, value_name = "METHOD", value_parser = constant, requires = "drift")]
     pub method: Vec<Method>,
     /// Output format; JSON is one object: scene, model, omega0, motions
@@ -57,13 +57,13 @@ pub struct Asked {
 /// A motion along which integrals drift.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Motion {
-    /// The one from the start of the file
+    /// The motion from the start of the file
     Start,
     /// Small oscillations about each steady motion
     Steady,
 }
 
-/// A method with one step, by its name.
+/// Reads a method with constant steps, by its name.
 fn constant(name: &str) -> Result<Method, String> {
     let known = || {
         let named = methods::list().filter_map(|(written, _)| written.strip_suffix(":STEPS").map(str::to_owned));
@@ -72,10 +72,10 @@ fn constant(name: &str) -> Result<Method, String> {
     methods::method(&format!("{name}:1")).ok().filter(|method| method.steps().is_some()).ok_or_else(known)
 }
 
-/// Every splitting on a motion.
+/// The tests of every splitting method on a motion.
 type Courses = [Tested; Splitting::ALL.len()];
 
-/// Prints it.
+/// Prints the verdicts of all methods on all motions.
 pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     match asked.drift {
         Some(Motion::Start) => return drift::show(asked),
@@ -96,7 +96,7 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     let omega0 = asked.omega0.unwrap_or_default();
     let chart =
         Chart::of(&scene, omega0).map_err(|reason| Exit::refused(format!("{}: {reason}", asked.scene.display())))?;
-    // on a member of a family multipliers coincide at one, and rounding would part them
+    // for a member of a family several multipliers are exactly one, which rounding would separate
     let of_motion = |motion: &Stationed| {
         let near = motion.member.is_none().then(|| SplitRuns::near(&scene, motion))?;
         Some(Splitting::ALL.map(|splitting| near.course(splitting, &steps())))
@@ -142,7 +142,7 @@ fn object(scene: &Scene, w: f64, chart: &Chart, tested: &[Option<Courses>]) -> V
     json!({ "scene": scene.title, "model": scene.machine.name(), "omega0": w, "motions": each.collect::<Vec<_>>() })
 }
 
-/// Every step from zero on, s; the last stretch has no end.
+/// The verdicts of a method over the ranges of step sizes from zero on, s; the last range has no end.
 fn method(row: &Row) -> Value {
     let stretches = row.steps.as_ref().map(|steps| {
         let each = steps.all().map(|(from, to, stretch)| {

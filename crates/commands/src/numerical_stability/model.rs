@@ -1,4 +1,4 @@
-//! Steps of methods on the steady motions of a system that is written in its file.
+//! Numerical stability of methods on the steady motions of a system that is written in its file.
 
 use super::{Asked, method};
 use crate::arguments::Format;
@@ -13,24 +13,24 @@ use std::fmt::Write;
 use studies::numerical_stability::chart::{Row, rows};
 use studies::numerical_stability::modes::modes;
 
-/// A motion with its modes.
+/// A steady motion with its modes.
 struct Judged<'a> {
     motion: &'a SteadyMotion,
-    /// Or why there are none.
+    /// The linear motion, or the reason for which there is none.
     near: Result<Near, String>,
 }
 
-/// The linear motion near it.
+/// The linear motion about a steady motion.
 struct Near {
-    /// Real and imaginary parts, 1/s.
+    /// Real and imaginary parts of the eigenvalues, 1/s.
     eigenvalues: Vec<[f64; 2]>,
-    /// The number of those that are zero, and are left out.
+    /// The number of zero eigenvalues, which are left out.
     zeros: usize,
     modes: Vec<Mode>,
     rows: Vec<Row>,
 }
 
-/// Prints every method on every steady motion.
+/// Prints the verdicts of every method on every steady motion.
 pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
     let given = [("--omega0", asked.omega0.is_some()), ("--model", asked.model.is_some())];
     if let Some((option, _)) = given.iter().find(|(_, is_given)| *is_given) {

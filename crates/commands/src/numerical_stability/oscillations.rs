@@ -21,17 +21,17 @@ use studies::numerical_stability::methods::OneStep;
 use studies::numerical_stability::oscillation::displaced;
 use studies::stabilisation::schemes::Scheme;
 
-/// Periods over which a drift is told.
+/// The number of periods over which the drift is reported.
 const MILLION: f64 = 1e6;
 
-/// The largest displacement of a run, as a part of one in SI units and of the coordinate itself.
+/// The largest displacement of a run, relative to one in SI units and to the coordinate itself.
 const SMALL: f64 = 1e-3;
 
 /// A method on an oscillation.
 struct Row {
     method: Method,
     steps: u32,
-    /// The part by which a period changes the energy.
+    /// The relative change of the energy in one period.
     theory: Option<f64>,
     measured: Result<Measured, String>,
 }
@@ -54,7 +54,7 @@ pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
         )));
     }
     let found = asked.steady.find(&asked.scene)?;
-    // equations alone need no run
+    // a system without [run] gets a default one
     let run = Run { span: 1.0, samples: 2, tolerance: 1e-9, method: Method::DormandPrince8, outputs: Vec::new() };
     let scene = ModelScene::parse_with(&path.to_string(), &text, Given { run: Some(run), ..Given::default() });
     let kept = scene.map_err(|_| "the start of the file is not complete".to_owned()).and_then(|scene| {
@@ -111,7 +111,7 @@ fn oscillations(
     Ok(all.into_iter().map(of).collect())
 }
 
-/// The part by which a period of so many steps changes the energy of an oscillation.
+/// The relative change of an oscillation's energy in a period of a given number of steps.
 fn theory(method: Method, steps: u32) -> Option<f64> {
     let (scheme, _) = Scheme::of(method, 1.0)?;
     let function = OneStep::Classical(scheme).function()?;
@@ -119,7 +119,7 @@ fn theory(method: Method, steps: u32) -> Option<f64> {
     Some((f64::from(steps) * change.ln_1p()).exp_m1())
 }
 
-/// The energy after a million periods as a part of the first.
+/// The energy after a million periods relative to that at the start.
 fn after_a_million(change: f64) -> String {
     let power = MILLION * change.ln_1p();
     match power.abs() {

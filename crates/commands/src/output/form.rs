@@ -1,16 +1,16 @@
-//! The forms in which commands write, and how a command knows a file of its own.
+//! The forms of output files, and the marks by which a command recognises its own files.
 //!
-//! A program of another language ends with a hash of its lines, so that one that was changed by hand is nobody's but its author's.
-//! A picture begins with a comment that names the command, a page has the command as its generator, a reference says which
-//! command made it. A table begins with lines of comment, `# ...`, which say its origin (`pandas.read_csv(..., comment="#")`); it is
-//! known by the line behind them, the names of its columns with their units.
+//! A program in another language ends with a hash of its lines, so that a program changed by hand is never replaced.
+//! A picture begins with a comment that names the command, a page names the command as its generator, a reference says which
+//! command made it. A table begins with comments, `# ...`, on its origin (`pandas.read_csv(..., comment="#")`); it is
+//! recognised by the line after them, the names of its columns with their units.
 
 use super::seal::is_whole;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-/// The kind of file that is written.
+/// The form of an output file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Form {
     /// A picture, SVG.
@@ -19,7 +19,7 @@ pub enum Form {
     Page,
     /// A solution with its digits.
     Reference,
-    /// A table, CSV, with this first line behind its comments.
+    /// A table, CSV, with this first line after its comments.
     Table(String),
     /// Arrays of NumPy.
     Archive,
@@ -27,15 +27,15 @@ pub enum Form {
     Certificates,
     /// A functional mock-up unit.
     Unit,
-    /// A program of a language, by the end of its name and the sign of its comments.
+    /// A program in a language.
     Program(Source),
 }
 
-/// A language of programs.
+/// A programming language, by the extension of its files and the sign of its comments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Source {
     ends: &'static [&'static str],
-    /// Before a comment.
+    /// The sign before a comment.
     pub comment: &'static str,
 }
 
@@ -46,27 +46,27 @@ impl Source {
     pub const RUST: Source = Source { ends: &["rs"], comment: "//" };
 }
 
-/// The command that writes; the main job has no name.
+/// The command that writes; the report's has no name.
 #[derive(Clone, Copy, Debug)]
 pub struct Maker(pub &'static str);
 
-/// A mark stands within so many bytes.
+/// The number of bytes at the beginning of a file within which its mark stands.
 const HEAD: u64 = 4096;
 
 impl Maker {
-    /// As it is called.
+    /// The command as a user types it.
     pub fn name(self) -> String {
         format!("dalembert {}", self.0).trim_end().to_owned()
     }
 
-    /// As pages and pictures say it.
+    /// The name of the generator in pages and pictures.
     pub fn generator(self) -> String {
         format!("{}, version {}", self.name(), env!("CARGO_PKG_VERSION"))
     }
 }
 
 impl Form {
-    /// The extensions of its files.
+    /// The extensions of files of this form.
     pub fn ends(&self) -> &'static [&'static str] {
         match self {
             Form::Picture => &["svg"],
@@ -80,13 +80,13 @@ impl Form {
         }
     }
 
-    /// The form that the end of a name asks for.
+    /// The form for the extension of a path, among some forms.
     pub fn named(path: &Path, forms: &[Form]) -> Option<Form> {
         let end = path.extension()?.to_str()?;
         forms.iter().find(|form| form.ends().iter().any(|known| known.eq_ignore_ascii_case(end))).cloned()
     }
 
-    /// As messages say it.
+    /// The name of the form in messages.
     pub fn said(&self) -> &'static str {
         match self {
             Form::Picture => "picture",
@@ -100,7 +100,7 @@ impl Form {
         }
     }
 
-    /// The text before the content.
+    /// The mark of the maker, which precedes the content.
     pub fn mark(&self, maker: Maker) -> String {
         match self {
             Form::Picture => format!("<!-- {} -->\n", maker.generator()),
@@ -108,7 +108,7 @@ impl Form {
         }
     }
 
-    /// Whether a file was written by this command in this form. An empty file is nobody's, and holds nothing to be lost.
+    /// Whether a file was written by this command in this form. An empty file counts as such: nothing can be lost.
     pub fn is_of(&self, maker: Maker, file: &Path) -> io::Result<bool> {
         let mut head = Vec::new();
         let room = match self {
@@ -131,7 +131,7 @@ impl Form {
                         && is_whole(&std::fs::read(file)?, source.comment)
                 }
                 Form::Certificates => text.starts_with(&format!("{{\"made_by\":\"{name}, version ")),
-                // letters of an array of texts have four bytes each
+                // characters of a NumPy array of texts have four bytes each
                 Form::Archive => text.replace('\0', "").contains(&format!("made by: {name}, version ")),
                 Form::Table(heading) => {
                     let comments: usize =

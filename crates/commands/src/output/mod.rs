@@ -1,12 +1,12 @@
-//! Where commands write: one rule for all of them.
+//! Output files: the rule by which all commands write and replace them.
 //!
-//! * The end of a name says the form, and a command refuses the ends of forms that it does not write.
+//! * The extension of a name determines the form, and a command refuses extensions of forms that it does not write.
 //! * Folders that are missing are made when the file is written.
-//! * A file that stands there is replaced only if this command wrote it, as its first lines show (see [`Form`]), or if
-//!   `--force` insists; a file that the command reads is never replaced, whatever name leads to it.
-//! * All of this is looked at before the work and again when the file is written: a file that came meanwhile is left alone,
-//!   and what was computed is kept beside it.
-//! * A pipe or a device is written to as it stands, whatever its name; a pipe that nobody reads is refused.
+//! * An existing file is replaced only if this command wrote it, as its first lines show (see [`Form`]), or with `--force`; a
+//!   file that the command reads is never replaced, under any of its names.
+//! * All of this is checked before the work and again when the file is written: a file that appeared meanwhile is left alone,
+//!   and the results are kept beside it.
+//! * A pipe or a device is written to directly, under any name; a pipe without a reader is refused.
 
 mod form;
 mod place;
@@ -28,16 +28,16 @@ use std::path::{Path, PathBuf};
 /// The form in which results are printed.
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
 pub enum Format {
-    /// For reading
+    /// Text for readers
     #[default]
     Text,
-    /// For programs
+    /// JSON for programs
     Json,
 }
 
-/// The rights of a command over files.
+/// The rights of a command to write and replace files.
 pub struct Writes<'a> {
-    /// The name of the command, by which it knows its own files.
+    /// The name of the command, by which it recognises its own files.
     pub command: &'static str,
     /// Whether a file of another maker may be replaced.
     pub force: bool,
@@ -45,7 +45,7 @@ pub struct Writes<'a> {
     pub reads: Vec<&'a Path>,
 }
 
-/// A file that will be written, or a device that is open.
+/// The destination of an output: a file to be written, or an open device.
 pub struct Output {
     path: PathBuf,
     form: Form,
@@ -61,8 +61,8 @@ struct Rights {
 }
 
 impl Writes<'_> {
-    /// A place for one of these forms, as the end of its name says: asked before the work, so that a wrong name does not
-    /// cost it. Nothing is made yet.
+    /// The destination for one of these forms, by the extension: checked before the work, so that a wrong name does not
+    /// waste it. Nothing is made yet.
     pub fn output(&self, path: &Path, forms: &[Form]) -> Result<Output, Exit> {
         let place = Target::of(path).map_err(|error| Exit::unwritable(path, &error))?;
         let form = match (Form::named(path, forms), &place) {
@@ -88,12 +88,12 @@ impl Writes<'_> {
         Ok(Output { path: path.to_owned(), form, place, rights })
     }
 
-    /// The same where a place is asked for.
+    /// The destination where a path is given; `None` where none is.
     pub fn optional(&self, path: Option<&Path>, forms: &[Form]) -> Result<Option<Output>, Exit> {
         path.map(|path| self.output(path, forms)).transpose()
     }
 
-    /// A table that is read before it is continued: a file, or nothing yet. Whether it is ours its rows show.
+    /// The path of a table that is read before it is continued: a file, or nothing yet. Its rows show whether it is the command's own.
     pub fn continued(&self, path: &Path) -> Result<PathBuf, Exit> {
         let output = Writes { force: true, reads: self.reads.clone(), ..*self };
         match output.output(path, &[Form::Table(String::new())])?.place {
@@ -105,14 +105,14 @@ impl Writes<'_> {
         }
     }
 
-    /// The command, as files name it.
+    /// The command, as it marks its files.
     pub fn maker(&self) -> Maker {
         Maker(self.command)
     }
 }
 
 impl Rights {
-    /// Whether a file may be written there, over what stands there now.
+    /// Checks that a file may be written at a path, and whether it replaces an existing one.
     fn admit(&self, path: &Path, file: &Path, form: &Form) -> Result<bool, Exit> {
         if std::fs::symlink_metadata(file).is_err() {
             return Ok(false);
@@ -141,7 +141,7 @@ impl Rights {
 }
 
 impl Output {
-    /// As it was named.
+    /// The path as the user gave it.
     pub fn path(&self) -> &Path {
         &self.path
     }
@@ -151,7 +151,7 @@ impl Output {
         &self.form
     }
 
-    /// Writes it, all or nothing, with the mark of its maker where the form has room for one.
+    /// Writes the output atomically, with the mark of its maker where the form has one.
     pub fn write(self, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<Written, Exit> {
         let _held = clock::held();
         let Output { path, form, place, rights } = self;
@@ -194,7 +194,7 @@ impl Output {
 pub struct Written(PathBuf);
 
 impl Written {
-    /// Tells its name, where there is text to read and not one object for programs.
+    /// Prints the name of the file, unless the output is JSON.
     pub fn tell(self, format: Format) -> Result<(), Exit> {
         match format {
             Format::Text if !is_quiet() => print(&format!("{}\n", self.0.display())),
@@ -203,7 +203,7 @@ impl Written {
     }
 }
 
-/// A reader who has seen enough and closed the pipe is no error.
+/// Writes to a device or pipe; a pipe that its reader has closed is no error.
 fn to_device(device: File, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     let mut out = BufWriter::new(device);
     match content(&mut out).and_then(|()| out.flush()) {
@@ -212,7 +212,7 @@ fn to_device(device: File, content: impl FnOnce(&mut dyn Write) -> io::Result<()
     }
 }
 
-/// The place was taken, or what stood there was changed, after it was looked at first.
+/// The error of a file that appeared or changed at the destination after the first check.
 fn came_meanwhile(path: &Path, written: Beside) -> Exit {
     let kept = match written.keep() {
         Ok(kept) => format!("what was computed is kept in {}", kept.display()),
@@ -221,7 +221,7 @@ fn came_meanwhile(path: &Path, written: Beside) -> Exit {
     Exit::refused(format!("{} came into being meanwhile and is left alone; {kept}", path.display()))
 }
 
-/// Refuses two outputs of one command that would be one file.
+/// Refuses two outputs of one command to one file.
 pub fn apart(one: Option<&Output>, other: Option<&Output>) -> Result<(), Exit> {
     let (Some(one), Some(other)) = (one, other) else { return Ok(()) };
     match one.path == other.path || one.place.is(&other.place) {

@@ -1,20 +1,20 @@
-//! The thing behind a name: a file, there or not yet, or a pipe or device that is opened at once.
+//! The target of a path: a file that may exist, or a pipe or device, which is opened at once.
 
 use std::fs::{self, File, FileType, OpenOptions};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// The thing behind a name.
+/// The target of a path.
 pub enum Target {
-    /// A file, there or not yet; links are followed.
+    /// A file that may exist; links are followed.
     File(PathBuf),
-    /// A terminal, a pipe, nothing: written to as it stands.
+    /// A terminal, a pipe or the null device: written to directly.
     Device(File),
 }
 
 impl Target {
-    /// Looks at a name. A pipe is opened here and stays open, so that its reader waits for what is written; nobody who reads
-    /// is waited for longer than a few seconds.
+    /// Finds the target of a path. A pipe is opened here and stays open, so that its reader waits for the output; a reader is waited
+    /// for a few seconds at most.
     pub fn of(path: &Path) -> io::Result<Self> {
         let found = match fs::metadata(path) {
             Ok(found) => found,
@@ -39,7 +39,7 @@ impl Target {
         }
     }
 
-    /// Whether two names stand for one file.
+    /// Whether two targets are one file.
     pub fn is(&self, other: &Target) -> bool {
         let whole = |path: &Path| {
             let folder = fs::canonicalize(crate::atomic_write::folder(path)).ok()?;
@@ -71,13 +71,13 @@ fn is_pipe(_: FileType) -> bool {
     false
 }
 
-/// Where devices have no kind of their own, they are what is neither file nor folder.
+/// Whether a file type is a character device; without such types, neither file nor folder.
 #[cfg(not(unix))]
 fn is_characters(_: FileType) -> bool {
     true
 }
 
-/// Opens a pipe for which a reader is there, or comes soon.
+/// Opens a pipe that has a reader, or gets one soon.
 #[cfg(unix)]
 fn pipe(path: &Path) -> io::Result<File> {
     use rustix::fs::{Mode, OFlags, fcntl_setfl, open};
@@ -89,7 +89,7 @@ fn pipe(path: &Path) -> io::Result<File> {
     loop {
         match open(path, OFlags::WRONLY | OFlags::NONBLOCK | OFlags::CLOEXEC, Mode::empty()) {
             Ok(pipe) => {
-                // from here on a slow reader is waited for
+                // blocking from here on: a slow reader is waited for
                 fcntl_setfl(&pipe, OFlags::empty())?;
                 return Ok(pipe.into());
             }

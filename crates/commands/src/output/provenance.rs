@@ -1,4 +1,4 @@
-//! The origin of a result: the program, the scene with its hash, the method and the tolerance, so that it can be made again.
+//! The origin of a result: the program, the scene with its hash, the method and the tolerance, so that the result can be reproduced.
 
 use super::Maker;
 use hmac_sha256::Hash;
@@ -23,18 +23,18 @@ impl Provenance {
             format!("scene: {}", scene.display()),
             format!("sha256 of the scene: {hash}"),
         ];
-        // a line is a line
+        // a value must not break its line
         Provenance { lines: lines.into_iter().map(|line| line.replace(['\n', '\r'], " ")).collect() }
     }
 
-    /// With one more fact, such as the method.
+    /// Adds a fact, such as the method.
     #[must_use]
     pub fn with(mut self, name: &str, value: impl Display) -> Self {
         self.lines.push(format!("{name}: {value}").replace(['\n', '\r'], " "));
         self
     }
 
-    /// With the method and the tolerance of a run; constant steps follow no tolerance.
+    /// Adds the method of a run, and its tolerance unless the steps are constant.
     #[must_use]
     pub fn of_run(self, choice: &Choice) -> Self {
         let told = self.with("method", methods::written(choice.method));
@@ -44,22 +44,22 @@ impl Provenance {
         }
     }
 
-    /// Lines of comments.
+    /// The origin as comments with a sign.
     pub fn comment(&self, sign: &str) -> String {
         self.lines.iter().map(|line| format!("{sign} {line}\n")).collect()
     }
 
-    /// A comment of SVG, which may hold no two hyphens in a row.
+    /// The origin as a comment of SVG, in which two hyphens in a row are not allowed.
     pub fn markup(&self) -> String {
         format!("<!-- {} -->\n", self.line().replace("--", "- -").replace("--", "- -"))
     }
 
-    /// One line.
+    /// The origin in one line.
     pub fn line(&self) -> String {
         self.lines.join("; ")
     }
 
-    /// All lines.
+    /// The origin, line by line.
     pub fn lines(&self) -> &[String] {
         &self.lines
     }

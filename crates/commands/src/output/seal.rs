@@ -1,11 +1,11 @@
-//! The last line of a program that is written: the hash of the lines above it. A file whose lines were changed by hand is not replaced.
+//! The last line of a written program: the hash of the lines above it. A file whose lines were changed by hand is not replaced.
 
 use hmac_sha256::Hash;
 use std::io::{self, Write};
 
 const SAID: &str = "sha256 of the lines above:";
 
-/// Writes content and then its seal, behind the sign of a comment.
+/// Writes content, then the hash of it as a comment.
 pub fn sealed(
     out: &mut dyn Write,
     comment: &str,
@@ -17,7 +17,7 @@ pub fn sealed(
     writeln!(out, "{comment} {SAID} {}", hex(hash))
 }
 
-/// Whether the last line is the seal of the lines above it.
+/// Whether the last line is the hash of the lines above it.
 pub fn is_whole(text: &[u8], comment: &str) -> bool {
     let Some((last, content)) = text.split_last().filter(|(end, _)| **end == b'\n').and_then(|(_, rest)| {
         let begin = rest.iter().rposition(|byte| *byte == b'\n')? + 1;
