@@ -112,7 +112,7 @@ impl Writes<'_> {
 }
 
 impl Rights {
-    /// Checks that a file may be written at a path, and whether it replaces an existing one.
+    /// Checks that a file may be written at a path; true where it replaces an existing one.
     fn admit(&self, path: &Path, file: &Path, form: &Form) -> Result<bool, Exit> {
         if std::fs::symlink_metadata(file).is_err() {
             return Ok(false);

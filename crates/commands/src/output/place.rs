@@ -71,7 +71,7 @@ fn is_pipe(_: FileType) -> bool {
     false
 }
 
-/// Whether a file type is a character device; without such types, neither file nor folder.
+/// Always true: on such systems all that is neither file nor folder counts as a device.
 #[cfg(not(unix))]
 fn is_characters(_: FileType) -> bool {
     true

@@ -30,7 +30,7 @@ fn writes(reads: &Path, force: bool) -> Writes<'_> {
     Writes { command: "run", force, reads: vec![reads] }
 }
 
-/// Writes a table, or says why not.
+/// Writes a table, or returns the reason for a refusal.
 fn write(writes: &Writes<'_>, path: &Path) -> Result<(), String> {
     let said = |ending| format!("{ending:?}");
     let output = writes.output(path, &table()).map_err(said)?;

@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 use studies::AnyScene;
 use studies::failures;
 
-/// The main job, where no command is given.
+/// Arguments of the report, which is made where no command is given.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// Where the scene files are
@@ -37,18 +37,18 @@ pub struct Asked {
     pub force: bool,
 }
 
-/// Judges the ledger, runs and charts the scenes, and writes the page. A scene that cannot be read is told at once and on the
-/// page, and the others are reported.
+/// Judges the ledger, runs and charts the scenes, and writes the page. A scene that cannot be read is reported at once and on the
+/// page, and does not stop the others.
 pub fn write(asked: &Asked, files: &[PathBuf]) -> Result<Exit, Exit> {
     let folder = &asked.scenes;
     let reads = files.iter().map(PathBuf::as_path).collect();
     let output = Writes { command: REPORT, force: asked.force, reads }.output(&asked.out, &[Form::Page])?;
-    // all are read before the first is run: what is wrong is told at once
+    // all scenes are read before the first one runs, so that faults are reported at once
     let (mut scenes, mut unread) = (Vec::new(), Vec::new());
-    // those that are made to fail are told by the catalogue
+    // scenes that are made to fail belong to the catalogue of failures
     for file in files.iter().filter(|file| !failures::is_own(file)) {
         match AnyScene::open(file) {
-            // the page is to stay small enough to be sent: `chart` makes a page for each of these
+            // left out, since the page must stay small enough to be sent: `chart` makes a page for each of these
             Ok(AnyScene::Model(_)) if is_example(file, folder) => {}
             Ok(scene) => scenes.push(Read { id: id(file), scene, kept: Stored::beside(file) }),
             Err(error) => {
@@ -83,7 +83,7 @@ pub fn write(asked: &Asked, files: &[PathBuf]) -> Result<Exit, Exit> {
     Ok(if whole { Exit::Done } else { Exit::Stopped })
 }
 
-/// The papers of a folder, in their order; the systems beside them are none.
+/// The files of papers in a folder, sorted; files of systems there are skipped.
 fn paper_files(folder: &Path) -> Vec<PathBuf> {
     let entries = folder.read_dir().into_iter().flatten().flatten();
     let mut files: Vec<PathBuf> = entries.map(|entry| entry.path()).collect();
@@ -93,14 +93,14 @@ fn paper_files(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// The folders, among scenes, of examples of the language of systems and of problems of others.
+/// The folders of scenes with examples of the language, and with problems of public collections.
 const EXAMPLES: [&str; 2] = ["models", crate::studies::FOLDER];
 
 fn is_example(file: &Path, scenes: &Path) -> bool {
     file.strip_prefix(scenes).is_ok_and(|inner| EXAMPLES.iter().any(|folder| inner.starts_with(folder)))
 }
 
-/// The commands that write pages: the main job, which has no name, and the charts of one scene.
+/// The names of the commands that write pages: the report, which has none, and the charts of one scene.
 const REPORT: &str = "";
 const CHART: &str = "chart";
 

@@ -1,4 +1,4 @@
-//! The parts of the report: what is computed side by side, what is timed alone, and the page that they make.
+//! The parts of the report: those computed in parallel, those timed alone, and the page that they make.
 
 use super::scene::{NoReference, Prepared, Read, prepare};
 use super::{REPORT, explained, titled};
@@ -41,7 +41,7 @@ pub struct Parts {
 }
 
 impl Parts {
-    /// None yet.
+    /// Empty parts, of which none is computed yet.
     pub fn of(scenes: &[Read], texts: &[PaperText], folder: &Path) -> Self {
         Parts {
             papers: papers().iter().map(|_| None).collect(),
@@ -61,7 +61,7 @@ impl Parts {
         }
     }
 
-    /// All that need not be timed.
+    /// Computes all parts but the times.
     pub fn compute(&mut self, scenes: &[Read], texts: &[PaperText], folder: &Path, done: impl FnMut(f64)) {
         let mut crew = JobPool::default();
         for (place, paper) in self.papers.iter_mut().zip(papers()) {
@@ -92,7 +92,7 @@ impl Parts {
         crew.work(done);
     }
 
-    /// The times, while nothing else runs.
+    /// Measures the times, while nothing else runs.
     pub fn take_times(&mut self, mut done: impl FnMut(f64)) {
         let whole = (self.prepared.len() + 1) as f64;
         for (count, prepared) in self.prepared.iter_mut().flatten().enumerate() {
@@ -104,7 +104,7 @@ impl Parts {
         self.gains.take_times();
     }
 
-    /// Every paper with a claim that is not sound, every scene that did not come out as it should, and why.
+    /// Every paper with an unsound claim, and every scene with an unexpected result, with the reason.
     pub fn faults(&self) -> Vec<String> {
         let unsound = self.papers.iter().flatten().filter(|(_, sound)| !sound);
         let unsound =
@@ -180,7 +180,7 @@ impl Parts {
     }
 }
 
-/// Those with a motor.
+/// The scenes with a motor.
 fn driven(scenes: &[Read]) -> impl Iterator<Item = &Scene> {
     scenes.iter().filter_map(|read| match &read.scene {
         AnyScene::Driven(scene) => Some(&**scene),

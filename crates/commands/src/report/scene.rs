@@ -1,4 +1,4 @@
-//! A scene in the report: its data, its run, its smaller models.
+//! A scene in the report: its data, its run, its reduced models.
 
 use crate::pictures;
 use crate::speed::tables::floors;
@@ -13,25 +13,25 @@ use std::time::Duration;
 use studies::AnyScene;
 use studies::scene::Scene;
 
-/// For a reference; they share the processors, so that one of them has less than when it is alone.
+/// The time for a reference. References share the processors, so that each has less of them than alone.
 const PATIENCE: Duration = Duration::from_secs(15);
-/// The same for a system without a motor of the catalogue: there are many, and `dalembert chart` gives each its own time.
+/// The time for the reference of a system without a motor of the catalogue: there are many, and `dalembert chart` allows more.
 const OF_A_MECHANISM: Duration = Duration::from_secs(8);
-/// In one run of such a system, whose laws are dear.
+/// The largest number of evaluations in one run of such a system, whose law is expensive.
 const EVALUATIONS: u64 = 20_000;
-/// For the times of all runs of a scene with a motor, and of another.
+/// The time for timing all runs of a scene with a motor, and of another scene.
 const TIMED: [Duration; 2] = [Duration::from_millis(800), Duration::from_millis(500)];
 
-/// A scene's section without its charts, how it came out, and the errors of its methods.
+/// A scene's section without its charts, the outcome of its run, and the errors of its methods.
 pub struct Prepared {
     pub section: SceneSection,
     /// Whether its law changes at events.
     pub across_events: bool,
-    /// The fault, where it did not come out as it should.
+    /// The fault, where the result is not as it should be.
     pub unreached: Option<String>,
     pub atlas: Result<Atlas, NoReference>,
     pub trials: Trials,
-    /// For its times.
+    /// The time for timing its runs.
     pub timed: Duration,
 }
 
@@ -42,16 +42,16 @@ pub struct Read {
     pub kept: Option<Stored>,
 }
 
-/// Why methods are not compared on a scene.
+/// The reason for which methods are not compared on a scene.
 pub enum NoReference {
     Stopped(Failure),
-    /// Across events.
+    /// There is no reference across events.
     Unknown(Unknown),
-    /// The run ends early, for a reason that has a name.
+    /// The run ends early, for a known reason.
     Ends,
 }
 
-/// Runs a scene, computes its reference, and the errors of all methods by that.
+/// Runs a scene, computes its reference, and measures the errors of all methods against it.
 pub fn prepare(Read { id, scene: any, kept }: &Read) -> Prepared {
     let scene = any.smooth();
     let choice = scene.run().choice();
@@ -82,11 +82,11 @@ pub fn prepare(Read { id, scene: any, kept }: &Read) -> Prepared {
     }
     let unreached = match &atlas {
         Err(NoReference::Ends) => None,
-        // a mechanism may take longer than the report has for it, which is said
+        // no fault: a mechanism may need more time than the report has for it, which the page says
         Err(NoReference::Unknown(_)) => None,
         Err(NoReference::Stopped(failure)) if of_a_mechanism && failure.is_broken_off() => None,
         Err(NoReference::Stopped(failure)) => Some(format!("its reference stopped: {failure}")),
-        // a motion may come to the end of its law, as a jam does: the reference confirms it, and the page tells it
+        // no fault: a motion may reach the end of its law, as a jam does; the reference confirms it, and the page says it
         Ok(_) if run.left.is_some() => None,
         Ok(_) => run.stopped().map(|why| format!("its run stopped: {why}")),
     };
@@ -185,7 +185,7 @@ fn ladder(scene: &Scene, run: &Trajectory, atlas: Option<&Atlas>) -> Option<Tabl
     (!rows.is_empty()).then(|| Table { caption, head: head.map(String::from).into(), rows })
 }
 
-/// Over all samples, of the angular velocity and the rotor's speed: what every model has.
+/// The largest difference, over all samples, of the angular velocity and the rotor's speed, which every model has, rad/s.
 fn difference(a: &Trajectory, b: &Trajectory) -> f64 {
     let common = ["w1", "w2", "w3", "rotor_speed"].into_iter();
     let columns: Vec<(usize, usize)> = common.filter_map(|name| Some((a.column(name)?, b.column(name)?))).collect();

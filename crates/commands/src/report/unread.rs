@@ -1,9 +1,9 @@
-//! Scenes that could not be read, in the report: each with the lines that are wrong.
+//! Scenes that could not be read, in the report: each with its faulty lines.
 
 use charts::{Study, Table};
 use reader::{Issue, SceneError};
 
-/// The page; `None` where all were read.
+/// The section of unread scenes; `None` where all were read.
 pub fn study(unread: &[SceneError]) -> Option<Study> {
     (!unread.is_empty()).then(|| Study {
         id: "unread".into(),
@@ -25,7 +25,7 @@ fn rows(error: &SceneError) -> impl Iterator<Item = Vec<String>> {
     })
 }
 
-/// Counted from one; none where the whole file is wrong.
+/// The number of a faulty line, from one; empty where the whole file is faulty.
 fn line(error: &SceneError, issue: &Issue) -> String {
     issue.span.as_ref().map_or_else(String::new, |span| {
         let before = error.text.bytes().take(span.start);

@@ -5,12 +5,12 @@ use scenes::SystemText;
 use std::path::Path;
 use std::process::Command;
 
-/// The file that a name stands for, where it stands for no commit.
+/// The file for the value of --against; `None` where it is a commit.
 pub(super) fn other_file(against: &str) -> Option<&Path> {
     Some(Path::new(against)).filter(|other| other.is_file())
 }
 
-/// The text of a file before, with the name that messages have: that of another file where one has this name, else its own at a commit.
+/// The earlier text of a file, with its name for messages: the text of another file where `against` is one, else that at a commit.
 pub(super) fn of(file: &Path, against: &str) -> Result<SystemText, Exit> {
     if let Some(other) = other_file(against) {
         return Ok(SystemText::read(other)?);

@@ -1,4 +1,4 @@
-//! `dalembert review`: changes of the reviewed pages, of a system in its file, or of a paper in its file, as mechanics.
+//! `dalembert review`: changes of the reviewed pages, of a system or of a paper in its file, in terms of mechanics.
 
 mod earlier_text;
 mod pages;
@@ -17,7 +17,7 @@ use manuscript::is_paper;
 use serde_json::json;
 use std::path::PathBuf;
 
-/// Everything that is compared.
+/// Arguments of `review`.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// A system or a paper in its file: its equations, steady motions and run, or its claims, are compared; without it the project's
@@ -28,7 +28,7 @@ pub struct Asked {
     /// the accepted ones
     #[arg(long, value_name = "COMMIT|FILE", default_value = "HEAD")]
     pub against: String,
-    /// The range of a coordinate in which steady motions of a system are compared, in SI units; without it angles alone are sought
+    /// The range of a coordinate in which steady motions of a system are compared, in SI units; angles need none
     #[arg(long, value_name = "NAME=FROM..TO", value_parser = named_range, num_args = 1)]
     pub range: Vec<(String, Range)>,
     /// The form in which the changes are printed
@@ -36,7 +36,7 @@ pub struct Asked {
     pub format: Format,
 }
 
-/// Changes that belong together.
+/// A group of changes under one title.
 struct Part {
     title: String,
     told: Vec<String>,

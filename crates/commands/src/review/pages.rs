@@ -1,4 +1,4 @@
-//! Changes of the reviewed pages, as mechanics.
+//! Changes of the reviewed pages, in terms of mechanics.
 
 use super::earlier_text::git;
 use crate::arguments::Format;
@@ -55,7 +55,7 @@ fn pages(commit: &str) -> Result<Vec<Changed>, Exit> {
     Ok(compared.collect())
 }
 
-/// The changes of one page: as statements where it is a page of claims, else line by line.
+/// The changes of one page: claim by claim for a page of claims, else line by line.
 fn told(name: &str, old: &str, new: &str) -> Vec<String> {
     let paper = papers().into_iter().find(|paper| Path::new(name).starts_with(Path::new(FOLDER).join(paper.key)));
     match paper {
@@ -67,7 +67,7 @@ fn told(name: &str, old: &str, new: &str) -> Vec<String> {
     }
 }
 
-/// Lines that went and lines that came; of rows whose words agree the numbers, with how much they moved.
+/// Removed and added lines; where two lines have the same words, the changes of their numbers.
 fn lines(old: &str, new: &str) -> Vec<String> {
     let (old, new): (Vec<&str>, Vec<&str>) = (old.lines().collect(), new.lines().collect());
     let gone: Vec<&str> = old.iter().filter(|line| !new.contains(line)).copied().collect();
@@ -91,7 +91,7 @@ fn words(line: &str) -> Vec<&str> {
     line.split_whitespace().filter(|word| word.parse::<f64>().is_err()).collect()
 }
 
-/// Two rows of the same words.
+/// The change between two rows with the same words.
 fn moved(old: &str, new: &str) -> String {
     let numbers = |line: &str| line.split_whitespace().filter_map(|word| word.parse::<f64>().ok()).collect::<Vec<_>>();
     let (before, now) = (numbers(old), numbers(new));

@@ -1,4 +1,4 @@
-//! Changes of a paper in its file: which claims came, went, or have another verdict, formula, correction or hypothesis.
+//! Changes of a paper in its file: claims that were added or removed, or have another verdict, formula, correction or hypothesis.
 
 use super::earlier_text::{self, other_file};
 use super::system::{Changes, of_equations};
@@ -9,7 +9,7 @@ use manuscript::{Finding, PaperText};
 use scenes::SystemText;
 use std::path::Path;
 
-/// All changes between two texts, each with the system that it had.
+/// All changes between two texts of a paper, each judged on the system of its time.
 pub(super) fn changes(file: &Path, against: &str, [before, now]: [SystemText; 2]) -> Result<Changes, Exit> {
     let mut old = PaperText::parse(other_file(against).unwrap_or(file), before.text)?;
     let model = old.model_file().filter(|_| other_file(against).is_none()).map(Path::to_owned);

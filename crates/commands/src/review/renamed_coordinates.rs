@@ -1,11 +1,11 @@
-//! Coordinates that have another name and are what they were.
+//! Renamed coordinates: those with another name and the same equations.
 
 use model::Model;
 
-/// Names before and now.
+/// Pairs of old and new names.
 pub(super) type Renamed = Vec<(String, String)>;
 
-/// Coordinates that went beside coordinates that came, in their order, where these have the same dimensions.
+/// Removed coordinates paired with added ones, in their order, where the dimensions agree.
 pub(super) fn candidates([old, new]: [&Model; 2]) -> Renamed {
     let without = |these: &Model, those: &Model| {
         let is_new = |name: &String| those.coordinates.iter().all(|other| other.name != *name);
@@ -20,7 +20,7 @@ pub(super) fn candidates([old, new]: [&Model; 2]) -> Renamed {
     gone.into_iter().zip(come).map(|((old, _), (new, _))| (old, new)).collect()
 }
 
-/// A text with the new names in it.
+/// A text with old names replaced by new ones.
 pub(super) fn with_new_names(text: &str, renamed: &Renamed) -> String {
     let mut out = String::with_capacity(text.len());
     let mut word = String::new();

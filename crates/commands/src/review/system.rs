@@ -1,4 +1,4 @@
-//! Changes of a system in its file: which term of which equation by which principle, which steady motions and which columns of its run moved.
+//! Changes of a system in its file: terms of equations, with the principles that show them, steady motions, and columns of its run.
 
 use super::renamed_coordinates::{Renamed, candidates, with_new_names};
 use crate::clock;
@@ -15,10 +15,10 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use symbolic::{Dimension, Sym};
 
-/// Titles with what changed.
+/// Changes, grouped under titles.
 pub(super) type Changes = Vec<(String, Vec<String>)>;
 
-/// Differences of a run below this part of a column's size are those of rounding.
+/// Differences of a run below this part of a column's size are rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// All changes between two texts.
@@ -45,7 +45,7 @@ pub(super) fn of_equations(texts: &[SystemText; 2]) -> Result<Changes, Exit> {
     Ok(all)
 }
 
-/// Coordinates with another name whose equations are what they were.
+/// Coordinates with another name and the same equations.
 fn renamed(texts: &[SystemText; 2]) -> Result<Renamed, Exit> {
     let [old, new] = [texts[0].for_equations()?, texts[1].for_equations()?];
     let renamed = candidates([&old, &new]);
@@ -66,7 +66,7 @@ fn renamed(texts: &[SystemText; 2]) -> Result<Renamed, Exit> {
     Ok(if renamed.iter().all(is_same) { renamed } else { Vec::new() })
 }
 
-/// Boxes of a search for steady motions.
+/// The largest number of boxes in a search for steady motions.
 const MOST_BOXES: usize = 50_000;
 
 /// Parameters with another value.
@@ -137,7 +137,7 @@ fn rows(text: &SystemText, principle: NamedPrinciple) -> Option<BTreeMap<String,
     written.ok().flatten()
 }
 
-/// M q'' + h - Q - J^T lambda = 0, its row.
+/// A row of M q'' + h - Q - J^T lambda = 0.
 fn equation(form: &MatrixForm, row: usize) -> String {
     let inertia = form.mass[row].iter().zip(&form.accelerations).fold(Sym::ZERO, |sum, (m, a)| sum + *m * *a);
     let held = form.constraints.iter().zip(&form.multipliers);
@@ -160,7 +160,7 @@ fn dimensions(models: [&Model; 2]) -> BTreeMap<String, Dimension> {
     all
 }
 
-/// Motions that came, went, moved, or have another stability.
+/// Steady motions that were added or removed, moved, or have another stability.
 fn steady_motions(name: &str, models: [Model; 2], asked: &Asked, renamed: &Renamed) -> Vec<String> {
     let found = models.map(|mut model| {
         model.close_inputs();
@@ -182,7 +182,7 @@ fn steady_motions(name: &str, models: [Model; 2], asked: &Asked, renamed: &Renam
             format!("warning: {name}: the search for steady motions leaves {count} boxes undecided")
         })
         .collect();
-    // both texts may leave as many
+    // both texts may give the same warning
     warnings.dedup();
     warnings.iter().for_each(|warning| warn(warning));
     let told = |found: &Found| -> Vec<String> {
@@ -205,7 +205,7 @@ fn steady_motions(name: &str, models: [Model; 2], asked: &Asked, renamed: &Renam
     }
 }
 
-/// Columns whose values moved.
+/// Columns of the run whose values differ.
 fn run(scenes: [&ModelScene; 2], renamed: &Renamed) -> Vec<String> {
     let [old, new] = scenes.map(|scene| {
         let own = scene.run().choice();
@@ -253,7 +253,7 @@ fn run(scenes: [&ModelScene; 2], renamed: &Renamed) -> Vec<String> {
     told
 }
 
-/// Nine digits.
+/// A number with nine digits.
 fn short(value: f64) -> String {
     if value != 0.0 && !(1e-4..1e9).contains(&value.abs()) { format!("{value:.8e}") } else { format!("{value:.9}") }
 }

@@ -1,12 +1,12 @@
-//! Entries of a file that differ, by their keys.
+//! Differing entries of two files, by their keys.
 
 use std::collections::BTreeMap;
 use toml::{Table, Value};
 
-/// Entries that other parts tell better: parameters by their names, claims by their verdicts; texts for reading.
+/// Keys that other parts of the review report better, such as parameters and claims, and texts for readers.
 const TOLD_ELSEWHERE: [&str; 5] = ["title", "description", "parameters", "claim", "citation"];
 
-/// Every entry that came, went, or has another value; nothing of texts that are no TOML.
+/// Every entry that was added or removed or has another value; none where a text is not TOML.
 pub(super) fn changes(texts: [&str; 2]) -> Vec<String> {
     let tables = texts.map(|text| text.parse::<Table>().ok());
     let [Some(old), Some(new)] = &tables else { return Vec::new() };
@@ -20,10 +20,10 @@ pub(super) fn changes(texts: [&str; 2]) -> Vec<String> {
     moved.chain(gone).collect()
 }
 
-/// Words by which an entry of a list is known: its name, or what it is about.
+/// The keys whose values identify an entry of a list.
 const LABELS: [&str; 6] = ["name", "when", "of", "on", "between", "turns"];
 
-/// The entries of a table. One of a list that stands in the other table too is known by its label, and by its place else.
+/// The entries of a table. An entry of a list is identified by its label where the other table has the list too, else by its position.
 fn entries(table: &Table, other: &Table) -> BTreeMap<String, String> {
     let mut all = BTreeMap::new();
     for (key, value) in table.iter().filter(|(key, _)| !TOLD_ELSEWHERE.contains(&key.as_str())) {

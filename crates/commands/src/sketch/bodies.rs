@@ -5,14 +5,14 @@ use ::scenes::geometry::{Ellipsoid, Figure, Wheel};
 use charts::SketchPart;
 use nalgebra::Vector3;
 
-/// The way in which bodies are drawn.
+/// The result of drawing bodies.
 pub struct Drawn {
     /// Whether lengths are those of the model.
     pub is_to_scale: bool,
     pub note: &'static str,
 }
 
-/// The radius of a body whose size nothing tells, as a part of the size of the whole.
+/// The radius of a body of unknown size, as a part of the size of the sketch.
 const UNTOLD: f64 = 0.16;
 
 const NOT_TO_SCALE: &str = "The model gives these bodies no places: they are drawn beside each other, not to scale.";
@@ -84,7 +84,7 @@ pub fn draw(parts: &mut Parts<'_>) -> Drawn {
     Drawn { is_to_scale, note }
 }
 
-/// Whether places that are fixed in a body show how it turns: two in a plane, three that are on no line in space.
+/// Whether places fixed in a body show its rotation: two in a plane, three that are not collinear in space.
 fn is_outlined(parts: &Parts<'_>, body: usize) -> bool {
     let Some(figure) = parts.figures.first() else { return false };
     let mut links = parts.geometry.links.iter().filter(|link| link.bodies.contains(&body));
@@ -97,7 +97,7 @@ fn is_outlined(parts: &Parts<'_>, body: usize) -> bool {
     links.any(|link| parts.geometry.plane.is_some() || !is_line(&link.places))
 }
 
-/// The direction in which bodies without places stand beside each other.
+/// The direction along which bodies without places are put next to each other.
 fn right(parts: &Parts<'_>) -> Vector3<f64> {
     match parts.geometry.plane {
         Some(normal) if normal.x.abs() > 0.5 => Vector3::y(),
@@ -105,7 +105,7 @@ fn right(parts: &Parts<'_>) -> Vector3<f64> {
     }
 }
 
-/// The direction in which names stand above them.
+/// The direction from a body to its name.
 fn up(parts: &Parts<'_>) -> Vector3<f64> {
     match parts.geometry.plane {
         Some(normal) if normal.z.abs() < 0.5 => Vector3::z(),
@@ -118,7 +118,7 @@ fn mean(figure: &Figure, places: &[usize]) -> Vector3<f64> {
     all / places.len().max(1) as f64
 }
 
-/// Whether a body is a block on a line: not one that touches something, nor one that falls freely.
+/// Whether a body is drawn as a block on a line: one without contacts that does not fall freely.
 fn slides(parts: &Parts<'_>, at: usize) -> bool {
     let geometry = parts.geometry;
     let Some((_, along)) = geometry.slides.iter().find(|(place, _)| *place == at) else { return false };
@@ -140,7 +140,7 @@ fn block(parts: &mut Parts<'_>, body: usize, at: usize) {
     parts.add(SketchPart::Block { at, along, colour: body });
 }
 
-/// A wheel across its axis, or a ball.
+/// Draws a wheel across its axis, or a ball.
 fn round(parts: &mut Parts<'_>, at: usize, wheel: Wheel) {
     let Wheel { body, radius, axis, .. } = wheel;
     let Some(frame) = parts.geometry.model.bodies[body].frame.map(|frame| frame.0) else { return };
@@ -157,14 +157,14 @@ fn round(parts: &mut Parts<'_>, at: usize, wheel: Wheel) {
     parts.add(SketchPart::Centre(at));
 }
 
-/// The axis of a frame that is nearest to the normal of the plane.
+/// The axis of a frame that is closest to the normal of the plane.
 fn across(parts: &Parts<'_>, frame: usize, normal: Vector3<f64>) -> usize {
     let share =
         |axis: &usize| parts.figures.first().map_or(0.0, |figure| figure.frames[frame][*axis].dot(&normal).abs());
     (0..3).max_by(|a, b| share(a).total_cmp(&share(b))).unwrap_or(2)
 }
 
-/// The ellipse across one of three half axes.
+/// Draws the section of an ellipsoid across one of its three half axes.
 fn ring(parts: &mut Parts<'_>, at: usize, axes: [usize; 3], across: usize, (colour, spoke): (usize, bool)) {
     let axes = [axes[(across + 1) % 3], axes[(across + 2) % 3]];
     parts.add(SketchPart::Ring { at, axes, colour, spoke });
@@ -179,14 +179,14 @@ fn longest(shape: &Ellipsoid) -> f64 {
     shape.lengths.iter().copied().fold(0.0, f64::max)
 }
 
-/// Draws the ellipsoid of a body with a mass; whether it has one.
+/// Draws the ellipsoid of inertia of a body with mass; false where it has none.
 fn ellipsoid(parts: &mut Parts<'_>, body: usize, at: usize) -> bool {
     let Some(shape) = shape(parts, body).filter(|shape| shape.has_mass) else { return false };
     rings(parts, body, at, shape, 1.0);
     true
 }
 
-/// A body whose size nothing tells.
+/// Draws a body of unknown size.
 fn schematic(parts: &mut Parts<'_>, body: usize, at: usize, size: f64) {
     let whole =
         Ellipsoid { axes: [Vector3::x(), Vector3::y(), Vector3::z()], lengths: [1.0, 1.0, 0.0], has_mass: false };
@@ -195,7 +195,7 @@ fn schematic(parts: &mut Parts<'_>, body: usize, at: usize, size: f64) {
     rings(parts, body, at, shape, by);
 }
 
-/// Ellipses across the axes of an ellipsoid, and in space the axes of its frame.
+/// Draws ellipses across the axes of an ellipsoid, and in space the axes of its frame.
 fn rings(parts: &mut Parts<'_>, body: usize, at: usize, shape: Ellipsoid, by: f64) {
     let Some(frame) = parts.geometry.model.bodies[body].frame.map(|frame| frame.0) else { return };
     let axes_frame = parts.geometry.inertia_frame(body).unwrap_or(frame);
@@ -229,7 +229,7 @@ fn triad(parts: &mut Parts<'_>, frame: usize, at: usize, (length, colour): (f64,
     parts.add(SketchPart::Triad { at, axes, colour });
 }
 
-/// Frames of a system in which nothing else is seen: those that no other turns in.
+/// Draws the frames of a system without other visible parts: those in which no other frame turns.
 fn frames_alone(parts: &mut Parts<'_>) {
     if !parts.parts.is_empty() {
         return;

@@ -1,4 +1,4 @@
-//! Joints, and all that acts on bodies: pins, supports, rods, springs, dampers, surfaces that are touched, forces.
+//! Joints and loads in a sketch: pins, supports, rods, springs, dampers, contact surfaces, forces.
 
 use super::parts::Parts;
 use charts::SketchPart;
@@ -44,7 +44,7 @@ pub fn draw(parts: &mut Parts<'_>) {
     }
 }
 
-/// Surfaces on which wheels roll by constraints.
+/// Draws surfaces on which wheels roll by constraints.
 fn rolled_on(parts: &mut Parts<'_>) {
     let geometry = parts.geometry;
     for wheel in &geometry.wheels {
@@ -54,14 +54,14 @@ fn rolled_on(parts: &mut Parts<'_>) {
         let is_flat = geometry.plane.is_some();
         let normal = parts.direction(move |figure| {
             let arm = figure.places[centre] - figure.places[point];
-            // in space a wheel leans, and what it rolls on is level
+            // in space a wheel leans, and the surface is horizontal
             if is_flat || figure.gravity == Vector3::zeros() { arm } else { -figure.gravity }
         });
         parts.add(SketchPart::Surface { at: point, normal, of_ground: true });
     }
 }
 
-/// Places at which parts are joined to each other, and to the ground.
+/// Draws pins where parts are joined to each other or to the ground.
 fn joined(parts: &mut Parts<'_>) {
     let geometry = parts.geometry;
     let links: Vec<&Vec<usize>> = geometry.links.iter().map(|link| &link.places).collect();
@@ -80,7 +80,7 @@ fn joined(parts: &mut Parts<'_>) {
             parts.add(SketchPart::Pin(place));
         }
     }
-    // a place of one link that is always at a place of another, as constraints hold it, or that is in both
+    // pairs of places of two links that coincide at all times by constraints, or that are one place
     let all: Vec<(usize, usize)> =
         links.iter().enumerate().flat_map(|(link, places)| places.iter().map(move |place| (link, *place))).collect();
     for (number, &(link, place)) in all.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! A system as a sketch: its geometry as parts at places, seen from where a mechanician would look.
+//! A sketch of a system: its geometry as drawn parts, seen from a direction that shows the mechanism well.
 
 mod bodies;
 mod joints;
@@ -10,7 +10,7 @@ use ::scenes::geometry::{Figure, Geometry};
 use charts::{Instant, Sketch};
 use parts::Parts;
 
-/// The sketch of a system at one time or at several, seen from a direction or from where its kind is seen best.
+/// The sketch of a system at one time or several, seen from a given direction or from the usual one for its kind.
 pub fn sketch(title: &str, geometry: &Geometry, figures: &[Figure], towards: Option<[f64; 3]>) -> Sketch {
     let mut parts = Parts::of(geometry, figures);
     let bodies = bodies::draw(&mut parts);
@@ -32,7 +32,7 @@ pub fn sketch(title: &str, geometry: &Geometry, figures: &[Figure], towards: Opt
     }
 }
 
-/// Everything of the figures, before parts add places and directions of their own.
+/// The places and directions of all figures, to which parts add their own.
 fn instants(figures: &[Figure]) -> Vec<Instant> {
     let one = |figure: &Figure| Instant {
         time: figure.time,

@@ -1,4 +1,4 @@
-//! Names beside what they name: bodies, points that parts stand at, contacts.
+//! Names in a sketch: of bodies, of points with parts, of contacts.
 
 use super::parts::Parts;
 use charts::SketchPart;

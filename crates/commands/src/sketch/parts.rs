@@ -1,4 +1,4 @@
-//! The parts of a sketch as they are gathered, with the places and directions that they need.
+//! The parts of a sketch under construction, with the places and directions that they use.
 
 use super::instants;
 use ::scenes::geometry::{Figure, Geometry};
@@ -12,7 +12,7 @@ pub struct Parts<'a> {
     pub parts: Vec<SketchPart>,
     pub names: Vec<(usize, String)>,
     pub instants: Vec<Instant>,
-    /// Places of bodies, by their numbers, where their names stand.
+    /// The number of each body's place, at which its name stands.
     pub bodies: Vec<Option<usize>>,
 }
 
@@ -28,7 +28,7 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// A place beside those of the model.
+    /// Adds a place to those of the model.
     pub fn place(&mut self, of: impl Fn(&Figure) -> Vector3<f64>) -> usize {
         for (instant, figure) in self.instants.iter_mut().zip(self.figures) {
             instant.places.push(of(figure).into());
@@ -43,7 +43,7 @@ impl<'a> Parts<'a> {
         self.instants.first().map_or(0, |instant| instant.directions.len() - 1)
     }
 
-    /// Whether two places of the model are one at all times.
+    /// Whether two places of the model coincide at all times.
     pub fn coincide(&self, a: usize, b: usize) -> bool {
         let near = 1e-6 * self.geometry.size;
         self.figures.iter().all(|figure| (figure.places[a] - figure.places[b]).norm() <= near)

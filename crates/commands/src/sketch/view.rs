@@ -1,10 +1,10 @@
-//! From where a system is seen: across the plane in which it moves, else from the side and a little from above.
+//! The direction of view: normal to the plane of a plane motion, else from the side and a little from above.
 
 use ::scenes::geometry::{Figure, Geometry};
 use charts::View;
 use nalgebra::Vector3;
 
-/// Degrees from the first horizontal axis, and above the horizon.
+/// Degrees from the first horizontal axis, and degrees above the horizon.
 const AZIMUTH: f64 = -58.0;
 const HEIGHT: f64 = 22.0;
 
@@ -24,13 +24,13 @@ pub fn view(geometry: &Geometry, figures: &[Figure], towards: Option<[f64; 3]>) 
     let across = |direction: &Vector3<f64>| direction.dot(&normal).abs() < 0.1;
     let upright = if normal.z.abs() > 0.9 { Vector3::y() } else { Vector3::z() };
     let up = weight.filter(across).unwrap_or(upright);
-    // from the side from which the first axis points to the right
+    // seen from the side from which the first axis points to the right
     let right = up.cross(&normal);
     let first = right.iter().copied().find(|part| part.abs() > 0.1).unwrap_or(1.0);
     View { towards: (first.signum() * normal).into(), up: up.into() }
 }
 
-/// Two axes that make with the upright one a right-handed frame, near those of the ground.
+/// Two horizontal axes, close to those of the ground, that form a right-handed frame with the upright axis.
 fn horizontal(up: Vector3<f64>) -> [Vector3<f64>; 2] {
     let near = if up.x.abs() < 0.8 { Vector3::x() } else { Vector3::y() };
     let first = (near - near.dot(&up) * up).normalize();

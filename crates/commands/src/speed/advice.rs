@@ -1,11 +1,11 @@
-//! One sentence: what is the fastest at an error, and what the next costs.
+//! Advice in one sentence: the fastest method for an error, and the cost of the next one.
 
 use super::{Counted, Series, series};
 use charts::{significant, tolerance};
 use integrators::cost;
 use simulation::Atlas;
 
-/// The fastest at an error, and the fastest by another method.
+/// The sentence on the fastest method that reaches an error, and on the fastest one of another family.
 pub fn advice(atlas: &Atlas, error: f64) -> String {
     let series = series(atlas);
     let reaching = |one: &&Series<'_>| cost(&one.trials(Counted::Time), error).is_some();

@@ -2,7 +2,7 @@
 //!
 //! # Overview
 //! * [`Series`]: the runs of a method on one formulation with one model;
-//! * [`Counted`]: what a run costs;
+//! * [`Counted`]: the measure of a run's cost;
 //! * [`pictures`], [`tables`], [`advice`].
 
 pub mod advice;
@@ -17,7 +17,7 @@ use simulation::work_precision::{Configuration, Standing};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Counted {
     Evaluations,
-    /// s
+    /// Time, s.
     Time,
 }
 
@@ -31,7 +31,7 @@ impl Counted {
         }
     }
 
-    /// No number where it was not measured.
+    /// The cost of a run; NaN where it was not measured.
     pub fn of(self, point: &Point) -> f64 {
         match self {
             Counted::Evaluations => point.evaluations as f64,
@@ -40,10 +40,10 @@ impl Counted {
     }
 }
 
-/// A larger error is as large as the motion: no answer, and on no front.
+/// The largest relative error of a useful result; runs with a larger one are on no front.
 pub const ANSWER: f64 = 0.1;
 
-/// The runs of a method on one way.
+/// The runs of a method on one configuration.
 pub struct Series<'a> {
     pub way: &'a Configuration,
     pub family: String,
@@ -51,30 +51,30 @@ pub struct Series<'a> {
 }
 
 impl Series<'_> {
-    /// `Taylor, second form, equivalent windings`
+    /// The name in legends, such as `Taylor, second form, equivalent windings`.
     pub fn name(&self) -> String {
         let parts = [self.family.clone(), self.way.formulation.name().to_owned(), model(self.way)];
         parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
     }
 
-    /// `Taylor in the second form with equivalent windings`
+    /// The name in sentences, such as `Taylor in the second form with equivalent windings`.
     pub fn said(&self) -> String {
         let with = if self.way.model.is_empty() { String::new() } else { format!(" with {}", model(self.way)) };
         format!("{} {}{with}", self.family, self.way.formulation.said())
     }
 
-    /// Whether its model can answer at all.
+    /// Whether the error of its model is small enough for a useful result.
     pub fn is_near(&self) -> bool {
         self.way.is_exact() || self.points.iter().any(|point| point.error.is_ok_and(|error| error <= ANSWER))
     }
 
-    /// For [`integrators::cost`].
+    /// The trials for [`integrators::cost`].
     pub fn trials(&self, counted: Counted) -> Vec<Trial> {
         self.points.iter().map(|point| Trial { cost: counted.of(point), error: point.error.ok() }).collect()
     }
 }
 
-/// All series of an atlas, way by way.
+/// All series of an atlas, configuration by configuration.
 pub fn series(atlas: &Atlas) -> Vec<Series<'_>> {
     let mut all: Vec<Series> = Vec::new();
     for explored in &atlas.explored {
@@ -90,7 +90,7 @@ pub fn series(atlas: &Atlas) -> Vec<Series<'_>> {
     all
 }
 
-/// A motor's model for a reader, with what it is beside the scene's own.
+/// The name of a motor's model for a reader, with its relation to the scene's own.
 pub fn model(way: &Configuration) -> String {
     let name = way.model.replace('_', " ");
     match way.standing {

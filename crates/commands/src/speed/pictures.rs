@@ -1,4 +1,4 @@
-//! Error against work: what is on the front in colour, all else grey.
+//! Charts of error against work: series on the front in colour, the others grey.
 
 use super::{ANSWER, Counted, Series, model, series};
 use charts::{Failure, Point, Work, WorkPrecision};
@@ -6,7 +6,7 @@ use integrators::front;
 use simulation::Atlas;
 use simulation::work_precision::Formulation;
 
-/// Once in evaluations and once in time.
+/// Two charts, by evaluations and by time.
 pub fn work_precision(atlas: &Atlas) -> [WorkPrecision; 2] {
     let series: Vec<Series> = series(atlas).into_iter().filter(|one| one.is_near()).collect();
     let seconds = series.iter().flat_map(|one| &one.points).map(|point| Counted::Time.of(point));
@@ -43,7 +43,7 @@ fn ended<'a>(series: &'a Series<'_>, counted: Counted, unit: f64) -> impl Iterat
         .filter(|point| point.work.is_finite())
 }
 
-/// Those whose error is small enough for an answer.
+/// The runs whose error is small enough for a useful result.
 fn answers<'a>(series: &'a Series<'_>, counted: Counted, unit: f64) -> impl Iterator<Item = Point> + 'a {
     ended(series, counted, unit).filter(|point| point.error <= ANSWER)
 }

@@ -1,4 +1,4 @@
-//! The front of a scene as tables, and what its models are off.
+//! The Pareto front of a scene as tables, and the errors of its models.
 
 use super::{Counted, family, model};
 use charts::{Table, significant, tolerance};
@@ -6,7 +6,7 @@ use integrators::{Point, front};
 use simulation::Atlas;
 use simulation::work_precision::{Configuration, Standing};
 
-/// For each decade of the error the cheapest run of all that reaches it.
+/// Tables of the cheapest run that reaches the error, for each decade of the error.
 pub fn fronts(atlas: &Atlas) -> Vec<Table> {
     Counted::ALL.into_iter().map(|counted| decades(atlas, counted)).filter(|table| !table.rows.is_empty()).collect()
 }
@@ -45,7 +45,7 @@ fn decades(atlas: &Atlas, counted: Counted) -> Table {
     }
 }
 
-/// (model, what it is beside the scene's own, its least error): each model once, where there are several.
+/// Each model, where there are several, with its relation to the scene's own and its least error.
 pub fn floors(atlas: &Atlas) -> Vec<(&'static str, String)> {
     let mut known: Vec<(&str, String)> = Vec::new();
     for explored in &atlas.explored {
@@ -64,7 +64,7 @@ pub fn floors(atlas: &Atlas) -> Vec<(&'static str, String)> {
     if known.len() > 1 { known } else { Vec::new() }
 }
 
-/// The same as a table.
+/// The models with their least errors as a table.
 pub fn models(atlas: &Atlas) -> Table {
     let rows = floors(atlas).into_iter().map(|(model, said)| vec![model.replace('_', " "), said]);
     let head = ["Model", "Least error by the reference of the scene's own"].map(str::to_owned).to_vec();

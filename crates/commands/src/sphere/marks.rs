@@ -4,10 +4,10 @@ use charts::Mark;
 use nalgebra::Vector3;
 use systems::gyrostat::stationary::Stationary;
 
-/// Moments below this share of the larger one are rounding.
+/// Torques below this share of the larger one are rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// The directions that the gyrostat itself has.
+/// The distinguished directions of the gyrostat.
 pub(super) fn named(conditions: &Stationary<f64>) -> [Mark; 3] {
     let mark = |name: &str, at: Vector3<f64>, note: &str| Mark {
         name: name.into(),
@@ -23,7 +23,7 @@ pub(super) fn named(conditions: &Stationary<f64>) -> [Mark; 3] {
     ]
 }
 
-/// The principal directions, which lie on the line whatever the data, where no angular velocity makes a motion.
+/// Principal directions about which no angular velocity is a motion; they lie on the cone's line for all data.
 pub(super) fn idle(conditions: &Stationary<f64>) -> Vec<Mark> {
     let directions = (0..3).flat_map(|i| [1.0, -1.0].map(|sign| Vector3::ith(i, sign)));
     let idle = directions.filter(|direction| !turns_about(conditions, *direction));
@@ -36,8 +36,8 @@ pub(super) fn idle(conditions: &Stationary<f64>) -> Vec<Mark> {
     .collect()
 }
 
-/// Whether some angular velocity about a principal direction is a motion. The missing moment there is b + a w0, because
-/// A* v x v vanishes: so a and b must be parallel.
+/// Whether some angular velocity about a principal direction is a motion. The residual torque there is b + a w0, because
+/// A* v x v vanishes: thus a and b must be parallel.
 fn turns_about(conditions: &Stationary<f64>, direction: Vector3<f64>) -> bool {
     let still = conditions.missing_moment(direction, 0.0);
     let slope = conditions.missing_moment(direction, 1.0) - still;
@@ -61,7 +61,7 @@ mod tests {
         assert_eq!(idle(&gyrostat([0.6, 0.0, 0.8], [0.0, 3.0, 1.0])).len(), 6);
         // rotor and weight in one principal plane: a rotation about each of its two axes, the rest along none
         assert_eq!(idle(&gyrostat([0.6, 0.8, 0.0], [1.0, 3.0, 0.0])).len(), 2);
-        // hanging on a principal axis is a rest at least
+        // a gyrostat that hangs along a principal axis has a rest there at least
         assert_eq!(idle(&gyrostat([0.6, 0.0, 0.8], [1.0, 0.0, 0.0])).len(), 2);
     }
 }

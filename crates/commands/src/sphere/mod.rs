@@ -1,4 +1,4 @@
-//! The pictures of all stationary motions: the cone on the unit sphere, the directrix in space, the angular velocity along
+//! Pictures of all stationary motions: the cone on the unit sphere, the directrix in space, the angular velocity along
 //! both.
 
 mod along;
@@ -23,10 +23,10 @@ use systems::gyrostat::stationary::Stationary as Conditions;
 
 /// Points closer together than this, as a share of the picture, are not drawn.
 const NEAR: f64 = 0.012;
-/// The first point of view.
+/// The initial view, in degrees.
 const VIEW: (f64, f64) = (35.0, 25.0);
 
-/// Gyrostats with a speed of their rotor: scenes that share these share the pictures.
+/// The cones of all gyrostats with their rotor speeds; scenes with equal ones share the pictures.
 #[derive(Default)]
 pub struct Stationary {
     cones: Vec<Cone>,
@@ -35,7 +35,7 @@ pub struct Stationary {
     maps: Option<Vec<Areas>>,
 }
 
-/// The conditions of stationary motion, and what decides about each motion.
+/// The conditions of stationary motion of a gyrostat at one rotor speed, and the stability of each motion.
 struct Cone {
     conditions: Conditions<f64>,
     /// The rotor's constant speed relative to the carrier, rad/s.
@@ -49,7 +49,7 @@ struct Cone {
     titles: Vec<String>,
 }
 
-/// Where a gyrostat may turn for ever, and what it is.
+/// A drawn cone: the permanent rotations of a gyrostat, in pieces, and its data.
 struct Case {
     conditions: Conditions<f64>,
     speed: f64,
@@ -59,18 +59,18 @@ struct Case {
     titles: Vec<String>,
 }
 
-/// The seconds that a cone costs.
+/// The expected time for drawing a cone, s.
 const COST: f64 = 4.0;
 
 impl Stationary {
-    /// All gyrostats of the scenes, not yet drawn.
+    /// The cones of the scenes' gyrostats, not yet drawn.
     pub fn of<'s>(scenes: impl Iterator<Item = &'s Scene>) -> Self {
         let mut cones = Vec::new();
         scenes.for_each(|scene| gather(scene, &mut cones));
         Stationary { cases: cones.iter().map(|_| None).collect(), cones, maps: None }
     }
 
-    /// Draws them.
+    /// Adds the jobs that draw the cones.
     pub fn enlist<'s>(&'s mut self, scenes: Vec<&'s Scene>, crew: &mut JobPool<'s>) {
         for (place, cone) in self.cases.iter_mut().zip(&self.cones) {
             crew.add(COST, place, || cone.drawn());
@@ -78,7 +78,7 @@ impl Stationary {
         crew.add(1.0, &mut self.maps, move || stability_map::all(&scenes));
     }
 
-    /// For the page.
+    /// The pictures and the study for the page.
     pub fn pictures(self) -> (Vec<Sphere>, Option<Study>) {
         let found: Vec<Case> = self.cases.into_iter().flatten().collect();
         let spheres = found.iter().flat_map(|case| [cone(case), directrix(case)]).collect();
@@ -87,8 +87,8 @@ impl Stationary {
     }
 }
 
-/// One cone for each stationary relative speed of the rotor, unless it is known; none for a free rotor, which has one for each of
-/// its momenta, and none where every direction is one.
+/// Adds a cone for each stationary relative speed of the rotor, unless it is known; none for a free rotor, which has one for each of
+/// its momenta, and none where every direction is stationary.
 fn gather(scene: &Scene, found: &mut Vec<Cone>) {
     let Setup::Gyrostat(bodies) = &scene.system else { return };
     let Ok(all) = All::of(scene) else { return };
@@ -185,7 +185,7 @@ fn directrix(case: &Case) -> Sphere {
     }
 }
 
-/// An angular velocity beyond which nothing happens any more: past the last fold.
+/// An angular velocity beyond the last fold, up to which the cone is drawn, rad/s.
 fn reach(case: &Case) -> f64 {
     let stretches = case.census.iter().flat_map(|census| &census.stretches);
     let last = stretches.map(|stretch| stretch.to.abs()).filter(|w| w.is_finite()).fold(0.0, f64::max);
@@ -194,7 +194,7 @@ fn reach(case: &Case) -> f64 {
     if last > 0.0 { 1.4 * last } else { 3.0 * usual }
 }
 
-/// The angular velocity along the cone, and the number of motions for each.
+/// The study of the angular velocity along the cone, with the number of motions for each.
 fn study(found: &[Case]) -> Study {
     let tables = found.iter().filter_map(table).collect();
     let run = found.first().map(along);

@@ -1,4 +1,4 @@
-//! Runs of directions with one fate.
+//! Pieces of the cone: connected directions with one kind of stability.
 
 use nalgebra::{Matrix3, Vector3};
 use std::collections::HashMap;
@@ -7,16 +7,16 @@ use studies::stationary::motions::Case;
 use studies::stationary::stability::cone::Fates;
 use studies::stationary::stability::reduced::Fate;
 
-/// A connected run of directions with one fate.
+/// A connected set of directions with one kind of stability.
 pub(super) struct Piece {
-    /// `None` where no real angular velocity goes with the directions.
+    /// The stability; `None` where no real angular velocity belongs to the directions.
     pub fate: Option<Fate>,
-    /// (v, w) in the order of w.
+    /// Directions v with their angular velocities w, rad/s, sorted by w.
     pub points: Vec<(Vector3<f64>, f64)>,
 }
 
-/// A branch of the cone, cut where its stability changes, which is exact at each of its points; neighbouring pieces share a
-/// point. A point that is no isolated motion is one of a circle, whose tangent costs no energy.
+/// Cuts a branch of the cone where its stability changes, which is exact at each of its points; neighbouring pieces share a
+/// point. A point that is not an isolated motion belongs to a circle, along which the energy is constant.
 pub(super) fn pieces(known: &mut Known<'_>, branch: Branch) -> Vec<Piece> {
     let mut pieces: Vec<Piece> = Vec::new();
     for (v, w) in branch.points {
@@ -32,7 +32,7 @@ pub(super) fn pieces(known: &mut Known<'_>, branch: Branch) -> Vec<Piece> {
     pieces
 }
 
-/// The fates that are known by now, by the angular velocity, in the axes of the data.
+/// A cache of stability verdicts by the angular velocity, with directions in the axes of the data.
 pub(super) struct Known<'a> {
     pub fates: &'a Fates,
     pub case: &'a Case,
@@ -41,7 +41,7 @@ pub(super) struct Known<'a> {
     pub at: HashMap<u64, Vec<(Vector3<f64>, Fate)>>,
 }
 
-/// A drawn point is this near to the motion that it stands for.
+/// The largest distance between a drawn point and the motion that it stands for.
 const SAME: f64 = 1e-6;
 
 impl Known<'_> {
