@@ -11,10 +11,10 @@ use ::scenes::steady_motions::{Bifurcation, Change, Range, Sample};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// Values along a parameter, where nobody says how many.
+/// The default number of values along a parameter.
 const VALUES: usize = 41;
 
-/// Prints the number of motions at each value, and where it changes.
+/// Prints the number of motions at each value, and brackets of its changes.
 pub(super) fn show(asked: &Asked, along: &(String, Range)) -> Result<Exit, Exit> {
     let writes = Writes { command: "stationary", force: asked.force, reads: vec![&asked.scene] };
     let output = writes.optional(asked.out.as_deref(), &[Form::Picture])?;
@@ -64,7 +64,7 @@ pub(super) fn named(change: Change) -> &'static str {
     }
 }
 
-/// The number of motions, by their stability.
+/// The numbers of motions by their stability, as text.
 fn counted(sample: &Sample) -> String {
     let told: Vec<&str> = sample.found.motions.iter().map(|motion| verdict(motion, &sample.found.cyclic).0).collect();
     let count = |words: &[&str]| told.iter().filter(|told| words.contains(told)).count();

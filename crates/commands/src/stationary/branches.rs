@@ -6,10 +6,10 @@ use ::scenes::steady_motions::{Bifurcation, Change, Range, Sample, SteadyMotion,
 use charts::{BranchPanel, BranchPiece, Branches, Standing};
 use std::f64::consts::{PI, TAU};
 
-/// Motions at two neighbouring values whose numbers differ are joined where they lie as near as this part of the ranges.
+/// The distance, in parts of the ranges, up to which motions at neighbouring values with different counts are joined.
 const JOINED: f64 = 0.02;
 
-/// The part of the parameter's range that a line hides.
+/// The part of the parameter's range that the width of a line covers.
 const HIDDEN: f64 = 2e-3;
 
 /// The kinds of marks; the first four have shapes of their own.
@@ -69,7 +69,7 @@ fn standing(motion: &SteadyMotion, found: &SteadyMotions) -> Standing {
     }
 }
 
-/// The distance of two motions in parts of the ranges; angles may lie on both sides of half a turn.
+/// The distance of two motions in parts of the ranges; angles are compared modulo a full turn.
 fn distance(found: &SteadyMotions, a: &SteadyMotion, b: &SteadyMotion) -> f64 {
     let part = |unknown: &::scenes::steady_motions::Unknown| {
         let gap = (a.state[unknown.place] - b.state[unknown.place]).abs();
@@ -79,7 +79,7 @@ fn distance(found: &SteadyMotions, a: &SteadyMotion, b: &SteadyMotion) -> f64 {
     found.unknowns.iter().map(part).fold(0.0, |sum, part| sum + part * part).sqrt()
 }
 
-/// Pairs of motions at two neighbouring values that are one branch, the nearest first.
+/// Pairs of motions at two neighbouring values that belong to one branch, the nearest first.
 fn joined(before: &SteadyMotions, after: &SteadyMotions) -> Vec<(usize, usize)> {
     let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
     for (i, a) in before.motions.iter().enumerate() {
@@ -99,7 +99,7 @@ fn joined(before: &SteadyMotions, after: &SteadyMotions) -> Vec<(usize, usize)> 
 
 /// Pieces of branches in one unknown.
 fn pieces(samples: &[&Sample], place: usize) -> Vec<BranchPiece> {
-    // a piece with the place of its last motion among those of the last value
+    // each open piece with the index of its last motion among those of the last value
     let mut open: Vec<(usize, BranchPiece)> = Vec::new();
     let mut all: Vec<BranchPiece> = Vec::new();
     for (k, sample) in samples.iter().enumerate() {
@@ -123,7 +123,7 @@ fn pieces(samples: &[&Sample], place: usize) -> Vec<BranchPiece> {
                     piece.points.push(point);
                     piece
                 }
-                // where nothing is decided at one value alone, the stability before holds up to it
+                // at a single undecided value the piece keeps the stability before it
                 Some(mut piece)
                     if own == Standing::Undecided && !piece.points.last().is_some_and(|last| wraps(last.1)) =>
                 {
@@ -144,14 +144,14 @@ fn pieces(samples: &[&Sample], place: usize) -> Vec<BranchPiece> {
         open = next;
     }
     all.extend(open.into_iter().map(|(_, piece)| piece));
-    // close to a change stability is not decided: narrower than a line is drawn
+    // undecided pieces close to a change of stability are narrower than the line
     let ends = |piece: &BranchPiece| piece.points.first().zip(piece.points.last()).map_or(0.0, |(a, b)| b.0 - a.0);
     let whole = samples.first().zip(samples.last()).map_or(0.0, |(a, b)| b.value - a.value);
     all.retain(|piece| piece.standing != Standing::Undecided || ends(piece) > HIDDEN * whole);
     all
 }
 
-/// Where branches change, in one unknown.
+/// The marks at changes of branches, in one unknown.
 fn marks(found: &AlongFound, place: usize) -> Vec<(usize, (f64, f64))> {
     found.along.bifurcations.iter().flat_map(|one| of_change(one, place)).collect()
 }
@@ -163,7 +163,7 @@ fn of_change(Bifurcation { before, after, change }: &Bifurcation, place: usize) 
         Change::Exchange => 2,
         Change::Pitchfork => 3,
         Change::Several => 4,
-        // a branch that ends at the end of a range changes nothing, and families are not drawn; nor is what stays unstable
+        // no marks: branches that leave the range, families, which are not drawn, and changes among unstable motions
         Change::Leaves | Change::LeaveTogether | Change::Ends | Change::Families | Change::Directions => {
             return Vec::new();
         }
@@ -183,7 +183,7 @@ fn of_change(Bifurcation { before, after, change }: &Bifurcation, place: usize) 
     let alone = |j: &usize| pairs.iter().all(|(_, to)| to != j);
     let mut left: Vec<&SteadyMotion> = (0..more.motions.len()).filter(alone).map(|j| &more.motions[j]).collect();
     let mut marks = Vec::new();
-    // those that merge lie next to each other
+    // motions that merge lie next to each other
     while let Some(motion) = left.pop() {
         let nearest = (0..left.len())
             .map(|k| (distance(more, motion, left[k]), k))

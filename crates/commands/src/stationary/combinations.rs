@@ -1,4 +1,4 @@
-//! Steady motions by parts: in each combination of the cases of the conditions of a law, and by each set of angles of frames that turn freely.
+//! Steady motions by parts: each combination of the cases of a law's conditions, and each set of angles of freely turning frames.
 
 use super::steady_box::{Found, SoughtSystem, SteadyBox, read_with_text, reason, unsought};
 use crate::clock::has_time;
@@ -14,23 +14,23 @@ pub struct Combinations {
     pub title: String,
     /// The number of parts that were searched.
     pub count: usize,
-    /// A part in words: a combination of conditions, a set of angles.
+    /// The kind of part in words: a combination of conditions, or a set of angles.
     pub kind: &'static str,
-    /// Those in which there is something.
+    /// The parts with steady motions or undecided regions.
     pub filled: Vec<Combination>,
 }
 
-/// A part.
+/// A part of the search, with the motions found.
 pub struct Combination {
-    /// Its conditions and angles, as texts.
+    /// The conditions and angles of the part, as texts.
     pub held: Vec<String>,
-    /// Whether a condition is zero: then the law is linear on neither side.
+    /// Whether a condition is zero: then the law has no linearisation.
     pub is_at_condition: bool,
     pub found: Found,
 }
 
 impl Combinations {
-    /// Those of the system in a file; none where its law is one, and no frame turns freely.
+    /// The parts for the system in a file; `None` where its law has no conditions and no frame turns freely.
     pub fn of(steady: &SteadyBox, path: &Path) -> Result<Option<Self>, Exit> {
         steady.checked()?;
         let system = read_with_text(path)?;
@@ -38,10 +38,10 @@ impl Combinations {
         Combinations::of_system(&system, &steady.wanted(), has_time).map_err(|issue| unsought(path, issue))
     }
 
-    /// The same of a system that was read.
+    /// The parts for a system that was read already.
     ///
     /// # Errors
-    /// Why they are not sought.
+    /// The reason for which steady motions are not searched for.
     pub fn of_system(
         (title, model, source): &SoughtSystem,
         asked: &Asked,
@@ -72,7 +72,7 @@ impl Combinations {
         let conditions = conditions_of(model);
         let is_empty =
             |found: &SteadyMotions| found.motions.is_empty() && found.families.is_empty() && found.is_complete();
-        // a set of angles is told with its ranges, whatever there is in it
+        // sets of angles are always printed, with their ranges
         let is_told = |found: &SteadyMotions| conditions.is_empty() || !is_empty(found);
         let filled = cases.into_iter().filter(|(_, found)| is_told(found));
         self.filled.extend(filled.map(|(own, motions)| Combination {

@@ -6,13 +6,13 @@ use ::scenes::steady_motions::{Family, Member, SteadyMotions};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// Enclosures that are no wider, as a part of one in SI units and of the value, are printed as numbers.
+/// The width, relative to one in SI units and to the value, up to which an enclosure is printed as a number.
 const NARROW: f64 = 1e-9;
 
-/// Rounding moves a double eigenvalue of zero by a part of the largest such as this.
+/// Eigenvalues below this part of the largest may be a double zero moved by rounding.
 const ZEROS: f64 = 1e-6;
 
-/// The numbers of motions that are alone, of those whose friction the equations leave open, and of families.
+/// A sentence on the numbers of isolated motions, of motions with undetermined friction, and of families.
 pub(super) fn count(alone: usize, open: usize, families: usize, is_complete: bool) -> String {
     let motions = |count: usize| match count {
         1 => "one steady motion".to_owned(),
@@ -49,7 +49,7 @@ pub(super) fn family_lines(all: &Found, place: usize, family: &Family, members: 
     };
     let ranges = found.unknowns.iter().zip(&family.hull).enumerate().map(|(place, (unknown, at))| {
         let [low, high] = ends(*at);
-        // the others are enclosed, which is wider than where they are
+        // only the parameters run over their ranges: enclosures of the other unknowns are wider than their values
         let runs = family.pieces.iter().all(|(parameters, _)| parameters.contains(&place));
         let word = if runs { "from" } else { "within" };
         let middle = 0.5 * (at[0] + at[1]);
@@ -102,13 +102,13 @@ pub(super) fn family_lines(all: &Found, place: usize, family: &Family, members: 
     out
 }
 
-/// Whether a real part is more than what rounding leaves of the zeros that a family has.
+/// Whether a real part is larger than rounding of the zero eigenvalues of a family.
 fn grows(linear: &Linear) -> bool {
     let largest = linear.eigenvalues.iter().map(|[re, im]| re.hypot(*im)).fold(0.0, f64::max);
     linear.eigenvalues.iter().any(|[re, _]| *re > ZEROS * largest)
 }
 
-/// Whether a family is one state with shares of friction, or of a law between two sides, that the equations leave open.
+/// Whether a family is one state with shares of friction, or of a law between two cases, that the equations leave undetermined.
 pub(super) fn is_one_place(found: &SteadyMotions, family: &Family) -> bool {
     let state = found.state_size;
     found
@@ -118,7 +118,7 @@ pub(super) fn is_one_place(found: &SteadyMotions, family: &Family) -> bool {
         .all(|(unknown, [low, high])| unknown.place >= state || high - low <= NARROW * (1.0 + 0.5 * (low + high).abs()))
 }
 
-/// Unknowns that are the parameter of a piece, by their names.
+/// The names of the unknowns that parametrise pieces of the family.
 fn running(found: &SteadyMotions, family: &Family) -> Vec<String> {
     let mut all: Vec<String> = family
         .pieces
@@ -151,13 +151,13 @@ pub(super) fn family_object(found: &SteadyMotions, family: &Family, members: &[M
     })
 }
 
-/// The ends of a range, in five digits where these tell them apart.
+/// The ends of a range, in five digits where these differ.
 pub(super) fn ends([low, high]: [f64; 2]) -> [String; 2] {
     let few = [low, high].map(short);
     if few[0] == few[1] { [low, high].map(number) } else { few }
 }
 
-/// Five digits.
+/// A number with five digits.
 fn short(value: f64) -> String {
     number(format!("{value:.4e}").parse().unwrap_or(value))
 }

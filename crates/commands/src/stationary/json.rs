@@ -1,4 +1,4 @@
-//! Stationary motions for programs.
+//! Stationary motions as JSON.
 
 use super::{Given, motor, why};
 use crate::stability;

@@ -1,5 +1,5 @@
-//! `dalembert stationary --map A=FROM..TO --map B=FROM..TO`: where the rotation about the rotor's axis is stable, exactly; where
-//! there is no such axis, or every motion is asked for, all of them from node to node.
+//! `dalembert stationary --map A=FROM..TO --map B=FROM..TO`: an exact map of stability of the rotation about the rotor's axis; without
+//! such an axis, or with --every, a map of all stationary motions, followed from node to node.
 
 use super::{Asked, Ranged};
 use crate::arguments::Format;
@@ -13,7 +13,7 @@ use studies::stationary::stability::datum::{Datum, Unknown};
 use studies::stationary::stability::plane::{Cell, NoPlane};
 use studies::stationary::stability::region::NoRegion;
 
-/// Prints it, and writes the picture where one is asked for.
+/// Prints the map, and writes the picture where one is asked for.
 pub(super) fn show(asked: &Asked, scene: &Scene) -> Result<Exit, Exit> {
     let refused = |reason: NoPlane| Exit::refused(format!("{}: {reason}", asked.scene.display()));
     let unknown = |reason: Unknown| Exit::refused(format!("{}: {reason}", asked.scene.display()));

@@ -1,5 +1,5 @@
-//! `dalembert stationary`: all stationary motions of a scene, with the certificate that none is missing, and whether each is
-//! stable: of gyrostats with their motors, and of any system that is written in its file.
+//! `dalembert stationary`: all stationary motions of a scene, with a certificate that none is missing, and their stability: for
+//! gyrostats with their motors, and for any system that is written in its file.
 
 mod along;
 mod branches;
@@ -28,7 +28,7 @@ use std::path::PathBuf;
 use studies::scene::Scene;
 use studies::stationary::motions::{NoAnswer, Stationary};
 
-/// Which stationary motions are to be found.
+/// Arguments of `stationary`.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// The scene, a TOML file
@@ -43,8 +43,8 @@ pub struct Asked {
     /// The number of stationary motions for every angular velocity, and the angular velocities at which two merge
     #[arg(long)]
     pub cone: bool,
-    /// Twice: where the rotation about the rotor's axis is stable, over two data in SI units, such as load and carrier.centre.3; where
-    /// this is no axis of all bodies, every motion
+    /// Given twice: a map over two data in SI units, such as load and carrier.centre.3, of the stability of the rotation about the rotor's
+    /// axis, or of every motion where this is no common axis of the bodies
     #[arg(long, value_name = "DATUM=FROM..TO", value_parser = ranged, num_args = 1, conflicts_with_all = ["momentum", "cone"])]
     pub map: Vec<Ranged>,
     /// For --map: the rotor's axis points against the weight
@@ -53,7 +53,7 @@ pub struct Asked {
     /// For --map: every stationary motion, not only the rotation about the rotor's axis
     #[arg(long, requires = "map", conflicts_with = "upright")]
     pub every: bool,
-    /// The picture of a map, of --map or of two --along, or of the branches along one parameter
+    /// The file of the picture: of a map by --map or two --along, or of the branches along one parameter
     #[arg(long, value_name = "FILE.svg", visible_alias = "picture")]
     pub out: Option<PathBuf>,
     /// Replaces the file of --out even where `stationary` did not write what stands there
@@ -65,7 +65,7 @@ pub struct Asked {
     /// where they change; twice: a map of the numbers of steady motions and of stable ones over both
     #[arg(long, value_name = "NAME=FROM..TO", value_parser = named_range, num_args = 1, conflicts_with_all = ["omega0", "momentum", "cone", "map"])]
     pub along: Vec<(String, Range)>,
-    /// Values of --along: 41 without it, and 24 in each direction of a map
+    /// The number of values for --along; the default is 41, and 24 in each direction of a map
     #[arg(long, value_name = "N", value_parser = clap::builder::RangedU64ValueParser::<usize>::new().range(2..=100_000), requires = "along")]
     pub values: Option<usize>,
     /// Another machine, made of the scene's data
@@ -94,7 +94,7 @@ fn ranged(text: &str) -> Result<Ranged, String> {
     Ok(Ranged { name: name.to_owned(), range: [from, to] })
 }
 
-/// Prints them.
+/// Prints the stationary motions.
 pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     if read_text(&asked.scene).is_ok_and(|text| holds_model(&text)) {
         refuse_others(asked)?;
@@ -151,7 +151,7 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     Ok(if complete { Exit::Done } else { Exit::Stopped })
 }
 
-/// Options of gyrostats are refused for a system that is written in its file.
+/// Refuses options for gyrostats where the system is written in its file.
 fn refuse_others(asked: &Asked) -> Result<(), Exit> {
     let given = [
         ("--omega0", asked.omega0.is_some()),

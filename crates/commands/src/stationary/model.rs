@@ -17,7 +17,7 @@ use reader::{Issue, SceneError};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// Undecided regions that are listed; of the others the number is told.
+/// The largest number of undecided regions that are listed; the others are counted.
 const MOST_LISTED: usize = 6;
 
 /// Prints all steady motions.
@@ -33,17 +33,17 @@ pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
     Ok(asked.steady.ended(&asked.scene, &found.motions))
 }
 
-/// Steady motions as text, and as an object for programs.
+/// Steady motions as text and as JSON.
 #[derive(Debug)]
 pub struct SteadyTold {
     pub text: String,
     pub object: Value,
 }
 
-/// The steady motions of a text, in every combination of the cases of its law; `has_time` ends the search.
+/// The steady motions of a text, in every combination of the cases of its law; the search ends once `has_time` is false.
 ///
 /// # Errors
-/// The text is wrong, or no steady motions of it are sought.
+/// The text is faulty, or steady motions of such a system are not searched for.
 pub fn steady_motions(
     text: &SystemText,
     asked: &Sought,
@@ -69,7 +69,7 @@ fn text(all: &Found) -> String {
     format!("{}\n{}", all.title, body(all))
 }
 
-/// Everything but the title.
+/// The text without the title.
 pub(super) fn body(all: &Found) -> String {
     let (found, mut out) = (&all.motions, String::new());
     let unit = |name: &str| all.unit(name);
@@ -154,7 +154,7 @@ pub(super) fn body(all: &Found) -> String {
     out
 }
 
-/// A part of the whole; below the range of numbers as such.
+/// A fraction of the search space, or a bound where it is below the range of double precision.
 fn part(part: f64) -> String {
     if part < 1e-300 { "less than 1e-300".to_owned() } else { format!("{part:.1e}") }
 }
@@ -195,7 +195,7 @@ pub(super) fn stability(motion: &SteadyMotion, cyclic: &[String]) -> String {
         SteadyStability::Linear(found) if decides(found).is_some() => {
             decides(found).map(spectrum::verdict).unwrap_or_default()
         }
-        // the linear equations of an instant tell nothing, those without cyclic coordinates are the same at all times
+        // linear equations at one instant of a moving state decide nothing, but without cyclic coordinates they are constant
         SteadyStability::Linear(found) if found.linear.standing == Standing::Moving && found.enclosed.is_ok() => {
             found.enclosed.as_ref().map(spectrum::verdict).unwrap_or_default()
         }
@@ -224,16 +224,16 @@ pub(super) fn stability(motion: &SteadyMotion, cyclic: &[String]) -> String {
     }
 }
 
-/// Enclosed eigenvalues, where these decide, or show that linear equations do not.
+/// The enclosed eigenvalues, where these decide the stability, or show that the linear equations do not.
 fn decides(found: &Eigenvalues) -> Option<&EnclosedSpectrum> {
     let is_known = |found: &&EnclosedSpectrum| !matches!(found.verdict(), EnclosedVerdict::Undecided { touching, .. } if touching > 0);
     found.enclosed.as_ref().ok().filter(is_known)
 }
 
-/// Eigenvalues below this part of the largest are zeros.
+/// Eigenvalues below this part of the largest one are zero.
 const ROUNDING: f64 = 1e-9;
 
-/// Whether all eigenvalues have negative real parts but for zeros, at most two for each cyclic coordinate.
+/// Whether all eigenvalues have negative real parts, except zeros, at most two for each cyclic coordinate.
 fn fades(linear: &Linear, cyclic: usize) -> bool {
     let size = |[re, im]: &[f64; 2]| re.hypot(*im);
     let largest = linear.eigenvalues.iter().map(size).fold(0.0, f64::max);
@@ -263,7 +263,7 @@ pub fn verdict(motion: &SteadyMotion, cyclic: &[String]) -> (&'static str, bool)
     }
 }
 
-/// A motion of those that are found.
+/// A motion as JSON.
 pub(super) fn motion(found: &SteadyMotions, motion: &SteadyMotion) -> Value {
     let values = found.unknowns.iter().zip(&motion.enclosure).map(|(unknown, at)| (unknown.name.clone(), json!(at)));
     let (verdict, enclosed) = verdict(motion, &found.cyclic);

@@ -16,25 +16,24 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// Cells in each direction, where nobody says how many.
+/// The default number of cells in each direction.
 const CELLS: usize = 24;
 
-/// Kinds of cells that have a colour of their own; those of few cells are one beyond.
+/// The number of kinds of cells with a colour of their own; the rarest kinds share one.
 const COLOURS: usize = 12;
 
-/// The motions of a cell: how many, how many of them stable, how many neither stable nor unstable, and how many families; none where the search
-/// is not complete.
+/// The counts of a cell: motions, stable ones, undecided ones, and families; `None` where the search is incomplete.
 type Count = Option<[usize; 4]>;
 
-/// A map.
+/// A map over two parameters.
 struct Map<'a> {
     title: String,
     names: [&'a str; 2],
     ranges: [Range; 2],
     units: [String; 2],
-    /// Column by column, each from below.
+    /// The cells column by column, each from below.
     columns: Vec<Vec<PlaneCell>>,
-    /// Pairs of values between which motions change.
+    /// Pairs of points of the plane between which motions change.
     borders: Vec<[[f64; 2]; 2]>,
 }
 
@@ -89,7 +88,7 @@ fn cells(
     columns.into_iter().flatten().collect()
 }
 
-/// Where neighbours differ, two values near to each other.
+/// Narrow brackets of the changes between neighbouring cells that differ.
 fn borders(
     wanted: &Wanted,
     model: &Model,
@@ -132,7 +131,7 @@ fn said(count: Count) -> String {
 }
 
 impl Map<'_> {
-    /// Kinds of cells with their numbers, those of most cells first.
+    /// The kinds of cells with their frequencies, the most frequent first.
     fn kinds(&self) -> Vec<(Count, usize)> {
         let mut kinds: BTreeMap<Count, usize> = BTreeMap::new();
         for cell in self.columns.iter().flatten() {
@@ -143,7 +142,7 @@ impl Map<'_> {
         kinds
     }
 
-    /// The row of cells at a height, by the places of their kinds.
+    /// A row of cells, as indices into the kinds.
     fn row(&self, row: usize, kinds: &[(Count, usize)]) -> Vec<usize> {
         let place = |cell: &PlaneCell| kinds.iter().position(|(kind, _)| *kind == count(&cell.found)).unwrap_or(0);
         self.columns.iter().map(|column| place(&column[row])).collect()

@@ -1,4 +1,4 @@
-//! Steady motions of a system that is written in its file, as commands ask for them.
+//! The search for steady motions of a system that is written in its file, with the options that commands share.
 
 use crate::arguments::finite;
 use crate::clock::has_time;
@@ -14,19 +14,19 @@ use std::path::Path;
 use std::sync::Arc;
 use units::nearest;
 
-/// Where steady motions are sought.
+/// The options of a search for steady motions.
 #[derive(Args, Debug)]
 pub struct SteadyBox {
-    /// The range of a coordinate in SI units, or its value, or those of the constant speed of a cyclic coordinate or of a quasi-velocity, in
-    /// a system that is written in its file. Angles are sought on the whole circle without it
+    /// The range or the value, in SI units, of a coordinate, or of the constant speed of a cyclic coordinate or of a quasi-velocity, in a
+    /// system that is written in its file. The default for angles is the whole circle
     #[arg(long, value_name = "NAME=FROM..TO", value_parser = named_range, num_args = 1)]
     pub range: Vec<(String, Range)>,
-    /// Boxes that are looked at, at most, in a system that is written in its file
+    /// The largest number of boxes in the search, for a system that is written in its file
     #[arg(long, value_name = "N", default_value_t = 200_000, allow_negative_numbers = true, value_parser = RangedU64ValueParser::<usize>::new().range(1..=1_000_000_000))]
     pub boxes: usize,
 }
 
-/// A name with its range.
+/// Reads a name with its range.
 pub fn named_range(text: &str) -> Result<(String, Range), String> {
     let accepted = || {
         "a coordinate with its range in SI units, such as x=-0.1..0.1, or with one value, x=0.1, is accepted".to_owned()
@@ -63,35 +63,35 @@ pub struct AlongFound {
     pub name: String,
     /// The unit of the parameter, with a space before it.
     pub unit: String,
-    /// Those of the unknowns.
+    /// The units of the unknowns.
     pub units: Vec<String>,
     pub along: Along,
 }
 
-/// The system of a file, as steady motions of it are sought.
+/// Reads the system of a file, prepared for the search.
 fn read(path: &Path) -> Result<(String, Model), Exit> {
     read_with_text(path).map(|(title, model, _)| (title, model))
 }
 
-/// The same with what was read of it.
+/// Reads the system of a file, prepared for the search, with its source.
 pub(super) fn read_with_text(path: &Path) -> Result<SoughtSystem, Exit> {
     Ok(sought(&SystemText::read(path)?)?)
 }
 
-/// A title, a model, and what was read of it.
+/// The title, the model and the source of a system.
 pub(super) type SoughtSystem = (String, Model, Source);
 
-/// The system of a text, as steady motions of it are sought.
+/// Reads the system of a text, prepared for the search.
 pub(super) fn sought(text: &SystemText) -> Result<SoughtSystem, SceneError> {
     let (title, model, source) = parse_with_source(&text.name, &text.text, Task::Vary)?;
     let mut model = text.with_its_values(model)?;
     model.close_inputs();
-    // constraints that follow from others have no reactions of their own; a start that is missing is no obstacle
+    // redundant constraints are removed, since their reactions are not unique; the search needs no start
     let _ = independent_start(&mut model);
     Ok((title, model, source))
 }
 
-/// The unit of a number, with a space before it.
+/// The unit of a quantity, with a space before it.
 pub fn unit(model: &Model, name: &str) -> String {
     match unit_of(model, name).as_str() {
         "1" => String::new(),
@@ -109,7 +109,7 @@ impl SteadyBox {
         Ok(Found { title, model, motions })
     }
 
-    /// The same at values of a parameter, or of the speed of a cyclic coordinate.
+    /// All steady motions of the system in a file at values of a parameter, or of the speed of a cyclic coordinate.
     pub fn find_along(&self, path: &Path, (name, range): &(String, Range), values: usize) -> Result<AlongFound, Exit> {
         let (title, model, asked) = self.along(path, &[name])?;
         let _progress = Progress::new("steady motions");
@@ -122,7 +122,7 @@ impl SteadyBox {
         Ok(AlongFound { title, name: name.clone(), unit, units, along })
     }
 
-    /// The system of a file whose parameters, or speeds of cyclic coordinates, with these names take other values.
+    /// The system of a file, prepared to take other values for parameters or speeds of cyclic coordinates with these names.
     pub fn along(&self, path: &Path, names: &[&String]) -> Result<(String, Model, Asked), Exit> {
         self.checked()?;
         let (title, model, source) = read_with_text(path)?;
@@ -182,7 +182,7 @@ impl SteadyBox {
         Asked { ranges: self.range.clone(), boxes: self.boxes, ..Asked::default() }
     }
 
-    /// Says what is not decided, and how more would be: the exit.
+    /// Prints warnings on undecided regions, with a remedy; returns the outcome of the command.
     pub fn ended(&self, path: &Path, found: &SteadyMotions) -> Exit {
         if found.is_complete() {
             return Exit::Done;
@@ -222,7 +222,7 @@ impl SteadyBox {
 }
 
 impl Found {
-    /// A motion by the values of its unknowns.
+    /// The values of a motion's unknowns as text.
     pub fn values(&self, enclosure: &[[f64; 2]]) -> String {
         let values = self.motions.unknowns.iter().zip(enclosure).map(|(unknown, [low, high])| {
             format!("{} = {}{}", unknown.name, number(0.5 * (low + high)), self.unit(&unknown.name))
@@ -230,7 +230,7 @@ impl Found {
         values.collect::<Vec<_>>().join(", ")
     }
 
-    /// The unit of a number of the state, with a space before it.
+    /// The unit of a component of the state, with a space before it.
     pub fn unit(&self, name: &str) -> String {
         unit(&self.model, name)
     }
@@ -240,7 +240,7 @@ pub fn refused(path: &Path, model: &Model, why: NoSteadyMotions) -> Exit {
     unsought(path, reason(model, why))
 }
 
-/// A fault of a system at its place, or of what is asked of it.
+/// The error for a fault of the system, at its place in the file, or of the command's options.
 pub(super) fn unsought(path: &Path, issue: Issue) -> Exit {
     match issue.span {
         Some(_) => placed(path, issue),
@@ -248,7 +248,7 @@ pub(super) fn unsought(path: &Path, issue: Issue) -> Exit {
     }
 }
 
-/// Why steady motions are not sought: at a place of the text, or as a title alone.
+/// The reason for which steady motions are not searched for, with its place in the text where it has one.
 pub(super) fn reason(model: &Model, why: NoSteadyMotions) -> Issue {
     let told = |why: String| Issue { span: None, title: why, label: String::new(), help: None };
     let listed = |names: &[String]| names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
@@ -317,7 +317,7 @@ pub(super) fn reason(model: &Model, why: NoSteadyMotions) -> Issue {
     }
 }
 
-/// Ten digits, without those that say nothing.
+/// A number with ten digits, without trailing zeros.
 pub fn number(value: f64) -> String {
     let value = if value.abs() < 5e-16 { 0.0 } else { value };
     match value.abs() {

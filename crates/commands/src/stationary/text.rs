@@ -1,4 +1,4 @@
-//! Stationary motions for readers.
+//! Stationary motions as text.
 
 use super::{Given, motor, why};
 use crate::stability;
@@ -62,7 +62,7 @@ fn line(place: usize, found: &Found) -> String {
     out
 }
 
-/// `6 of 6; none missing: ...`
+/// The certificate of completeness, such as `6 of 6; none missing: ...`
 fn certificate(answer: &Answer) -> String {
     let Certificate { degree, roots, again, morse, undecided } = &answer.certificate;
     let families = answer.found.iter().filter(|one| matches!(one.shape, Shape::Circle { .. } | Shape::Sphere)).count();

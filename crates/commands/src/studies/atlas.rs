@@ -1,7 +1,7 @@
-//! The atlas: what is the cheapest on which scene, and how much a single choice for all of them loses.
+//! The atlas: the cheapest choice on each scene, and the loss by a single choice for all scenes.
 //!
-//! A choice is a method with a formulation and a model. So that a choice can be made for many scenes at once its model is
-//! the scene's own, or the smallest that has the same motion, or one by its name.
+//! A choice is a method with a formulation and a model. To apply to many scenes at once its model is the scene's own, or the
+//! smallest one with the same motion, or one by its name.
 
 use crate::speed::advice::advice;
 use crate::speed::{Counted, Series, series};
@@ -10,12 +10,12 @@ use integrators::{Regrets, cost};
 use simulation::Atlas;
 use simulation::work_precision::{Configuration, Formulation, Standing};
 
-/// Errors at which choices are compared.
+/// The relative errors at which choices are compared.
 const ERRORS: [f64; 3] = [1e-3, 1e-6, 1e-9];
 
 type Scene<'a> = (&'a str, &'a Atlas);
 
-/// Advice for each scene, the best single choices and what they lose, and the methods at their best.
+/// The study: advice for each scene, the best single choices with their losses, and the methods at their best.
 pub fn study(scenes: &[Scene<'_>]) -> Study {
     let has_motor = |scene: &&Scene<'_>| scene.1.explored.first().is_some_and(|one| !one.way.model.is_empty());
     let (driven, others): (Vec<Scene>, Vec<Scene>) = scenes.iter().partition(has_motor);
@@ -56,9 +56,9 @@ impl Choice {
 const OWN: &str = "the scene's own model";
 const SMALLEST_EXACT: &str = "the smallest exact model";
 
-/// The choices that the runs of a way belong to.
+/// The choices to which the runs of a configuration belong.
 fn choices(method: &str, way: &Configuration, atlas: &Atlas) -> Vec<Choice> {
-    // a motor alone has one form, which is both
+    // a motor alone has one form, which counts as both
     let formulations = match way.formulation {
         Formulation::Bench => vec![Formulation::First, Formulation::Second],
         other => vec![other],
@@ -80,7 +80,7 @@ struct Group<'a> {
     name: &'static str,
     scenes: Vec<Scene<'a>>,
     choices: Vec<Choice>,
-    /// For each scene its series with the places of their choices.
+    /// For each scene its series with the indices of their choices.
     series: Vec<Vec<(Series<'a>, Vec<usize>)>>,
 }
 
@@ -116,7 +116,7 @@ fn shown(regret: Option<f64>) -> String {
     regret.map_or_else(|| "—".to_owned(), |regret| significant(regret, 2))
 }
 
-/// A sentence for each scene.
+/// The table of advice, a sentence for each scene.
 fn advised(scenes: &[Scene<'_>]) -> Table {
     let row = |(title, atlas): &Scene<'_>| vec![(*title).to_owned(), advice(atlas, ERRORS[1])];
     Table {
@@ -126,7 +126,7 @@ fn advised(scenes: &[Scene<'_>]) -> Table {
     }
 }
 
-/// The choice that serves most scenes, and of these the one that loses least where it loses most.
+/// The table of best single choices: those that serve the most scenes, and among them the one with the smallest largest loss.
 fn single(groups: &[Group<'_>]) -> Table {
     let mut rows = Vec::new();
     for group in groups {
@@ -167,7 +167,7 @@ fn losses(group: &Group<'_>) -> Table {
     Table { caption: format!("What the best single choice loses: {}", group.name), head, rows }
 }
 
-/// Each method in its best formulation with its best model: scenes down, methods across.
+/// The table of methods, each in its best formulation with its best model: a row for each scene, a column for each method.
 fn methods(scenes: &[Scene<'_>], error: f64) -> Table {
     let all: Vec<Vec<Series>> = scenes.iter().map(|(_, atlas)| series(atlas)).collect();
     let mut names: Vec<String> = Vec::new();

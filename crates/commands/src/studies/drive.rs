@@ -1,4 +1,4 @@
-//! The electromechanical drive: the experiment of its paper, and what step and gains it can bear.
+//! The study of the electromechanical drive: the experiment of its paper, and the step sizes and gains for which it is stable.
 
 use super::{extent, missing};
 use crate::job_pool::JobPool;
@@ -7,10 +7,10 @@ use integrators::{Failure, Method};
 use studies::stabilisation::drive_law::violation;
 use studies::stabilisation::experiment::{self, Bearable, DRIVE, STEP, Sample, Track as Run, bearable, most_damping};
 
-/// The gains of the experiment: the fastest that Euler has at its step.
+/// The gains of the experiment: the fastest decay of violations that Euler's method has at its step size.
 const FASTEST: (f64, f64) = (2.0 / STEP, 1.0 / (STEP * STEP));
 
-/// Until the portrait of the capacitor is one thick line, s.
+/// The time until which the phase portrait of the capacitor is drawn, s: later its curve fills an area.
 const FILLS: f64 = 4.0;
 
 /// The parts of the study of the electromechanical drive, each a job of its own.
@@ -22,14 +22,14 @@ pub struct Drive {
 }
 
 impl Drive {
-    /// All of it.
+    /// Adds the jobs of the study.
     pub fn enlist<'s>(&'s mut self, crew: &mut JobPool<'s>) {
         crew.add(1.0, &mut self.exact, || experiment::exact(1000));
         crew.add(2.0, &mut self.bearable, bearable);
         crew.add(0.3, &mut self.most_damping, || most_damping(FASTEST.1));
     }
 
-    /// All of it, for the page.
+    /// The finished study for the page.
     pub fn study(self) -> Study {
         match (self.exact, self.bearable, self.most_damping) {
             (Some(exact), Some(bearable), Some(most_damping)) => study(exact, bearable, most_damping),
@@ -38,7 +38,7 @@ impl Drive {
     }
 }
 
-/// The experiment with the drive.
+/// The study from its results.
 fn study(exact: Result<(Vec<Sample>, f64), Failure>, bearable: Result<Bearable, Failure>, most_damping: f64) -> Study {
     let euler: fn(u32) -> Method = |steps| Method::Euler { steps };
     let runs = [

@@ -1,4 +1,4 @@
-//! Long runs: how errors grow with the number of revolutions.
+//! The study of long runs: the growth of errors with the number of revolutions.
 
 use super::{extent, million};
 use crate::job_pool::JobPool;
@@ -7,27 +7,27 @@ use integrators::Means;
 use std::path::Path;
 use studies::long_runs::{LongRun, MethodRun, PACES, Sample};
 
-/// Run for the report; a million, which take minutes, are read.
+/// Revolutions that the report computes; results for a million, which take minutes, are read from a file.
 const REVOLUTIONS: u32 = 2_000;
 
-/// Below this an error is shown as this: rounding.
+/// The smallest error that is shown; smaller ones are rounding.
 const FLOOR: f64 = 1e-17;
 
-/// The course of each method, computed by itself.
+/// The runs of the methods, each a job of its own.
 #[derive(Default)]
 pub struct Endurance {
     courses: [Option<Option<MethodRun>>; PACES.len()],
 }
 
 impl Endurance {
-    /// All of it.
+    /// Adds the jobs of the study.
     pub fn enlist<'s>(&'s mut self, crew: &mut JobPool<'s>) {
         for (place, pace) in self.courses.iter_mut().zip(PACES) {
             crew.add(1.2, place, move || LongRun::new().map(|run| run.course(pace, REVOLUTIONS)));
         }
     }
 
-    /// All of it, for the page; what was kept of longer runs is beside the folder of scenes.
+    /// The finished study for the page; results of longer runs are kept beside the folder of scenes.
     pub fn study(self, scenes: &Path) -> Study {
         let courses: Vec<MethodRun> = self.courses.into_iter().flatten().flatten().collect();
         let mut study = Study {
@@ -68,7 +68,7 @@ impl Endurance {
     }
 }
 
-/// Decades over decades.
+/// A picture on logarithmic axes.
 fn picture(courses: &[MethodRun], title: &str, label: &str, of: impl Fn(&Sample) -> Option<f64>) -> Areas {
     let curve = |course: &MethodRun| {
         let point = |sample: &Sample| Some((sample.revolutions.log10(), of(sample)?.abs().max(FLOOR).log10()));
@@ -98,7 +98,7 @@ fn name(course: &MethodRun) -> String {
 const QUANTITIES: [fn(&Sample) -> Option<f64>; 5] =
     [|s| Some(s.energy), |s| Some(s.swing), |s| Some(s.length), |s| Some(s.momentum), |s| s.phase];
 
-/// Errors at the end, with the exponents of their growth.
+/// The table of errors at the end, with the exponents of their growth.
 fn table(courses: &[MethodRun]) -> Table {
     let head = [
         "Method",

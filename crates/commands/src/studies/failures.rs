@@ -1,4 +1,4 @@
-//! The catalogue of failure in the report: one table of thresholds, one of what became of every method.
+//! The catalogue of failures in the report: a table of thresholds, and one of the outcome of every method.
 
 use crate::failures::{Measured, Way, grouped, judged, quantity};
 use crate::job_pool::JobPool;
@@ -6,28 +6,28 @@ use charts::{Study, Table};
 use std::path::Path;
 use studies::failures::Found;
 
-/// Each way, measured by itself.
+/// The entries of the catalogue, each measured by a job of its own.
 pub struct Failures {
     measured: Vec<Option<Measured>>,
     chosen: Vec<Way>,
 }
 
 impl Failures {
-    /// Those whose scenes are in a folder.
+    /// The entries whose scenes are in a folder.
     pub fn of(folder: &Path) -> Self {
         let (mut chosen, _) = Way::all(folder);
         chosen.retain(|way| way.scene().is_file());
         Failures { measured: chosen.iter().map(|_| None).collect(), chosen }
     }
 
-    /// All of them.
+    /// Adds the jobs that measure the entries.
     pub fn enlist<'s>(&'s mut self, crew: &mut JobPool<'s>, folder: &'s Path) {
         for (place, way) in self.measured.iter_mut().zip(std::mem::take(&mut self.chosen)) {
             crew.add(1.0, place, move || way.measured(folder));
         }
     }
 
-    /// The page; `None` where no scene is made to fail.
+    /// The finished study; `None` without entries.
     pub fn study(self) -> Option<Study> {
         let (mut found, mut missed) = (Vec::new(), String::new());
         for (way, measured) in self.measured.into_iter().flatten() {

@@ -1,4 +1,4 @@
-//! Problems of public collections: each by the method of its file, beside a reference of its own.
+//! The study of problems of public collections: each run by the method of its file and compared with its reference.
 
 use crate::job_pool::JobPool;
 use charts::{Study, Table};
@@ -7,15 +7,15 @@ use simulation::{Axes, Stored};
 use std::path::{Path, PathBuf};
 use studies::AnyScene;
 
-/// The folder, among scenes.
+/// The folder of the problems among the scenes.
 pub const FOLDER: &str = "foreign";
 
-/// The problems with their rows.
+/// The problems with the rows of their table.
 #[derive(Default)]
 pub struct ForeignProblems(Vec<(PathBuf, Option<Vec<String>>)>);
 
 impl ForeignProblems {
-    /// Those of a folder of scenes.
+    /// The problems in a folder of scenes.
     pub fn of(scenes: &Path) -> Self {
         let entries = std::fs::read_dir(scenes.join(FOLDER)).into_iter().flatten().flatten();
         let is_scene = |path: &PathBuf| path.extension().is_some_and(|end| end == "toml");
@@ -31,7 +31,7 @@ impl ForeignProblems {
         }
     }
 
-    /// The table; none where the folder is not there.
+    /// The study with its table; `None` without the folder.
     pub fn study(self) -> Option<Study> {
         let rows: Vec<Vec<String>> =
             self.0.into_iter().filter_map(|(_, row)| row.filter(|row| !row.is_empty())).collect();
@@ -50,7 +50,7 @@ impl ForeignProblems {
     }
 }
 
-/// Empty of a file that cannot be read, the tests tell why, and of a problem without a reference.
+/// The row of a problem; empty for a file that cannot be read, for which a test gives the reason, or without a reference.
 fn row_of(path: &Path) -> Vec<String> {
     let Some(kept) = Stored::beside(path) else { return Vec::new() };
     let Ok(opened) = AnyScene::open(path) else {

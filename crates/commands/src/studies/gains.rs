@@ -1,4 +1,4 @@
-//! Gains of a stabilised constraint: regions, what they do to drift and error, and the treatments.
+//! The study of gains of a stabilised constraint: regions of stability, drift and error by the gain, other treatments.
 
 use super::missing;
 use super::treatments::{note, scanned, table};
@@ -20,19 +20,19 @@ pub struct Gains {
     times: Vec<Option<f64>>,
 }
 
-/// A method at a step: its gains scanned, its treatments run.
+/// The results of a method at a step size: the scan over gains, and the treatments.
 type Compared = (Scan, Vec<Line>);
 
-/// In the order of the page, with the seconds that a map costs.
+/// The schemes in the order of the page, with the expected time of a map, s.
 const SCHEMES: [(Scheme, f64); 4] =
     [(Scheme::Euler, 0.1), (Scheme::RungeKutta4, 0.3), (Scheme::ImplicitMidpoint, 0.5), (Scheme::BackwardEuler, 3.0)];
 /// Columns and rows of a map.
 const CELLS: (usize, usize) = (60, 50);
-/// For the times of all treatments.
+/// The time for timing all treatments.
 const ALLOWED: Duration = Duration::from_secs(6);
 
 impl Gains {
-    /// All that need not be timed.
+    /// Adds the jobs of the study, without the times.
     pub fn enlist<'s>(&'s mut self, crew: &mut JobPool<'s>) {
         let Gains { maps, goal, compared, .. } = self;
         for (place, (scheme, cost)) in maps.iter_mut().zip(SCHEMES) {
@@ -49,7 +49,7 @@ impl Gains {
         }
     }
 
-    /// The times of the treatments, while nothing else runs.
+    /// Measures the times of the treatments, while nothing else runs.
     pub fn take_times(&mut self) {
         self.times = times(&self.lines(), ALLOWED);
     }
@@ -58,7 +58,7 @@ impl Gains {
         self.compared.iter().flatten().flatten().flat_map(|(_, lines)| lines.clone()).collect()
     }
 
-    /// All of it, for the page.
+    /// The finished study for the page.
     pub fn study(self) -> Study {
         let lines = self.lines();
         let failed = self.compared.iter().flatten().find_map(|compared| compared.as_ref().err());

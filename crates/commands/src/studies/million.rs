@@ -1,4 +1,4 @@
-//! Long runs that take minutes: what the bench has written of them, if it has.
+//! Results of long runs that take minutes, read from the benchmark's file where it exists.
 
 use integrators::Work;
 use serde::Deserialize;
@@ -6,7 +6,7 @@ use simulation::methods::method;
 use std::path::Path;
 use studies::long_runs::{MethodRun, Sample};
 
-/// Where the bench writes, beside the folder of scenes.
+/// The output file of the benchmark, relative to the parent of the folder of scenes.
 const FILE: &str = "benches/long_runs.json";
 pub const COMMAND: &str = "cargo bench --bench long_runs";
 
@@ -18,7 +18,7 @@ struct Kept {
     samples: Vec<[Option<f64>; 6]>,
 }
 
-/// The courses, or why there are none.
+/// The runs, or the reason for which there are none.
 pub fn courses(scenes: &Path) -> Result<Vec<MethodRun>, String> {
     let path = scenes.parent().unwrap_or(Path::new("")).join(FILE);
     let text = std::fs::read_to_string(path).map_err(|_| format!("A million revolutions: {COMMAND} writes {FILE}."))?;

@@ -1,5 +1,5 @@
 //! Studies in the report: gains and treatments of stabilised constraints, the electromechanical drive, long runs,
-//! numerical stability, a motor under load, how methods fail.
+//! numerical stability, a synchronous motor under load, failures of methods.
 
 pub mod atlas;
 mod drive;

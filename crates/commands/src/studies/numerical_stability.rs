@@ -1,4 +1,4 @@
-//! Numerical stability of stationary motions: the map of every method at every step.
+//! The study of numerical stability: the verdict of every method on stationary motions at every step size.
 
 use crate::job_pool::JobPool;
 use charts::{AreaCurve, Areas, Study, Table, significant};
@@ -6,22 +6,22 @@ use mechanics::one_step_stability::Judgement;
 use studies::numerical_stability::survey::{self, Method, SCENES, Split, Surveyed};
 use studies::scene::Scene;
 
-/// The motions of each scene, computed by themselves.
+/// The motions of each scene, each scene a job of its own.
 #[derive(Default)]
 pub struct NumericalStability {
     scenes: [Option<Result<Vec<Surveyed>, String>>; SCENES.len()],
 }
 
-/// The seconds that a scene costs.
+/// The expected time for a scene, s.
 const COST: f64 = 8.0;
-/// Columns of a picture, and the decades of its steps.
+/// The number of columns of a picture.
 const COLUMNS: usize = 240;
 const DECADES: [f64; 2] = [-3.0, 0.3];
-/// A tested step tells of those beside it, as a ratio's logarithm: there are eight a decade.
+/// The logarithm of the ratio of step sizes within which a tested step stands for others: there are eight tests a decade.
 const NEAR: f64 = std::f64::consts::LN_10 / 8.0;
 
 impl NumericalStability {
-    /// All of it, of the scenes that there are by the names of their files.
+    /// Adds the jobs for the scenes of the study, found by the names of their files.
     pub fn enlist<'s>(&'s mut self, crew: &mut JobPool<'s>, scene: impl Fn(&str) -> Option<&'s Scene>) {
         for (place, (name, w)) in self.scenes.iter_mut().zip(SCENES) {
             if let Some(scene) = scene(name) {
@@ -30,7 +30,7 @@ impl NumericalStability {
         }
     }
 
-    /// All of it, for the page.
+    /// The finished study for the page.
     pub fn study(self) -> Study {
         let mut study = Study {
             id: "steps-and-stability".into(),
@@ -93,7 +93,7 @@ fn picture(of: &Surveyed) -> Areas {
     let count = names.len();
     let place = |number: usize| (count - 1 - number) as f64;
     let edges = of.methods.iter().map(|method| &method.edges).chain(of.splittings.iter().map(|split| &split.edges));
-    // a point outside of the frame parts the strokes
+    // a point outside of the frame separates the strokes
     let strokes = edges.enumerate().flat_map(|(number, edges)| {
         let seen = edges.iter().filter_map(|(_, found)| *found).filter(|found| (first..last).contains(&found.log10()));
         seen.flat_map(move |found| {
@@ -119,7 +119,7 @@ fn tested(split: &Split, step: f64, motion_grows: bool) -> usize {
     let off = |known: f64| (known / step).ln().abs();
     let near = split.tested.grows.iter().filter(|(known, _)| off(*known) < NEAR);
     let nearest = near.min_by(|a, b| off(a.0).total_cmp(&off(b.0)));
-    // beyond a known edge the edge tells
+    // an edge between the tested step and this one reverses the verdict
     match nearest.and_then(|(known, grows)| {
         let passed = |edge: &&f64| (**edge > step) != (**edge > *known);
         grows.map(|grows| grows != (split.tested.edges.iter().filter(passed).count() % 2 == 1))

@@ -1,10 +1,10 @@
-//! Beside other tools: the tables that the measuring script has written, if it has.
+//! The comparison with other tools: tables read from the measuring script's file where it exists.
 
 use charts::{Study, Table};
 use serde::Deserialize;
 use std::path::Path;
 
-/// Where the script writes, beside the folder of scenes.
+/// The output file of the script, relative to the parent of the folder of scenes.
 const FILE: &str = "benches/peers/results.json";
 const COMMAND: &str = "python3 benches/peers/run.py";
 
@@ -20,7 +20,7 @@ struct Summary {
     rows: Vec<Vec<String>>,
 }
 
-/// The tables, or why there are none.
+/// The study with its tables, or the reason for which there are none.
 pub fn study(scenes: &Path) -> Study {
     let path = scenes.parent().unwrap_or(Path::new("")).join(FILE);
     let read = std::fs::read_to_string(path).map_err(|_| format!("Not measured here: {COMMAND} writes {FILE}."));

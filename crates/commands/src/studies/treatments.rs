@@ -1,4 +1,4 @@
-//! Treatments of a constraint: error and drift by the gain, and the table.
+//! Treatments of a constraint: pictures of error and drift by the gain, and the table.
 
 use super::extent;
 use charts::{AreaCurve, Areas, Table, significant};
@@ -9,13 +9,13 @@ pub fn note() -> &'static str {
     r"Critically damped, $b=2w$, $k=w^2$. Error: the largest of angle, place and their rates at 100 times, relative to the size of each. A Jacobian counts as the evaluations of its columns. Time: medians of runs that take turns within one run of the program while nothing else runs; 1 is the fastest of the table. Gains that grow as $1/h$ and $1/h^2$ bring a violation back fastest and make the equations stiff at every step: the classical Runge-Kutta method then has order 1. With gains that stay as they are the error is $h^pe(w)$ plus higher powers, $e$ the same for all steps: so the gain of the least error is a time of the motion, not of the step, which the rows with twice the steps confirm where the error is small enough for its first power to lead. Which time that is, is measured, not derived. Gear-Gupta-Leimkuhler is half-explicit for Euler (order 1) and for the classical coefficients (order 3), Radau IIA with one stage for backward Euler (order 1), and Gauss with one stage, projected at the end of each step, for the midpoint rule (order 2; without the projection the error of the constraint changes its sign at each step instead of decaying)."
 }
 
-/// Decades over decades, with a mark where the error is least.
+/// A picture of scans over gains on logarithmic axes, with a mark at the least error.
 pub fn scanned(scans: &[&Scan], title: &str, label: &str, value: impl Fn(&Measure) -> f64) -> Areas {
     let curve = |scan: &&Scan| AreaCurve {
         name: format!("{}, {} steps", scan.scheme.name(), scan.steps),
         points: scan.points.iter().map(|point| (point.rate.log10(), value(point).max(1e-16).log10())).collect(),
     };
-    // with half the steps: with all of them the curves are the same, a little lower
+    // every second step size: the other curves have the same shape, a little lower
     let curves: Vec<AreaCurve> = scans.iter().step_by(2).map(curve).collect();
     let mark = |best: Measure| {
         let name = format!("{}/s", significant(best.rate, 2));
@@ -36,7 +36,7 @@ pub fn scanned(scans: &[&Scan], title: &str, label: &str, value: impl Fn(&Measur
     }
 }
 
-/// A line for each treatment of each method.
+/// The table with a row for each treatment of each method.
 pub fn table(lines: &[Line], times: &[Option<f64>]) -> Table {
     let head = [
         "Method",

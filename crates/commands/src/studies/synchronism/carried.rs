@@ -1,4 +1,4 @@
-//! The motor where it is carried: its pull-in and its shares of starts in a gyrostat, beside the same motor on the bench.
+//! A synchronous motor in a gyrostat: its pull-in torque and shares of starts, compared with the same motor on the bench.
 
 use super::{SWINGS, onset};
 use charts::{Table, significant};
@@ -8,7 +8,7 @@ use studies::synchronism::loaded::{Loaded, giving_way};
 use studies::synchronism::maps::{alone, over_starts};
 use studies::synchronism::pull_in::PullIn;
 
-/// Loads as shares of the pull-out, and angles and slips of the starts under each.
+/// Loads as shares of the pull-out torque, and numbers of angles and slips of the starts under each.
 const LOADS: [f64; 7] = [0.0, 0.1, 0.2, 0.4, 0.7, 0.95, 1.05];
 const STARTS: (usize, usize) = (4, 4);
 
@@ -20,7 +20,7 @@ pub struct Carried {
     pull_out: f64,
     /// Pull-in with the rotor's own moment of inertia, and with the effective one.
     pull_in: [Option<PullIn>; 2],
-    /// On the bench and in the gyrostat, by load.
+    /// The shares of starts that synchronise, on the bench and in the gyrostat, by load.
     shares: [Vec<Share>; 2],
 }
 
@@ -40,7 +40,7 @@ impl Carried {
         Some(Carried { title: scene.title.clone(), axial, pull_out, pull_in, shares: [bench, gyrostat] })
     }
 
-    /// Beside the table: what the loads are measured by, and where slipping begins.
+    /// The text with the table: the unit of the loads, and the onset of slipping.
     pub fn told(&self) -> String {
         let Carried { axial: [own, light], pull_out, pull_in, .. } = self;
         let said = |of: &Option<PullIn>| {
@@ -62,7 +62,7 @@ impl Carried {
         )
     }
 
-    /// For the page.
+    /// The table for the page.
     pub fn table(&self) -> Table {
         let Carried { title, shares: [bench, gyrostat], .. } = self;
         let caption = format!("In a gyrostat ({title}): which of {} starts come into step", STARTS.0 * STARTS.1);

@@ -1,4 +1,4 @@
-//! A synchronous motor under load: what it can do for ever, and which starts come into step.
+//! The study of a synchronous motor under load: its steady and periodic motions, and the starts that synchronise.
 
 mod carried;
 mod pictures;
@@ -14,20 +14,20 @@ use studies::synchronism::loaded::{Loaded, with_bars};
 use studies::synchronism::maps::{Row, over_damping, over_starts};
 use studies::synchronism::pull_in::{Onset, PullIn};
 
-/// Bars in the map; those that are followed too.
+/// Numbers of bars in the map, and those whose motions are continued.
 const BARS: [usize; 9] = [0, 1, 2, 3, 4, 5, 6, 7, 8];
 const DRAWN: [usize; 5] = [0, 1, 2, 3, 8];
-/// f / sqrt(A' b0) of the rows of the map of the motor without currents.
+/// The damping f / sqrt(A' b0) of each row of the map for the motor without currents.
 const DAMPINGS: [f64; 10] = [0.05, 0.2, 0.35, 0.5, 0.65, 0.8, 0.95, 1.1, 1.25, 1.4];
-/// Columns of a map: from nothing to a little beyond the pull-out.
+/// The number of columns of a map, from no load to a little beyond the pull-out torque.
 const COLUMNS: usize = 24;
 const MOST: f64 = 1.08;
-/// Angles and slips of the starts of a cell.
+/// The numbers of angles and slips of the starts in a cell.
 const STARTS: (usize, usize) = (5, 5);
-/// Swings for which each start with bars is followed.
+/// The length of the run from each start with bars, in units of 1/omega, omega the angular frequency of small oscillations.
 const SWINGS: f64 = 120.0;
 
-/// A number of bars: what slips, and what becomes of the starts.
+/// The results for a number of bars: slipping motions, and the outcome of the starts.
 struct OfBars {
     bars: usize,
     slipping: Option<OutOfStep>,
@@ -71,7 +71,7 @@ impl Synchronism {
         }
     }
 
-    /// All of it, for the page.
+    /// The finished study for the page.
     pub fn study(self) -> Option<Study> {
         let motor = self.motor?;
         let all: Vec<OfBars> = self.bars.into_iter().flatten().flatten().collect();
@@ -99,7 +99,7 @@ impl Synchronism {
     }
 }
 
-/// From zero to a little beyond `whole`: the middles of the cells.
+/// The middles of the cells from zero to a little beyond `whole`.
 fn columns(whole: f64) -> Vec<f64> {
     (0..COLUMNS).map(|i| whole * MOST * (i as f64 + 0.5) / COLUMNS as f64).collect()
 }
@@ -153,7 +153,7 @@ fn table(all: &[OfBars], pull_out: f64) -> Table {
     }
 }
 
-/// Where slipping begins, for a reader.
+/// The kind of onset of slipping, in words.
 pub fn onset(by: Onset) -> String {
     match by {
         Onset::Balance => "with ever longer turns, from a balance to the next".into(),

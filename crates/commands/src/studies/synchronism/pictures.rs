@@ -1,4 +1,4 @@
-//! The pictures: angles and slips over the load, and which starts come into step.
+//! The pictures of the study: angles and slips over the load, and the starts that synchronise.
 
 use super::{DAMPINGS, DRAWN, MOST, OfBars, columns, named};
 use crate::studies::extent;
@@ -8,12 +8,12 @@ use studies::synchronism::basin::Share;
 use studies::synchronism::branches::{Slipping, Standing};
 use studies::synchronism::maps::Row;
 
-/// The places in `points` where `keep` holds; a gap wherever it does not.
+/// The points for which `keep` holds, with a gap wherever it does not.
 fn gapped<T>(all: &[T], keep: impl Fn(&T) -> bool, point: impl Fn(&T) -> (f64, f64)) -> Vec<(f64, f64)> {
     all.iter().map(|one| if keep(one) { point(one) } else { (point(one).0, f64::NAN) }).collect()
 }
 
-/// The angles in step.
+/// The picture of the synchronous angles over the load.
 pub fn standing(all: &[Standing], pull_out: f64) -> Areas {
     let point = |one: &Standing| (one.load, one.angle.to_degrees());
     let curve = |name: &str, keep: &dyn Fn(&Standing) -> bool| AreaCurve {
@@ -25,7 +25,7 @@ pub fn standing(all: &[Standing], pull_out: f64) -> Areas {
         curve("unstable", &|one| one.growth > 0.0 || one.fold),
     ];
     let folds = all.iter().filter(|one| one.fold);
-    // room for the name at the right
+    // room for the name on the right
     let [least, most] = extent(&curves, |point| point.0);
     let most = most + 0.2 * (most - least);
     Areas {
@@ -48,7 +48,7 @@ pub fn standing(all: &[Standing], pull_out: f64) -> Areas {
     }
 }
 
-/// The motions out of step.
+/// The picture of the asynchronous motions over the load.
 pub fn slipping(all: &[OfBars], pull_out: f64, field_speed: f64) -> Areas {
     let drawn = || all.iter().filter(|one| DRAWN.contains(&one.bars));
     let point = |one: &Slipping| (one.load, one.slip() / field_speed.abs());
@@ -56,7 +56,7 @@ pub fn slipping(all: &[OfBars], pull_out: f64, field_speed: f64) -> Areas {
     let mut curves: Vec<AreaCurve> = drawn()
         .map(|one| {
             let mut points = gapped(&motions(one), |motion| motion.stable() || motion.fold, point);
-            // as turns become ever longer the mean slip tends to zero, as one over a logarithm
+            // as the period grows the mean slip tends to zero like one over a logarithm
             points.extend(one.slipping.as_ref().and_then(|all| all.limit).map(|load| (load, 0.0)));
             AreaCurve { name: named(one.bars), points }
         })
@@ -108,7 +108,7 @@ pub fn plain(rows: &[Row]) -> Areas {
     let bounds = [DAMPINGS[0] - 0.5 * step, DAMPINGS[DAMPINGS.len() - 1] + 0.5 * step];
     let cells = rows.iter().map(|row| row.shares.iter().map(kind).collect()).collect();
     let curve = |row: &Row| {
-        // the load beside the drag: in the columns' own unit
+        // the load in addition to the drag, in the unit of the columns
         let (first, last) = (row.shares.first()?, row.shares.last()?);
         let all = columns(1.0);
         let unit = (all.last()? - all.first()?) / (last.load - first.load);
