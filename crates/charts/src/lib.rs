@@ -1,15 +1,15 @@
 //! The report's pictures and its one self-contained page.
 //!
 //! # Overview
-//! The crate takes plain data and knows no physics and no paper. [`Report`] is everything that a page shows;
-//! [`page::render`] turns it into one HTML file without a single reference to the outside, that reads on a screen and on
-//! paper. Each chart ([`WorkPrecision`], [`Trajectory`], [`Sphere`], [`Areas`], [`Branches`], [`Timings`], and those of one run together, [`Sheet`]) is also a picture of its own, from
-//! its `svg` method: the same data give the same bytes. A [`Sketch`] is a mechanism at its places, at one instant or moving.
+//! The crate takes plain data and contains no physics and no paper. [`Report`] is everything that a page shows;
+//! [`page::render`] turns it into one HTML file without external references, for screens and for print. Each chart
+//! ([`WorkPrecision`], [`Trajectory`], [`Sphere`], [`Areas`], [`Branches`], [`Timings`], and [`Sheet`] with the charts of one run) is
+//! also a picture, by its `svg` method: equal data give equal bytes. A [`Sketch`] is a drawing of a mechanism, still or moving.
 //!
 //! Texts may hold LaTeX between dollar signs; labels inside pictures are plain text. LaTeX that cannot be typeset is
 //! shown as its source and reported in [`Page::unset`].
 //!
-//! Key results, each a test: nothing is loaded from outside, every text is escaped and acts on no reader ([`visible`]), no number is silently left out.
+//! Tested properties: nothing is loaded from outside, every text is escaped and made harmless ([`visible`]), no number is silently left out.
 //!
 //! # Example
 //! ```

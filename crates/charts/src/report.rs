@@ -1,4 +1,4 @@
-//! Everything that a page shows, as plain data.
+//! The contents of a report page, as plain data.
 //!
 //! *Text* means prose that may hold LaTeX between dollar signs; *LaTeX* means one displayed formula without them.
 
@@ -8,20 +8,20 @@ use crate::{Areas, Sphere, Timings, Trajectory, Verdict, WorkPrecision};
 #[derive(Clone, Debug, Default)]
 pub struct Report {
     pub title: String,
-    /// One paragraph of text: what was examined and what came out.
+    /// One paragraph of text: the examined statements and the results.
     pub summary: String,
-    /// The maker of the page, for the last line and the generator that the head names: program and version.
+    /// The program and version that made the page, for the last line and the generator in the head.
     pub generated_by: String,
     pub papers: Vec<PaperSection>,
     pub scenes: Vec<SceneSection>,
     pub spheres: Vec<Sphere>,
-    /// Where stationary motions are stable.
+    /// Maps of the stability of stationary motions.
     pub stability: Vec<Areas>,
     /// Errors of approximations.
     pub approximations: Vec<Trajectory>,
     /// Comparisons that are neither claims nor scenes.
     pub studies: Vec<Study>,
-    /// Where motion with friction is determined.
+    /// Maps of the determinacy of motion with friction.
     pub friction: Vec<Areas>,
     /// Runs across stick, slip and detachment.
     pub rough: Vec<SceneSection>,
@@ -46,7 +46,7 @@ pub struct PaperSection {
     /// Authors, journal, year: text.
     pub citation: String,
     pub summary: String,
-    /// In the paper's own order: those of one of its sections stand together.
+    /// The claims in the paper's order, so that those of one section follow each other.
     pub claims: Vec<ClaimRow>,
 }
 
@@ -65,16 +65,16 @@ impl PaperSection {
 /// One line of a ledger, or the correction of one.
 #[derive(Clone, Debug, Default)]
 pub struct ClaimRow {
-    /// Permanent: `paper/eqN/slug`.
+    /// The permanent identifier: `paper/eqN/slug`.
     pub id: String,
     /// The paper's own number, as printed: `(5.3)`; empty where it has none.
     pub equation_label: String,
     /// The heading of the paper's section with the claim: text, empty where there is none.
     pub section: String,
-    /// Text.
+    /// The title: text.
     pub title: String,
     pub verdict: Verdict,
-    /// The statement, a displayed formula each.
+    /// The statement: displayed formulas.
     pub latex: Vec<String>,
     /// All assumptions, as texts: hypotheses, divisors that must not vanish, signs.
     pub requires: Vec<String>,
@@ -86,9 +86,9 @@ pub struct ClaimRow {
     pub difference: Option<String>,
     /// The corrected statement, with its own verdict.
     pub correction: Option<Box<ClaimRow>>,
-    /// Why the print fails: text, empty where it does not.
+    /// The reason for which the printed statement fails: text, empty where it holds.
     pub why: String,
-    /// The reading of a damaged or ambiguous text; empty where there was nothing to choose.
+    /// The reading of a damaged or ambiguous text; empty where the print is unambiguous.
     pub reading: String,
     /// Anything else a reader should know: text, empty where there is nothing.
     pub note: String,
@@ -115,10 +115,10 @@ pub struct SceneSection {
 /// A parameter of a scene.
 #[derive(Clone, Debug, Default)]
 pub struct Parameter {
-    /// Text: `$A_1$`.
+    /// The symbol: text, such as `$A_1$`.
     pub symbol: String,
     pub value: String,
-    /// Text, empty for a pure number.
+    /// The unit: text, empty for a pure number.
     pub unit: String,
     pub meaning: String,
 }
@@ -126,10 +126,10 @@ pub struct Parameter {
 /// Pictures over planes, and tables, about one question.
 #[derive(Clone, Debug, Default)]
 pub struct Study {
-    /// As it may stand in a link; no two studies have the same.
+    /// The identifier in links, different for each study.
     pub id: String,
     pub title: String,
-    /// LaTeX between dollar signs.
+    /// The introduction: text.
     pub lead: String,
     /// The motion in time, where the study follows one.
     pub run: Option<Trajectory>,

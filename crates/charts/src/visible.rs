@@ -1,11 +1,11 @@
-//! Texts of others as they may stand on a terminal, in a page or in a picture.
+//! Foreign texts made harmless for a terminal, a page or a picture.
 
 use std::borrow::Cow;
 use std::fmt::Write;
 
-/// A text in which nothing acts on its reader: control characters (a terminal obeys those of C0 and C1, XML forbids them) and
-/// signs that turn the direction of writing or break a line are shown by their code, `\u001b`. Line feeds and tabs stay. The
-/// code is that of JSON: a string there keeps its value.
+/// Makes a text harmless: control characters (a terminal obeys those of C0 and C1, XML forbids them) and characters that change
+/// the direction of writing or break a line are replaced by their code, `\u001b`. Line feeds and tabs stay. The code is that of
+/// JSON: a string there keeps its value.
 pub fn visible(text: &str) -> Cow<'_, str> {
     if !text.chars().any(acts) {
         return Cow::Borrowed(text);

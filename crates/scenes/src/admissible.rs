@@ -1,4 +1,4 @@
-//! Whether bodies with these masses and moments of inertia can exist.
+//! Checks that masses and moments of inertia are physically possible.
 
 use crate::compiled_system::NotCompiled;
 use crate::letters::{Inputs, Letters};
@@ -8,7 +8,7 @@ use reader::Issue;
 use std::ops::Range;
 use symbolic::{Sym, Tape, apart};
 
-/// The share of all moments by which one may exceed the sum of the two others, for data with few digits.
+/// The part of the sum of the principal moments by which one may exceed the sum of the two others, for data with few digits.
 const ROUNDING: f64 = 1e-9;
 
 /// All bodies that cannot exist, as far as numbers show: a mass that is not positive, a principal moment of inertia that is negative
@@ -27,12 +27,12 @@ pub fn impossible(model: &Model) -> Vec<Issue> {
 #[derive(Debug)]
 pub(crate) struct BodyNumbers {
     tape: Tape,
-    /// Which of them depend on nothing else: of the others no number tells whether they are possible.
+    /// Whether each number depends on parameters alone; the others are not judged.
     constant: Vec<bool>,
 }
 
 impl BodyNumbers {
-    /// Writes them down.
+    /// Compiles the functions.
     ///
     /// # Errors
     /// Where they have no values.
@@ -70,7 +70,7 @@ fn scalars(model: &Model, trace: &Trace<'_>) -> Vec<Sym> {
     wanted.map(|id| trace.scalar(id)).collect()
 }
 
-/// Bodies that cannot exist by the numbers of [`scalars`]; a number that is none is not judged.
+/// Bodies that cannot exist by the numbers of [`scalars`]; missing numbers are not judged.
 fn judged(model: &Model, numbers: &[Option<f64>]) -> Vec<Issue> {
     let mut numbers = numbers.iter().copied();
     let mut issues = Vec::new();
@@ -106,8 +106,8 @@ fn judged(model: &Model, numbers: &[Option<f64>]) -> Vec<Issue> {
     issues
 }
 
-/// The principal moments of inertia where every entry that stands is a number, and all three moments stand; as they stand where no
-/// product does.
+/// The principal moments of inertia, where all three moments about axes are given and all entries are numbers; the given moments
+/// themselves where no product is given.
 fn principal(inertia: &[Option<Option<f64>>; 6]) -> Option<[f64; 3]> {
     let [xx, yy, zz, ..] = *inertia;
     let [xx, yy, zz] = [xx??, yy??, zz??];
@@ -137,7 +137,7 @@ pub(crate) fn shown(value: f64) -> f64 {
     format!("{value:.11e}").parse().unwrap_or(value)
 }
 
-/// Moments about axes, then products of inertia, where they stand.
+/// The moments of inertia about axes, then the products of inertia, where they are given.
 fn entries(body: &Body) -> [Option<ScalarId>; 6] {
     match &body.inertia {
         None => [None; 6],

@@ -1,4 +1,4 @@
-//! Constraints that follow from others: everywhere, or on the branch of the start alone, on which ranks are then judged.
+//! Redundant constraints: everywhere, or only on the branch of configurations that contains the start.
 
 use crate::readiness::{completed, leave_out, unmet_at};
 use crate::start::{Completed, Unmet, consistent};
@@ -7,7 +7,7 @@ use model::equations::dependent_everywhere;
 use model::{Fault, Model, Trace};
 use reader::SceneError;
 
-/// The model without the equations of constraints that follow from others on the branch of its start alone, where it has a start.
+/// Removes the equations of constraints that are redundant on the branch of the start, where the model has a start.
 pub(crate) fn on_branch(model: &mut Model) {
     let Ok(mut completed) = completed(model) else { return };
     let everywhere = everywhere(model, &completed);
@@ -15,13 +15,13 @@ pub(crate) fn on_branch(model: &mut Model) {
     leave_out(model, &completed);
 }
 
-/// The equations of constraints that follow from others at a start and at every other one.
+/// The equations of constraints that are redundant at a start and at every other one.
 fn everywhere(model: &Model, Completed { implied, .. }: &Completed) -> Vec<[usize; 2]> {
     symbolic::apart(|| dependent_everywhere(&Trace::of(model), implied))
 }
 
-/// The model of a text, which messages call by a name, without the equations of constraints that follow from others: each is told by a warning. Those of one branch are
-/// known where the file has a start that is met; a start that is not met leaves those that follow everywhere.
+/// Removes the equations of redundant constraints from the model of a text, with a warning for each. Redundancy on one branch is known
+/// only where the start of the file satisfies the constraints; otherwise redundancy everywhere counts. `name` is the text's in messages.
 ///
 /// # Errors
 /// Constraints that contradict each other.
@@ -67,10 +67,10 @@ pub(crate) fn in_words(model: &Model, state: &[f64]) -> String {
     words.join(", ")
 }
 
-/// Coordinates that a sentence tells.
+/// The largest number of coordinates in a sentence.
 const MOST_TOLD: usize = 6;
 
-/// A number to some digits: it tells branches apart.
+/// A number with the few digits that distinguish branches.
 fn short(value: f64) -> String {
     let rounded = (value * 1e4).round() / 1e4;
     if rounded == 0.0 { "0".to_owned() } else { format!("{rounded}") }

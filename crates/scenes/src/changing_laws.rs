@@ -1,4 +1,4 @@
-//! Models whose law, or state, changes along a run.
+//! Models whose law or state changes at events along a run.
 
 use model::{Event, Model};
 

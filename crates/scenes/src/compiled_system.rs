@@ -1,4 +1,4 @@
-//! The equations of motion of a model, ready to run: one trace, in every form that a method asks for.
+//! The equations of motion of a model, compiled for runs: rates, series and derivatives from one trace.
 
 mod implicit_speeds;
 mod outputs;
@@ -28,14 +28,14 @@ use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 use symbolic::{Sym, apart, substitute_all};
 
-/// Why a model has no law that runs.
+/// The reason for which a model has no equations of motion that can run.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NotCompiled {
     /// A parameter or an input without a value.
     Open { what: &'static str, name: String },
-    /// No inertia resists a coordinate.
+    /// A coordinate has no inertia.
     Massless { coordinate: String },
-    /// A constraint that others imply.
+    /// A constraint is redundant.
     Redundant { constraint: usize },
     /// A law that changes with contacts, or with the equilibrium in which a run begins, where one law is asked for.
     Changes,
@@ -47,7 +47,7 @@ pub enum NotCompiled {
     NotHeldContact { contact: usize },
     /// An expression has no values.
     Undefined { reason: String },
-    /// Longer than what can be run.
+    /// The equations are too long to be compiled.
     TooLong,
 }
 
@@ -91,15 +91,15 @@ pub struct CompiledSystem {
     outputs: Program,
     /// The outputs that depend on the motion, where there is none: they have no value.
     without_value: Vec<usize>,
-    /// Whether kinetic and potential energy together stay what they are.
+    /// Whether the sum of kinetic and potential energy is constant.
     pub keeps_energy: bool,
-    /// The way back onto its constraints, made when a run first asks for it; none where no constraint is kept so.
+    /// The projection onto the constraints, made when a run first asks for it; `None` where no constraint is projected.
     projection: OnceLock<Option<Arc<ConstraintProjection>>>,
-    /// Whether accelerations are written down over a tree of many bodies: their series and derivatives then grow as the bodies too.
+    /// Whether accelerations are eliminated over a tree of many bodies: series and derivatives then grow linearly with the bodies too.
     is_tree: bool,
 }
 
-/// The way to the rates.
+/// The evaluation of the rates.
 #[derive(Debug)]
 enum Rates {
     /// The elimination is written down: any field, series too.
@@ -109,7 +109,7 @@ enum Rates {
 }
 
 impl CompiledSystem {
-    /// Writes the equations down and compiles them; `mode` has the case of each switch.
+    /// Derives the equations and compiles them; `mode` has the case of each switch.
     ///
     /// # Errors
     /// Why there is no law that runs.
@@ -136,7 +136,7 @@ impl CompiledSystem {
         }
     }
 
-    /// The system at a start from which no motion goes on, or several: its law is that of contacts that are apart, which nothing follows.
+    /// The system at a start from which no motion continues, or several do: the law with open contacts, which no run follows.
     ///
     /// # Errors
     /// Why there is no such law.
@@ -206,7 +206,7 @@ impl CompiledSystem {
         &self.model
     }
 
-    /// As every method takes it, with series and derivatives where it asks for them; constraints are kept differentiated alone.
+    /// The law for every method, with series and derivatives on demand; constraints are kept on the level of accelerations (index 1).
     pub fn law(self: &Arc<Self>) -> Arc<dyn Law> {
         match &self.rates {
             Rates::Written(rates) => {
@@ -226,7 +226,7 @@ impl CompiledSystem {
         }
     }
 
-    /// A law of the motion, its state perhaps with more behind it, as it runs: each accepted step ends on the constraints.
+    /// A law whose accepted steps are projected onto the constraints; its state may have further components behind those of the motion.
     pub(crate) fn projected(&self, law: Arc<dyn Law>) -> Arc<dyn Law> {
         let made = self.projection.get_or_init(|| ConstraintProjection::of(&self.model).map(Arc::new));
         ConstraintProjection::onto(made.as_ref(), law)

@@ -1,16 +1,16 @@
-//! Whether a model keeps its energy.
+//! Conservation of the energy of a model.
 
 use crate::changing_laws::changes;
 use model::equations::{Equation, Level, constraints_of, vanishes};
 use model::{Model, Trace};
 use symbolic::Sym;
 
-/// Whether a model keeps its energy, by what acts on it.
+/// Whether a model conserves its energy, by its loads and constraints.
 pub fn keeps_energy(model: &Model) -> bool {
     symbolic::apart(|| conserves(model))
 }
 
-/// Whether nothing but weights and a given potential acts, only positions are held, and nothing knows the time.
+/// Whether the only loads are weights and a given potential, all constraints are holonomic, and nothing depends on the time.
 pub(crate) fn conserves(model: &Model) -> bool {
     let acts = !(model.forces.is_empty() && model.torques.is_empty() && model.generalised.is_empty())
         || model.energies.dissipation.is_some()

@@ -1,4 +1,4 @@
-//! The equations of motion of a text by a principle that is named, in matrix form.
+//! The equations of motion of a text by a named principle, in matrix form.
 
 use crate::readiness::{start_of, starting};
 use crate::system_text::SystemText;
@@ -9,7 +9,7 @@ use std::fmt;
 use symbolic::Language;
 use units::nearest;
 
-/// A principle by its name.
+/// A principle of mechanics that commands know by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NamedPrinciple {
     /// In the rates of all coordinates; some along the quasi-velocities of a text that has them.
@@ -19,13 +19,13 @@ pub enum NamedPrinciple {
 }
 
 impl NamedPrinciple {
-    /// All of them.
+    /// All principles.
     pub fn all() -> Vec<Self> {
         let along = [QuasiPrinciple::Maggi, QuasiPrinciple::Shulgin].map(Self::AlongQuasiVelocities);
         Principle::ALL.map(Self::InRates).into_iter().chain(along).collect()
     }
 
-    /// As commands call it.
+    /// The name in commands.
     pub fn name(self) -> &'static str {
         match self {
             Self::InRates(principle) => principle.name(),
@@ -61,7 +61,7 @@ impl NamedPrinciple {
         }
     }
 
-    /// The first that applies to a model.
+    /// The first principle that applies to a model.
     pub fn usual(model: &Model) -> Self {
         let has_energy = model.energies.kinetic.is_some();
         Self::InRates(match model.quasi_velocities.is_empty() {
@@ -72,10 +72,10 @@ impl NamedPrinciple {
     }
 }
 
-/// Why equations are not written.
+/// The reason for which there are no equations.
 #[derive(Debug)]
 pub enum NotDerived {
-    /// The text is wrong.
+    /// The text has faults.
     Text(SceneError),
     /// The principle does not apply, or the equations are too long.
     Refused(String),
@@ -112,7 +112,7 @@ pub struct Derived<'t, 'm> {
     pub vanishes_at_start: bool,
 }
 
-/// Shows the equations of motion of a text by a principle; without one by the first that applies.
+/// Derives the equations of motion of a text by a principle, by default the first that applies, and hands them to `show`.
 ///
 /// # Errors
 /// The text is wrong, or the principle does not apply to its system.

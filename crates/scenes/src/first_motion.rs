@@ -1,4 +1,4 @@
-//! The motion at the start: why its accelerations have no value there, where they have none.
+//! The accelerations at the start, and the reason for which they are undetermined there.
 //!
 //!   [ M  J^T ] [   u'    ]   [ -h ]
 //!   [ J   0  ] [ -lambda ] = [ -c ]
@@ -16,7 +16,7 @@ use reader::Issue;
 use std::ops::Range;
 use symbolic::apart;
 
-/// Why the motion does not begin, where it does not.
+/// The reason for which the motion does not begin; `None` where it begins.
 pub fn missing(model: &Model, system: &CompiledSystem, start: &[f64]) -> Option<Issue> {
     let mut rates = vec![0.0; start.len()];
     Ode::<f64>::rates(system, 0.0, start, &mut rates);
@@ -53,7 +53,7 @@ pub fn missing(model: &Model, system: &CompiledSystem, start: &[f64]) -> Option<
 const NO_NUMBER: &str = "another start: a division by zero, `unit` of a zero vector, a force between points that coincide, \
                          `ln` or `sqrt` of a negative number, and numbers beyond 1.8e308 in SI units have no value";
 
-/// Why a model has a coordinate without inertia, where the mass matrix has numbers at the start.
+/// The reason for which a coordinate has no inertia, where the mass matrix has numbers at the start.
 pub(crate) fn massless(model: &Model) -> Option<Issue> {
     let mode = Mode { cases: vec![Case::On; model.switches.len()], phases: Vec::new() };
     let terms = MotionMatrix::of(model, &mode)?.at(0.0, &model.start_state())?;
@@ -61,7 +61,7 @@ pub(crate) fn massless(model: &Model) -> Option<Issue> {
     Some(resisted_by_nothing(model, &direction))
 }
 
-/// Why the law of a coordinate without inertia, which changes at a condition or holds a contact, cannot be solved.
+/// The reason for which the law of a coordinate without inertia, with a condition or a contact, cannot be solved.
 pub(crate) fn with_unsolved_law(model: &Model) -> Option<Issue> {
     let (place, why) = model.unsolved_law?;
     let (name, at) = moved(model, place);
@@ -93,7 +93,7 @@ pub(crate) fn with_unsolved_law(model: &Model) -> Option<Issue> {
     Some(Issue::at(at, title, label).accepted(accepted))
 }
 
-/// A direction of speeds that no inertia resists and no constraint determines: one speed, or a combination of several.
+/// The fault of a direction of speeds without inertia that no constraint determines: one speed, or a combination of several.
 fn resisted_by_nothing(model: &Model, direction: &[f64]) -> Issue {
     let (name, at) = moved(model, largest(direction));
     let size = direction[largest(direction)].abs();

@@ -1,7 +1,7 @@
-//! Formulations of a model with constraints: projected, kept differentiated alone, led to zero, or held with a multiplier for each level.
+//! Formulations of a model with constraints: projection, index 1 without projection, stabilisation, or index 2 by Gear-Gupta-Leimkuhler.
 //!
-//! Held after Gear, Gupta and Leimkuhler, with the speeds u, the rates q' = T(q) u of the coordinates, and J_g the rows of constraints of
-//! positions,
+//! The last formulation is a DAE of index 2 with the speeds u, the rates q' = T(q) u of the coordinates, and J_g the rows of position
+//! constraints,
 //!
 //!   q' = T (u + M^-1 J_g^T mu),   M u' + h = J^T lambda,   0 = f(q, t),   0 = df/dt, 0 = phi(q, u, t) .
 
@@ -37,7 +37,7 @@ pub(crate) fn formulations(
         return ways;
     }
     let reduced = Arc::new(model.led_at(None));
-    // constraints that are led to zero from elsewhere have a motion of their own
+    // where the start violates stabilised constraints, they have a motion of their own
     if led > 0 && !meets(&reduced) {
         return ways;
     }
@@ -60,7 +60,7 @@ pub(crate) fn formulations(
     ways
 }
 
-/// A model held to its constraints on every level.
+/// A model as a DAE of index 2 with the constraints on the levels of positions and speeds.
 struct HeldModel {
     model: Arc<Model>,
     /// The number of constraints of positions, and that of all.

@@ -1,4 +1,4 @@
-//! A scene whose law changes at events: its reference, and every method across the same events.
+//! A scene whose law changes at events: its reference solution, and runs of every method across its events.
 
 use crate::modes::{Modes, RunTable};
 use crate::scene::ModelScene;
@@ -13,18 +13,18 @@ use simulation::work_precision::{Configuration, Formulation, Observed, Standing,
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-/// The run in `f64` that tells the laws.
+/// The tolerance of the run in `f64` that finds the sequence of laws.
 const TOLERANCE: f64 = 1e-13;
 const METHOD: Method = Method::DormandPrince8;
 
-/// The evaluations after which it is asked whether a contact jams: its reactions lose their digits as they grow, and rounding makes steps
+/// The number of evaluations after which jamming of a contact is tested: growing reactions lose their digits, and rounding makes steps
 /// ever shorter.
 const FEW: u64 = 1_000_000;
 
-/// Sizes below this part of the largest of their kind are rounding of what stays zero.
+/// Sizes below this part of the largest of their kind are rounding of a zero.
 const ROUNDING: f64 = 1e-9;
 
-/// A run in `f64` as it tells the laws.
+/// A run in `f64` with its sequence of laws.
 struct Told {
     modes: Arc<Modes>,
     course: RunTable,
@@ -105,7 +105,7 @@ impl Hybrid for ModelScene {
     }
 }
 
-/// The largest magnitudes of positions, or of speeds: what is rounding beside its kind has the size of that.
+/// The sizes of positions, or of speeds, for relative errors; a component that is only rounding takes the largest size of its kind.
 fn of_kind(sizes: &[f64]) -> Vec<f64> {
     let whole = sizes.iter().copied().fold(0.0, f64::max);
     let whole = if whole > 0.0 { whole } else { 1.0 };

@@ -1,4 +1,4 @@
-//! Whether magnetic fields with a co-energy can exist: the energy of small currents beside those of the start is positive.
+//! Check of inductances: the magnetic energy must be positive for small changes of the currents at the start.
 
 use crate::admissible::shown;
 use model::{Model, Trace};
@@ -9,7 +9,7 @@ use symbolic::{Sym, apart};
 /// A negative part below this of the largest one is rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// Inductances that no windings have, where numbers at the start tell so: a negative one, or mutual ones that are too large.
+/// Physically impossible inductances, by their values at the start: a negative one, or mutual ones that are too large.
 pub(crate) fn impossible_inductances(model: &Model, start: &[f64]) -> Option<Issue> {
     let coenergy = model.energies.coenergy?;
     let (currents, inductances) = apart(|| {
@@ -65,7 +65,7 @@ pub(crate) fn impossible_inductances(model: &Model, start: &[f64]) -> Option<Iss
             }
         }
     }
-    // units of currents do not count
+    // scaled, so that the units of currents do not matter
     let scale: Vec<f64> = (0..n).map(|place| inductances[(place, place)].max(0.0).sqrt()).collect();
     let scaled = DMatrix::from_fn(n, n, |row, column| match scale[row] * scale[column] {
         0.0 => 0.0,

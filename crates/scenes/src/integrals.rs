@@ -1,10 +1,10 @@
-//! Integrals of the motion of a scene, as functions of its state: its energy and its cyclic momenta.
+//! First integrals of a scene's motion, as functions of its state: the energy and cyclic momenta.
 //!
-//! Loads without an energy of their own have one where their power is Q . u with a gradient Q that holds no speeds: from the start q0
+//! Loads without a given energy have one where their power is Q . u with a gradient Q that does not depend on speeds: from the start q0
 //!
 //!   V(q) = -integral of Q(q0 + s (q - q0)) . (q - q0) over s from 0 to 1 ,
 //!
-//! by Gauss's rule, whose error is below rounding where loads are smooth along the way.
+//! by Gauss's quadrature, whose error is below rounding where loads are smooth along the path.
 
 use crate::changing_laws::is_watched;
 use crate::letters::Letters;
@@ -20,17 +20,17 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 use symbolic::{Sym, apart};
 
-/// Points of Gauss's rule.
+/// The number of points of Gauss's quadrature.
 const POINTS: usize = 20;
 
 /// The largest number of speeds for which a potential of loads is sought: the work grows with its square.
 const MOST_ASKED: usize = 10;
 
-/// A scene as a problem, and all that is known to be kept along its motion.
+/// A scene as a problem with its first integrals.
 pub struct KeptScene {
     pub problem: Problem,
     pub integrals: Vec<Integral>,
-    /// Components whose values return with their turns, or need not return: nothing depends on them.
+    /// Components that need not return in a periodic motion, since nothing depends on them.
     idle: Vec<usize>,
     angles: Vec<usize>,
     /// The places of the speeds whose momenta are kept, in the state; their momenta are the last integrals.
@@ -91,7 +91,7 @@ impl KeptScene {
         Integral { name: "energy of the oscillation".to_owned(), unit: "J".to_owned(), value, size: None }
     }
 
-    /// The difference of a component at the end and at the start: whole turns of an angle are none, nor is what nothing depends on.
+    /// The difference of a component between end and start: zero for whole turns of an angle, and where nothing depends on it.
     pub fn gap(&self, component: usize, end: f64, start: f64) -> f64 {
         let gap = end - start;
         match component {
@@ -154,7 +154,7 @@ fn energy_of_loads(model: &Model, start: &[f64]) -> Option<Integral> {
     })
 }
 
-/// Whether a power is that of loads on the speeds which are the gradient of an energy.
+/// Whether loads with this power are the gradient of an energy.
 fn are_gradient(trace: &Trace<'_>, power: Sym, loads: &[Sym]) -> bool {
     let all = loads.iter().zip(&trace.speeds).fold(Sym::ZERO, |sum, (&load, &speed)| sum + load * speed);
     let knows_more = |load: &Sym| {
@@ -168,7 +168,7 @@ fn are_gradient(trace: &Trace<'_>, power: Sym, loads: &[Sym]) -> bool {
         && (0..n).all(|i| (0..i).all(|j| vanishes(loads[i].diff(q[j]) - loads[j].diff(q[i]))))
 }
 
-/// Cyclic momenta that are kept, and the places of their coordinates.
+/// Conserved cyclic momenta, and the places of their coordinates.
 fn momenta(model: &Model, states: usize) -> (Vec<Integral>, Vec<usize>) {
     let kept = apart(|| {
         let trace = Trace::of(model);

@@ -1,15 +1,15 @@
-//! Directions that rows of numbers take to zero.
+//! The null space of a matrix that is built row by row.
 
 use nalgebra::DMatrix;
 
 /// Singular values below this part of the largest one are taken for zero.
 const RANK: f64 = 1e-10;
 
-/// Rows, each by its largest entry: units of equations do not count. As many are kept as there are columns.
+/// Rows, each divided by its largest entry, so that units of equations do not matter. At most as many are kept as there are columns.
 pub(crate) struct Rows(DMatrix<f64>);
 
 impl Rows {
-    /// No rows over so many columns: they take every direction to zero.
+    /// A matrix without rows, whose null space is all of the space.
     pub fn none(columns: usize) -> Self {
         Rows(DMatrix::zeros(0, columns))
     }
@@ -26,7 +26,7 @@ impl Rows {
         *known = if both.nrows() > both.ncols() { both.qr().r() } else { both };
     }
 
-    /// The directions, orthonormal columns.
+    /// The null space, as orthonormal columns.
     pub fn kernel(&self) -> DMatrix<f64> {
         let Rows(rows) = self;
         let n = rows.ncols();

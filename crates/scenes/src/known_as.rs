@@ -1,4 +1,4 @@
-//! The key `known_as`: a system of which some crate knows more than its equations.
+//! The key `known_as`: a system for which a crate provides theory beyond the equations, such as a closed form.
 
 use crate::compiled_system::rates;
 use crate::letters::Letters;
@@ -29,7 +29,7 @@ pub(crate) fn known(At { value, span }: &At<String>) -> Result<&'static Knowledg
     })
 }
 
-/// The knowledge of a name; an issue where there is none, or where the model has other letters or other equations. A row of its runs has
+/// The knowledge of a name; an issue where there is none, or where the model has other letters or other equations. Its runs have
 /// these columns.
 pub(crate) fn asked_for(
     (model, columns): (&Model, &[String]),
@@ -58,7 +58,7 @@ pub(crate) fn asked_for(
     None
 }
 
-/// The rates that differ from those of every known text, in words of the nearest one; none where one text has the same.
+/// The rates that differ from those of every known text, in words of the nearest one; `None` where one text has the same rates.
 fn difference(model: &Model, known: &Knowledge, read: Reader) -> Option<String> {
     let mut nearest: Option<String> = None;
     for text in known.equations {
@@ -70,15 +70,15 @@ fn difference(model: &Model, known: &Knowledge, read: Reader) -> Option<String> 
     nearest
 }
 
-/// Both count as equal up to this part of their size.
+/// The relative difference up to which rates count as equal.
 const EQUAL: f64 = 1e-9;
 
-/// By so much of itself, and of one, each part of a state is off the start at a point where rates are compared.
+/// The displacements from the start, relative to each component and to one, at which rates are compared.
 const ASIDE: [[f64; 3]; 3] = [[0.0; 3], [0.037, -0.021, 0.053], [-0.047, 0.031, 0.019]];
 
 /// The first rate, or column, that differs from that of another model with the same parameters.
 fn compared(model: &Model, known: &Knowledge, other: Option<Model>) -> Option<String> {
-    // a text of a crate that cannot be read says nothing
+    // a crate's text that cannot be read is skipped
     let mut other = other?;
     for parameter in &mut other.parameters {
         match model.parameters.iter().find(|one| one.name == parameter.name) {

@@ -1,12 +1,12 @@
-//! Displacements of a state along its speeds: free frames have four coordinates for three speeds, and turn.
+//! Displacements of a state along its speeds: free frames have four coordinates for three speeds, and are rotated.
 
 use model::{Model, quaternion_rates};
 use std::ops::Range;
 
-/// Where coordinates and speeds stand in a state: free frames have four coordinates for three speeds.
+/// The places of coordinates and speeds in a state; free frames have four coordinates for three speeds.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Layout {
-    /// Coordinates with rates of their own.
+    /// The number of coordinates whose rates are speeds.
     plain: usize,
     free: usize,
 }
@@ -24,7 +24,7 @@ impl Layout {
         self.plain + 3 * self.free
     }
 
-    /// Where the coordinates that a speed moves stand, or the speed itself.
+    /// The places of the coordinates that a speed moves, or of the speed itself.
     pub fn places(self, speed: usize, order: usize) -> Range<usize> {
         match speed.checked_sub(self.plain) {
             _ if order == 1 => self.positions() + speed..self.positions() + speed + 1,
@@ -36,7 +36,7 @@ impl Layout {
         }
     }
 
-    /// Moves a speed, or by its displacement the coordinates: of a free frame by a turn about one of its axes.
+    /// Changes a speed, or displaces its coordinates; a free frame is rotated about one of its axes.
     pub fn displace(self, state: &mut [f64], (speed, order): (usize, usize), by: f64) {
         let own = self.places(speed, order);
         if own.len() == 1 {

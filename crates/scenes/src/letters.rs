@@ -1,4 +1,4 @@
-//! The quantities that stand for the letters of a model in a compiled function: inputs, or values folded in.
+//! The substitution for the letters of a model in a compiled function: inputs, or constant values.
 
 use field::{Over, Rational};
 use model::{HALF_TURN, Model, Trace};
@@ -12,7 +12,7 @@ pub(crate) struct Inputs {
 }
 
 impl Inputs {
-    /// Symbols of their own.
+    /// Fresh symbols for all inputs.
     pub fn of(model: &Model) -> Self {
         let named =
             |letter: &str, count: usize| (0..count).map(|i| Sym::symbol(&format!("{letter}{i}"))).collect::<Vec<_>>();
@@ -25,7 +25,7 @@ impl Inputs {
         Letters::with_parameters(self.time, &self.state, &self.parameters)
     }
 
-    /// All of them.
+    /// All inputs, in order.
     pub fn all(&self) -> Vec<Sym> {
         [&self.state[..], &[self.time], &self.parameters].concat()
     }
@@ -37,12 +37,12 @@ pub(crate) struct Letters<'a> {
     time: Sym,
     /// Coordinates, then speeds.
     state: &'a [Sym],
-    /// None: their values stand for them.
+    /// The inputs for parameters; `None` where their values are constants.
     parameters: Option<&'a [Sym]>,
 }
 
 impl<'a> Letters<'a> {
-    /// Time and state as inputs, the data folded in: for runs.
+    /// Time and state as inputs, parameters as constants: for runs.
     pub fn with_data(time: Sym, state: &'a [Sym]) -> Self {
         Letters { time, state, parameters: None }
     }
@@ -70,7 +70,7 @@ impl<'a> Letters<'a> {
                 }))
             }
         }
-        // masses that vary
+        // masses that depend on the state or the time
         let (letters, solid): (Vec<Sym>, Vec<Sym>) = trace.solid().into_iter().unzip();
         let solid = substitute_all(&solid, &known);
         known.extend(letters.into_iter().zip(solid));

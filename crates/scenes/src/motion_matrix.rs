@@ -1,4 +1,4 @@
-//! The linear equations of a motion in numbers, at any state:
+//! The linear equations for the accelerations and multipliers at any state, in numbers:
 //!
 //!   [ M  J^T ] [   u'    ]   [ -h ]
 //!   [ J   0  ] [ -lambda ] = [ -c ]
@@ -23,7 +23,7 @@ pub(crate) struct MotionMatrix {
 }
 
 impl MotionMatrix {
-    /// None where an expression has no values.
+    /// Compiles the matrix; `None` where an expression has no values.
     pub fn of(model: &Model, mode: &Mode) -> Option<Self> {
         let mut pattern = None;
         let program = Program::of(model.positions() + model.speeds(), |time, state| {
@@ -39,7 +39,7 @@ impl MotionMatrix {
         Some(MotionMatrix { program, places: pattern.places().to_vec(), size: pattern.size() })
     }
 
-    /// None where a number is asked for that the program does not have.
+    /// The matrix at a state; `None` where the program needs a number that is missing.
     pub fn at(&self, time: f64, state: &[f64]) -> Option<Terms> {
         let MotionMatrix { program, places, size } = self;
         let mut found = vec![f64::NAN; places.len() + size];
@@ -54,18 +54,18 @@ impl MotionMatrix {
 /// The matrix and the right side at a state.
 pub(crate) struct Terms {
     pub size: usize,
-    /// Row after row.
+    /// The entries, row by row.
     pub matrix: Vec<f64>,
     pub right: Vec<f64>,
 }
 
 impl Terms {
-    /// M alone, of a model with so many speeds.
+    /// The mass matrix M of a model with n speeds.
     pub fn mass(&self, n: usize) -> DMatrix<f64> {
         DMatrix::from_fn(n, n, |i, j| self.matrix[i * self.size + j])
     }
 
-    /// The first n unknowns of a direction that the matrix takes to zero.
+    /// The first n components of a null vector of the matrix; `None` where it is regular.
     pub fn free(&self, n: usize) -> Option<Vec<f64>> {
         // the singular value decomposition does not end for NaN
         if !self.matrix.iter().all(|entry| entry.is_finite()) {
@@ -80,7 +80,7 @@ impl Terms {
         direction.iter().any(|part| *part != 0.0).then_some(direction)
     }
 
-    /// M and J of a system with so many speeds.
+    /// M and J of a system with n speeds.
     pub fn blocks(&self, n: usize) -> [DMatrix<f64>; 2] {
         let whole = DMatrix::from_row_slice(self.size, self.size, &self.matrix);
         [whole.view((0, 0), (n, n)).into_owned(), whole.view((n, 0), (self.size - n, n)).into_owned()]

@@ -1,15 +1,15 @@
-//! Files that name no system, with the two ways to one.
+//! The error of files without a system, with the two ways to give one.
 
 use crate::text::is_of_system;
 use reader::{Issue, SceneError, tables};
 
-/// The keys of which a file has one.
+/// The keys of which a file needs one.
 const WAYS: [&str; 2] = ["coordinates", "system"];
 
-/// Faults that such a file has, whichever command reads it.
+/// The faults that such a file has in every command.
 const TITLES: [&str; 2] = ["`system` is missing", "the system has no coordinates"];
 
-/// Tells instead of all else that a file names no system, where it names none, and how it would.
+/// Replaces all faults of a file without a system by that one, with the ways to give a system.
 pub fn with_ways_to_a_system(error: SceneError) -> SceneError {
     if !error.issues.iter().any(|issue| TITLES.contains(&issue.title.as_str())) {
         return error;

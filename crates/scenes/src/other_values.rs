@@ -52,7 +52,7 @@ impl Modelled for ModelScene {
         source.rigid.extend(unbounded.iter().map(|&name| name.to_owned()));
         let elaborated = Model::of(&source).and_then(settled);
         let mut model = elaborated.map_err(|faults| faults.first().map_or_else(String::new, in_short))?;
-        // the values that were given since the file was read
+        // values that were changed since the file was read
         for (own, given) in model.parameters.iter_mut().zip(&self.model.parameters) {
             if !source.absent.contains(&own.name) {
                 own.clone_from(given);
@@ -81,17 +81,17 @@ fn in_short(fault: &Fault) -> String {
 }
 
 impl ModelScene {
-    /// The same scene with other values of parameters and of its start.
+    /// The scene with other values of parameters and of its start.
     ///
     /// # Errors
-    /// Why there is none.
+    /// The reason for which there is no such scene.
     pub(crate) fn varied(&self, values: &[(&str, f64)]) -> Result<Self, String> {
         let mut model = (*self.model).clone();
         model.set_values(values)?;
         self.started(model)
     }
 
-    /// The same scene with another model, whose start is completed.
+    /// The scene with another model, whose start is completed.
     fn started(&self, model: Model) -> Result<Self, String> {
         let told = |issue: Issue| format!("{}: {}", issue.title, issue.label);
         if let Some(issue) = impossible(&model).into_iter().next() {

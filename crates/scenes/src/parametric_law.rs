@@ -1,4 +1,4 @@
-//! The equations of motion of a model with every parameter as an input: one law for all members of an ensemble.
+//! The equations of motion with every parameter as an input: one law for all ensemble members.
 
 use crate::compiled_system::{NotCompiled, outputs, outputs_of_solved, rates};
 use crate::conservation::conserves;
@@ -17,28 +17,28 @@ use symbolic::{Sym, Tape, Untapeable, apart};
 #[derive(Debug)]
 pub(crate) struct ParametricLaw {
     pub law: Expandable,
-    /// From state, time and parameters, and from accelerations and multipliers where these are solved for, to the outputs, the
-    /// kinetic and the potential energy.
+    /// Computes outputs, kinetic and potential energy from state, time and parameters, and from accelerations and multipliers where these
+    /// are solved for.
     outputs: Tape,
     unknowns: Option<Unknowns>,
-    /// Whether kinetic and potential energy together stay what they are, for all values of the parameters.
+    /// Whether the sum of kinetic and potential energy is constant, for all values of the parameters.
     pub keeps_energy: bool,
 }
 
-/// Accelerations and multipliers that outputs ask for.
+/// The solve for accelerations and multipliers on which outputs depend.
 #[derive(Debug)]
 struct Unknowns {
-    /// From state, time and parameters to the entries of the matrix, then the right side.
+    /// Computes the entries of the matrix, then the right side, from state, time and parameters.
     terms: Tape,
     pattern: Pattern,
     speeds: usize,
 }
 
-/// Series of systems with at least so many unknowns solve for them: one lane after the other, which pays later than in a single run.
+/// The number of unknowns from which series solve for them: the lanes of a batch do so one by one, which pays later than in a single run.
 const LEAST_SOLVED: usize = 16;
 
 impl ParametricLaw {
-    /// By the trace from which a run is compiled; parameters need no values.
+    /// Compiles the law from the trace that a single run uses; parameters need no values.
     pub fn of(model: &Model) -> Result<Self, NotCompiled> {
         match Elimination::of(model) {
             // by the values in its file
@@ -107,7 +107,7 @@ impl ParametricLaw {
 }
 
 impl Unknowns {
-    /// Accelerations, then multipliers; no numbers where they are not determined.
+    /// Accelerations, then multipliers; NaN where they are not determined.
     fn at(&self, inputs: &[f64]) -> Vec<f64> {
         let mut terms = vec![f64::NAN; self.terms.outputs()];
         self.terms.over().evaluate(inputs, &mut terms);

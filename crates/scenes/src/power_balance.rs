@@ -1,4 +1,4 @@
-//! The run of a model with the work that is done on it: its energy less this work keeps its first value, or the run has made up the rest.
+//! The power balance of a run: the energy minus the work of all loads is constant but for errors of the run.
 
 use crate::changing_laws::is_watched;
 use crate::compiled_system::CompiledSystem;
@@ -16,8 +16,8 @@ use simulation::{CompiledLaw, LawSeries, Problem, SymbolicLaw};
 use std::sync::Arc;
 use symbolic::{Sym, apart};
 
-/// A problem with the work as its last state; where nothing works, with its energy among what is kept. Plain where that stands there already, where the law changes at events, where the
-/// name of the column is taken, and where accelerations are solved for at each evaluation.
+/// A problem with the work as its last state; where no load does work, with the energy among its invariants. Unchanged where the energy
+/// is an invariant already, the law changes at events, the column's name is taken, or accelerations are solved at each evaluation.
 pub(crate) fn metered(system: &Arc<CompiledSystem>, plain: Problem) -> Problem {
     let model = system.model();
     let is_taken = plain.columns.iter().any(|name| name == WORK);
@@ -90,7 +90,7 @@ pub(crate) fn metered(system: &Arc<CompiledSystem>, plain: Problem) -> Problem {
     }
 }
 
-/// A problem whose energy nothing changes, as the first of the three energies says.
+/// A problem with its constant energy, the first of the three, as an invariant.
 fn kept(plain: Problem, energies: impl Fn(f64, &[f64]) -> [f64; 3] + Clone + Send + Sync + 'static) -> Problem {
     let (of_size, [_, _, first]) = (energies.clone(), energies(0.0, &plain.state));
     let value = move |time: f64, state: &[f64]| energies(time, state)[0];
@@ -102,7 +102,7 @@ fn kept(plain: Problem, energies: impl Fn(f64, &[f64]) -> [f64; 3] + Clone + Sen
     Problem { invariants: vec![energy], ..plain }
 }
 
-/// A law with the power that feeds its energy behind its rates.
+/// A law with the power of all loads as its last rate.
 struct Metered(Arc<CompiledSystem>);
 
 impl Ode<Sym> for Metered {

@@ -1,4 +1,4 @@
-//! Expressions of a time and a state as programs; where there is none, the reason.
+//! Programs of expressions of a time and a state, or the reason for which there is none.
 
 use crate::compiled_system::NotCompiled;
 use simulation::Program;

@@ -1,8 +1,8 @@
-//! Faults of TOML, with what would be accepted: most often a key with a prime that stands without quotes.
+//! Help for faults of TOML: most often a key with a prime lacks quotes.
 
 use reader::SceneError;
 
-/// Adds to a fault of TOML that a key with a prime stands in quotes, where one stands there without.
+/// Adds help to a fault of TOML where a key with a prime lacks quotes.
 pub fn with_quoted_primes(mut error: SceneError) -> SceneError {
     let SceneError { text, issues, .. } = &mut error;
     for issue in issues.iter_mut().filter(|issue| issue.help.is_none()) {

@@ -1,4 +1,4 @@
-//! The start and the law of a model that can run; of another one the reason, at its place in the file.
+//! The start and the law of a model that can run, or the reason for which it cannot, at its place in the file.
 
 use crate::branch::in_words;
 use crate::compiled_system::{CompiledSystem, NotCompiled};
@@ -15,19 +15,19 @@ use std::ops::Range;
 use std::sync::Arc;
 use symbolic::Dimension;
 
-/// The fault of a file that says nothing of its run, where that would stand: at the end.
+/// The fault of a file without `[run]`, placed at the end of the file.
 pub(crate) fn without_run(text: &str) -> Issue {
     let end = text.trim_end().len();
     let issue = Issue::at(end..end, "the table [run] is missing", "the file ends here");
     issue.accepted("[run] with span = \"10 s\"; `derive` and `prove` need none")
 }
 
-/// A system that has no law, as a run tells it.
+/// The fault of a system without a law, in words for a run.
 pub(crate) fn refused(model: &Model, reason: &NotCompiled) -> Issue {
     without_law(model, reason, "this system cannot run")
 }
 
-/// A system that has no law, where it says so, with what cannot be done without one.
+/// The fault of a system without a law, at its place in the file; `what` names the task that needs one.
 pub fn without_law(model: &Model, reason: &NotCompiled, what: &str) -> Issue {
     if matches!(reason, NotCompiled::Massless { .. } | NotCompiled::Undefined { .. })
         && let Some(issue) = massless(model)
@@ -40,19 +40,19 @@ pub fn without_law(model: &Model, reason: &NotCompiled, what: &str) -> Issue {
 
 /// A start, and the law that runs from it.
 pub(crate) struct Ready {
-    /// Completed.
+    /// The completed state at the start: coordinates, then speeds.
     pub start: Vec<f64>,
     pub system: Arc<CompiledSystem>,
-    /// Why no motion goes on from there, or none alone.
+    /// The reason for which no motion continues from the start, or several do.
     pub without_motion: Option<Issue>,
 }
 
-/// The start, completed, and the law that runs from it.
+/// Completes the start, and compiles the law that runs from it.
 pub(crate) fn ready(model: &mut Arc<Model>) -> Result<Ready, Issue> {
     if let Some(issue) = with_unsolved_law(model) {
         return Err(issue);
     }
-    // before the law: what depends on others makes it singular
+    // before the law, which redundant constraints make singular
     let mut start = independent_start(Arc::make_mut(model))?;
     let model = &*model;
     let system = match Modes::of(model, &[], &[]).first(&start) {
@@ -88,8 +88,8 @@ pub(crate) fn completed(model: &Model) -> Result<Completed, Issue> {
     Ok(completed)
 }
 
-/// The start, and the model without the equations of constraints that follow from others: they have no reaction of their own, and the
-/// model warns of them.
+/// The start; removes the equations of redundant constraints from the model, since their reactions are not unique, and adds
+/// warnings to it.
 ///
 /// # Errors
 /// Why there is none, at its place.
@@ -99,7 +99,7 @@ pub fn independent_start(model: &mut Model) -> Result<Vec<f64>, Issue> {
     Ok(completed.state)
 }
 
-/// The model without the equations of constraints that follow from others at a state at which it may start.
+/// Removes the equations of constraints that are redundant at a state at which the model may start.
 ///
 /// # Errors
 /// Why it may not.
@@ -109,7 +109,7 @@ pub fn independent_at(model: &mut Model, state: &[f64]) -> Result<(), Issue> {
     Ok(())
 }
 
-/// Leaves equations of constraints out, and warns of them.
+/// Removes equations of redundant constraints, and adds warnings.
 pub(crate) fn leave_out(model: &mut Model, Completed { state, implied }: &Completed) {
     if implied.is_empty() {
         return;
@@ -133,7 +133,7 @@ pub(crate) fn leave_out(model: &mut Model, Completed { state, implied }: &Comple
     }
 }
 
-/// The condition that a start does not meet, at its place.
+/// The fault of a start that violates a condition, at its place.
 pub(crate) fn unmet_at(model: &Model, unmet: Unmet) -> Issue {
     match unmet {
         Unmet::Open(open) => inconsistent(model, &open),
@@ -210,7 +210,7 @@ pub(crate) fn unmet_at(model: &Model, unmet: Unmet) -> Issue {
     }
 }
 
-/// A system whose law or start changes, where one law is asked for: at the place where it changes.
+/// The fault of a system whose law or start changes, where a task needs one law, at the place of the change.
 pub(crate) fn changes(model: &Model, what: &str) -> Issue {
     let event = model.events.first().map(|event| (event.at.clone(), "this system has an event", "an event"));
     let condition = || {
@@ -227,7 +227,7 @@ pub(crate) fn changes(model: &Model, what: &str) -> Issue {
     issue.accepted("a system with one law and a start of numbers; `run` runs this one")
 }
 
-/// The equilibrium near the coordinates at the start, all of which may move, whatever speeds the start has.
+/// The equilibrium near the coordinates at the start, all of which may move; speeds at the start are ignored.
 ///
 /// # Errors
 /// Why there is none.
@@ -297,7 +297,7 @@ pub fn starting(model: &Model, state: &[f64]) -> Model {
     starting
 }
 
-/// Where a system says why it cannot run, what stands there, and what would be accepted.
+/// The place in the file of the reason for which a system cannot run, with a label and the accepted values.
 fn place_of(model: &Model, reason: &NotCompiled) -> (Range<usize>, &'static str, &'static str) {
     let equations = "`dalembert derive` writes its equations down without running them";
     let coordinate = |name: &str| model.coordinates.iter().find(|one| one.name == name).map(|one| one.at.clone());
@@ -335,7 +335,7 @@ fn place_of(model: &Model, reason: &NotCompiled) -> (Range<usize>, &'static str,
     (place.unwrap_or(0..0), label, accepted)
 }
 
-/// A constraint that the start does not meet.
+/// The fault of a constraint that the start violates.
 fn inconsistent(model: &Model, Open { at, name, residual, unit, is_rate, moved, given, level }: &Open) -> Issue {
     let list = |names: &[String]| names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
     let rate = if *is_rate { "its rate is " } else { "" };

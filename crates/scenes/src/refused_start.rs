@@ -5,7 +5,7 @@ use crate::readiness::refused;
 use model::Model;
 use reader::Issue;
 
-/// Why a motion does not start, at its place.
+/// The reason for which a motion does not start, at its place in the file.
 pub(crate) fn not_started(model: &Model, why: Refused) -> Issue {
     match why {
         Refused::Law(reason) => refused(model, &reason),

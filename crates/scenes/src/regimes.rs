@@ -8,10 +8,10 @@ use model::Model;
 use reader::Issue;
 use std::sync::Arc;
 
-/// The regimes of a model at its start; inputs that a regulator sets are without it.
+/// The regimes of a model at its start, without its regulator.
 ///
 /// # Errors
-/// Why the model cannot be there, at its place, or has no regimes.
+/// The reason for which the model cannot be at its start, or has no regimes, at its place in the file.
 pub fn regimes(model: Model) -> Result<Regimes, Issue> {
     let mut model = Arc::new(model);
     if model.contacts.is_empty() && model.switches.is_empty() {

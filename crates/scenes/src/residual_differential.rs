@@ -1,5 +1,5 @@
-//! The differential of a system by the residuals of its equations, for Jacobians: it has about half as many terms as that of the rates, or
-//! fewer, which hold the factors of the mass matrix.
+//! The differential of a system by the residuals of its equations, for Jacobians: it has at most about half as many terms as that of the
+//! rates, which contain the factors of the mass matrix.
 
 use crate::changing_laws::changes;
 use crate::letters::Letters;
@@ -20,7 +20,7 @@ pub(crate) fn residual_differential(model: &Arc<Model>, law: Arc<dyn SymbolicLaw
     })
 }
 
-/// The shortest one.
+/// The shortest differential by residuals.
 fn by_residuals(model: &Model, (state, time): (&[Sym], Sym)) -> Option<Differential> {
     let (trace, letters) = (Trace::of(model), Letters::with_data(time, state));
     let (accelerations, multipliers) = solved(&trace).ok()?;
@@ -33,7 +33,7 @@ fn by_residuals(model: &Model, (state, time): (&[Sym], Sym)) -> Option<Different
     Some(shortest.substituted(&unknowns.zip(found).collect::<Vec<_>>()))
 }
 
-/// Operations of a Jacobian: terms for as many directions as run together, and weights, which take less.
+/// The estimated number of operations for a Jacobian: terms for a batch of directions, and the cheaper weights.
 fn cost(differential: &Differential) -> usize {
     let weights = differential.weights();
     let runs = differential.inputs.div_ceil(DirectionalProgram::DIRECTIONS);

@@ -37,7 +37,7 @@ use simulation::{Axes, Choice, IvpScene, Problem, Run, RunNotes, Trajectory, run
 use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
 
-/// A system that is data, with a run.
+/// A system that is written in a file, with its run.
 #[derive(Debug)]
 pub struct ModelScene {
     pub title: String,
@@ -47,7 +47,7 @@ pub struct ModelScene {
     /// The source that the model was elaborated from.
     pub(crate) source: Arc<Source>,
     pub system: Arc<CompiledSystem>,
-    /// Coordinates, then speeds, at time zero: the constraints hold.
+    /// The state at time zero, coordinates, then speeds, which satisfies the constraints.
     pub start: Vec<f64>,
     pub run: Run,
     /// Each event by its name, or by its line in the file.
@@ -58,26 +58,26 @@ pub struct ModelScene {
     domains: Vec<(String, usize)>,
     /// The place in the file and the accepted values, where no motion goes on from the start, or several do.
     without_motion: Option<String>,
-    /// The knowledge beside its equations, where the file asks for it.
+    /// Theory beyond the equations, where the file has `known_as`.
     pub(crate) knowledge: Option<&'static Knowledge>,
 }
 
-/// Data that a program gives beside a text.
+/// Data that a calling program adds to a text.
 #[derive(Clone, Debug, Default)]
 pub struct Given {
-    /// The run of a text that says nothing of its own; with one a text needs no title.
+    /// The run for a text without `[run]`; such a text needs no title.
     pub run: Option<Run>,
     /// Values of parameters, and of coordinates and speeds at the start, in SI units.
     pub values: Vec<(String, f64)>,
-    /// Outputs beside those of the text.
+    /// Outputs in addition to those of the text.
     pub outputs: Vec<Entry>,
 }
 
-/// The names that other values may be given to.
+/// A sentence on the names whose values may be changed.
 pub(crate) const VALUES: &str =
     "names of parameters, and of coordinates and speeds whose starts are single numbers, are accepted";
 
-/// Makes every command read files with `[coordinates]`; `warn` is told what is accepted in them and perhaps means something else.
+/// Registers the reader of files with `[coordinates]` for every command; `warn` gets warnings of doubtful texts.
 pub fn register(warn: Warn) {
     warn_by(warn);
     let scene = |name: &str, text: &str| -> Result<Arc<dyn Modelled>, SceneError> {
@@ -103,7 +103,7 @@ impl ModelScene {
     /// Reads a file; `name` is what messages call it.
     ///
     /// # Errors
-    /// All that is wrong with it, each at its place.
+    /// All faults of the file, each at its place.
     pub fn parse(name: &str, text: &str) -> Result<Self, SceneError> {
         ModelScene::parse_with(name, text, Given::default())
     }
@@ -111,7 +111,7 @@ impl ModelScene {
     /// The same, with what a program gives beside the text.
     ///
     /// # Errors
-    /// All that is wrong with it, each at its place.
+    /// All faults of the file, each at its place.
     pub fn parse_with(name: &str, text: &str, given: Given) -> Result<Self, SceneError> {
         let scene = tables(name, text, |top, issues| {
             // members are read by `parse_ensemble`

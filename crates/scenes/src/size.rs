@@ -1,14 +1,14 @@
-//! The sizes of systems that commands take, told before their equations are formed.
+//! The largest systems that commands accept, checked before the equations are derived.
 //!
-//! Equations of motion with a mass matrix are sums over bodies for each pair of speeds, so that their work and memory grow as the square of
-//! the speeds times the bodies: measured on chains of links in a plane, whose speeds and bodies are as many. Runs of bodies in a tree
+//! Equations of motion with a mass matrix are sums over bodies for each pair of speeds: work and memory grow as the square of the speeds
+//! times the bodies. The limits were measured on chains of links in a plane, with as many speeds as bodies. Runs of bodies in a tree
 //! need no mass matrix.
 
 use crate::elimination::is_tree;
 use model::Model;
 use reader::Issue;
 
-/// The use of a system.
+/// The task for which a system is used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Task {
     /// Runs with a mass matrix: a chain of 80 links begins after 4 s.
@@ -30,7 +30,7 @@ impl Task {
     }
 }
 
-/// The most speeds of bodies in a tree, whose equations grow as the bodies.
+/// The largest number of speeds for bodies in a tree, whose equations grow linearly with the bodies.
 const MOST_IN_TREE: usize = 1_000;
 
 /// The refusal of a system that is too large.

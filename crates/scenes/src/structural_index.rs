@@ -1,14 +1,14 @@
 //! The structural index of a coordinate without inertia whose law does not hold it.
 //!
-//! Its law 0 = f(q, u, t) is differentiated until the coordinate appears: a rate of a coordinate is a speed, and a rate of a speed holds
-//! all that the equations of motion with which it is coupled hold. After r differentiations the equations are those of a DAE of index r + 1.
+//! Its law 0 = f(q, u, t) is differentiated until the coordinate appears: a rate of a coordinate is a speed, and a rate of a speed contains
+//! all letters of the equations of motion with which it is coupled. After r differentiations the equations are a DAE of index r + 1.
 
 use model::equations::Equations;
 use model::{Model, Trace};
 use std::collections::HashSet;
 use symbolic::{Sym, apart};
 
-/// The number of differentiations after which a coordinate appears in its law; none where it stands in it, or never appears.
+/// The number of differentiations after which a coordinate appears in its law; `None` where it appears at once or never.
 pub(crate) fn differentiations(model: &Model, place: usize) -> Option<usize> {
     if model.positions() != model.speeds() || place >= model.coordinates.len() {
         return None;

@@ -1,4 +1,4 @@
-//! A text with a system, as commands and programs that are handed a text ask for it.
+//! A text with a system, for commands and programs that work on texts.
 
 use crate::admissible::impossible;
 use crate::branch::{on_branch, without_implied};
@@ -14,12 +14,12 @@ use reader::{SceneError, read_text, tables};
 use simulation::models::holds_model;
 use std::path::Path;
 
-/// A text with `[coordinates]`, and what messages call it.
+/// A text with `[coordinates]`, and its name in messages.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SystemText {
     pub name: String,
     pub text: String,
-    /// Values of parameters, and of coordinates and speeds at the start, in SI units, in the place of those of the text.
+    /// Values of parameters, and of coordinates and speeds at the start, in SI units, which replace those of the text.
     pub values: Vec<(String, f64)>,
 }
 
@@ -32,7 +32,7 @@ impl SystemText {
         Ok(SystemText { name: path.display().to_string(), text: read_text(path)?, values: Vec::new() })
     }
 
-    /// Its system, without its run.
+    /// The system, without its run.
     ///
     /// # Errors
     /// All that is wrong with the system, each at its place.
@@ -41,7 +41,7 @@ impl SystemText {
         self.with_its_values(model)
     }
 
-    /// A model with the values that stand in the place of those of the text.
+    /// A model with the replaced values.
     ///
     /// # Errors
     /// A name that it does not know, and bodies that cannot exist with these values.
@@ -57,7 +57,7 @@ impl SystemText {
         Err(SceneError { path: self.name.clone(), text: self.text.clone(), issues })
     }
 
-    /// Its system as equations are written of it: without the equations of constraints that follow from others.
+    /// The system for printing equations: without the equations of redundant constraints.
     ///
     /// # Errors
     /// All that is wrong with the system, and constraints that contradict each other.
@@ -67,7 +67,7 @@ impl SystemText {
         Ok(model)
     }
 
-    /// Its system as statements are judged of it: on the branch of its start.
+    /// The system for judging statements: on the branch of its start.
     ///
     /// # Errors
     /// All that is wrong with the system, and constraints that contradict each other: then there is no motion of which anything could be
@@ -76,7 +76,7 @@ impl SystemText {
         self.for_judgement_with(Vec::new())
     }
 
-    /// The same with more outputs: quantities that statements are about.
+    /// The system for judging statements, with further outputs: the quantities of the statements.
     ///
     /// # Errors
     /// The same, and all that is wrong with these outputs.
@@ -93,7 +93,7 @@ impl SystemText {
     }
 }
 
-/// Reads the system of a file, and leaves its run alone: for what needs neither values nor a run.
+/// Reads the system of a file without its run, for tasks that need neither values nor a run.
 ///
 /// # Errors
 /// All that is wrong with the system, each at its place.
@@ -101,7 +101,7 @@ pub fn read_model(path: &Path, task: Task) -> Result<Model, SceneError> {
     read_titled(path, task).map(|(_, model)| model)
 }
 
-/// The same with the title of the file, empty where it has none.
+/// Reads the system of a file without its run, with the title, which may be empty.
 ///
 /// # Errors
 /// All that is wrong with the system, each at its place.
@@ -117,10 +117,10 @@ pub fn parse_titled(name: &str, text: &str, task: Task) -> Result<(String, Model
     parse_with(name, text, task, Vec::new()).map(|(title, model, _)| (title, model))
 }
 
-/// A title, a model, and what was read of it.
+/// The title, the model and the source of a system.
 type Read = (String, Model, Source);
 
-/// The title of a file, its model, and what was read of it.
+/// Reads the title, the model and the source of a file.
 ///
 /// # Errors
 /// All that is wrong with the system, each at its place.
@@ -176,7 +176,7 @@ pub fn completed_start(path: &Path) -> Vec<(String, f64)> {
     read_text(path).map_or_else(|_| Vec::new(), |text| completed_start_of(&text))
 }
 
-/// The same of a text.
+/// The values of a text's start that were left out or guessed, and that constraints or an equilibrium have moved.
 pub fn completed_start_of(text: &str) -> Vec<(String, f64)> {
     if !holds_model(text) {
         return Vec::new();
@@ -188,7 +188,7 @@ pub fn completed_start_of(text: &str) -> Vec<(String, f64)> {
     let largest = |parts: &[f64]| parts.iter().fold(0.0, |largest: f64, part| largest.max(part.abs()));
     let rounding = [&start[..positions], &start[positions..]].map(|parts| f64::EPSILON * largest(parts));
     let moved = names.zip(start.iter().zip(model.start_state())).enumerate();
-    // beside others of its kind a part below their rounding is zero
+    // a component below the rounding of others of its kind is zero
     let shown = |(place, (name, (&now, written))): (usize, (String, (&f64, f64)))| {
         let rounding = rounding[usize::from(place >= positions)];
         let now = if now.abs() <= rounding { 0.0 } else { now };

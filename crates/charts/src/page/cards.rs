@@ -1,14 +1,14 @@
-//! The small parts that sections share.
+//! Small parts of the page that sections share.
 
 use crate::{Table, Verdict, text::Typesetter};
 use maud::{Markup, PreEscaped, html};
 
-/// A verdict as a word; its sign comes by [`signs`].
+/// A verdict as a word; [`signs`] adds its sign.
 pub(super) fn chip(verdict: Verdict) -> Markup {
     html! { span class={ "chip " (verdict.name()) } { (verdict.name()) } }
 }
 
-/// The style that sets its sign before each verdict, not to be read aloud: once for the page, not once for each claim.
+/// The style that puts a sign before each verdict, hidden from screen readers: once for the page, not once for each claim.
 pub(super) fn signs() -> String {
     let rule = |verdict: Verdict| {
         let (name, sign) = (verdict.name(), verdict.sign());
@@ -37,7 +37,7 @@ pub(super) fn facts(facts: &[(String, String)], set: &mut Typesetter) -> Markup 
     }
 }
 
-/// Tables of so many columns stand alone in their row.
+/// The number of columns from which a table has a row of its own.
 const BROAD: usize = 5;
 
 /// A table of texts that scrolls in its own box. Its cells and rows end where the next begin, as HTML allows.
@@ -56,10 +56,10 @@ pub(super) fn table(table: &Table, set: &mut Typesetter) -> Markup {
     }
 }
 
-/// Columns of numbers beyond this one are set as text is.
+/// The number of columns that can be aligned as numbers; later ones are set as text.
 const COLUMNS: usize = 24;
 
-/// The class of a table of which these columns are numbers, counted from none: once for the table, not for each cell.
+/// The class of a table whose columns with these indices are numbers: once for the table, not for each cell.
 pub(super) fn numeric(columns: impl IntoIterator<Item = usize>) -> String {
     columns.into_iter().map(|column| format!("n{}", column + 1)).collect::<Vec<_>>().join(" ")
 }

@@ -1,11 +1,11 @@
-//! Under which conditions a claim holds: short ones in a line, long ones each on its own, many of them folded.
+//! The conditions of a claim: short ones in a line, each long one on its own line, long lists folded.
 
 use crate::text::{Typesetter, sole_formula};
 use maud::{Markup, html};
 
-/// Conditions wider than this, in em, stand on lines of their own, and all of the claim's with them.
+/// The width of a condition, in em, from which all conditions of its claim stand on lines of their own.
 const SHORT: f64 = 18.0;
-/// Longer lists are folded.
+/// The length of a list of conditions beyond which it is folded.
 const MANY: usize = 4;
 
 pub(super) fn requires(conditions: &[String], set: &mut Typesetter) -> Markup {

@@ -15,7 +15,7 @@ pub(super) fn spheres(report: &Report, set: &mut Typesetter) -> Markup {
     }
 }
 
-/// The picture stands as it is; the script of the page turns it from the data beside it.
+/// A sphere with its still picture, which the script of the page turns by the data next to it.
 fn card(sphere: &Sphere, set: &mut Typesetter) -> Markup {
     set.at(&sphere.title);
     html! {
@@ -89,7 +89,7 @@ pub(super) fn timings(report: &Report, set: &mut Typesetter) -> Markup {
     }
 }
 
-/// The times behind the bars.
+/// The table of the times shown as bars.
 fn times(timings: &Timings) -> Table {
     let names = timings.names();
     let head = ["Task", &timings.ours].into_iter().chain(names.iter().copied()).map(String::from).collect();

@@ -1,4 +1,4 @@
-//! Every refuted claim beside what holds instead, before anything else. The ledger refers here for both.
+//! The first section of the page: every refuted claim next to its correction. The ledger links here for both.
 
 use super::{anchor, cards::chip, conditions, statement};
 use crate::{ClaimRow, PaperSection, Report, Verdict, text::Typesetter};
@@ -53,16 +53,16 @@ fn finding(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
     }
 }
 
-/// The link to what is found of a claim.
+/// The link to the finding on a claim.
 pub(super) fn link(claim: &ClaimRow) -> String {
     format!("finding/{}", anchor(&claim.id))
 }
 
-/// Beside a sentence longer formulas, in em, are folded.
+/// The width, in em, beyond which formulas next to a sentence are folded.
 const LONG: f64 = 75.0;
 
-/// The sentence that holds, then its formulas: those that are not the printed ones once more. Where only the conditions
-/// differ, these are what is to be seen; elsewhere they are folded.
+/// The corrected sentence, then its formulas that differ from the printed ones. The conditions are shown where only they differ,
+/// and folded elsewhere.
 fn correct(claim: &ClaimRow, correction: &ClaimRow, set: &mut Typesetter) -> Markup {
     let same = correction.latex == claim.latex;
     let (long, short): (Vec<&String>, Vec<&String>) = correction

@@ -1,9 +1,9 @@
-//! The font of formulas, carried inside the page: browsers without a mathematical font draw dots through letters.
+//! The font of formulas, embedded in the page: browsers without a mathematical font draw dots through letters.
 
 /// A subset of STIX Math under the SIL Open Font License: see `font/OFL.txt`.
 const FONT: &[u8] = include_bytes!("font/math.woff2");
 
-/// The CSS rule that brings the font along.
+/// The CSS rule that embeds the font.
 pub(super) fn face() -> String {
     format!("@font-face{{font-family:\"Dalembert Math\";src:url(data:font/woff2;base64,{})}}", base64(FONT))
 }

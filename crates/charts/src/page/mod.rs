@@ -1,4 +1,4 @@
-//! The page: one HTML file that needs nothing else.
+//! The page: one self-contained HTML file.
 
 mod cards;
 mod claims;
@@ -23,7 +23,7 @@ pub struct Page {
     pub unset: Vec<Unset>,
 }
 
-/// Writes the page. The same report gives the same bytes.
+/// Writes the page. Equal reports give equal bytes.
 pub fn render(report: &Report) -> Page {
     let set = &mut Typesetter::default();
     set.at("heading");
@@ -62,7 +62,7 @@ fn document(report: &Report, body: &Markup) -> String {
     })
 }
 
-/// Nothing comes from outside.
+/// The content security policy: nothing is loaded from outside.
 const POLICY: &str = "default-src 'none'; font-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
 
 /// The head of a page.
@@ -71,9 +71,9 @@ struct Head<'a> {
     generator: &'a str,
     /// The content security policy.
     policy: &'a str,
-    /// Rules behind those of every page.
+    /// CSS rules after those of every page.
     style: &'a str,
-    /// The address of the page's sign; a server is asked for one where none is named.
+    /// The address of the page's icon; a browser asks the server for one where this is `None`.
     icon: Option<&'a str>,
 }
 

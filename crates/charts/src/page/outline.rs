@@ -19,7 +19,7 @@ pub(super) fn heading(report: &Report, set: &mut Typesetter) -> Markup {
     }
 }
 
-/// Papers against verdicts, with what each verdict means. Verdicts that no claim has are left out.
+/// The table of papers by verdicts, with the meaning of each verdict. Verdicts without claims are left out.
 fn counts(report: &Report, set: &mut Typesetter) -> Markup {
     let number = |count: usize| html! { td { @if count > 0 { (count) } @else { span.none { "·" } } } };
     let verdicts: Vec<Verdict> = Verdict::ALL.into_iter().filter(|verdict| report.count(*verdict) > 0).collect();

@@ -1,4 +1,4 @@
-//! Scenes: parameters, the run in a few lines, its trajectory, every method against every other.
+//! Scenes: parameters, the summary of the run, its trajectory, the comparison of all methods.
 
 use super::{
     anchor,
@@ -58,7 +58,7 @@ fn parameters(parameters: &[Parameter], set: &mut Typesetter) -> Markup {
     }
 }
 
-/// All failures of a scene's methods: one row for each method and reason, whatever the chart they come from.
+/// The table of failures of a scene's methods, from all charts: one row for each method and reason.
 fn failures(charts: &[WorkPrecision]) -> Table {
     let mut rows: Vec<(String, String, Vec<f64>)> = Vec::new();
     for method in charts.iter().flat_map(|chart| &chart.series) {

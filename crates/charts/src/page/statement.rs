@@ -4,7 +4,7 @@ use super::{conditions, findings};
 use crate::{ClaimRow, Verdict, text::Typesetter};
 use maud::{Markup, html};
 
-/// All but the heading. Where a refuted claim fails, and what holds instead, is told among the findings.
+/// A claim without its heading. For a refuted claim the counterexample and the correction are among the findings.
 pub(super) fn whole(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
     let found = claim.verdict == Verdict::Refuted;
     html! {
@@ -39,7 +39,7 @@ pub(super) fn evidence(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
     html! { @if is_told { p.evidence { (set.text(&claim.evidence)) } } }
 }
 
-/// Why the print fails, how it was read, and anything else.
+/// The remarks: the reason for which the print fails, its reading, and notes.
 pub(super) fn remarks(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
     html! {
         @for (word, remark) in [("Why. ", &claim.why), ("Reading. ", &claim.reading), ("", &claim.note)] {

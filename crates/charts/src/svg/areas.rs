@@ -6,13 +6,13 @@ use super::{
     path::polyline,
 };
 
-/// A plane of cells, each of one kind, or a plane without cells in which curves run.
+/// A map of cells, each of one kind, with curves and points; the cells may be missing.
 #[derive(Clone, Debug, Default)]
 pub struct Areas {
     pub title: String,
-    /// Label and bounds of the axis to the right.
+    /// Label and bounds of the horizontal axis.
     pub x: (String, [f64; 2]),
-    /// Label and bounds of the axis upwards.
+    /// Label and bounds of the vertical axis.
     pub y: (String, [f64; 2]),
     /// The names of the rows of cells, where they are no values of a quantity: from the lowest.
     pub names: Vec<String>,
@@ -48,7 +48,7 @@ const BOTTOM: f64 = 330.0;
 
 /// The number of colours for kinds of cells.
 const COLOURS: usize = 12;
-/// Points beyond which dashes would hide a curve.
+/// The number of points beyond which a curve has no dashes, which would hide it.
 const DENSE: usize = 300;
 
 impl Areas {
@@ -84,7 +84,7 @@ impl Areas {
         drawing
     }
 
-    /// Without its legend.
+    /// The map without its legend.
     fn plane(&self) -> Drawing {
         let mut y = Axis::linear(self.y.1.into_iter(), BOTTOM, TOP, 50.0, 0.0);
         if !self.names.is_empty() {
@@ -130,13 +130,13 @@ impl Areas {
         drawing
     }
 
-    /// Where the plane begins: right of its numbers, which are right of the label.
+    /// The left edge of the map, right of its numbers and label.
     fn left(&self, y: &Axis) -> f64 {
         let widest = y.ticks.iter().flat_map(|tick| &tick.label).map(|label| label.chars().count()).max().unwrap_or(0);
         if self.names.is_empty() { LEFT.max(LABEL + DIGIT * widest as f64) } else { LEFT_OF_NAMES }
     }
 
-    /// Curves are dark over coloured cells, and have colours of their own where there are none.
+    /// Draws a curve, dark over coloured cells, and in a colour of its own without cells.
     fn stroke(&self, drawing: &mut Drawing, number: usize, d: &str, points: usize, tooltip: &str) {
         if d.is_empty() {
             return;
@@ -149,7 +149,7 @@ impl Areas {
         drawing.close();
     }
 
-    /// Neighbours of one kind in a row are one box; a hair wider, lest seams show.
+    /// Draws the cells; neighbours of one kind in a row are one box, slightly wider to avoid visible seams.
     fn cells(&self, drawing: &mut Drawing, left: f64) {
         let height = (BOTTOM - TOP) / self.rows.len().max(1) as f64;
         let mut boxes = vec![Vec::new(); COLOURS];
@@ -189,7 +189,7 @@ impl Areas {
     }
 }
 
-/// Full or empty.
+/// Draws a dot, full or empty by its kind.
 fn dot(drawing: &mut Drawing, number: usize, at: (f64, f64)) {
     drawing.circle(at, 1.4, if number.is_multiple_of(2) { "spot" } else { "spot hollow" });
 }

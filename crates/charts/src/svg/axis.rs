@@ -2,7 +2,7 @@
 
 use super::number::{significant, superscript};
 
-/// Nothing is drawn below this on a logarithmic axis: the last digit of double-double.
+/// The smallest value on a logarithmic axis: the last digit of double-double.
 pub(crate) const FLOOR: f64 = 1e-32;
 
 /// A tick, with its label where it has one.
@@ -75,7 +75,7 @@ impl Axis {
         Axis { logarithmic: false, low, high, from, to, ticks }
     }
 
-    /// The power of ten that ticks have in common where they are too long with one each; they are left with what stands before it.
+    /// Removes a common power of ten from labels that are too long with one each, and returns it.
     pub fn share_power(&mut self) -> Option<String> {
         let has_power = |tick: &Tick| tick.label.as_deref().is_some_and(|label| label.contains('·'));
         if self.logarithmic || !self.ticks.iter().any(has_power) {
@@ -95,12 +95,12 @@ impl Axis {
         Some(format!("10{}", superscript(exponent as i32)))
     }
 
-    /// Where a value lies, in pixels.
+    /// The position of a value, in pixels.
     pub fn place(&self, value: f64) -> f64 {
         self.place_tick(if self.logarithmic { value.max(FLOOR).log10() } else { value })
     }
 
-    /// Where a tick lies, in pixels.
+    /// The position of a tick, in pixels.
     pub fn place_tick(&self, at: f64) -> f64 {
         self.from + (at - self.low) / (self.high - self.low) * (self.to - self.from)
     }
@@ -113,13 +113,13 @@ fn bounds(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
     })
 }
 
-/// The least of 1, 2, 5 times a power of ten that is no less.
+/// The smallest of 1, 2, 5 times a power of ten that is at least `least`.
 fn round_step(least: f64) -> f64 {
     let power = 10_f64.powf(least.log10().floor());
     [1.0, 2.0, 5.0, 10.0].into_iter().map(|factor| factor * power).find(|step| *step >= least).unwrap_or(10.0 * power)
 }
 
-/// Decimals that tell multiples of the step apart.
+/// The number of decimals that distinguish multiples of the step.
 fn decimals(step: f64) -> usize {
     (-step.log10().floor()).max(0.0) as usize
 }

@@ -1,4 +1,4 @@
-//! Branches over a parameter: curves that are stable, unstable or neither known, and marked points where branches change.
+//! Bifurcation diagrams: branches over a parameter as curves that are stable, unstable or undecided, with marks at their changes.
 
 use super::axis::{Axis, Tick};
 use super::drawing::{Anchor, Drawing, LINE, WIDTH};
@@ -20,15 +20,15 @@ pub struct BranchPiece {
     pub points: Vec<(f64, f64)>,
 }
 
-/// A quantity of all branches.
+/// A quantity of all branches, with its axis.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BranchPanel {
-    /// Its name with its unit.
+    /// The name of the quantity with its unit.
     pub y: String,
-    /// Its range.
+    /// The range of the axis.
     pub range: [f64; 2],
     pub pieces: Vec<BranchPiece>,
-    /// Points at which branches change, by the places of their kinds.
+    /// Points at which branches change, each with the index of its kind.
     pub marks: Vec<(usize, (f64, f64))>,
 }
 
@@ -121,7 +121,7 @@ impl Branches {
         drawing.close();
     }
 
-    /// The legend of those that occur alone.
+    /// Draws the legend of the kinds that occur.
     fn legend(&self, drawing: &mut Drawing) {
         let pieces = || self.panels.iter().flat_map(|panel| &panel.pieces);
         for standing in Standing::ALL.into_iter().filter(|own| pieces().any(|piece| piece.standing == *own)) {

@@ -1,7 +1,7 @@
-//! Long data made short without losing an extreme.
+//! Decimation of long data that keeps all extremes.
 
-/// At most four points for each of so many equal steps of the first coordinate: the first, the lowest, the highest and
-/// the last, in their own order. Data that are short enough stay as they are. Expects finite numbers.
+/// Keeps at most four points for each of `columns` equal steps of the first coordinate: the first, the lowest, the highest and
+/// the last, in their order. Data that are short enough are returned unchanged. Expects finite numbers.
 pub(crate) fn decimate(points: &[(f64, f64)], columns: usize) -> Vec<(f64, f64)> {
     if points.len() <= 4 * columns {
         return points.to_vec();

@@ -7,12 +7,12 @@ use super::{
 use maud::html;
 use std::fmt::Write;
 
-/// Every chart is this wide, in its own units: text has one size across the page.
+/// The width of every chart in its own units, so that text has one size across the page.
 pub(crate) const WIDTH: f64 = 520.0;
 /// The height of a line of text.
 pub(crate) const LINE: f64 = 18.0;
 
-/// Where a text is held.
+/// The alignment of a text at its point.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Anchor {
     Start,
@@ -44,7 +44,7 @@ impl Drawing {
         let _ = write!(self.body, "<path class=\"{class}\" d=\"M{x1} {y1}L{x2} {y2}\"/>");
     }
 
-    /// Upright and level lines across a frame, as one path.
+    /// Draws vertical and horizontal lines across a frame, as one path.
     pub fn grid(
         &mut self,
         upright: impl Iterator<Item = f64>,
@@ -79,7 +79,7 @@ impl Drawing {
     }
 
     pub fn path(&mut self, d: &str, class: &str) {
-        // a sign parts numbers
+        // a minus sign separates numbers, so that the space is superfluous
         let d = d.replace(" -", "-");
         if !d.is_empty() {
             let _ = write!(self.body, "<path class=\"{class}\" d=\"{d}\"/>");
@@ -145,7 +145,7 @@ impl Drawing {
         }
     }
 
-    /// The picture inside a page, which has the styles; `label` is what a screen reader says.
+    /// The picture for a page that has the styles; `label` is for screen readers.
     pub fn embedded(&self, label: &str) -> String {
         self.element(label, "", "")
     }
@@ -155,7 +155,7 @@ impl Drawing {
         self.standalone_in(title, STYLE)
     }
 
-    /// The same with other styles.
+    /// The picture as a file with other styles.
     pub fn standalone_in(&self, title: &str, style: &str) -> String {
         let style = format!("<style>{style}</style>");
         self.element(title, " xmlns=\"http://www.w3.org/2000/svg\"", &style)
@@ -210,7 +210,7 @@ pub(crate) fn shorten(text: &str, limit: usize) -> String {
     text.chars().take(limit.saturating_sub(1)).collect::<String>().trim_end().to_owned() + "…"
 }
 
-/// The sentence about what could not be drawn; empty where everything was.
+/// The sentence on the number of points that could not be drawn; empty for zero.
 pub(crate) fn left_out(count: usize, why: &str) -> String {
     match count {
         0 => String::new(),

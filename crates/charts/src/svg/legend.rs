@@ -1,4 +1,4 @@
-//! Legends stand below the plot, so that they cover no data.
+//! Legends, which stand below the plot, so that they cover no data.
 
 use super::{
     drawing::{Anchor, Drawing, LINE, WIDTH, shorten},
@@ -29,7 +29,7 @@ pub(crate) fn draw(drawing: &mut Drawing, entries: &[Entry], markers: bool) {
     drawing.height += LINE * rows as f64 + 4.0;
 }
 
-/// Draws the entries in one row that begins at a place, without markers; nothing and false where it has no room.
+/// Draws the entries in one row that begins at a place, without markers; returns false and draws nothing where there is no room.
 pub(crate) fn in_a_row(drawing: &mut Drawing, entries: &[Entry], (left, y): (f64, f64), right: f64) -> bool {
     let width = |entry: &Entry| 7.6 * entry.name.chars().count().min(LONGEST) as f64 + 37.0;
     if left + entries.iter().map(width).sum::<f64>() > right {

@@ -10,10 +10,10 @@ const STYLES: usize = 12;
 /// The look of a series: its colour, the shape of its markers, its dashes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Look {
-    /// Chooses colour and dashes: class `s0` to `s11`; none for grey.
+    /// The colour and dashes: class `s0` to `s11`; `None` for grey.
     style: Option<usize>,
     shape: usize,
-    /// Chooses other dashes: class `d0` to `d11`.
+    /// Other dashes: class `d0` to `d11`.
     dashes: Option<usize>,
 }
 
@@ -25,19 +25,19 @@ enum Paint {
     Hollow,
     /// Lines only.
     Lines,
-    /// The round end of a line without length: the shortest circle there is.
+    /// The round cap of a line of zero length, the shortest way to write a circle.
     Dot,
-    /// The square one.
+    /// The square cap of a line of zero length.
     Block,
 }
 
 impl Look {
-    /// Repeats after 144 series: each round of colours takes other shapes.
+    /// The look of the series at a position. It repeats after 144 series: each round of colours has other shapes.
     pub fn of(position: usize) -> Self {
         Look { style: Some(position % STYLES), shape: (position + position / STYLES) % STYLES, dashes: None }
     }
 
-    /// Grey.
+    /// The look of a grey series.
     pub fn quiet() -> Self {
         Look { style: None, shape: 0, dashes: None }
     }
@@ -84,7 +84,7 @@ impl Look {
     }
 }
 
-/// A shape about several centres. Where its pen comes back to where it began, the next is drawn from there.
+/// A shape repeated about several centres, as one path of relative moves.
 fn repeated(shape: &str, places: &[(f64, f64)]) -> String {
     let begins = shape.strip_prefix('m').map_or(0, |rest| rest.find(char::is_alphabetic).map_or(0, |at| at + 1));
     let (comes_back, mut pen) = (shape.ends_with('z') || shape == "h0", None);

@@ -1,4 +1,4 @@
-//! A small kit of charts: SVG with fixed decimals, so that the same data give the same bytes.
+//! Charts as SVG with fixed decimals, so that equal data give equal bytes.
 
 pub(crate) mod areas;
 pub(crate) mod branches;

@@ -1,4 +1,4 @@
-//! Numbers as text: coordinates with fixed decimals, values for people.
+//! Numbers as text: coordinates with fixed decimals, values for readers.
 
 /// A coordinate, to a tenth of a pixel, without a needless `.0` or `-0`.
 pub(crate) fn coordinate(x: f64) -> String {
@@ -25,8 +25,8 @@ impl Tenths {
     }
 }
 
-/// A value with so many significant digits: plain between 0.001 and a million, with a power of ten elsewhere; a word where it
-/// is no number.
+/// A value with a number of significant digits: plain between 0.001 and a million, with a power of ten elsewhere; a word where it
+/// is not finite.
 pub fn significant(value: f64, digits: usize) -> String {
     match value {
         0.0 => return "0".to_owned(),
@@ -46,7 +46,7 @@ pub fn significant(value: f64, digits: usize) -> String {
     text.replace('-', "−")
 }
 
-/// A tolerance: a power of ten wherever it is one; a method of constant step follows none.
+/// A tolerance, as a power of ten where it is one; NaN stands for the missing tolerance of constant steps.
 pub fn tolerance(value: f64) -> String {
     if value.is_nan() {
         return "none".to_owned();

@@ -11,7 +11,7 @@ use super::{
 #[derive(Clone, Debug, Default)]
 pub struct Timings {
     pub title: String,
-    /// Our own name, as the bars are compared with it.
+    /// The name of this program, with which the bars are compared.
     pub ours: String,
     pub rows: Vec<TimingRow>,
     /// Text below the chart: machine, versions, how it was measured.
@@ -31,7 +31,7 @@ pub struct TimingRow {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contender {
     pub name: String,
-    /// Seconds, or why there is no answer.
+    /// Time in seconds, or the reason for which there is no answer.
     pub outcome: Result<f64, String>,
 }
 

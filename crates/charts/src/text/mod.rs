@@ -1,4 +1,4 @@
-//! Prose and formulas as markup: everything escaped, LaTeX typeset as MathML, what cannot be typeset kept and reported.
+//! Prose and formulas as markup: all texts escaped, LaTeX typeset as MathML, or kept as source and reported where that fails.
 
 mod mathml;
 
@@ -22,7 +22,7 @@ const BREAK_IN_PROSE: f64 = 16.0;
 /// The width of a printed line, in em; wider pieces are printed smaller.
 const PAPER: f64 = 44.0;
 
-/// Turns text and LaTeX into markup, and remembers what it could not typeset.
+/// Turns text and LaTeX into markup, and collects LaTeX that it cannot typeset.
 #[derive(Debug, Default)]
 pub(crate) struct Typesetter {
     converter: LatexToMathML,
@@ -31,7 +31,7 @@ pub(crate) struct Typesetter {
 }
 
 impl Typesetter {
-    /// Says where the texts that follow stand, for the reports of failures.
+    /// Sets the place of the texts that follow, for reports of failures.
     pub fn at(&mut self, place: &str) {
         place.clone_into(&mut self.place);
     }
@@ -107,7 +107,7 @@ impl Typesetter {
         }
     }
 
-    /// The converter panics on rare nonsense (an assertion of its debug builds): that, too, is only LaTeX that fails.
+    /// Converts LaTeX to MathML. The converter panics on some invalid LaTeX (an assertion of its debug builds), which becomes an error.
     fn convert(&self, latex: &str, display: MathDisplay) -> Result<String, String> {
         let converted = catch_unwind(AssertUnwindSafe(|| self.converter.convert_with_local_state(latex, display)));
         match converted {
@@ -134,7 +134,7 @@ fn shortened(mathml: &str) -> String {
 /// A displayed formula as MathML Core.
 ///
 /// # Errors
-/// Why the LaTeX cannot be typeset.
+/// The reason for which the LaTeX cannot be typeset.
 pub fn mathml(latex: &str) -> Result<String, String> {
     Typesetter::default().convert(latex, MathDisplay::Block)
 }

@@ -10,7 +10,7 @@ use maud::{Markup, html};
 pub struct LiveClaim {
     /// LaTeX as the file has it.
     pub source: String,
-    /// Decided, or none yet.
+    /// The judged claim; `None` where it is not decided yet.
     pub row: Option<ClaimRow>,
     /// The number of the formula in the paper, and the line of the file.
     pub label: String,
@@ -48,7 +48,7 @@ fn article(LiveClaim { source, row, label }: &LiveClaim, set: &mut Typesetter) -
     }
 }
 
-/// The formula as it was read, and the formula that holds instead.
+/// The formula as it was read, and its correction.
 fn read(row: &ClaimRow, set: &mut Typesetter) -> Markup {
     html! {
         @for latex in &row.latex { (set.formula(latex)) }

@@ -1,7 +1,7 @@
 //! A page that follows a file while it is written, and the same page saved.
 //!
 //! The page has a fixed list of parts. Each part has content and a fault, both HTML in which every text is escaped, and a
-//! [`Freshness`]. A live page has one script, known by a nonce, which replaces parts as a server tells them; a saved page has none.
+//! [`Freshness`]. A live page has one script, allowed by a nonce, which replaces parts sent by a server; a saved page has none.
 //!
 //! ```
 //! use dalembert_charts::page::live::{self, Freshness, LivePage, Part, Shown};
@@ -25,7 +25,7 @@ pub use values::{Slider, lines, sliders};
 use super::Head;
 use maud::{Markup, PreEscaped, html};
 
-/// A part of the page, in the order in which the page has them.
+/// A part of the page, in the order of the page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     /// The title, and the name of the file.
@@ -42,7 +42,7 @@ pub enum Part {
     Motion,
     /// Equations of motion.
     Equations,
-    /// Whether the principles agree, and what the equations keep.
+    /// Verdicts on the agreement of the principles, and on conserved quantities.
     Verdicts,
     /// Derived vectors, and the kinds of constraints.
     Vectors,
@@ -61,7 +61,7 @@ impl Part {
         Part::Vectors,
     ];
 
-    /// The part's id in the page, and its name in what a server tells.
+    /// The id of the part in the page and in messages of the server.
     pub fn id(self) -> &'static str {
         match self {
             Part::Heading => "heading",
@@ -76,7 +76,7 @@ impl Part {
         }
     }
 
-    /// The heading above it; the first part brings its own.
+    /// The heading above the part; the first part contains its own.
     fn title(self) -> &'static str {
         match self {
             Part::Heading => "",
@@ -92,17 +92,17 @@ impl Part {
     }
 }
 
-/// The text that a part belongs to.
+/// The state of a part relative to the present text of the file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Freshness {
-    /// Nothing is known yet, or the file has no such part.
+    /// There is no content yet, or the file has no such part.
     #[default]
     Absent,
-    /// The present text is at work; content that stands there is of an earlier one.
+    /// The part is being computed for the present text; its content belongs to an earlier one.
     Working,
-    /// The present text.
+    /// The content belongs to the present text.
     Current,
-    /// An earlier text: the present one has no such part, or has a fault.
+    /// The content belongs to an earlier text: the present one has no such part, or has a fault.
     Earlier,
 }
 
@@ -135,7 +135,7 @@ pub struct LivePage<'a> {
     /// The maker of the page: program and version.
     pub generator: &'a str,
     pub parts: &'a [(Part, Shown)],
-    /// The version of the parts; a server is asked for what is newer.
+    /// The version of the parts; the page asks the server for newer ones.
     pub version: u64,
 }
 

@@ -42,7 +42,7 @@ pub fn vectors(all: &[LiveVector]) -> String {
 #[derive(Clone, Debug, Default)]
 pub struct LiveVerdict {
     pub title: String,
-    /// A verdict's name, or other words where it does not apply.
+    /// The name of the verdict, or other words where there is none.
     pub rung: String,
     /// The verdict in a sentence.
     pub said: String,

@@ -1,10 +1,10 @@
-//! From where a mechanism is seen, and how its places come onto the paper.
+//! The parallel projection of a mechanism onto the picture.
 
 use super::Sketch;
 use super::extent::Extent;
 use crate::svg::drawing::WIDTH;
 
-/// A direction of sight.
+/// A direction of view.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     /// From the mechanism to the eye; of any length.

@@ -1,8 +1,8 @@
 //! A mechanism as a mechanician sketches it: bodies, joints, springs, supports, at one instant or along a run.
 //!
-//! Every part stands at places and along directions, by their numbers, and an [`Instant`] says where these are. One instant gives a still;
-//! several give a picture that moves by itself, in a page and as an image, without a script: what is rigid is moved, what changes its
-//! shape has a path for each instant.
+//! Every part refers to places and directions by their numbers, and an [`Instant`] gives their coordinates. One instant gives a still
+//! picture; several give an animated one, in a page and as an image, without a script: rigid parts are moved, parts that change
+//! their shape have a path for each instant.
 
 mod bars;
 mod camera;
@@ -152,7 +152,7 @@ impl Sketch {
     }
 }
 
-/// The looks of sketches, in light and dark.
+/// The style sheet of sketches, for light and dark screens.
 pub const STYLE: &str = include_str!("sketch.css");
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Circles on the sphere: seen from afar they are arcs of ellipses.
+//! Circles on the sphere, which are arcs of ellipses in the projection.
 
 use super::super::number::coordinate;
 use super::{RADIUS, view::View};

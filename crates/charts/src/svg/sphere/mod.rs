@@ -1,4 +1,4 @@
-//! Curves and points on the unit sphere, seen from afar; a page lets the reader turn it.
+//! Curves and points on the unit sphere in orthographic projection; in a page the reader can turn it.
 
 mod circle;
 mod scale;
@@ -24,12 +24,12 @@ pub struct Sphere {
     pub value: String,
     /// Names of the three axes, plain text.
     pub axes: [String; 3],
-    /// Where curves lie in space and not on the sphere: the length that the sphere's radius stands for. Parts that are more
-    /// than half as long again are left out.
+    /// The length of the sphere's radius, where curves lie in space and not on the sphere. Parts beyond one and a half radii are
+    /// left out.
     pub length: Option<f64>,
     pub curves: Vec<Curve>,
     pub marks: Vec<Mark>,
-    /// From where it is seen first: azimuth from the first axis and height above the first two, in degrees.
+    /// The initial view: azimuth from the first axis and elevation above the plane of the first two, in degrees.
     pub view: (f64, f64),
     /// Text below the picture.
     pub note: String,
@@ -39,7 +39,7 @@ pub struct Sphere {
 #[derive(Clone, Debug, Default)]
 pub struct Curve {
     pub name: String,
-    /// A class of curves that look alike, whatever their values, which then are only read: all curves have one or none has.
+    /// The class of curves with one colour, whose values are then shown as text only. Either all curves have a class or none.
     pub class: Option<usize>,
     pub points: Vec<CurvePoint>,
 }
@@ -56,9 +56,9 @@ pub struct CurvePoint {
 pub struct Mark {
     pub name: String,
     pub at: [f64; 3],
-    /// Shown on hovering; of hollow marks also below the picture, each sentence once.
+    /// The note, shown on hovering; notes of hollow marks also stand below the picture, each once.
     pub note: String,
-    /// A ring in place of a dot: a direction on a curve that is none of those the curve stands for.
+    /// Whether the mark is a ring: a direction on a curve that is not one of the curve's motions.
     pub hollow: bool,
 }
 
@@ -105,7 +105,7 @@ impl Sphere {
         drawing
     }
 
-    /// Everything that turns on this sphere alone, for the script of the page, as JSON.
+    /// The data of this sphere for the script of the page, as JSON.
     pub(crate) fn data(&self) -> String {
         let (strands, _) = self.strands();
         let strands: Vec<_> = strands.iter().map(Strand::json).collect();
@@ -132,7 +132,7 @@ impl Sphere {
         format!("[{}]", strands.join(","))
     }
 
-    /// The curves; and how many points are no directions.
+    /// The curves as strands, and the number of points that are no directions.
     fn strands(&self) -> (Vec<Strand>, usize) {
         let mut strands = Vec::new();
         let mut dropped = self.marks.iter().filter(|mark| strand::unit(mark.at).is_none()).count();

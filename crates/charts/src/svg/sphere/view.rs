@@ -1,8 +1,8 @@
-//! From where the sphere is seen.
+//! The orthographic projection of the sphere.
 
 use super::{CENTRE, RADIUS};
 
-/// An orthographic projection: the reader looks from this azimuth and height, in degrees.
+/// An orthographic projection from a direction given by azimuth and elevation, in degrees.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct View {
     azimuth: f64,
@@ -31,7 +31,7 @@ impl View {
         (self.azimuth, self.height)
     }
 
-    /// Where a point is drawn, and how far it is in front of the centre.
+    /// The position of a point in the picture, and its distance in front of the centre.
     pub fn place(&self, at: [f64; 3]) -> (f64, f64, f64) {
         let along = |axis: [f64; 3]| axis.iter().zip(at).map(|(a, b)| a * b).sum::<f64>();
         (CENTRE.0 + RADIUS * along(self.right), CENTRE.1 - RADIUS * along(self.up), along(self.towards))

@@ -35,7 +35,7 @@ pub struct Panel {
 pub struct Track {
     pub name: String,
     pub points: Vec<(f64, f64)>,
-    /// Why the run ended before its time, where it did: marked at its last point.
+    /// The reason for which the run ended early, where it did; marked at its last point.
     pub stopped: Option<String>,
 }
 
@@ -100,7 +100,7 @@ impl Trajectory {
         (same && (self.panels.len() > 1 || names.len() < 2)) || !self.panels.iter().all(fits)
     }
 
-    /// The line above a panel: what it shows, its legend, and why the only run that stopped did.
+    /// Draws the line above a panel: its heading, its legend, and the reason of the only stop.
     fn head(&self, drawing: &mut Drawing, heading: &str, y: f64, legend: &[&str], stops: &[Stop]) {
         drawing.text((LEFT, y), Anchor::Start, "heading", heading);
         legend::in_a_row(drawing, &entries(legend), (beyond(heading), y), RIGHT);
@@ -140,7 +140,7 @@ impl Trajectory {
         self.panels.iter().flat_map(|panel| &panel.series)
     }
 
-    /// Which runs stopped, each once for all its panels.
+    /// The runs that stopped, each once for all its panels.
     fn stops(&self) -> Vec<Stop<'_>> {
         let mut stops: Vec<Stop> = Vec::new();
         for track in self.tracks() {
@@ -192,7 +192,7 @@ fn headed(heading: &str, power: Option<String>) -> String {
     power.map_or_else(|| heading.to_owned(), |power| format!("{heading} ×{power}"))
 }
 
-/// Where a panel's heading ends.
+/// The right end of a panel's heading, in pixels.
 fn beyond(heading: &str) -> f64 {
     LEFT + 8.0 * heading.chars().count() as f64 + 12.0
 }

@@ -1,4 +1,4 @@
-//! A run in a panel: its line, and where and why it stopped.
+//! A run in a panel: its line, and the mark at an early stop.
 
 use super::{
     super::{
@@ -15,7 +15,7 @@ const COLUMNS: usize = 400;
 /// Lines with more turns than this are thin and without dashes.
 const DENSE: usize = 30;
 
-/// Where and why a run stopped.
+/// The stop of a run, with its reason.
 pub(super) struct Stop<'a> {
     pub name: &'a str,
     pub reason: &'a str,

@@ -1,4 +1,4 @@
-//! Error against work, method by method; a method that fails stays on the chart.
+//! Work-precision diagrams: error against work for each method; methods that fail stay on the chart.
 
 mod failures;
 mod series;
@@ -28,7 +28,7 @@ impl Work {
         }
     }
 
-    /// An amount of it in words.
+    /// An amount of work in words.
     pub fn amount(self, work: f64) -> String {
         match self {
             Work::Evaluations => format!("{} evaluations", counted(work)),
@@ -73,18 +73,18 @@ pub struct Point {
     pub error: f64,
 }
 
-/// One run that did not.
+/// One run that failed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Failure {
-    /// Spent until it gave up; not finite where unknown.
+    /// The work until the failure; not finite where unknown.
     pub work: f64,
-    /// Not a number for a method of constant step.
+    /// The tolerance; NaN for a method of constant step size.
     pub tolerance: f64,
     pub reason: String,
 }
 
 impl Method {
-    /// Under which its failures are told: the method without its kinds.
+    /// The name under which failures are reported: the method without its kinds.
     pub(crate) fn family(&self) -> &str {
         if self.family.is_empty() { &self.name } else { &self.family }
     }

@@ -1,4 +1,4 @@
-//! Series on the plot: those that matter in colour, the others grey, the front behind them.
+//! Series on the plot: those of the front in colour, the others grey, the front behind them.
 
 use super::super::{
     axis::Axis,
@@ -38,7 +38,7 @@ impl<'a> Looks<'a> {
         Looks { series, kinds }
     }
 
-    /// The loud series by their names; then what the shapes and dashes of all of them stand for.
+    /// Draws the legend: the coloured series by their names, then the meanings of shapes and dashes.
     pub fn legend(&self, drawing: &mut Drawing, all: &[Method], with_front: bool) {
         if with_front {
             drawing
@@ -96,7 +96,7 @@ pub(super) fn draw(
     drawing.close();
 }
 
-/// A staircase: an error costs what the first point with no more of it costs.
+/// Draws the front as a staircase: the cost of an error is that of the first point with at most this error.
 pub(super) fn front(drawing: &mut Drawing, points: &[Point], x: &Axis, y: &Axis) {
     let drawn = points.iter().filter(|point| positive(point.work) && positive(point.error));
     let mut stairs: Vec<(f64, f64)> = Vec::new();

@@ -1,4 +1,4 @@
-//! Where a long formula may break. MathML breaks no line, so a long one is cut into pieces that stand in a row.
+//! Line breaks in long formulas. MathML has none, and a long formula is therefore cut into pieces in a row.
 
 mod element;
 
@@ -114,7 +114,7 @@ fn nesting(element: &Element) -> i32 {
 
 const BREAKS: [&str; 12] = ["=", "+", "−", "±", "≤", "≥", "&lt;", "&gt;", "≠", "≡", "⟹", "⟺"];
 
-/// After these a sign belongs to what follows.
+/// Whether a sign after this element is a sign of the next operand.
 fn starts_an_operand(before: &Element) -> bool {
     before.name == "mo" && !matches!(before.inner, ")" | "]" | "}" | "|")
 }
