@@ -1,4 +1,4 @@
-//! A zip archive of files, uncompressed and all of one time, so that the same files are the same bytes.
+//! Zip archives, uncompressed and with one time for all files, so that equal files give equal bytes.
 
 use rawzip::time::UtcDateTime;
 use rawzip::{Error, ZipArchiveWriter};
@@ -6,12 +6,12 @@ use std::io::{self, Write};
 
 /// A file of an archive.
 pub struct Entry<'a> {
-    /// Its path, folders by `/`.
+    /// The path in the archive, with `/` between folders.
     pub path: String,
     pub bytes: &'a [u8],
 }
 
-/// The first instant that archives know, the beginning of 1980.
+/// The earliest time in a zip archive, the beginning of 1980, in Unix seconds.
 const FIRST: i64 = 315_532_800;
 
 /// Writes an archive.

@@ -3,7 +3,7 @@
 //! # Overview
 //! * [`fmu`]: a system in C as a unit for model exchange and co-simulation, as source and as a binary for this platform;
 //! * [`npz`]: arrays that NumPy loads;
-//! * [`archive`]: files as one zip archive, the same bytes for the same files.
+//! * [`archive`]: files as one zip archive, equal bytes for equal files.
 //!
 //! # Example
 //! ```

@@ -6,21 +6,21 @@ use std::io::{self, Write};
 /// An array.
 #[derive(Clone, Debug)]
 pub enum Array {
-    /// Numbers in a row.
+    /// A one-dimensional array.
     Numbers(Vec<f64>),
-    /// Numbers in rows of one length.
+    /// A two-dimensional array, rows of one length.
     Rows(Vec<Vec<f64>>),
     Texts(Vec<String>),
 }
 
-/// Writes arrays under their names; the first of two with one name keeps it, and a later one gets a mark behind it.
+/// Writes arrays under their names; of two arrays with one name the later gets a suffix.
 ///
 /// # Errors
 /// The output fails.
 pub fn write(out: impl Write, arrays: &[(String, Array)]) -> io::Result<()> {
     let mut names: Vec<String> = Vec::new();
     for (name, _) in arrays {
-        // a slash would be a folder
+        // a slash would make a folder
         let mut name = name.replace(['/', '\\'], " per ");
         while names.contains(&name) {
             name.push('_');

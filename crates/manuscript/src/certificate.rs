@@ -1,4 +1,4 @@
-//! Certificates of findings: the sides as they were read, the equations of the model, and the steps from these to the verdict.
+//! Certificates of findings: the sides of a formula as read, the equations of the model, and the proof steps to the verdict.
 
 use crate::condition_products;
 use crate::conditions::Hypothesis;
@@ -16,11 +16,11 @@ use claims::certificate::{Certificate, Combined, Part, PartProof, Relation, Rela
 use claims::{Judged, Verdict};
 use symbolic::{Hypotheses, NotNormal, Sym, normal};
 
-/// The proof of a finding in the making; nothing is recorded where nobody asks for a certificate.
+/// The proof of a finding under construction; nothing is recorded unless a certificate is asked for.
 #[derive(Default)]
 pub(crate) struct Record {
     is_wanted: bool,
-    /// Whether a step of the proof is told by no part.
+    /// Whether a step of the proof has no certificate.
     is_incomplete: bool,
     relations: Relations,
     parts: Vec<Part>,
@@ -31,7 +31,7 @@ impl Record {
         Record { is_wanted, ..Record::default() }
     }
 
-    /// Another proof begins.
+    /// Begins another proof.
     pub fn restart(&mut self) {
         *self = Record::of(self.is_wanted);
     }
@@ -40,7 +40,7 @@ impl Record {
         self.is_wanted
     }
 
-    /// A step of the proof has no certificate.
+    /// Records that a step of the proof has no certificate.
     pub fn leave_out(&mut self) {
         self.is_incomplete = true;
     }
@@ -212,7 +212,7 @@ impl Record {
         });
     }
 
-    /// The same by the signs of its terms as they are written; `side` is the expression after the steps.
+    /// An expression that is positive by the signs of its terms as written; `side` is the expression after the steps.
     pub fn positive_as_written(
         &mut self,
         motion: &Motion<'_, '_>,
@@ -225,7 +225,7 @@ impl Record {
         self.weaken(is_strict);
     }
 
-    /// The same where the form was found as a sum of squares, by conditions without which the expression has no value besides.
+    /// An expression that is positive as a sum of squares, also by conditions without which it has no value.
     pub fn positive_by_squares(
         &mut self,
         motion: &Motion<'_, '_>,
@@ -246,7 +246,7 @@ impl Record {
         }
     }
 
-    /// The same by products of conditions, the opposite of the conclusion among them.
+    /// An expression that is positive by products of conditions, among them the negation of the conclusion.
     pub fn positive_by_products(
         &mut self,
         motion: &Motion<'_, '_>,
@@ -289,7 +289,7 @@ impl Record {
         Part { given, steps, rates: Vec::new(), then: vec![then], proof }
     }
 
-    /// The same in one unknown, by real roots.
+    /// An expression in one unknown that is positive by its real roots.
     fn positive_by_roots(
         &mut self,
         motion: &Motion<'_, '_>,

@@ -4,7 +4,7 @@ use claims::Judged;
 use claims::certificate::Certificate;
 use std::ops::Range;
 
-/// Edits that a reader sees at a glance; more are counted.
+/// The largest number of edits that are described one by one; more are counted.
 const FEW: usize = 3;
 
 /// The kind of an edit.
@@ -29,7 +29,7 @@ pub enum EditKind {
 }
 
 impl EditKind {
-    /// As programs have it.
+    /// The name in JSON.
     pub fn name(self) -> &'static str {
         match self {
             Self::Sign => "sign",
@@ -57,14 +57,14 @@ pub enum Search {
     /// The claim is not refuted, or no correction was asked for.
     #[default]
     None,
-    /// It came to its end.
+    /// The search was completed.
     Whole,
-    /// The time was over before.
+    /// The search was stopped by the time limit.
     Cut,
 }
 
 impl Search {
-    /// For a reader, where nothing was found.
+    /// A sentence for a reader on a search without result.
     pub fn told(self) -> Option<&'static str> {
         match self {
             Self::None => None,
@@ -74,17 +74,17 @@ impl Search {
     }
 }
 
-/// An edit of the printed formula, or a hypothesis beside it, that makes a refuted claim true: it is proved by the judge of the claim.
+/// An edit of the printed formula, or an added hypothesis, that makes a refuted claim true; the corrected claim is proved.
 #[derive(Clone, Debug)]
 pub struct Correction {
     pub changes: Vec<Change>,
     /// The corrected formula in LaTeX.
     pub formula: String,
-    /// The bytes of the corrected formula that the changes have.
+    /// The byte ranges of the changes in the corrected formula.
     pub parts: Vec<Range<usize>>,
     /// The corrected claim with its verdict.
     pub judged: Judged,
-    /// Where it was asked for.
+    /// The certificate, where one was asked for.
     pub certificate: Option<Certificate>,
 }
 
@@ -92,16 +92,16 @@ pub struct Correction {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Change {
     pub kind: EditKind,
-    /// In words: `the sign of the second term of the left side`.
+    /// The changed part in words: `the sign of the second term of the left side`.
     pub words: String,
     /// The part of the print in LaTeX; empty where something was added.
     pub before: String,
-    /// The text that stands there instead; empty where something was left out.
+    /// The replacement; empty where something was removed.
     pub after: String,
 }
 
 impl Correction {
-    /// In words: ``the sign of the second term: `m g` -> `-m g` ``.
+    /// The change in words: ``the sign of the second term: `m g` -> `-m g` ``.
     pub fn says(&self) -> String {
         let each = self.changes.iter().map(|Change { words, before, after, .. }| {
             let told = |part: &str| if part.is_empty() { "nothing".to_owned() } else { format!("`{part}`") };
@@ -112,7 +112,7 @@ impl Correction {
         count + &each.join("; ")
     }
 
-    /// The same with its formulas between dollar signs.
+    /// The change in words, with its formulas between dollar signs.
     pub(crate) fn typeset(&self) -> String {
         let says = self.says().replace(" -> ", " $\\to$ ");
         let mut parts = says.split('`');
@@ -127,7 +127,7 @@ impl Correction {
         text
     }
 
-    /// The corrected formula, in which what was changed is underlined.
+    /// The corrected formula with the changes underlined.
     pub(crate) fn marked(&self) -> String {
         let mut text = self.formula.clone();
         let mut parts = self.parts.clone();

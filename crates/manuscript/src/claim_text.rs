@@ -1,4 +1,4 @@
-//! A claim as its file has it.
+//! The text of a claim in a paper's file.
 
 use crate::passage::Passage;
 use claims::Verdict;
@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 use units::nearest;
 
-/// The kind of statement that a formula is said to be.
+/// The kind of statement that a claim makes with its formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     EquationOfMotion,
@@ -37,7 +37,7 @@ impl Kind {
         Kind::Number,
     ];
 
-    /// As files have it.
+    /// The name in files.
     pub fn name(self) -> &'static str {
         match self {
             Self::EquationOfMotion => "equation of motion",
@@ -53,7 +53,7 @@ impl Kind {
         }
     }
 
-    /// Why a verdict on such a claim may have no certificate.
+    /// The reason for which a verdict on such a claim may have no certificate.
     pub(crate) fn without_certificate(self) -> &'static str {
         match self {
             Self::Number => "the verdict rests on a tie of the last printed digit, or on a number that is not real",
@@ -76,13 +76,13 @@ impl Kind {
 /// A claim of a paper.
 #[derive(Clone, Debug)]
 pub struct ClaimText {
-    /// Where it stands.
+    /// The place in the file.
     pub at: Range<usize>,
     /// The paper's own number of the formula: `5`, `2.3a`.
     pub equation: String,
-    /// Tells claims of one formula apart; empty where there is one.
+    /// The name that distinguishes claims of one formula; empty where there is one.
     pub name: String,
-    /// A sentence; empty where the formula says it all.
+    /// A sentence on the claim; may be empty.
     pub says: String,
     pub section: String,
     pub note: String,
@@ -110,7 +110,7 @@ impl ClaimText {
             && is_one(&self.given, &other.given)
     }
 
-    /// The end of its id: `eq5`, `eq5/sign`, or `power` for what has no number.
+    /// The end of the claim's id: `eq5`, `eq5/sign`, or `power` for a claim without a number.
     pub fn key(&self) -> String {
         let plain: String =
             self.equation.chars().filter(|letter| !matches!(letter, '(' | ')') && !letter.is_whitespace()).collect();

@@ -1,4 +1,4 @@
-//! An equation of motion as a combination of the model's own.
+//! A printed equation of motion as a linear combination of the model's equations.
 
 use crate::display::Told;
 use crate::motion::Motion;
@@ -6,10 +6,10 @@ use model::equations::Equations;
 use symbolic::linear::solve;
 use symbolic::{Hypotheses, Sym, normal};
 
-/// Larger systems are combined without being told how.
+/// The largest number of speeds for which the combination is printed.
 const MOST_SPEEDS: usize = 4;
 
-/// Factors with more characters are not told.
+/// The largest length of a printed factor, in characters.
 const READABLE: usize = 120;
 
 /// The factors by which the model's equations make up a printed one, in a sentence: `1/(m*l^2) times the equation of theta`. None where

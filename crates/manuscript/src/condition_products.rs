@@ -9,14 +9,14 @@ use field::Rational;
 use std::collections::{BTreeMap, BTreeSet};
 use symbolic::{Hypotheses, Node, Sym, coefficients, normal};
 
-/// Factors of a product.
+/// The largest number of factors of a product.
 const MOST_FACTORS: usize = 3;
 
-/// Conditions of which products of two, and of three factors are formed.
+/// The largest numbers of conditions for products of two, and of three factors.
 const MOST_FOR_TWO: usize = 14;
 const MOST_FOR_THREE: usize = 9;
 
-/// Longer polynomials, and those of a higher degree, are left out.
+/// The largest number of terms, and the largest degree, of a polynomial that is used.
 const MOST_TERMS: usize = 40;
 const HIGHEST: u32 = 12;
 
@@ -28,7 +28,7 @@ type Terms = BTreeMap<Vec<u32>, Rational>;
 pub(crate) enum Origin {
     /// The expression of a condition, by its place.
     Condition(usize),
-    /// The square of that.
+    /// The square of a condition's expression, by the condition's place.
     Square(usize),
     /// A root, which is not negative.
     Root(Sym),
@@ -66,7 +66,7 @@ struct Factor {
     /// Whether zero is excluded.
     is_strict: bool,
     of: Vec<Origin>,
-    /// The polynomial is so many times the product of its origins; none where a condition has a denominator with letters.
+    /// The ratio of the polynomial to the product of its origins; `None` where a condition has a denominator with letters.
     scale: Option<Rational>,
 }
 
@@ -198,7 +198,7 @@ impl Polynomials {
 /// The polynomial that has the sign of an expression, wherever that has a value.
 struct Whole {
     polynomial: Sym,
-    /// The polynomial is so many times the expression, where that has no letters below.
+    /// The ratio of the polynomial to the expression, where the denominator has no letters.
     scale: Option<Rational>,
 }
 

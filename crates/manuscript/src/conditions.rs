@@ -1,4 +1,4 @@
-//! Hypotheses of a claim: equalities that are solved, signs and what does not vanish.
+//! Hypotheses of a claim: equalities, which are solved, signs, and nonzero expressions.
 
 use crate::letters::Letters;
 use crate::motion::Motion;
@@ -11,7 +11,7 @@ use symbolic::Sym;
 /// A hypothesis as it was read.
 #[derive(Clone)]
 pub(crate) struct Hypothesis {
-    /// In the paper's letters, text and LaTeX.
+    /// The hypothesis in the paper's letters, as text and LaTeX.
     pub told: (String, String),
     /// The difference of its sides in the paper's letters; none where one of them is a number, which is in SI units.
     pub own: Option<Sym>,
@@ -19,18 +19,18 @@ pub(crate) struct Hypothesis {
     pub equality: Option<(Sym, Option<Sym>)>,
     /// Whether a letter has a value other than zero: dimensions need not agree then.
     pub scales: bool,
-    /// Over the model: a sign, or what does not vanish.
+    /// Over the model: a sign, or an expression that does not vanish.
     pub condition: Option<Condition>,
-    /// The hypothesis in its file.
+    /// The place of the hypothesis in the file.
     pub at: std::ops::Range<usize>,
 }
 
-/// A formula that cannot be read, at its place in the file.
+/// The fault of a formula that cannot be read, at its place in the file.
 pub(crate) fn placed(text: &Passage, fault: NotFormula) -> Issue {
     Issue::at(text.part(&fault.span), fault.title, fault.label).accepted(fault.accepted)
 }
 
-/// A value that is not there, at its place in the file.
+/// The fault of a missing value, at its place in the file.
 pub(crate) fn without_value(text: &Passage, fault: latex::NoValue) -> Issue {
     Issue::at(text.part(&fault.span), fault.why, "here").accepted("an expression that the model gives a value")
 }
@@ -64,7 +64,7 @@ pub(crate) fn scalar(text: &Passage, term: &Term, letters: &Letters<'_, '_>) -> 
 /// Reads the hypotheses of a claim.
 ///
 /// # Errors
-/// The first one that is none.
+/// The first text that is no hypothesis.
 pub(crate) fn hypotheses(given: &[Passage], letters: &Letters<'_, '_>) -> Result<Vec<Hypothesis>, Issue> {
     given.iter().map(|text| hypothesis(text, letters)).collect()
 }
@@ -102,7 +102,7 @@ fn hypothesis(text: &Passage, letters: &Letters<'_, '_>) -> Result<Hypothesis, I
     Ok(found)
 }
 
-/// Lets a motion assume the equalities.
+/// Adds the equalities to the assumptions of a motion.
 ///
 /// # Errors
 /// The first one that cannot be assumed.
@@ -118,7 +118,7 @@ pub(crate) fn assume(motion: &mut Motion<'_, '_>, hypotheses: &[Hypothesis]) -> 
     Ok(())
 }
 
-/// The conditions where the motion is.
+/// The conditions of hypotheses, reduced on the motion.
 pub(crate) fn conditions(motion: &Motion<'_, '_>, hypotheses: &[Hypothesis]) -> Vec<Condition> {
     let reduced = |condition: Condition| condition.mapped(|e| motion.reduced(e));
     hypotheses.iter().filter_map(|hypothesis| hypothesis.condition.map(reduced)).collect()

@@ -1,4 +1,4 @@
-//! A condition that follows from another one, or an exact point at which it does not.
+//! Implication between two conditions: a proof, or an exact point at which it fails.
 
 use crate::display::{Told, divisors, factors, point};
 use crate::equation::{Outcome, vanishes};
@@ -19,20 +19,20 @@ pub(crate) enum Way<'t, 'm> {
     Multiple(Sym),
     /// The motion that assumes the condition.
     Solved(Box<Motion<'t, 'm>>),
-    /// The same, where the consequence vanishes by its signs: roots of squares.
+    /// The consequence vanishes by signs of roots of squares.
     Signs,
 }
 
 /// Consequences of a condition.
 pub(crate) enum Step<'t, 'm> {
-    /// The other one, on this way; these divisors do not vanish.
+    /// The other condition follows, if these divisors do not vanish.
     Follows(Vec<Sym>, Way<'t, 'm>),
-    /// Not the other one.
+    /// The other condition fails at this point.
     Fails(Refutation),
     Open(Outcome),
 }
 
-/// The divisors of an expression, as it is written.
+/// The divisors that occur in an expression.
 pub(crate) fn written_divisors(expression: Sym) -> Vec<Sym> {
     let own = match expression.node() {
         Node::Quotient(_, below) if below.as_constant().is_none() => vec![below],

@@ -1,4 +1,4 @@
-//! Where a printed formula has a value: roots of what is not negative, logarithms of what is positive, divisors that do not vanish.
+//! The domain of a printed formula: nonnegative radicands, positive arguments of logarithms, nonzero divisors.
 
 use crate::conditions::Hypothesis;
 use crate::display::{Told, divisors};

@@ -1,10 +1,10 @@
-//! The quadratic part of the energy about a steady motion of a conservative system, where speeds stay as they are by Routh's reduction.
+//! The quadratic part of the energy about a steady motion of a conservative system with constant speeds, by Routh's reduction.
 //!
-//! With the coordinates q that rest and the speeds v that stay as they are, the linear equations
+//! With the coordinates q that rest and the constant speeds v, the linear equations
 //!
 //!   M q'' + G q' + K q + N v' + H v = 0 ,   d/dt (N^T q' + P q + J v) = 0
 //!
-//! become, with the momenta held,
+//! become, for constant momenta,
 //!
 //!   (M - N J^-1 N^T) q'' + (G - N J^-1 P - H J^-1 N^T) q' + (K - H J^-1 P) q = 0 .
 //!

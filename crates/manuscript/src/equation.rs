@@ -1,4 +1,4 @@
-//! Whether two sides are equal where a motion is: exactly, or an exact point at which they are not.
+//! Equality of two sides along motions: a proof, or an exact point at which they differ.
 
 use crate::motion::Motion;
 use crate::refutation::Refutation;

@@ -1,4 +1,4 @@
-//! The points at which a claim says something: hypotheses and the parts of its formula may leave none.
+//! The points at which a claim applies: its hypotheses and the domain of its formula may leave none.
 
 use crate::conditions::{Hypothesis, assume, conditions};
 use crate::motion::Motion;

@@ -1,4 +1,4 @@
-//! Conditions that are equivalent.
+//! Claims on the equivalence of conditions.
 
 use crate::certificate::Record;
 use crate::claim_text::ClaimText;

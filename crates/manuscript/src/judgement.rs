@@ -1,4 +1,4 @@
-//! Every claim of a paper, decided.
+//! The judgement of every claim of a paper.
 
 use crate::certificate::Record;
 use crate::change::{EditKind, Search};

@@ -1,10 +1,10 @@
-//! A paper as a file: the letters of its formulas over a model, its claims as printed, and what is found of each.
+//! A paper as a file: the letters of its formulas over a model, its claims as printed, and the finding on each.
 //!
 //! # Overview
 //! * [`PaperText`]: a file with `[letters]` and `[[claim]]`, beside the tables of its system or the name of their file;
-//! * `letters`: what each letter stands for, over the symbols of the model;
-//! * `motion`: what holds along every motion: accelerations, multipliers, constraints, hypotheses;
-//! * [`PaperText::judge`]: a [`Finding`] for each claim. Nobody types the derived side: it comes from the model;
+//! * `letters`: the meaning of each letter, over the symbols of the model;
+//! * `motion`: the equations along every motion: accelerations, multipliers, constraints, hypotheses;
+//! * [`PaperText::judge`]: a [`Finding`] for each claim. The derived side is never typed: it comes from the model;
 //! * [`Correction`]: the smallest edit of a refuted formula that is proved;
 //! * [`PeerEquations`]: equations of motion that another program has derived, beside those of the model.
 //!

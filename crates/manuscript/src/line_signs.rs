@@ -1,4 +1,4 @@
-//! Signs of an expression in one unknown, a letter or an angle, wherever the conditions on it hold: by real roots, exactly.
+//! Exact signs of an expression in one unknown, a letter or an angle, where the conditions on it hold, by real roots.
 
 use crate::refutation::Refutation;
 use algebra::real::{Polynomial, Root};
@@ -13,7 +13,7 @@ pub(crate) struct Least {
     pub points: Vec<Refutation>,
 }
 
-/// The unknown, and how it stands in polynomials.
+/// The unknown, and its substitution in polynomials.
 enum Unknown {
     Letter(Sym),
     /// An angle by the tangent of its half, which has no value at half a turn.
@@ -23,10 +23,10 @@ enum Unknown {
     },
 }
 
-/// Above and below the line of a fraction.
+/// Numerator and denominator.
 type Fraction = [Polynomial; 2];
 
-/// The least sign; none where there are more unknowns, or the conditions leave no point.
+/// The least sign; `None` where there are more unknowns, or the conditions leave no point.
 pub(crate) fn least(expression: Sym, conditions: &[Condition]) -> Option<Least> {
     let found = signs(expression, conditions)?;
     let sign = found.iter().map(|(sign, _)| *sign).min()?;

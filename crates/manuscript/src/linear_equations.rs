@@ -1,4 +1,4 @@
-//! The linear equations about a steady motion, and the condition of their roots beside a printed one.
+//! The linear equations about a steady motion, and the comparison of their stability condition with a printed one.
 
 use crate::linear_motion::{Characteristic, LinearMotion};
 use crate::refutation::Refutation;
@@ -16,11 +16,11 @@ pub(crate) struct LinearEquations {
     pub resting: Vec<usize>,
     /// The unknown of the polynomial.
     pub root: Sym,
-    /// The determinant times this is the polynomial.
+    /// The factor that makes the determinant a polynomial.
     pub scale: Sym,
-    /// By rising powers, without roots zero.
+    /// The coefficients by rising powers, without the roots at zero.
     pub coefficients: Vec<Sym>,
-    /// A number of roots that are zero.
+    /// The number of roots at zero.
     pub neutral: u32,
 }
 
@@ -38,7 +38,7 @@ pub(crate) struct Multiple {
     pub square: Option<(usize, i32)>,
 }
 
-/// The condition of the roots beside the printed one.
+/// The comparison of the condition on the roots with the printed one.
 pub(crate) enum Comparison {
     /// It is a positive multiple of the printed one.
     Same(Multiple),

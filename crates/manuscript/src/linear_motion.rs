@@ -6,18 +6,18 @@ use crate::steady_motion::Resting;
 use model::equations::Equations;
 use symbolic::{Sym, coefficients, decide, normal};
 
-/// Larger systems are not looked at.
+/// The largest number of speeds of a system that is linearised.
 const MOST_SPEEDS: usize = 4;
 
 /// The coefficients of the linear equations, row by row.
 pub(crate) struct LinearMotion {
     /// Expressions that vanish along every motion.
     pub equations: Vec<Sym>,
-    /// The coordinates that rest, by their places; of the others the speeds stay as they are.
+    /// The coordinates that rest, by their places; the speeds of the others are constant.
     pub resting: Vec<usize>,
     pub inertia: Vec<Vec<Sym>>,
     pub damping: Vec<Vec<Sym>>,
-    /// It vanishes for a coordinate that does not rest.
+    /// The stiffness matrix; its columns for coordinates that do not rest vanish.
     pub stiffness: Vec<Vec<Sym>>,
 }
 
@@ -25,16 +25,16 @@ pub(crate) struct LinearMotion {
 pub(crate) struct Characteristic {
     /// The unknown.
     pub root: Sym,
-    /// The determinant times this is a polynomial.
+    /// The factor that makes the determinant a polynomial.
     pub scale: Sym,
-    /// By rising powers, without roots zero.
+    /// The coefficients by rising powers, without the roots at zero.
     pub coefficients: Vec<Sym>,
-    /// A number of roots that are zero.
+    /// The number of roots at zero.
     pub neutral: u32,
 }
 
 impl LinearMotion {
-    /// About the motion on which the letters of a claim rest.
+    /// Linearises about the motion on which the letters of a claim rest.
     ///
     /// # Errors
     /// There are no such equations, or they change with the time.
@@ -89,7 +89,7 @@ impl LinearMotion {
     /// The characteristic polynomial.
     ///
     /// # Errors
-    /// It has roots zero beside those of speeds that stay as they are, or is none.
+    /// The polynomial has roots at zero besides those of constant speeds, or the determinant is no polynomial.
     pub fn characteristic(&self, motion: &Motion<'_, '_>) -> Result<Characteristic, String> {
         let n = self.equations.len();
         let s = Sym::symbol("root of the linear equations");
@@ -117,7 +117,7 @@ impl LinearMotion {
     }
 }
 
-/// By its first row.
+/// The determinant, expanded along the first row.
 pub(crate) fn determinant(matrix: &[Vec<Sym>]) -> Sym {
     let [first, rest @ ..] = matrix else { return Sym::ONE };
     let mut sum = Sym::ZERO;

@@ -25,10 +25,10 @@ pub(crate) struct Linearisation<'t, 'm> {
 }
 
 impl<'t, 'm> Linearisation<'t, 'm> {
-    /// An input is small where no hypothesis gives it a value.
+    /// Linearises about the motion on which letters rest. An input is small where no hypothesis gives it a value.
     ///
     /// # Errors
-    /// All that is wrong in the file; else, inside, why there are no linear equations.
+    /// All faults of the file; inside, the reason for which there are no linear equations.
     pub fn of(
         claim: &ClaimText,
         letters: &Letters<'t, 'm>,

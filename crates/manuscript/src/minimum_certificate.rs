@@ -11,13 +11,13 @@ use claims::Condition;
 use claims::certificate::{Minimum, Part, PartProof};
 use symbolic::Sym;
 
-/// The theorems that are cited.
+/// The cited theorems.
 const MINIMUM: &str = "J. L. Lagrange; P. G. Lejeune Dirichlet, J. reine angew. Math. 32 (1846), 85-88: a minimum of the potential energy is stable; \
     J. J. Sylvester: a form is positive where its leading principal minors are; A. M. Lyapunov: a root with a positive real part is unstable";
 
-/// A sign that the theorems ask for.
+/// A sign that the theorems require.
 struct Sign<'a> {
-    /// The conditions that are added to those of the claim.
+    /// The conditions in addition to those of the claim.
     added: &'a [Condition],
     expression: Sym,
     is_strict: bool,

@@ -1,5 +1,5 @@
 //! The equations that hold along every motion of a model: accelerations and multipliers by its equations, speeds and positions by its
-//! constraints, and what hypotheses say beside.
+//! constraints, and the hypotheses.
 
 use crate::letters::circle;
 use model::Trace;

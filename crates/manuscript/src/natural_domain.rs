@@ -1,4 +1,4 @@
-//! Conditions without which an expression has no value: divisors that do not vanish, radicands that are not negative.
+//! The domain of an expression: divisors that do not vanish, radicands that are not negative.
 
 use claims::Condition;
 use symbolic::{Node, Sym};

@@ -1,4 +1,4 @@
-//! Presuppositions of a claim: its hypotheses, and the values that the parts of its formula must have. Where these leave no point, nothing is claimed.
+//! Presuppositions of a claim: its hypotheses, and the domain of its formula. Where these leave no point, the claim is vacuous.
 
 use crate::claim_text::{ClaimText, Kind};
 use crate::conditions::{Hypothesis, assume, conditions};

@@ -1,4 +1,4 @@
-//! The equations of motion where letters rest: what they ask of such a motion, without reactions and accelerations.
+//! The equations of motion where letters rest: the conditions of such a motion, without reactions and accelerations.
 
 use crate::claim_text::ClaimText;
 use crate::conditions::{Hypothesis, assume, conditions};

@@ -1,4 +1,4 @@
-//! The ways in which an expression of the model can be told in the letters of a paper.
+//! Expressions of the model rewritten in the letters of a paper.
 
 use crate::letters::Letters;
 use crate::position_letters::by_position_letters;

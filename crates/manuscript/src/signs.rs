@@ -1,4 +1,4 @@
-//! Signs of expressions, and exact points at which signs are as asked.
+//! Signs of expressions, and exact points at which signs are as required.
 
 use crate::motion::Motion;
 use crate::refutation::{Refutation, exact};

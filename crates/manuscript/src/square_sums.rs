@@ -1,4 +1,4 @@
-//! Expressions as sums of squares and products of what is given: written so, their signs are seen without a search.
+//! Expressions as sums of squares and of products of given conditions, which show their signs without a search.
 
 use crate::line_signs::number;
 use crate::natural_domain::natural_domain;

@@ -1,4 +1,5 @@
-//! Stability of a steady motion: the printed inequality beside the roots of the linear equations, and beside the energy of a conservative system.
+//! Claims on the stability of a steady motion: the printed inequality is compared with the roots of the linear equations, and for a
+//! conservative system with its energy.
 
 use crate::certificate::Record;
 use crate::claim_text::ClaimText;

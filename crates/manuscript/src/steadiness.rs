@@ -1,4 +1,4 @@
-//! Conditions of steady motions.
+//! Claims on conditions of steady motions.
 
 use crate::certificate::Record;
 use crate::claim_text::ClaimText;

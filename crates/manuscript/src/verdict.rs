@@ -1,4 +1,4 @@
-//! Verdicts with their grounds, as a finding holds them.
+//! Writes verdicts with their reasons into findings.
 
 use crate::conditions::Hypothesis;
 use crate::display::{Told, point};

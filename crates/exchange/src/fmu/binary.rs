@@ -1,4 +1,4 @@
-//! The binary of a unit, by the C compiler of this machine.
+//! The binary of a functional mock-up unit, compiled by the C compiler of this computer.
 
 use super::Unit;
 use std::env::consts::{ARCH, DLL_EXTENSION, OS};
@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
-/// Longer sources are compiled faster, and run slower.
+/// The length of sources, in bytes, from which they are compiled with less optimisation.
 const LONG: usize = 300_000;
 
 /// A shared library for this platform.
@@ -20,11 +20,11 @@ pub struct Binary {
 /// Why there is no binary.
 #[derive(Debug)]
 pub enum NoBinary {
-    /// No compiler of this name is found.
+    /// There is no compiler of this name.
     NoCompiler(String),
-    /// The compiler refuses the sources, with its words.
+    /// The compiler refuses the sources, with its message.
     Refused(String),
-    /// It was broken off.
+    /// The compilation was stopped.
     BrokenOff,
     /// A file cannot be written or read.
     Failed(io::Error),
@@ -47,18 +47,18 @@ impl From<io::Error> for NoBinary {
     }
 }
 
-/// This platform as FMI 3.0 calls it.
+/// The name of this platform in FMI 3.0.
 pub fn platform() -> String {
     format!("{ARCH}-{}", if OS == "macos" { "darwin" } else { OS })
 }
 
 impl Binary {
-    /// The place among the binaries.
+    /// The path of the binary in the archive.
     pub(super) fn path(&self, identifier: &str) -> String {
         format!("{}/{identifier}.{DLL_EXTENSION}", platform())
     }
 
-    /// Compiles a unit in an empty folder; it is asked again and again whether this may go on.
+    /// Compiles a unit in an empty folder; `goes_on` is asked repeatedly whether to continue.
     ///
     /// # Errors
     /// Why there is no binary.

@@ -1,4 +1,4 @@
-//! The description of a unit: its variables, what each may be set to, and which of them are states, derivatives and outputs.
+//! The description of a unit: its variables with their causality and variability, and the states, derivatives and outputs among them.
 
 use super::{Unit, Variable};
 use quick_xml::Writer;
@@ -6,7 +6,7 @@ use quick_xml::events::{BytesDecl, Event};
 use std::collections::BTreeSet;
 use std::io;
 
-/// A variable with what the standard says of its kind.
+/// A variable with the attributes of its kind in the standard.
 struct Listed<'a> {
     name: String,
     unit: &'a str,
@@ -53,7 +53,7 @@ impl Unit {
             .chain(self.locals.iter().map(listed(Kind::Local)))
             .chain(self.indicators.iter().map(listed(Kind::Indicator)))
             .collect();
-        // names of the standard give way to those of the system
+        // a name of the standard that the system uses too is changed
         let mut own: Vec<usize> = (0..all.len()).collect();
         own.sort_by_key(|&place| {
             matches!(all[place].kind, Kind::Time | Kind::Derivative(_) | Kind::Local | Kind::Indicator)
@@ -172,7 +172,7 @@ fn measures(xml: &mut Xml, variables: &[Listed<'_>]) -> io::Result<()> {
     })
 }
 
-/// Which variables are outputs, derivatives of states, unknown at first, and indicators of events.
+/// The model structure: outputs, derivatives of states, initial unknowns, event indicators.
 fn structure(xml: &mut Xml, variables: &[Listed<'_>]) -> io::Result<()> {
     let is_derivative = |kind: Kind| matches!(kind, Kind::Derivative(_));
     let is_output = |kind: Kind| kind == Kind::Output;
@@ -198,7 +198,7 @@ fn begun() -> io::Result<Xml> {
     Ok(xml)
 }
 
-/// An attribute without signs that XML has none for.
+/// An attribute without characters that XML cannot contain.
 fn plain(text: &str) -> String {
     text.chars().map(|letter| if letter.is_control() { ' ' } else { letter }).collect()
 }

@@ -1,6 +1,6 @@
 //! A functional mock-up unit of FMI 3.0: its description, its sources, and its binary.
 //!
-//! The functions of the system are C that somebody else has written; the functions of the standard over them stand in `sources/`.
+//! The C functions of the system are given by the caller; the functions of the standard, which call them, stand in `sources/`.
 
 mod binary;
 mod description;
@@ -17,10 +17,10 @@ use std::io::{self, Write};
 #[derive(Clone, Debug)]
 pub struct Variable {
     pub name: String,
-    /// The coherent unit of SI; `1` of a number.
+    /// The coherent unit of SI; `1` for a pure number.
     pub unit: String,
     pub description: String,
-    /// At the start; of what follows from others zero.
+    /// The value at the start; zero for a dependent variable.
     pub value: f64,
 }
 
@@ -42,9 +42,9 @@ pub struct Unit {
     pub inputs: Vec<Variable>,
     /// Outputs of the system.
     pub outputs: Vec<Variable>,
-    /// Quantities behind the outputs that are no outputs of the unit, such as energies.
+    /// Quantities after the outputs that are no outputs of the unit, such as energies.
     pub locals: Vec<Variable>,
-    /// Conditions, then events, as messages call them.
+    /// Conditions, then events, by their names in messages.
     pub indicators: Vec<Variable>,
     /// The functions of the system.
     pub source: String,
@@ -62,7 +62,7 @@ const SOURCES: [(&str, &str); 7] = [
 ];
 
 impl Unit {
-    /// A token that only this unit has.
+    /// The instantiation token, unique to this unit.
     fn token(&self) -> String {
         let mut hasher = SipHasher13::new();
         hasher.write(self.source.as_bytes());

@@ -1,4 +1,4 @@
-//! Edits of different terms together: their changes add up, so that those which make up the residual are found without trying all.
+//! Combined edits of different terms: their changes add up, so that combinations equal to the residual are found without trying all.
 
 use super::edit::Edit;
 use crate::change::EditKind;

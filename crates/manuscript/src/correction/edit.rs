@@ -1,4 +1,4 @@
-//! An edit of a printed formula: a part of its text and what stands there instead.
+//! An edit of a printed formula: a part of its text and the replacement.
 
 use crate::change::EditKind;
 use std::ops::Range;

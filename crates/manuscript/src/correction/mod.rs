@@ -3,8 +3,8 @@
 //! # Overview
 //! * [`places`]: terms, factors, letters, numbers and powers with their places in the print;
 //! * [`exchanges`], [`factors`], [`terms`], [`lost`]: the edits, by their size;
-//! * [`ground`]: letters, points and judge of a formula: of a claim over its model ([`text_claim`], with [`probe`]), or of a recorded equation
-//!   beside what was derived ([`recorded_equation`]);
+//! * [`ground`]: letters, points and judge of a formula: for a claim over its model ([`text_claim`], with [`probe`]), or for a recorded
+//!   equation compared with the derived one ([`recorded_equation`]);
 //! * [`search`]: the edits of the first size at which one is proved.
 
 mod combinations;

@@ -1,4 +1,4 @@
-//! Points of the motion at which a claim must hold: most candidates fail there, before anything is decided exactly.
+//! Test points of the motion at which a claim must hold: most candidates fail there, before any exact decision.
 
 use super::ground::Look;
 use super::samples::Samples;

@@ -1,4 +1,4 @@
-//! An equation that is recorded as expressions, beside what was derived: its print is edited as that of a text claim is.
+//! Corrections of an equation that is recorded as expressions and compared with the derived one, by edits of its print.
 
 use super::edit::Edit;
 use super::ground::{Ground, Look, Proof, cleared};

@@ -1,4 +1,4 @@
-//! The conclusion of a theorem that is refuted as an equation under what is given.
+//! Corrections of a refuted theorem whose conclusion is an equation under hypotheses.
 
 use super::recorded_equation::{LineCorrection, NotRead, conclusion_corrections};
 use super::theorem_premises::Premises;

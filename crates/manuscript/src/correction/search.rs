@@ -1,4 +1,4 @@
-//! The smallest edits of a formula that are proved, on any ground.
+//! The search for the smallest edits of a formula that are proved, for any kind of claim.
 
 use super::combinations::{self, Effect, apart, is_small, size};
 use super::edit::{Edit, is_whole};

@@ -2,7 +2,7 @@
 //!
 //! The letters of the other program have meanings in the model. Its equations are those of the model where each of them vanishes with
 //! the model's accelerations put in, its constraints hold wherever the model's do, it determines all accelerations, and both have as
-//! many degrees of freedom. So it does not matter which combinations of equations it writes, and along which speeds.
+//! many degrees of freedom. The choice of its speeds, and of combinations of its equations, does not matter.
 
 mod differences;
 mod finding;

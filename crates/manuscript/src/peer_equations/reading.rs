@@ -1,6 +1,6 @@
 //! Texts of another program's equations over the symbols of a model.
 //!
-//! The language is that of models, without units: the other program knows none.
+//! The language is that of models, without units, which the other program lacks.
 
 use crate::letters::circle;
 use field::{Analytic, Elementary, Rational, Scalar as _};
