@@ -17,7 +17,7 @@ pub struct Binary {
     pub bytes: Vec<u8>,
 }
 
-/// Why there is no binary.
+/// The reason for which there is no binary.
 #[derive(Debug)]
 pub enum NoBinary {
     /// There is no compiler of this name.
@@ -61,7 +61,7 @@ impl Binary {
     /// Compiles a unit in an empty folder; `goes_on` is asked repeatedly whether to continue.
     ///
     /// # Errors
-    /// Why there is no binary.
+    /// The reason for which there is no binary.
     pub fn of(unit: &Unit, compiler: &str, folder: &Path, goes_on: impl Fn() -> bool) -> Result<Self, NoBinary> {
         for (name, text) in unit.sources() {
             std::fs::write(folder.join(name), text)?;

@@ -1,5 +1,5 @@
-//! Checks for every system that is text: its routes agree, energy goes where forces send it, loads act in pairs and ask for no
-//! observer, what comes with the speeds takes energy, and inertia resists.
+//! Checks for every system in a file: principles agree, the power balance holds, loads act in pairs and do not depend on the
+//! observer, forces that depend on speeds dissipate energy, and the inertia is positive.
 
 mod observer;
 mod passivity;
@@ -33,7 +33,7 @@ pub fn conform(model: &Model) -> Vec<Finding> {
     .collect()
 }
 
-/// The verdict of an agreement, with what it says of.
+/// The verdict on the agreement of principles, with its subject in words.
 fn verdict(found: &Agreement, says: &str) -> PropertyVerdict {
     match found {
         Agreement::Proved { .. } | Agreement::Theorem { .. } => PropertyVerdict::Proved(says.to_owned()),
@@ -43,7 +43,7 @@ fn verdict(found: &Agreement, says: &str) -> PropertyVerdict {
     }
 }
 
-/// Energies and virtual displacements beside bodies with the loads of their joints.
+/// Compares energies and virtual displacements with the equations of bodies with the loads of their joints.
 fn principles(model: &Model) -> PropertyVerdict {
     let trace = Trace::of(model);
     match agreement(&trace, Principle::Lagrange, Principle::NewtonEuler) {

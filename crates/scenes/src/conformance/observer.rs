@@ -1,4 +1,4 @@
-//! Loads between bodies do not depend on the ground: moved along together, in place or in speed, the bodies exert the same loads.
+//! Check that loads between bodies are objective: a common displacement or velocity of all bodies does not change them.
 //!
 //! Where the coordinates let all bodies move alike, along an axis or about it, speeds d give that motion. A load between two of them must be
 //! the same at the speeds u + d, and at positions displaced along d, the speeds with them.
@@ -10,13 +10,13 @@ use model::{Force, FrameId, Material, Model, ScalarId, Torque, Trace, VectorId};
 use nalgebra::{DMatrix, DVector};
 use symbolic::{Sym, apart, substitute_all};
 
-/// States at which the loads are compared.
+/// The number of states at which the loads are compared.
 const STATES: usize = 12;
 
 /// A motion of all bodies together is found where nothing is left of it beyond this part.
 const ALIKE: f64 = 1e-9;
 
-/// A load changes where it does by more than this part of its size.
+/// The relative change above which a load counts as changed.
 const CHANGES: f64 = 1e-6;
 
 /// The displacement of positions, per unit of their size.
@@ -61,7 +61,7 @@ impl Load<'_> {
     }
 }
 
-/// Everything that is compared at a state.
+/// All expressions that are compared at a state.
 struct Compared {
     expressions: Expressions,
     layout: Layout,

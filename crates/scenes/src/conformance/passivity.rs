@@ -1,4 +1,4 @@
-//! Forces that come with the speeds take energy: the check, exact for quadratic forms.
+//! Check of passivity: forces that depend on speeds dissipate energy. The check is exact for quadratic forms.
 
 use super::states::{Expressions, States};
 use crate::letters::Letters;
@@ -9,10 +9,10 @@ use model::{Model, Trace, forces_without_potential};
 use num_traits::Zero;
 use symbolic::{Hypotheses, Sym, apart, decide, substitute_all};
 
-/// States at which the power is looked at.
+/// The number of states at which the power is evaluated.
 const STATES: usize = 2_000;
 
-/// Part of the sum of sizes that counts as rounding.
+/// The part of the sum of the terms' sizes that counts as rounding.
 const ROUNDING: f64 = 1e-11;
 
 /// Positions about the start: near it first, then anywhere about.
@@ -92,7 +92,7 @@ fn is_never_positive(mut form: Vec<Vec<Rational>>) -> bool {
     open.iter().all(|&row| open.iter().all(|&column| sign(form[row][column]) == 0))
 }
 
-/// Looks for a state at which the power is positive.
+/// Searches for a state at which the power is positive.
 fn sampled(trace: &Trace<'_>, forces: &[Sym]) -> PropertyVerdict {
     let model = trace.model;
     let Some(expressions) = Expressions::of(trace, forces) else {
@@ -147,7 +147,7 @@ fn gives(model: &Model, state: &[f64], power: f64) -> String {
     format!("{} W at {}", short(power), shown.collect::<Vec<_>>().join(", "))
 }
 
-/// Four digits.
+/// A number rounded to four digits.
 fn short(value: f64) -> f64 {
     format!("{value:.3e}").parse().unwrap_or(value)
 }

@@ -1,4 +1,4 @@
-//! Expressions of a model at states that are drawn, the same in every run.
+//! Expressions of a model at pseudo-random states, which are equal in every run.
 
 use crate::letters::Letters;
 use crate::readiness::start_of;
@@ -7,7 +7,7 @@ use simulation::ensemble::draw::Draw;
 use std::cell::RefCell;
 use symbolic::{Sym, Tape, substitute_all};
 
-/// Expressions by time and state, conditions as they are there.
+/// Compiled expressions of time and state, with the cases that conditions have there.
 pub(super) struct Expressions {
     tape: Tape,
     conditions: usize,

@@ -1,10 +1,10 @@
-//! The way back onto the constraints of a member of an ensemble, whose parameters are inputs.
+//! The projection onto the constraints for an ensemble member, whose parameters are inputs.
 
 use super::ConstraintProjection;
 use integrators::Projection;
 use std::cell::RefCell;
 
-/// The way back onto the constraints of a member.
+/// The projection onto the constraints for an ensemble member.
 pub(crate) struct OfMember<'a> {
     projection: &'a ConstraintProjection,
     /// The state, then the parameters.

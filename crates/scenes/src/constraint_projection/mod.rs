@@ -1,5 +1,5 @@
-//! The way back onto the constraints f = 0 of a model, and onto their rates. With the residuals r of constraints of positions the coordinates
-//! are displaced by d, then with those of all rates the speeds are changed by d,
+//! Projection onto the constraints f = 0 of a model, and onto their rates. With the residuals r of position constraints the coordinates are
+//! displaced by d, then with those of all rates the speeds are changed by d,
 //!
 //!   d = -W J^T (J W J^T)^-1 r ,
 //!
@@ -7,8 +7,8 @@
 //! which takes twice as long. One factorisation at a state serves all its corrections. Stabilised constraints are not projected;
 //! redundant ones hold with those that imply them.
 //!
-//! A residual is rounding where it is below a few roundings of its size: the root of the squares of its derivatives times coordinates, speeds
-//! and time.
+//! A residual is rounding where it is below a few roundings of its size: the root of the sum of squares of its derivatives times
+//! coordinates, speeds and time.
 
 mod member;
 mod residuals;
@@ -26,30 +26,30 @@ use std::ops::Range;
 use std::sync::{Arc, Mutex, PoisonError};
 use symbolic::{Sym, substitute_all};
 
-/// Residuals of so many roundings of their size are left as they are.
+/// The residual, in roundings of its size, up to which a state is not corrected.
 const LEFT: f64 = 16.0;
 
-/// A state within so many roundings needs no other correction.
+/// The residual, in roundings of its size, at which the correction ends.
 const MET: f64 = 8.0;
 
-/// Corrections of positions and speeds: of the error of a step the first leaves its square, the second rounding.
+/// The largest number of corrections of positions and speeds: the first one leaves the square of a step's error, the second rounding.
 const ROUNDS: usize = 4;
 
-/// The mobility of a speed without inertia, in the largest one of the others: it takes the correction where it can.
+/// The mobility of a speed without inertia relative to the largest other one: such speeds take most of the correction.
 const WITHOUT_INERTIA: f64 = 1e4;
 
-/// The constraints of a model, and the way back onto them.
+/// The projection onto the constraints of a model.
 #[derive(Debug)]
 pub(crate) struct ConstraintProjection {
     layout: Layout,
-    /// The number of components of a state, with the parameters behind them where these are inputs.
+    /// The number of components of a state, plus that of the parameters where these are inputs.
     inputs: usize,
     /// The places of constraints of positions among those of all rates, and the number of the latter.
     positions: Vec<usize>,
     rates: usize,
     /// Residuals of positions, then of all rates.
     residuals: Program,
-    /// The same, the square of the size of each, the entries of J, the diagonal of the mass matrix.
+    /// The residuals, the square of the size of each, the entries of J, the diagonal of the mass matrix.
     all: Program,
     /// Row and column of each entry of J.
     entries: Vec<(usize, usize)>,
@@ -58,12 +58,12 @@ pub(crate) struct ConstraintProjection {
     rooms: Mutex<Vec<Room>>,
 }
 
-/// Room for one state.
+/// Work space for one state.
 #[derive(Debug)]
 struct Room {
     all: Vec<f64>,
     mobilities: Vec<f64>,
-    /// J, row after row.
+    /// J, row by row.
     rows: Vec<f64>,
     matrix: Vec<f64>,
     factors: Factors<f64>,
@@ -72,18 +72,18 @@ struct Room {
 }
 
 impl ConstraintProjection {
-    /// Whether steps of a model end on its constraints: not of one without any that hold, or whose speeds are algebraic.
+    /// Whether steps of a model are projected: not without constraints that hold, nor with algebraic speeds.
     pub fn is_of(model: &Model) -> bool {
         model.algebraic_speeds.is_empty() && model.constraints.iter().any(|one| one.gains.is_none())
     }
 
-    /// With the values of the parameters; none where it is of no use, and where an expression has no value.
+    /// The projection for the values of the parameters; `None` where it is not used, or an expression has no value.
     pub fn of(model: &Model) -> Option<Self> {
         let states = model.positions() + model.speeds();
         ConstraintProjection::over(model, states, |time, state| Letters::with_data(time, state))
     }
 
-    /// Whether constraints of a model hold positions: residuals of others do not grow from themselves.
+    /// Whether a model has position constraints; residuals of other constraints do not grow by themselves.
     pub fn keeps_positions(model: &Model) -> bool {
         ConstraintProjection::is_of(model) && symbolic::apart(|| Kept::of(&Trace::of(model)).hold_positions())
     }
@@ -171,7 +171,7 @@ impl ConstraintProjection {
         [largest(0..self.positions.len()), largest(self.positions.len()..self.count())]
     }
 
-    /// Factors J W J^T; none where it has no numbers.
+    /// Factorises J W J^T; `None` where it is not finite.
     fn factor(&self, room: &mut Room) -> Option<()> {
         let Room { all, mobilities, rows, matrix, factors, .. } = room;
         let (slopes, inertias) = all[2 * self.count()..].split_at(self.entries.len());
@@ -192,7 +192,7 @@ impl ConstraintProjection {
         factors.factor(matrix).ok()
     }
 
-    /// Moves the coordinates, or the speeds, by what the residuals at hand ask for.
+    /// Corrects the coordinates (order 0) or the speeds (order 1) by the present residuals.
     fn correct(&self, order: usize, y: &mut [f64], room: &mut Room) {
         let Room { all, mobilities, rows, factors, right, .. } = room;
         if order == 0 {
@@ -212,7 +212,7 @@ impl ConstraintProjection {
         }
     }
 
-    /// Brings a state back; whether it was moved. One that cannot be brought nearer stays where it is.
+    /// Projects a state, and returns whether it was moved. A state whose residual cannot be reduced is unchanged.
     fn bring(&self, t: f64, y: &mut [f64], room: &mut Room) -> Option<bool> {
         self.all.run(t, y, &mut room.all)?;
         let largest = |[positions, rates]: [f64; 2]| if rates.is_nan() { rates } else { positions.max(rates) };
@@ -252,7 +252,7 @@ impl Projection<f64> for ConstraintProjection {
     fn project(&self, t: f64, y: &mut [f64]) -> bool {
         let taken = self.rooms.lock().unwrap_or_else(PoisonError::into_inner).pop();
         let mut room = taken.unwrap_or_else(|| self.room());
-        // a law may follow more behind the state
+        // a law may have further components behind the state
         let moved = self.bring(t, &mut y[..self.inputs], &mut room);
         self.rooms.lock().unwrap_or_else(PoisonError::into_inner).push(room);
         moved.unwrap_or(false)

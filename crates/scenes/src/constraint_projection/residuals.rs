@@ -1,4 +1,4 @@
-//! Residuals of the constraints that hold along a motion, and the size of what each is put together from.
+//! Residuals of the constraints that hold along a motion, and the scale of the terms of each.
 
 use model::Trace;
 use model::equations::{Equation, Level, constraints_of};
@@ -29,7 +29,7 @@ impl Kept {
         self.0.iter().filter(|constraint| constraint.level == Level::Position)
     }
 
-    /// f of positions, then the rates of all.
+    /// f of the position constraints, then the rates of all constraints.
     pub fn residuals(&self) -> Vec<Sym> {
         let zeros = self.of_positions().map(|constraint| constraint.zero);
         zeros.chain(self.0.iter().map(|constraint| constraint.rate)).collect()

@@ -1,5 +1,5 @@
-//! Members whose law changes at conditions, at events or with contacts, or fast by itself at some times: each runs by itself, with laws of its
-//! own numbers.
+//! Ensemble members whose law changes at conditions, events or contacts, or fast in time: each runs alone, with laws compiled for its
+//! values.
 
 use super::ModelEnsemble;
 use crate::changing_laws::is_watched;
@@ -11,7 +11,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Duration;
 
-/// A member takes as long as it needs: the whole run is ended by its own time.
+/// The time limit of a member: none, since the time of the whole run is limited.
 const UNLIMITED: Duration = Duration::from_secs(1 << 30);
 
 /// All that decides the laws and the events of a model that has any, or whose law changes fast by itself at some times, for its fingerprint;

@@ -1,6 +1,6 @@
-//! A system that is written in its file as an ensemble: parameters, coordinates and speeds of its own for every member.
+//! Ensembles of a system that is written in its file: each member has its own parameters, coordinates and speeds at the start.
 //!
-//! Members of one law run side by side; those whose law changes run one by one (`lone_members.rs`).
+//! Members with one law run in batches; those whose law changes run one by one (`lone_members.rs`).
 
 mod lone_members;
 
@@ -32,13 +32,13 @@ use std::sync::Arc;
 struct ModelEnsemble {
     scene: ModelScene,
     law: Law,
-    /// The way back onto the constraints of members that run side by side.
+    /// The projection onto the constraints for members in a batch.
     projection: Option<ConstraintProjection>,
     start: StartSolver,
-    /// None of a system without closed loops.
+    /// The singular positions; `None` for a system without closed loops.
     singular: Option<SingularPositions>,
     bodies: BodyNumbers,
-    /// Target of each variable.
+    /// The target of each variable.
     targets: Vec<Target>,
 }
 
@@ -46,7 +46,7 @@ struct ModelEnsemble {
 #[derive(Debug)]
 enum Law {
     SideBySide(Box<ParametricLaw>),
-    /// All that decides the laws of members that run by themselves.
+    /// Text that determines the laws of members that run alone, for the fingerprint.
     Alone(String),
 }
 
@@ -70,7 +70,7 @@ pub fn parse_ensemble(name: &str, text: &str) -> Result<EnsembleScene, SceneErro
     parse_ensemble_with(name, text, Given::default())
 }
 
-/// The same, with what a program gives beside the text.
+/// Reads a file with `[coordinates]` and `[ensemble]`, with additional data from a calling program.
 ///
 /// # Errors
 /// All that is wrong with it, each at its place.
@@ -185,7 +185,7 @@ impl ModelEnsemble {
         if model.equilibrium.is_some() {
             return Err(Unmet::NotCompiled(NotCompiled::Changes));
         }
-        // series side by side know no bounds of steps
+        // series of a batch have no step bounds
         let has_haste = !scene.system.law().step_bounds(0.0, scene.run.span).is_empty();
         let law = match laws_of(model, has_haste) {
             Some(laws) => Law::Alone(laws),
@@ -195,14 +195,14 @@ impl ModelEnsemble {
             Law::SideBySide(_) => ConstraintProjection::of_members(model),
             Law::Alone(_) => None,
         };
-        // members may start where other constraints follow from others
+        // members may start where other constraints are redundant
         let start = StartSolver::of(&in_touch(&model.whole()))?;
         let bodies = BodyNumbers::of(model).map_err(Unmet::NotCompiled)?;
         let singular = SingularPositions::of(model, &scene.start);
         Ok(ModelEnsemble { scene, law, projection, start, singular, bodies, targets })
     }
 
-    /// The end of a member as a row shows it.
+    /// The last values of a member for its row.
     fn end(law: &ParametricLaw, [parameters, start]: [&[f64]; 2], time: f64, state: &[f64]) -> Last {
         let energy = |outputs: &[f64]| outputs[outputs.len() - ENERGIES..].iter().sum::<f64>();
         let outputs = law.outputs(time, state, parameters);
@@ -360,7 +360,7 @@ impl ParametricSystem for ModelEnsemble {
     }
 }
 
-/// In a row.
+/// The text of an unmet condition in a row.
 fn told(unmet: &Unmet) -> String {
     match unmet {
         Unmet::Open(open) => open.to_string(),

@@ -1,10 +1,10 @@
-//! The equations of a point of rest, and what is left of them.
+//! The equations of an equilibrium, and their residuals.
 
 use crate::linearisation::{At, Point, VariedEquations};
 use model::equations::Level;
 use nalgebra::{DMatrix, DVector};
 
-/// Residuals below this part of the forces that balance there are rounding.
+/// The residual, relative to the balancing forces, below which it is rounding.
 const MET: f64 = 1e-11;
 
 /// An equation is at least this part as large as the largest one.
@@ -18,7 +18,8 @@ impl VariedEquations {
     }
 }
 
-/// The equations at a point: residuals, their derivatives along directions, by currents and by multipliers, and the size of what balances.
+/// The equations at a point: residuals, their derivatives along directions, by currents and by multipliers, and the sizes of the
+/// balancing terms.
 pub(super) struct Balance {
     /// Directions of free coordinates, columns.
     pub directions: DMatrix<f64>,

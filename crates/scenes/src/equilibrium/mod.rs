@@ -1,14 +1,14 @@
-//! An equilibrium near a guess: coordinates at which nothing accelerates, with every speed zero but those of steady currents.
+//! An equilibrium near a guess: coordinates at which all accelerations vanish, with all speeds zero but steady currents.
 //!
 //!   h(q, u) - Q(q, u) - J^T lambda = 0,    f(q) = 0,    df/dt = 0,    u = D i
 //!
-//! The columns of D are directions of charges for which no equation asks; their rates i are unknowns in the place of such charges.
+//! The columns of D are directions of cyclic charges, on which no equation depends; their rates i are unknowns in place of the charges.
 //!
-//! Newton's method with least changes, by singular values: where equilibria form a family, the nearest one of it is found. Forces are
-//! those of time zero.
+//! The method is Newton's with least changes, by singular values: of a family of equilibria the nearest one is found. Forces are
+//! those at time zero.
 //!
-//! Where constraints hold speeds, every step goes along displacements that they leave: the equilibrium is one that motions from the
-//! start reach. A start that is to be an equilibrium itself may stand elsewhere, where none is reached.
+//! With nonholonomic constraints every step is a displacement that they allow: motions from the start can reach the equilibrium. Where
+//! none is found so, a start that must itself be an equilibrium may lie elsewhere.
 
 mod balance;
 mod ways;
@@ -24,7 +24,7 @@ use nalgebra::DMatrix;
 use symbolic::Dimension;
 use ways::Ways;
 
-/// An equilibrium.
+/// An equilibrium, with information on its uniqueness.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equilibrium {
     /// Coordinates, then speeds, of which steady currents alone are not zero.
@@ -41,7 +41,7 @@ pub struct Equilibrium {
 /// Why there is none.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoEquilibrium {
-    /// A start gives a speed.
+    /// The start has a speed.
     Moves {
         speed: String,
     },
@@ -52,13 +52,13 @@ pub enum NoEquilibrium {
         unit: String,
         is_moved: bool,
     },
-    /// A constraint moves the system, wherever it stands: its rate at rest.
+    /// A constraint drives the system in every position: its rate at rest.
     Driven {
         constraint: String,
         residual: f64,
         unit: String,
     },
-    /// A condition is zero there, or has another law than the one that leads there.
+    /// A condition is zero there, or has another case than in the law that leads there.
     AtCondition {
         switch: usize,
     },
@@ -68,7 +68,7 @@ pub enum NoEquilibrium {
 /// Singular values below this part of the largest one are taken for zero.
 const RANK: f64 = 1e-11;
 
-/// The law of conditions at a guess may be another one where it leads: so often it is sought anew.
+/// The largest number of restarts with the law of the point that was found, where it differs from that of the guess.
 const MOST_LAWS: usize = 8;
 
 /// A point with the law of conditions there.

@@ -1,4 +1,4 @@
-//! Newton's method from a guess to a point of rest, with least changes.
+//! Newton's method from a guess to an equilibrium, with least changes.
 
 use super::RANK;
 use super::balance::Balance;
@@ -7,7 +7,7 @@ use crate::linearisation::{Point, VariedEquations};
 use crate::start::Leaf;
 use nalgebra::{DMatrix, DVector};
 
-/// Steps of Newton's method, each halved up to so often.
+/// The largest number of steps of Newton's method, and of halvings of a step.
 const MOST_STEPS: usize = 100;
 const MOST_HALVES: usize = 30;
 
@@ -22,7 +22,7 @@ const GROWTH: f64 = 1.2;
 /// Multiples of the golden section are spread evenly.
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
-/// Ways from a guess to a point of rest.
+/// The search for an equilibrium from a guess.
 pub(super) struct Ways<'a> {
     pub equations: &'a VariedEquations,
     /// Speeds whose coordinates may move.
@@ -84,7 +84,7 @@ impl Ways<'_> {
             let felt = |part: f64| if part.abs() > f64::EPSILON * step.amax() { part } else { 0.0 };
             let (displaced, currents) = (&system.directions * displaced, self.currents * currents);
             let (displaced, currents) = (displaced.map(felt), currents.map(felt));
-            // a step is not longer than the way that derivatives speak for
+            // a step must stay within the range in which derivatives are valid
             let places = self.free.iter().zip(displaced.iter());
             let far = places.map(|(&place, part)| part.abs() / self.equations.size(&point, place));
             let grown = point.speeds.iter().zip(currents.iter()).map(|(now, part)| part.abs() / (1.0 + now.abs()));

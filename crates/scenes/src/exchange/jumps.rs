@@ -1,4 +1,4 @@
-//! Conditions at which forces jump with a speed: between the two cases such a condition may stay at zero.
+//! Conditions at which forces jump with a speed, such as dry friction: such a condition may stay at zero (sliding mode).
 
 use model::MatrixForm;
 use symbolic::{Derivation, Hypotheses, Sym, normal, substitute_all};

@@ -1,4 +1,4 @@
-//! A text as other simulators run it: its equations with data that may be changed, its events, and what they have no law for.
+//! Export of a text to other simulators: its equations with parameters that can be changed, its events, and refused features.
 
 mod jumps;
 mod refusals;
@@ -26,11 +26,11 @@ pub enum Program {
     Modelica,
 }
 
-/// The error allowed in a step, and the time, of a text that says nothing of its run.
+/// The default tolerance and time span of a text without `[run]`.
 const TOLERANCE: f64 = 1e-8;
 const SPAN: f64 = 10.0;
 
-/// A system with its start, as it is written for others.
+/// A system with its start, ready for export.
 struct Exported<'a> {
     text: &'a SystemText,
     model: Model,
@@ -38,14 +38,14 @@ struct Exported<'a> {
 }
 
 impl<'a> Exported<'a> {
-    /// The system of a text; all that it takes to run it there has values.
+    /// The system of a text, in which all quantities needed for a run have values.
     fn of(text: &'a SystemText) -> Result<Self, SceneError> {
         let model = text.for_equations()?;
         let told = |issue: Issue| told(text, issue);
         if let Some(issue) = refused(&model) {
             return Err(told(issue));
         }
-        // inputs are zero until somebody sets them
+        // inputs are zero until the importer sets them
         let mut closed = Arc::new(model.clone());
         Arc::make_mut(&mut closed).close_inputs();
         let found = ready(&mut closed).map_err(told)?;
@@ -102,7 +102,7 @@ fn run_of(text: &SystemText) -> Option<Run> {
     found
 }
 
-/// A text as a unit of FMI: model exchange and co-simulation. The origin is one line on where it came from, the tool the program.
+/// A text as a functional mock-up unit for model exchange and co-simulation. `origin` is one line on its origin, `tool` the program.
 ///
 /// # Errors
 /// All that is wrong with the text, and what a unit cannot carry, at its place in the file.
@@ -154,7 +154,7 @@ pub fn unit(text: &SystemText, identifier: &str, origin: &str, tool: &str) -> Re
     })
 }
 
-/// A text as a program of another language, with its start; and sentences on what the program leaves out.
+/// A text as a program in another language, with its start; and sentences on omitted features.
 ///
 /// # Errors
 /// All that is wrong with the text, and what the language cannot carry, at its place in the file.

@@ -1,4 +1,4 @@
-//! Parts of a system that other simulators have no law for, each at its place.
+//! Features of a system that cannot be exported, each with its place in the file.
 
 use crate::compiled_system::of_accelerations;
 use model::Model;

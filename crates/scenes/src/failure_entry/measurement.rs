@@ -1,4 +1,4 @@
-//! Runs of an entry with one number varied.
+//! Runs of a catalogue entry with one number varied.
 
 use super::{FailureEntry, MARGIN, Varied};
 use crate::scene::ModelScene;
@@ -9,11 +9,11 @@ use std::ops::ControlFlow;
 pub struct TriedEntry {
     /// Whether it holds.
     pub holds: bool,
-    /// All failures that it shows.
+    /// All failures of the run.
     pub failures: Vec<RunFailure>,
-    /// Why it stopped before its end, where it did.
+    /// The reason for which the run stopped early, where it did.
     pub stopped: Option<String>,
-    /// The last law that it came to, where its law changes.
+    /// The last law of the run, where its law changes.
     pub last_law: Option<String>,
 }
 

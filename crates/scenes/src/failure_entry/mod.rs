@@ -1,4 +1,4 @@
-//! Entries of the catalogue of failure as text: a scene with the table `[failure]`, whose threshold is an expression of its parameters.
+//! Entries of the catalogue of failures as text: a scene with the table `[failure]`, whose threshold is an expression of its parameters.
 //!
 //! ```toml
 //! [failure]
@@ -40,23 +40,23 @@ pub struct FailureEntry {
     pub advice: String,
     /// The quantity that has the threshold.
     pub of: String,
-    /// As the file has it.
+    /// The threshold as written in the file.
     pub formula: String,
-    /// With the data of the file: a fraction, where it is one of few digits.
+    /// The threshold for the data of the file as a fraction, where it is one with few digits.
     pub exact: Option<Rational>,
-    /// The same with its roots and functions.
+    /// The threshold for the data of the file as text, with its roots and functions.
     pub written: String,
-    /// In SI units.
+    /// The threshold in SI units.
     pub threshold: f64,
-    /// Empty for a pure number.
+    /// The unit of the threshold; empty for a pure number.
     pub unit: String,
-    /// The part of the threshold to which runs must agree is one by this number.
+    /// The relative accuracy of the measured threshold is one over this number.
     pub within: u32,
     /// The condition under which a run holds, as the file has it.
     pub margin: Option<String>,
     /// The failure that the run at `fails_at` must show.
     pub expects: Option<FailureKind>,
-    /// In SI units: a run holds at the first, and does not at the second.
+    /// Two values in SI units: a run holds at the first one and fails at the second one.
     pub between: [f64; 2],
     varies: Varied,
     scene: ModelScene,

@@ -13,10 +13,10 @@ use std::collections::BTreeSet;
 use symbolic::{Sym, apart};
 use units::Dimension;
 
-/// The part of a threshold to which runs must agree, where the file says nothing.
+/// The default for `within`.
 const WITHIN: usize = 1_000;
 
-/// Digits of a fraction that a reader compares.
+/// The largest number of digits of a printed fraction.
 const MOST_DIGITS: usize = 24;
 
 /// The keys as they stand in the file.

@@ -1,4 +1,4 @@
-//! Places, axes, normals and inertias of a system as a program of the time and the state.
+//! Places, axes, normals and inertias of a system, compiled as functions of time and state.
 
 use crate::compiled_system::NotCompiled;
 use crate::letters::Letters;
@@ -17,9 +17,9 @@ pub struct Figure {
     /// The axes x, y and z of each frame.
     pub frames: Vec<[Vector3<f64>; 3]>,
     pub touches: Vec<Touch>,
-    /// Forces that stand between no two places, each at a place.
+    /// Forces that do not act between two places, each with its place.
     pub forces: Vec<(usize, Vector3<f64>)>,
-    /// Mass, and the moments xx, yy, zz, xy, xz, yz of each body; zero where it has none.
+    /// The mass, and the entries xx, yy, zz, xy, xz, yz of the inertia tensor of each body; zero where it has none.
     pub inertias: Vec<[f64; 7]>,
     pub gravity: Vector3<f64>,
 }
@@ -27,14 +27,14 @@ pub struct Figure {
 /// A contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touch {
-    /// Its place in the model.
+    /// The index of the contact in the model.
     pub contact: usize,
     pub point: usize,
     pub normal: Vector3<f64>,
     pub gap: f64,
 }
 
-/// The part of the geometry that is no number.
+/// The symbolic part of the geometry.
 #[derive(Debug, Default)]
 pub(super) struct Symbolic {
     pub names: Vec<String>,
@@ -64,7 +64,7 @@ pub(super) struct Recorded {
     contacts: Vec<(usize, usize)>,
 }
 
-/// States about the start at which the structure is looked at.
+/// The number of states near the start from which the structure is found.
 const SAMPLES: u64 = 5;
 /// Trials of the cases of conditions: one may decide another.
 const TRIALS: usize = 4;
@@ -87,7 +87,7 @@ impl Recorded {
         Ok((Recorded { program, states, positions, places, frames, bodies, switches, forces, contacts }, symbolic))
     }
 
-    /// Where everything is.
+    /// The places and directions at a time and a state.
     pub fn figure(&self, time: f64, state: &[f64]) -> Figure {
         let length =
             3 * self.places + 9 * self.frames + 4 * self.contacts.len() + 3 * self.forces.len() + 7 * self.bodies + 3;
@@ -188,7 +188,7 @@ fn written(model: &Model, (time, state): (Sym, &[Sym]), cases: &[Sym]) -> (Symbo
     (symbolic, values.into_iter().map(known).collect())
 }
 
-/// The moments xx, yy, zz, xy, xz, yz of an inertia.
+/// The entries xx, yy, zz, xy, xz, yz of an inertia tensor.
 fn moments(trace: &Trace<'_>, inertia: Option<&Inertia>) -> [Sym; 6] {
     let mut moments = [Sym::ZERO; 6];
     match inertia {

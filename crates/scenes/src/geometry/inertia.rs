@@ -13,7 +13,7 @@ const FLAT: f64 = 1e-3;
 pub struct Ellipsoid {
     /// Along the axes of its frame, each of length one.
     pub axes: [Vector3<f64>; 3],
-    /// In metres; where a body has no mass, those of one kilogram.
+    /// The half axes in metres; for a body without mass those for one kilogram.
     pub lengths: [f64; 3],
     pub has_mass: bool,
 }

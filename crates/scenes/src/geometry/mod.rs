@@ -1,7 +1,7 @@
-//! The geometry of a system: what its places keep whatever moves, and where they are at a time.
+//! The geometry of a system: relations between its places that hold in all states, and their positions at a time.
 //!
-//! The structure is found, not declared: places that keep their coordinates in a frame at several states far from each other are fixed
-//! there. So a link is known by its ends, whether a body, a frame without a mass, or cosines and sines say how it turns.
+//! The structure is found, not declared: places that keep their coordinates in a frame at several distant states are fixed in it.
+//! Thus links are found by their ends, whether a body, a massless frame, or cosines and sines describe their rotation.
 
 mod figure;
 mod inertia;
@@ -26,7 +26,7 @@ pub struct Geometry {
     pub model: Arc<Model>,
     /// Names of places, empty where they have none.
     pub names: Vec<String>,
-    /// The first place of those that are one: by it parts stand there.
+    /// For each place the first one that coincides with it at all times.
     pub first: Vec<usize>,
     /// Places that are fixed in the ground.
     pub ground: Vec<usize>,
@@ -37,7 +37,7 @@ pub struct Geometry {
     pub telescopes: Vec<[usize; 2]>,
     pub elements: Vec<Element>,
     pub rods: Vec<[usize; 2]>,
-    /// Bodies that roll: the radius, and the axis of the body's frame, of a ball none.
+    /// Bodies that roll.
     pub wheels: Vec<Wheel>,
     /// The normal of the plane in which everything moves; none of a system in space.
     pub plane: Option<Vector3<f64>>,

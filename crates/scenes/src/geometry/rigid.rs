@@ -1,4 +1,4 @@
-//! The relations that places keep at all states: fixed in the ground, fixed in a frame together, on a line.
+//! Relations between places that hold in all states: fixed in the ground, fixed together in a frame, on a line.
 
 use super::Wheel;
 use super::figure::{Figure, Symbolic};

@@ -1,4 +1,4 @@
-//! Bodies that roll: a point at which they are said to move keeps its distance from the centre, and is not fixed in them.
+//! Rolling bodies, found by a contact point that keeps its distance from the centre and is not fixed in the body.
 
 use super::Wheel;
 use super::figure::{Figure, Symbolic};

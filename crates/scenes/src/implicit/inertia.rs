@@ -1,4 +1,4 @@
-//! Inertia at general places: whether masses alone determine the accelerations, or with the constraints, or not even these.
+//! The rank of the inertia at general positions: accelerations are determined by masses alone, with constraints, or not at all.
 //!
 //!   M u = 0    or    [ M  J^T ; J  0 ] (u, lambda) = 0    with u that is not zero
 //!

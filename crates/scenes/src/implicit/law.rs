@@ -1,4 +1,4 @@
-//! Equations with unknowns as methods run them: with series and a Jacobian.
+//! The law of a system whose accelerations are solved for, with series and a Jacobian.
 
 use super::slopes::ImplicitSlopes;
 use super::{Implicit, recurrence};

@@ -1,7 +1,7 @@
-//! Accelerations by a solve at each evaluation, with pivots: for systems whose elimination, written down, would be too long, and for
-//! coordinates without inertia that constraints move.
+//! Accelerations by a linear solve with pivoting at each evaluation: for systems whose symbolic elimination would be too long, and
+//! for coordinates without inertia that constraints move.
 //!
-//! One list of expressions serves every method: as machine code and over every field, as series with one factorisation a step, and
+//! One list of expressions serves all methods: as machine code and over every field, as series with one factorisation per step, and
 //! for the Jacobian,
 //!
 //!   A z' = b' - A' z .
@@ -40,7 +40,7 @@ pub(crate) struct Implicit {
     exact: Pool<DoubleDouble>,
 }
 
-/// Room for evaluations that run at the same time.
+/// Work space for concurrent evaluations.
 #[derive(Debug)]
 struct Pool<S>(Mutex<Vec<Room<S>>>);
 
@@ -50,7 +50,7 @@ impl<S> Default for Pool<S> {
     }
 }
 
-/// Room for one evaluation.
+/// Work space for one evaluation.
 #[derive(Debug)]
 struct Room<S> {
     terms: Vec<S>,
@@ -88,7 +88,7 @@ impl Implicit {
         self.model.positions() + self.model.speeds() + self.pattern.size()
     }
 
-    /// The state with the accelerations and the multipliers behind it; no numbers where they are not determined.
+    /// The state, followed by accelerations and multipliers, which are NaN where they are not determined.
     pub fn extend(&self, time: f64, state: &[f64]) -> Vec<f64> {
         let mut extended = state.to_vec();
         extended.resize(self.extended(), f64::NAN);
@@ -103,7 +103,7 @@ impl Implicit {
         extended
     }
 
-    /// Shows the accelerations and the negative multipliers, where they are determined.
+    /// Solves for the accelerations and the negative multipliers, and hands them to `show`; `None` where they are not determined.
     fn solve<S: Magnitude + Running>(
         &self,
         pool: &Pool<S>,

@@ -1,4 +1,4 @@
-//! Equations of motion as series, accelerations and multipliers by one factorisation a step.
+//! Taylor series of the equations of motion, with accelerations and multipliers by one factorisation per step.
 
 use super::{linear_equations, unknown_letters};
 use crate::letters::{Inputs, Letters};

@@ -1,4 +1,4 @@
-//! A prescribed motion at an instant: coordinates that are not prescribed follow from the constraints, currents from the forces that
+//! Completion of a prescribed motion at an instant: the other coordinates follow from the constraints, currents from the forces that
 //! they exert.
 
 use super::currents::Currents;

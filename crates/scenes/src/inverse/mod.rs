@@ -2,8 +2,8 @@
 //!
 //!   M z + h(q, u) - Q(q, u, t, p) - J^T lambda = 0  for p and lambda, with q(t), u = q', z = q'' given
 //!
-//! Coordinates that are not prescribed follow from the constraints of positions, currents from the equations that they act in. The unknown parameters p stand in the forces linearly.
-//! Equations of constraints that follow from others at the first position of the motion are left out: nothing determines their lambda.
+//! Coordinates that are not prescribed follow from position constraints, currents from the equations in which they act. The forces are linear
+//! in the unknown parameters p. Equations of constraints that are redundant at the first position are left out: their lambda is not unique.
 
 mod completion;
 mod currents;

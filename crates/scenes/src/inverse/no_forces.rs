@@ -1,4 +1,4 @@
-//! Why no forces are found for a motion.
+//! Reasons for which no forces are found for a motion.
 
 use crate::compiled_system::NotCompiled;
 use crate::readiness::without_law;
@@ -6,7 +6,7 @@ use model::Model;
 use reader::Issue;
 use std::fmt;
 
-/// Why no forces are found.
+/// The reason for which no forces are found.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoForces {
     NotCompiled(NotCompiled),

@@ -1,4 +1,4 @@
-//! Points of a text about which it is linearised, its inputs, and what the linear equations there say.
+//! Points of linearisation of a text, its inputs, and the eigenvalues and stability there.
 
 use super::points::Instance;
 use super::{Linearisation, NotLinear, Stability, Standing, VariedEquations, eigenvalues};
@@ -7,12 +7,12 @@ use model::Model;
 use reader::Issue;
 use units::nearest;
 
-/// The linear equations about one point, with what they say.
+/// The linear equations about one point, with eigenvalues and stability.
 #[derive(Clone, Debug)]
 pub struct Linear {
     pub linear: Linearisation,
     pub standing: Standing,
-    /// Real and imaginary parts.
+    /// Real and imaginary parts of the eigenvalues, 1/s.
     pub eigenvalues: Vec<[f64; 2]>,
     pub stability: Stability,
 }
@@ -58,8 +58,8 @@ pub fn inputs_of(model: &mut Model, names: &[String]) -> Result<Vec<usize>, Stri
     Ok(places)
 }
 
-/// The start of a model, or an equilibrium near it, with a note on how it was chosen among several; the model leaves out what follows from
-/// other constraints there.
+/// The start of a model, or an equilibrium near it, with a note on the choice among several; redundant constraints are removed from the
+/// model.
 ///
 /// # Errors
 /// Why there is no such point, at its place.

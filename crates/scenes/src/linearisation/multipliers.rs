@@ -53,24 +53,24 @@ pub struct Multipliers {
 pub struct Ones {
     /// Coordinates on which nothing depends.
     pub cyclic: usize,
-    /// The law does not know the time: the motion may begin later.
+    /// Whether the law is autonomous, so that a shift in time gives a multiplier of one.
     pub shift: bool,
-    /// The energy is kept.
+    /// Whether the energy is conserved.
     pub energy: bool,
 }
 
-/// The meaning of multipliers, all that are one for a reason set aside.
+/// The stability by the multipliers, without those that are one for a reason.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Orbit {
-    /// All others lie inside the unit circle.
+    /// All other multipliers lie inside the unit circle.
     Asymptotic,
     /// Number of multipliers outside the unit circle.
     Unstable(usize),
-    /// None lies outside, so many on the circle as far as numbers tell.
+    /// No multiplier lies outside; this number of them lies on the circle within the numerical error.
     Undecided(usize),
 }
 
-/// Why there are no multipliers.
+/// The reason for which there are no multipliers.
 #[derive(Clone, Debug)]
 pub enum NoMultipliers {
     NotCompiled(NotCompiled),

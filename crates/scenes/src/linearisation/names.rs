@@ -1,4 +1,4 @@
-//! Names of what the rows and columns of linear equations are.
+//! Names of the rows and columns of linear equations.
 
 use super::{Linearisation, VariedEquations};
 use model::Model;

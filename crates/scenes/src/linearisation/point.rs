@@ -7,7 +7,7 @@ use std::fmt;
 /// Singular values below this part of the largest one are taken for zero.
 const RANK: f64 = 1e-12;
 
-/// Why accelerations and multipliers are not determined at a point.
+/// The reason for which accelerations and multipliers are not determined at a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Undetermined {
     /// The equations leave some of them open.

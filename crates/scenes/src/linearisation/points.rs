@@ -13,11 +13,11 @@ pub type Instance = (f64, Vec<f64>);
 /// The largest error of a step of the run that leads to an instant.
 const FINE: f64 = 1e-11;
 
-/// Why there is no point at a time.
+/// The reason for which there is no point at a time.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoInstance {
     Failure(Failure),
-    /// The law of the run ends before.
+    /// The law of the run ends before the time.
     Ended {
         time: f64,
         why: String,
@@ -95,13 +95,13 @@ impl Observer<f64> for Seen<'_> {
 /// Motion of the point of a linearisation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Standing {
-    /// Nothing moves, nothing accelerates.
+    /// All speeds and accelerations are zero.
     Equilibrium,
-    /// Nothing moves but charges: currents are steady.
+    /// All speeds are zero but those of charges: currents are steady.
     SteadyCurrents,
-    /// Speeds stay as they are, and so do the linear equations.
+    /// Speeds and the linear equations are constant.
     Steady,
-    /// It moves, and the linear equations with it.
+    /// The point moves, and the linear equations change with it.
     Moving,
 }
 

@@ -1,4 +1,4 @@
-//! The return of a law after a period: it is compared with itself a period later, beside its changes within the period.
+//! Check that a law is periodic: its change over one period is compared with its changes within the period.
 
 use super::{Linearisation, VariedEquations};
 use nalgebra::DMatrix;

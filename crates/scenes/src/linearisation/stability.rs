@@ -1,4 +1,4 @@
-//! Eigenvalues of a linearisation, and what they say of stability.
+//! Eigenvalues of a linearisation, and the linear stability that follows.
 
 use nalgebra::{Complex, DMatrix};
 use std::fmt;
@@ -12,9 +12,9 @@ const ZERO: f64 = 1e-9;
 /// The eigenvalues of a matrix.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spectrum {
-    /// By falling real parts.
+    /// The eigenvalues by falling real parts.
     pub values: Vec<Complex<f64>>,
-    /// Number of zeros of variations that no equation asks for, whose columns are zero, or that never change, whose rows are zero.
+    /// The number of zero eigenvalues of variations on which no equation depends (zero columns), or that never change (zero rows).
     pub idle: usize,
 }
 
@@ -37,18 +37,18 @@ pub fn eigenvalues(matrix: &DMatrix<f64>) -> Spectrum {
     Spectrum { values: all, idle }
 }
 
-/// Verdict of eigenvalues.
+/// The verdict by eigenvalues.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stability {
     /// The point moves: those of an instant decide nothing.
     Moving,
-    /// Number of those with positive real parts.
+    /// The number of eigenvalues with positive real parts.
     Unstable(usize),
-    /// All have negative real parts, but for so many zeros of variations that no equation asks for.
+    /// All eigenvalues have negative real parts, except `idle` zeros of variations on which no equation depends.
     Asymptotic { idle: usize },
-    /// None has a positive real part, so many have none.
+    /// No eigenvalue has a positive real part; this number of them has the real part zero.
     Undecided(usize),
-    /// There are none.
+    /// There are no eigenvalues.
     Nothing,
 }
 
