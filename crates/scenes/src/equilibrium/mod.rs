@@ -38,7 +38,7 @@ pub struct Equilibrium {
     pub is_reached: bool,
 }
 
-/// Why there is none.
+/// The reason for which there is no equilibrium.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoEquilibrium {
     /// The start has a speed.
@@ -82,7 +82,7 @@ fn chosen(equations: &VariedEquations, point: &Point) -> Point {
 /// Currents at the start are those with which the search begins.
 ///
 /// # Errors
-/// Why there is none.
+/// The reason for which there is no equilibrium.
 pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibrium> {
     let layout = Layout::of(model);
     let (n, names) = (layout.speeds(), model.state_names());

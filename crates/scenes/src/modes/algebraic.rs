@@ -1,10 +1,10 @@
-//! Algebraic speeds: those of coordinates without inertia whose laws change at conditions or with diodes.
+//! Algebraic speeds: speeds of coordinates without inertia whose laws change at conditions or with diodes.
 //!
 //!   r_k - sum mu_c J_ck = 0 ,    f_c = 0 ,    i = 0 of a diode that blocks ,    g = 0 of a condition that is held
 //!
-//! are linear in these speeds, in the multipliers mu of the constraints f that hold them, in the voltages across such diodes and in such
-//! switches. A mode may leave a combination of these equations without unknowns, as the one that ties a capacitor to a source behind an
-//! ideal diode. It is a hidden constraint of positions or of speeds with inertia, and its rate takes its place.
+//! are linear in these speeds, in the multipliers mu of the constraints f on them, in the voltages across such diodes and in such
+//! switches. In some modes a combination of these equations has no unknowns, as for a capacitor behind an ideal diode at a source.
+//! The combination is a hidden constraint of positions or of speeds with inertia, and is replaced by its rate.
 
 use super::contacts::letters as reactions;
 use super::held::is_linear;

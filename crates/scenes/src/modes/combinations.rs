@@ -1,10 +1,10 @@
-//! Combinations of phases in which contacts may go on.
+//! Combinations of phases of contacts in which a motion may continue.
 //!
-//! A combination has reactions only where the conditions that they keep, gap'' = 0 of each contact that presses and v' = 0 of each that
-//! sticks, are independent. Of a block on many feet no more than two press at once. Combinations are built contact by contact, and those
-//! whose gaps depend on each other are left out with all that hold them. Then come the tangents: contacts that rest in space together, or on
-//! a wall, hold a body with more reactions than its motion determines: then one of them leans, with friction along what the others leave
-//! open. A contact that does not press, and whose gap depends on those that are kept, is carried.
+//! A combination has unique reactions only where their conditions, gap'' = 0 of each contact that presses and v' = 0 of each that sticks,
+//! are independent. Of the feet of a block at most two press at once. Combinations are built contact by contact, and those with dependent
+//! gaps are left out with all their extensions. Then the tangents follow: contacts at rest in space or on a wall have more reactions than
+//! the motion determines. One of them leans: its friction acts along the directions that the others leave free. A contact that does not
+//! press, and whose gap depends on those of the others, is carried.
 
 use super::contacts::{PARTS, unknown_parts};
 use super::decision::Open;
@@ -19,7 +19,7 @@ const RANK: f64 = 1e-11;
 /// The largest number of combinations that are built.
 const MOST: usize = 20_000;
 
-/// All combinations of phases with independent conditions; none where they are too many.
+/// All combinations of phases with independent conditions; `None` where they are too many.
 pub(super) fn combinations(expansions: &Expansions, instant: &Instant<'_>, open: Open<'_>) -> Option<Vec<Vec<Phase>>> {
     let responses = expansions.responses_of_contacts(instant);
     let mut all = vec![(Vec::new(), Kept::default())];

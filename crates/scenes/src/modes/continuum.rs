@@ -1,7 +1,7 @@
-//! Motions without end from one state: a mode whose equations for the reactions are singular and yet hold.
+//! A continuum of motions from one state: a mode whose equations for the reactions are singular and yet solvable.
 //!
-//! At the critical friction A N = b has a singular A. Where b fits, N + s n holds for every s, A n = 0, and moves the system otherwise for
-//! each. They are a continuum of motions where the conditions of the mode, which are linear in s, leave an interval.
+//! At the critical friction A N = b has a singular A. If the system is solvable, N + s n with A n = 0 is a solution for every s, each with
+//! another motion. They form a continuum of motions where the conditions of the mode, which are linear in s, leave an interval.
 
 use super::expansion::{Accelerations, Expansions, Instant, Reacting};
 use super::mode::{Face, Mode, Phase};
@@ -17,7 +17,7 @@ const DOUBTS: f64 = 16.0;
 /// A change below this part of what changes is rounding.
 const ROUNDED: f64 = 1e-9;
 
-/// Whether contacts that slide in the plane admit motions without end, in a mode whose reactions are not determined.
+/// Whether contacts that slide in the plane admit a continuum of motions, in a mode whose reactions are not determined.
 pub(super) fn is_continuum(expansions: &Expansions, instant: &Instant<'_>, mode: &Mode, touches: &[Touch]) -> bool {
     let slides = |phase: &Phase| matches!(phase, Phase::Slips { .. });
     let in_space = |phase: &Phase| matches!(phase, Phase::Glides { .. } | Phase::Leans { .. });

@@ -1,4 +1,4 @@
-//! The course of a run: its laws, each with the event that led to it.
+//! The sequence of laws of a run, each with the event that led to it.
 
 use super::Moded;
 use integrators::Happening;

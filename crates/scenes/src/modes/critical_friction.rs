@@ -1,12 +1,12 @@
-//! The friction up to which the reactions of contacts are determined, whatever the loads.
+//! The critical friction, below which the reactions of contacts are determined for all loads.
 //!
 //! Contacts in touch have the reactions N with A N = b, where a contact that slides adds its friction to the column of its N:
 //!
 //!   A = W_nn - mu sign(v) W_nt .
 //!
-//! With all coefficients times s the determinant of A is a polynomial in s, positive at s = 0. At its least zero the reactions grow beyond every
-//! bound, and beyond it motions that slide so may be none or several (Painlevé 1895). It is the reciprocal of the largest real eigenvalue of
-//! W_nn^-1 mu sign(v) W_nt; the least one over all sets of contacts that press, and all directions in which they may slide, is shown.
+//! With all coefficients times s the determinant of A is a polynomial in s, positive at s = 0. At its least zero the reactions are unbounded,
+//! and beyond it there may be no motion with this sliding, or several (Painlevé 1895). The zero is the reciprocal of the largest real
+//! eigenvalue of W_nn^-1 mu sign(v) W_nt. The result is the least one over all sets of pressing contacts and all directions of sliding.
 
 use super::contacts::PARTS;
 use super::expansion::{Expansions, Instant, Kind};
@@ -15,7 +15,7 @@ use super::touch::Touch;
 use integrators::eigenvalues;
 use nalgebra::DMatrix;
 
-/// More contacts in touch are not asked: three states of each are combined.
+/// The largest number of contacts in touch: three states of each are combined.
 const MOST: usize = 7;
 
 /// An eigenvalue whose imaginary part is below this part of it is real.

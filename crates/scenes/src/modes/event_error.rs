@@ -1,4 +1,4 @@
-//! The error of the time of an event.
+//! The error of the time of an event, from the residual of its signal.
 
 use super::Current;
 use super::decision::TERMS;

@@ -1,4 +1,4 @@
-//! The course of a run to all digits: by one method in double-double along its laws, event after event.
+//! Reference runs across events: one method in double-double along the sequence of laws of a run.
 
 use super::course::{Crossing, Leg, RunTable, Sets};
 use super::signals::{Fall, GLIDE};

@@ -1,4 +1,4 @@
-//! Contacts that slide in space, and how they come to rest.
+//! Contacts that slide in space, from slip to rest.
 //!
 //! T = -mu |N| v/|v| turns with v, and has no limit where v goes to zero. The speed |v| does not change its sign there, so that signals
 //! watch it from an instant at which it was w in the direction d:
@@ -7,8 +7,8 @@
 //!   1000 w - |v|,  which falls where it has become so fast that a tenth of w is nothing to it,
 //!   v . d,         which falls where v has turned by a right angle, or has come through zero within one step.
 //!
-//! After any of them the watch begins anew, until so little is left of the speed that it is taken away at once: what reactions do in the rest of
-//! the way differs from that by the square of the part that is left.
+//! After any of these falls the watch begins anew, until the remaining speed is small enough to be set to zero at once: the reactions on
+//! the rest of the way would differ by the square of the remaining part.
 
 use super::course::Sets;
 use super::expansion::{Instant, Touching, direction};

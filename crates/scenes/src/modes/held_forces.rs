@@ -1,4 +1,4 @@
-//! Friction in proportion to an unknown, such as a reaction, where it sticks.
+//! Sticking friction whose bound is proportional to an unknown, such as a reaction.
 //!
 //! With a switch s the equations for the unknowns u hold it as
 //!

@@ -1,4 +1,4 @@
-//! Modes of a model: the case of each of its conditions, the law that holds there, and the instants at which it ends.
+//! Modes of a hybrid model: the case of each condition and contact, the law of each mode, and the events that end it.
 
 mod algebraic;
 mod combinations;
@@ -83,7 +83,7 @@ pub struct Modes {
     course: Mutex<Vec<Leg>>,
 }
 
-/// The law in which a run is, and what is known of the zeros of its signals.
+/// The present law of a run, with the sides and tolerances of its signals.
 #[derive(Clone)]
 struct Current {
     moded: Arc<Moded>,
@@ -111,18 +111,18 @@ impl Current {
     }
 }
 
-/// Why a motion does not start.
+/// The reason for which a motion does not start.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Refused {
-    /// No law can be written down.
+    /// There is no law.
     Law(NotCompiled),
-    /// No case of the conditions, or more than one, agrees with the motion that it gives; with the first condition that is at zero.
+    /// No case of the conditions, or more than one, is consistent with its motion; `switch` is the first condition at zero.
     Motion { why: &'static str, switch: Option<usize> },
     /// A contact cannot be at the state.
     Contact(Unfit),
 }
 
-/// The law of a mode, or why there is none.
+/// The law of a mode, or the reason for which there is none.
 type Made = Result<Arc<Moded>, NotCompiled>;
 
 /// The law of a mode, with the signals that end it.

@@ -5,15 +5,15 @@ use model::{Constraint, Model, Sides, Zero};
 /// The case of a condition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Case {
-    /// Its expression is positive.
+    /// The condition's expression is positive.
     On,
-    /// It is negative.
+    /// The condition's expression is negative.
     Off,
-    /// It stays at zero, since either case drives it back: dry friction that sticks.
+    /// The expression stays at zero, since either case drives it back (sliding mode), as for sticking dry friction.
     Held,
-    /// It stays at zero since conditions that are held imply it; its switch takes a part of what keeps them there.
+    /// The expression stays at zero since held conditions imply it; its switch takes a share of their forces.
     Shared,
-    /// The same, and its switch stays at 1 (on) or at 0, since its part would be larger.
+    /// As `Shared`, with the switch at its bound 1 (on) or 0, since its share would exceed it.
     Spent { on: bool },
 }
 
@@ -90,9 +90,9 @@ impl Heading {
 /// The phase of a contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Phase {
-    /// No reaction.
+    /// Not in touch: no reaction.
     Apart,
-    /// In touch, the sliding velocity stays zero, |T| <= mu |N|.
+    /// In touch and sticking: the sliding velocity stays zero, |T| <= mu |N|.
     Sticks(Face),
     /// In touch in space, the sliding velocity stays zero: by friction along the tangents that are `held`, along the others by what else
     /// holds the body.

@@ -1,4 +1,4 @@
-//! Conditions that are multiples of others: a friction pair that is written from either side has one switch.
+//! Conditions that are multiples of others: the two friction forces of a pair, each written with its own condition, have one switch.
 
 use crate::compiled_system::values;
 use field::DoubleDouble;

@@ -1,4 +1,4 @@
-//! The motion after an event that the model declares.
+//! The motion after an event declared in the model.
 
 use super::course::Sets;
 use super::decision::TERMS;

@@ -1,4 +1,4 @@
-//! The cases of many conditions at zero together, by pivots; their number grows like a polynomial of that of conditions.
+//! The cases of many conditions at zero at once, by pivots, whose number grows polynomially with that of conditions.
 //!
 //! The rates g' = a + B s with 0 <= s <= 1, s = 1 where g' > 0 and s = 0 where g' < 0, are a linear complementarity problem. Of
 //! dry friction B = -G R with a semidefinite G and the bounds R of the forces, and criss-cross pivots by one fixed order end (Klafszky

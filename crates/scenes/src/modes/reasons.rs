@@ -1,4 +1,4 @@
-//! Reasons for which a motion does not go on, in words.
+//! Reasons for which a motion does not continue, in words.
 
 use crate::compiled_system::NotCompiled;
 
@@ -18,7 +18,7 @@ pub(crate) const BROKEN: &str = "an event leaves a state that breaks a constrain
 
 pub(super) const STEPS_OVER_REST: &str = "the long steps of bader_deuflhard pass over the instant at which a contact in space comes to rest; radau_5, gauss:4 or rodas_4 find it";
 
-/// Why the law of a case does not hold.
+/// The reason for which the law of a case does not hold.
 pub(super) fn refused(reason: NotCompiled) -> &'static str {
     match reason {
         NotCompiled::NotHeld { .. } => NO_LAW,

@@ -1,4 +1,4 @@
-//! Every regime of contacts and conditions at a state: which of them agree with the motion that they give, and by how much.
+//! All consistent regimes of contacts and conditions at a state, with their margins.
 
 use super::critical_friction::Critical;
 use super::decision::{Decided, Open, SLACKS, TERMS, agreeing, decided};

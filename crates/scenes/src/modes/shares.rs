@@ -1,4 +1,4 @@
-//! The part of each contact where more of them stick than are needed.
+//! The distribution of friction among redundant sticking contacts.
 //!
 //! One set of cases that agrees gives the motion. Conditions at rest that held ones imply then share with these: switches
 //! s = 1/2 + B^T l, cut at 0 and at 1, which is a convex problem with one solution (see the parts of an expansion). Criss-cross pivots

@@ -1,6 +1,6 @@
-//! The law of a mode with integrals of the rates of its signals: what bends a signal then bounds the steps of every method.
+//! The law of a mode with its signals as further states, so that the curvature of a signal limits the step size of every method.
 //!
-//! A block that sticks has accelerations that are zero, and steps without bound, while the force that will move it goes up and down.
+//! A sticking block has zero accelerations, and unlimited steps, while the force that will move it oscillates.
 
 use super::mode::{Case, Mode, Phase};
 use super::signals::{Fall, written};

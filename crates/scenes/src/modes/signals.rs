@@ -1,4 +1,4 @@
-//! The signals of a mode: positive while its law holds, and those of the model's own events.
+//! The signals of a mode, which are positive while its law holds, and those of the model's own events.
 
 use super::Current;
 use super::contacts::{PARTS, friction, number, slides};

@@ -1,4 +1,4 @@
-//! The law of a slip that begins from rest in space, for methods.
+//! The law for the beginning of a slip from rest in space.
 //!
 //! Its direction changes within the time in which the speed with which it is followed doubles. A first step of that length lets a method
 //! see it; and a series in the time has no digits there, since v/|v| divides by a number that is small beside the rate of v.

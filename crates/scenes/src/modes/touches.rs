@@ -1,4 +1,4 @@
-//! The touch of contacts when a run begins, and after its events: open, at rest or sliding; impacts change the speeds.
+//! The state of contacts at the start of a run and after events: open, at rest or sliding, with impacts that change the speeds.
 
 use super::Modes;
 use super::course::Sets;

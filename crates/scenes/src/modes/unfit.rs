@@ -1,4 +1,4 @@
-//! Contacts that cannot be at a state from which a motion should start.
+//! Contacts whose state at the start is not possible.
 
 use super::expansion::{Expansions, Instant, Kind, Touching};
 use super::mode::Case;
@@ -16,7 +16,7 @@ const PULLS: &str =
     "a contact pulls where it should push: its normal does not point to where its gap grows, or nothing moves along it";
 pub(super) const RESTITUTION: &str = "a coefficient of restitution is not between 0 and 1";
 
-/// A contact, and why it cannot be at a state.
+/// A contact that cannot be at a state, with the reason.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unfit {
     pub contact: usize,

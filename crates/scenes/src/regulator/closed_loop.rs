@@ -1,4 +1,4 @@
-//! The closed loop on the nonlinear model: the motion from the start beside the one that is displaced and regulated, and its cost.
+//! The closed loop on the nonlinear model: the reference motion from the start, the displaced and regulated motion, and its cost.
 
 use super::METHOD;
 use super::criterion::opened;

@@ -1,4 +1,4 @@
-//! The reach of inputs: modes of constant equations (Hautus 1969), directions of those that change with the time (Kalman 1960).
+//! Controllability: uncontrollable modes of constant equations (Hautus 1969), the Gramian of time-varying ones (Kalman 1960).
 
 use super::riccati::Stage;
 use integrators::eigenvalues;
@@ -7,7 +7,7 @@ use nalgebra::{Complex, DMatrix};
 /// A singular value below this part of the largest one is zero.
 const RANK: f64 = 1e-10;
 
-/// The reach of the inputs.
+/// The controllability of the linear equations.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Controllability {
     /// Eigenvalues of A that no input changes; none of a controllable system.

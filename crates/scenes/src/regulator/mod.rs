@@ -1,7 +1,7 @@
 //! Optimal regulators: inputs that bring a model back to the motion from its start at the least cost.
 //!
 //! The model is linearised along that motion, Riccati's equation follows from Bellman's, and the gains close the loop on the nonlinear
-//! model. Without a horizon the motion is an equilibrium, or one along which the linear equations stay as they are.
+//! model. Without a horizon the motion is an equilibrium, or one with constant linear equations.
 
 mod closed_loop;
 mod controllability;

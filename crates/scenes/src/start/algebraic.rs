@@ -1,4 +1,4 @@
-//! Algebraic speeds at the start: what the laws of its mode give.
+//! Algebraic speeds at the start, by the laws of the first mode.
 
 use super::given;
 use crate::compiled_system::{CompiledSystem, ImplicitSpeeds};

@@ -1,4 +1,4 @@
-//! The constraints of a model with their derivatives, as a program: what a start must meet, and what a run watches.
+//! The constraints of a model with their derivatives, compiled for starts and for the monitoring of runs.
 
 use super::{MET, Open, Unmet};
 use crate::compiled_system::NotCompiled;

@@ -1,4 +1,4 @@
-//! A start beside another one.
+//! A start displaced from another one.
 
 use super::{Completed, Unmet, consistent};
 use model::{Model, StartValue};

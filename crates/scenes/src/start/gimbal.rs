@@ -1,4 +1,4 @@
-//! Quasi-velocities of a start that its position does not allow: gimbal lock.
+//! Gimbal lock: quasi-velocities of a start that are impossible in its position.
 //!
 //! Where the first and the last of three turns have one axis, two of the three rates turn the body alike, and one direction of its
 //! angular velocity belongs to no rates at all. There a quasi-velocity depends on others of the start, and in positions beside it it

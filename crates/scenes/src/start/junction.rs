@@ -1,4 +1,4 @@
-//! The start of bodies that are joined where they were apart: no momentum is lost.
+//! The start of bodies that become joined, with conservation of momentum.
 //!
 //! Reactions r alone move coordinates and speeds,
 //!
@@ -20,7 +20,7 @@ const MET: f64 = 1e-13;
 /// A sum below this part of its terms is rounding.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// A state moved so that the constraints of a model hold, by the matrix M there; none of free frames, and where M does not determine it.
+/// The state with the constraints of a model satisfied, by the mass matrix M there; `None` with free frames, or where M is singular.
 pub(crate) fn joined(model: &Model, mut state: Vec<f64>, mass: DMatrix<f64>) -> Option<Vec<f64>> {
     if !model.free.is_empty() || !model.start_speeds.is_empty() {
         return None;

@@ -1,5 +1,5 @@
-//! Constraints at the events of a run: coordinates without inertia follow at once after an event that sets the others, and what an event
-//! sets may break none.
+//! Constraints at the events of a run: after an event sets some coordinates, those without inertia follow at once, and no constraint may
+//! be violated.
 
 use super::constraints::{Constraints, Known};
 use super::start_speeds;

@@ -1,4 +1,4 @@
-//! The positions that motions from a place reach where constraints hold speeds.
+//! The positions that motions can reach under constraints of speeds: leaves of integrable constraints.
 //!
 //! Displacements d with J d = 0, one after the other, are all that constraints J u = 0 leave. Where these can be integrated they keep
 //! their constants along any such way, a ball in a bowl its distance from the centre; where they cannot, the way leads everywhere.

@@ -1,4 +1,4 @@
-//! The state at time zero: what the file gives, completed so that every constraint holds.
+//! The state at time zero: the values in the file, completed so that every constraint holds.
 //!
 //! Coordinates that the file does not give, or gives as a guess, are moved by Newton's method with least changes until the position
 //! constraints hold; then speeds are moved until all constraints hold, a linear problem.
@@ -47,19 +47,19 @@ const STAYS: f64 = 32.0 * f64::EPSILON;
 /// Singular values below this part of the largest one are taken for zero.
 const RANK: f64 = 1e-10;
 
-/// Completes starts of a model, whatever values its parameters have.
+/// Completes starts of a model for any values of its parameters.
 #[derive(Debug)]
 pub(crate) struct StartSolver {
     constraints: Option<Constraints>,
-    /// Constraints of what has inertia, and the coordinates that have none.
+    /// The constraints without coordinates that lack inertia, and these coordinates.
     with_inertia: Option<(Option<Constraints>, Vec<usize>)>,
 }
 
-/// A start that meets all constraints.
+/// A start that satisfies all constraints.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Completed {
     pub state: Vec<f64>,
-    /// Equations of constraints that follow from others along every motion from there.
+    /// Equations of constraints that are redundant along every motion from the start.
     pub implied: Vec<[usize; 2]>,
 }
 
@@ -106,7 +106,7 @@ pub(crate) fn given(model: &Model) -> Vec<bool> {
 }
 
 impl StartSolver {
-    /// Writes the constraints down.
+    /// Compiles the constraints.
     ///
     /// # Errors
     /// Where they have no values, or a constraint cannot be completed.
@@ -118,7 +118,7 @@ impl StartSolver {
         Ok(StartSolver { constraints: Constraints::of(model)?, with_inertia })
     }
 
-    /// A state with these parameters and quasi-velocities, where what is not given is moved until the constraints hold.
+    /// Completes a state for some parameters and quasi-velocities: values that are not given are moved until the constraints hold.
     ///
     /// # Errors
     /// The first constraint that cannot be met.
@@ -144,7 +144,7 @@ impl StartSolver {
         by_all(first.state, &kept).or_else(|_| by_all(state, given))
     }
 
-    /// Writes all that decides a completed start beside the given numbers.
+    /// Writes a text that determines a completed start together with the given numbers.
     pub fn write(&self, out: &mut dyn fmt::Write) -> fmt::Result {
         match &self.constraints {
             None => Ok(()),

@@ -1,4 +1,4 @@
-//! Constraints whose gradient vanishes wherever they hold, such as f = g^2 with the gradient 2 g grad g: no reaction keeps them.
+//! Constraints with multiple roots: the gradient vanishes where they hold, as 2 g grad g of f = g^2, and no reaction can enforce them.
 //!
 //! A start meets f up to rounding, and leaves of the gradient what the root of that is: a small number, and not zero. Newton's method on
 //! f alone, from displaced states, tells such a constraint from one at a singular position. It halves g in each step, and

@@ -1,4 +1,4 @@
-//! The end of a run at a singular position: constraints lose their independence there; beyond it there may be several motions, or none.
+//! The end of a run at a singular position, where the constraints become dependent; beyond it there may be several motions, or none.
 //!
 //! With rows of J whose lengths are of the order of one, s = 1/|J^+|, the norm being that of Frobenius, is zero where they depend on
 //! each other, and only there; s^2 is one by the trace of (J J^T)^-1. It falls to zero like the distance from such a position, and

@@ -1,4 +1,4 @@
-//! Reasons why a start does not do.
+//! Reasons for which a start is refused.
 
 use crate::compiled_system::NotCompiled;
 use crate::row_units::measured;
@@ -6,12 +6,12 @@ use model::equations::Level;
 use std::fmt;
 use std::ops::Range;
 
-/// Why a start does not do.
+/// The reason for which a start is refused.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Unmet {
-    /// A constraint does not hold, and nothing that may be moved changes that.
+    /// A constraint does not hold, and values that may be moved do not change that.
     Open(Box<Open>),
-    /// A constraint, where the model has it, that follows from those before it.
+    /// A constraint that is redundant with those before it.
     Redundant { at: Range<usize>, name: String },
     /// A constraint that no coordinate and no speed moves.
     Idle { at: Range<usize>, name: String },
@@ -23,7 +23,7 @@ pub enum Unmet {
     Fixed { at: Range<usize> },
     /// Two constraints that no position meets together, by their places, and what the second leaves where the first holds.
     Contradiction { at: [Range<usize>; 2], residual: f64, unit: String },
-    /// A constraint that is led to zero by more gains, or fewer, than its kind has; where they stand.
+    /// A stabilised constraint with a wrong number of gains; `at` is their place.
     Gains { at: Range<usize>, level: Level, found: usize },
     /// A constraint that is another one in another case of a condition.
     Piecewise(Range<usize>),
@@ -37,7 +37,7 @@ pub struct Open {
     /// Where the model has the constraint.
     pub at: Range<usize>,
     pub name: String,
-    /// The value of what should be zero; none where it has no value.
+    /// The residual; `None` where it is not finite.
     pub residual: Option<f64>,
     pub unit: String,
     /// Whether the residual is that of the rate of a constraint of positions.

@@ -1,7 +1,7 @@
-//! Steady motions along a parameter, or along the speed of a cyclic coordinate: where their number or their stability changes.
+//! Steady motions along a parameter, or along the speed of a cyclic coordinate, with the bifurcations between values.
 //!
-//! At each value all motions are found. Between two values at which they differ, each search being complete, something happens: the values are
-//! brought together until nothing lies between them that can be told apart.
+//! At each value all motions are found. Where the numbers or the stability at two values differ, and both searches are complete, a bifurcation
+//! lies between: the bracket is narrowed as far as motions can be distinguished.
 
 use super::spectrum::{EnclosedSpectrum, EnclosedVerdict};
 use super::stability::SteadyStability;
@@ -23,11 +23,11 @@ pub struct Sample {
 pub enum Change {
     /// Two motions appear or vanish together: a fold, or saddle-node.
     Fold,
-    /// Two appear or vanish beside a third: a pitchfork.
+    /// Two motions appear or vanish at a third: a pitchfork.
     Pitchfork,
-    /// None appears or vanishes; a pair of eigenvalues crosses the imaginary axis: a Hopf bifurcation, or the loss of gyroscopic stability.
+    /// The motions persist; a pair of eigenvalues crosses the imaginary axis: a Hopf bifurcation, or the loss of gyroscopic stability.
     Pair,
-    /// None appears or vanishes; stability is exchanged otherwise.
+    /// The motions persist; their stability changes in another way.
     Exchange,
     /// None appears or vanishes, or becomes stable or unstable: one that is unstable becomes so in more directions, or in fewer.
     Directions,

@@ -21,7 +21,7 @@ const SINGULAR: f64 = 1e-12;
 /// A path of impulses has no more pieces: sliding, sticking or sliding the other way, in compression and in restitution.
 const MOST_PIECES: usize = 8;
 
-/// Why an impact is not decided.
+/// The reason for which an impact is not determined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in super::super) enum NotStruck {
     /// Other contacts in touch take part in it.

@@ -1,4 +1,4 @@
-//! The motion next after an instant in any mode: Taylor coefficients of conditions, switches and events, without compiling its law.
+//! The motion just after an instant in any mode: Taylor coefficients of conditions, switches and events, without compiling its law.
 //!
 //! Accelerations are written down once with every switch and every reaction of a contact as an input. Switches that are held follow
 //! order by order from g' = 0, reactions in touch from gap'' = 0 and v' = 0, which are linear in them.

@@ -1,8 +1,8 @@
-//! Rounding errors by trial, where their bound says nothing.
+//! Rounding errors measured by trials, where their running bound is too wide.
 //!
-//! A running bound of errors grows with every operation, whatever cancels. Accelerations of an arm of five links that are written down by
-//! elimination have a bound larger than themselves, and digits enough. There the state is moved by its rounding, some times, and what is
-//! computed is compared with more digits.
+//! A running bound of errors grows with every operation and ignores cancellation of errors. The accelerations of an arm of five links by
+//! symbolic elimination have a bound larger than themselves, but are accurate. There the state is perturbed by its rounding several
+//! times, and the results are compared with those in double-double.
 
 use super::super::jet::{Jet, ROUNDING};
 use super::{Expansions, ROUNDINGS};

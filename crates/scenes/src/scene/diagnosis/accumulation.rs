@@ -1,4 +1,4 @@
-//! Events that follow each other without end: with times that have a limit, or by the thousand.
+//! Accumulating events: Zeno behaviour, where their times have a limit, and chattering by thousands of events.
 
 use super::samples::Samples;
 use simulation::{FailureKind, RunFailure};

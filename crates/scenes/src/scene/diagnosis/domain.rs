@@ -1,4 +1,4 @@
-//! The edge of the domain of a law: rates that have numbers at the last good state, and none a little further along the motion.
+//! The boundary of a law's domain: rates are finite at the last good state, and undefined a little further along the motion.
 
 use super::samples::Samples;
 use crate::letters::Letters;

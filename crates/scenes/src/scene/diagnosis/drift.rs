@@ -1,4 +1,4 @@
-//! Drift: constraints that a run has come off.
+//! Drift: constraints that a run violates.
 
 use super::samples::Samples;
 use crate::start::KeptConstraints;

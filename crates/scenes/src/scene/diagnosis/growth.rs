@@ -1,4 +1,4 @@
-//! Motions that grow without bound: in finite time, or for ever.
+//! Motions that grow without bound, in finite time (blow-up) or exponentially.
 //!
 //! The time |y|/|y'| in which a component grows by its own size goes to zero like t* - t where it blows up at t*, stays what it is where it
 //! grows exponentially, and is t/p where it grows as t^p.

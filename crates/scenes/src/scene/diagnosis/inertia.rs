@@ -1,4 +1,4 @@
-//! Singular mass matrices: speeds that no inertia resists at a place, of those that the constraints leave.
+//! Singular mass matrices: directions without inertia at a position, among those that the constraints allow.
 //!
 //! With D the sizes of the diagonal of M along the run and Z a basis of the motions that constraints leave, the smallest eigenvalue of
 //! Z^T D^-1 M D^-1 Z is compared with its median along the run: data and units decide nothing. Where the energy is that of bodies,

@@ -1,4 +1,4 @@
-//! Events that a run has passed over: `when` changes its sign between two samples, and no event was told there.
+//! Missed events: `when` changes its sign between two samples, and the run has no event there.
 //!
 //! Samples are states of the run. Between them positions lie on cubic curves; what these show is computed again from the sample before,
 //! and told where the motion itself shows it too. A zero between two of the places that are looked at stays unseen.

@@ -8,7 +8,7 @@
 //!   beyond every number;
 //! * `drift`, `accumulation`, `missed_events`, `pulses`: residuals, event times, events and forces of short duration between the samples.
 //!
-//! All is computed where a run has ended, from its samples: no step of a run does more for it.
+//! All diagnoses are computed after the run from its samples, at no cost during the run.
 
 mod accumulation;
 mod domain;

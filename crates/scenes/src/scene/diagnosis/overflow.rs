@@ -1,4 +1,4 @@
-//! Exponentials beyond every number, or with squares beyond: a law that divides by one may have a value there, and no derivatives.
+//! Overflow of exponentials or of their squares: a law that divides by one may have a value there but no derivatives.
 
 use super::domain::{has_lost_numbers, margin, rates};
 use super::samples::Samples;

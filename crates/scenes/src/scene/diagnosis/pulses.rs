@@ -1,5 +1,4 @@
-//! Forces of short duration that a run has passed over: along the motion between two samples the rates change within a short time, and no
-//! step saw it.
+//! Missed pulses: between two samples the rates change within a short time, and no step of the run has evaluated them there.
 //!
 //! Between samples positions lie on cubic curves, speeds on lines. Rates are looked at there; where their integral is not the change of a
 //! speed, the motion is computed again from the sample before, with steps that are short where the rates change, and told where the next

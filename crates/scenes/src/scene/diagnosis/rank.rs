@@ -1,4 +1,4 @@
-//! Constraints that lose their independence at a position: which, and by how much.
+//! Loss of rank of the constraints at a position, with the dependent constraints.
 
 use super::samples::Samples;
 use crate::start::{Dependence, KeptConstraints, SingularPositions};

@@ -1,4 +1,4 @@
-//! The states that a run has shown, and the cubic curves between them.
+//! The sampled states of a run, with cubic interpolation between them.
 
 use crate::row_units::measured;
 use crate::row_units::unit_of;

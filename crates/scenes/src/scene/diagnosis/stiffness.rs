@@ -1,4 +1,4 @@
-//! Stiffness: steps of an explicit method that stability holds, and not accuracy.
+//! Stiffness: stability, not accuracy, limits the step size of an explicit method.
 
 use super::samples::Samples;
 use crate::modes::Modes;
