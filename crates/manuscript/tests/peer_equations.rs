@@ -1,4 +1,4 @@
-//! Equations of motion of another program beside those of a model.
+//! Equations of motion of another program compared with those of a model.
 
 use claims::Verdict;
 use dalembert_manuscript::{PeerEquations, PeerFinding};

@@ -1,5 +1,5 @@
-//! Every file that the book shows is read and runs to its end; so does every piece of one, put into the file before it, or into the
-//! crane that serves chapters without a file of their own.
+//! Every file in the book is read and runs to its end; so does every fragment of one, inserted into the file before it, or into the
+//! crane model in chapters without a file.
 
 // the motors that scenes name
 use dalembert_scenes::{ModelScene, parse_ensemble};

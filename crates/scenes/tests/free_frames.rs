@@ -1,4 +1,4 @@
-//! Frames that turn freely, beside frames that turn about one axis after the other.
+//! Freely turning frames (quaternions), compared with frames by successive rotations.
 
 use dalembert_scenes::ModelScene;
 use integrators::Method;

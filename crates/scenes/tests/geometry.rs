@@ -1,4 +1,4 @@
-//! Places, links and elements that are found in models, beside closed geometry.
+//! Places, links and elements that are found in models, compared with known geometry.
 
 use dalembert_scenes::ModelScene;
 use dalembert_scenes::geometry::{Figure, Geometry};

@@ -52,7 +52,7 @@ fn learning_without_denial_has_its_first_integral() {
     }
 }
 
-/// Without weight the moment of momentum is M t.
+/// Without weight the angular momentum is M t.
 #[test]
 fn a_loaded_link_without_weight_has_the_moment_of_momentum_of_its_motor() {
     let trajectory = runs("loaded_link", &[("g = \"9.81 m/s^2\"", "g = \"0 m/s^2\"")]);

@@ -1,4 +1,4 @@
-//! Steady motions and equivalences: what is divided by, and the motions that this leaves out.
+//! Steady motions and equivalences: divisors, and the motions that they exclude.
 
 use crate::{on, on_pendulum, verdict};
 

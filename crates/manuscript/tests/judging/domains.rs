@@ -1,4 +1,4 @@
-//! Where a formula has a value: a claim that is proved lists it.
+//! The domain of a formula, which a proved claim lists.
 
 use crate::{Finding, PENDULUM, on, on_pendulum, verdict};
 

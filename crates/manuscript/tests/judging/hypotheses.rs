@@ -1,4 +1,4 @@
-//! Hypotheses of claims, and what they leave.
+//! Hypotheses of claims, and the motions that satisfy them.
 
 use crate::{PENDULUM, on_pendulum, refused, verdict};
 

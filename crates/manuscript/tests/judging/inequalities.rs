@@ -1,4 +1,4 @@
-//! Inequalities of polynomials: squares, discriminants, real roots, and what is given.
+//! Inequalities of polynomials: squares, discriminants, real roots, and given hypotheses.
 
 use crate::{PENDULUM, on, on_pendulum, verdict};
 use dalembert_manuscript::EditKind;

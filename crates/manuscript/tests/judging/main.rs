@@ -1,4 +1,4 @@
-//! Papers of a few lines, and what is found of them.
+//! Findings on papers of a few lines.
 
 mod certificates;
 mod constraints;

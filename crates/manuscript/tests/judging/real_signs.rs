@@ -1,4 +1,4 @@
-//! Signs over real numbers: in one unknown, of roots, by what is given, wherever a formula has a value.
+//! Signs over real numbers: in one unknown, of roots, by hypotheses, on the domain of a formula.
 
 use crate::{PENDULUM, on, on_pendulum, verdict};
 

@@ -1,4 +1,4 @@
-//! Claims about nothing: hypotheses, and the parts of a formula, that no point satisfies together.
+//! Vacuous claims: no point satisfies the hypotheses together with the domain of the formula.
 
 use crate::{PENDULUM, on, refused, verdict};
 

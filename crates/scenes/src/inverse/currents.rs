@@ -1,8 +1,8 @@
 //! Currents under a prescribed motion.
 //!
 //! No equation depends on the charge of a winding. Its current follows from laws without unknowns and rates of currents, such as the law of
-//! a shaft, J z + h = k i + J^T lambda; its rate from the derivative of these laws along the motion, which contains the third derivatives
-//! of prescribed quantities,
+//! a shaft, J z + h = k i + J^T lambda; its rate from the derivative of these laws along the motion, where prescribed quantities enter by
+//! their third derivatives,
 //!
 //!   F(t, q, u, z, lambda) = 0,    F_q u + F_u z + F_z z' + F_lambda lambda' + F_t = 0 ,
 //!

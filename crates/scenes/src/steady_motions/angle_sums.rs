@@ -1,8 +1,8 @@
 //! Sums of angles as the unknowns of a search.
 //!
-//! Angles that turn one body against another occur in sums, as in the directions of the links of an arm. Over a box of the angles each sum takes a
-//! range of its own, wider than what two equations with it have in common; where the sums themselves are divided, each has one range. Whole turns
-//! stay whole turns where both ways between angles and sums have whole factors.
+//! Relative angles occur in sums, as in the directions of the links of an arm. Over a box of the angles the sums in two equations vary
+//! independently, which overestimates their ranges; with the sums as unknowns each has one range. Whole turns correspond to whole turns
+//! where the factors between angles and sums are integers in both directions.
 
 use super::Unknown;
 use algebra::boxes::Zero;

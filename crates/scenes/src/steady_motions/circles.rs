@@ -1,4 +1,4 @@
-//! Angles that occur as points of a circle alone: a whole turn holds everything.
+//! Angles that occur only in sines and cosines, so that one turn contains all values.
 
 use super::Unknown;
 use algebra::boxes::Zero;

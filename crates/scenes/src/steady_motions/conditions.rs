@@ -1,8 +1,8 @@
-//! Laws that change at conditions: each condition holds, fails, or is zero, and then its part of the law lies anywhere between both, as dry
-//! friction does that sticks.
+//! Steady motions with laws that change at conditions: each condition holds, fails, or is zero. At zero its part of the law lies anywhere
+//! between both cases, as for sticking dry friction.
 //!
-//! Where a condition is zero at every rest, as the sign of a speed is, it is zero. Else all three are tried; where the law is the same on
-//! both sides of the condition's zero, as of `abs`, that zero belongs to the sides.
+//! A condition that is zero at every rest, as the sign of a speed is, is set to zero. For others all three cases are tried; where the law
+//! is continuous at the condition's zero, as for `abs`, the zero belongs to both sides.
 
 use super::rows::{Rows, Touching};
 use super::{NoSteadyMotions, Range, Unknown};

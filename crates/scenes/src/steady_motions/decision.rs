@@ -1,5 +1,4 @@
-//! The decision of a search: motions that are alone, families where the equations are fewer than the unknowns or one follows from the others, and
-//! the boxes that neither decides.
+//! The result of a search: isolated motions, families where there are fewer independent equations than unknowns, and undecided boxes.
 
 use super::angle_sums::AngleSums;
 use super::equations::{SteadyEquations, Unknown};

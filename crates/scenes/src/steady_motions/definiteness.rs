@@ -1,4 +1,4 @@
-//! Signs of the eigenvalues of a symmetric matrix that is known within intervals.
+//! Signs of the eigenvalues of a symmetric interval matrix.
 
 use field::Interval;
 use nalgebra::DMatrix;

@@ -1,4 +1,4 @@
-//! Speeds that constraints of speeds determine by the others, by Cramer's rule.
+//! Dependent speeds of nonholonomic constraints in terms of the others, by Cramer's rule.
 
 use algebra::linear::minors;
 use model::Trace;

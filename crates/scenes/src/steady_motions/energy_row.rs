@@ -1,4 +1,4 @@
-//! The equation that the others imply where constraints of speeds hold and the energy is kept.
+//! The equation that is redundant by conservation of energy, for systems with constraints of speeds.
 //!
 //! Without accelerations of independent speeds the power of the residuals is the rate of the energy T + V, which steady motion does not change:
 //! V does not depend on cyclic coordinates, and T, which is never negative, would change at a constant rate forever. So

@@ -1,4 +1,4 @@
-//! Three angles that place a frame, as numbers.
+//! Numerical values of the three angles that orient a frame.
 
 use super::SteadyMotion;
 use model::{Model, StartValue};

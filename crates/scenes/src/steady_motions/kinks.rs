@@ -1,4 +1,4 @@
-//! Motions at the zero of a condition, which the searches on its sides find each for itself: they are one motion.
+//! Motions at the zero of a condition, which the searches on both sides find and which count once.
 
 use super::conditions::Case;
 use super::stability::SteadyStability;

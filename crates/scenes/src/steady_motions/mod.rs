@@ -1,5 +1,5 @@
-//! All steady motions of a model in a box: equilibria, and motions along which cyclic coordinates alone move, each at its own constant
-//! speed. None is missing: [`algebra::boxes`] leaves out boxes in which an equation has no zero, shows zeros, and tells the rest.
+//! All steady motions of a model in a box: equilibria, and motions in which only cyclic coordinates move, at constant speeds. The search is
+//! complete: [`algebra::boxes`] excludes boxes in which an equation has no zero, proves zeros, and reports the undecided rest.
 
 mod along;
 mod angle_sums;

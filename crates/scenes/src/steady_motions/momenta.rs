@@ -1,4 +1,4 @@
-//! Momenta of cyclic coordinates, and the mass matrix, of steady motions.
+//! Momenta of cyclic coordinates and mass matrix at steady motions.
 
 use crate::letters::Letters;
 use model::Trace;

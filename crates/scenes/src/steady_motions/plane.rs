@@ -1,4 +1,5 @@
-//! Steady motions over two parameters, or speeds of cyclic coordinates: all in the middle of each cell, and brackets between cells that differ.
+//! Steady motions over two parameters, or speeds of cyclic coordinates: all motions in the middle of each cell, and brackets of changes
+//! between neighbours.
 
 use super::along::{found_at, kinds};
 use super::{Asked, NoSteadyMotions, Range, SteadyMotions};

@@ -1,4 +1,4 @@
-//! Whether loads have a potential energy, however they are written: springs may stand as forces.
+//! Test for a potential energy of loads, also of springs that are written as forces.
 //!
 //! With the kinetic energy T and without accelerations and reactions the residuals are Q - (T_uq u - T_q). Where Q holds no speeds, and
 //!

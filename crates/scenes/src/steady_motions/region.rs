@@ -1,4 +1,4 @@
-//! Regions of boxes that are not decided, and what numbers tell of each: whether motions merge there, or stand side by side.
+//! Undecided regions of boxes, with a numerical diagnosis of each: merging motions, or a family.
 
 use super::equations::{SteadyEquations, Unknown};
 use algebra::boxes::Zero;

@@ -1,4 +1,4 @@
-//! The search over boxes of unknowns: reactions are determined by positions, where these let them be.
+//! The search over boxes of unknowns, with reactions determined by positions where possible.
 
 use super::SteadyEquations;
 use super::tapes::Tapes;

@@ -1,4 +1,4 @@
-//! Whether a steady motion is stable: by the energy where that is kept and everything rests, else by the linear equations.
+//! Stability of a steady motion: by the energy where it is conserved, else by the linear equations.
 
 use super::definiteness::signs;
 use super::equations::SteadyEquations;

@@ -1,5 +1,4 @@
-//! Equations beyond the number of unknowns: as many as unknowns are solved, independent of one another, the others are fulfilled at their
-//! solutions, or not.
+//! Overdetermined equations: as many independent ones as there are unknowns are solved, and the others are tested at the solutions.
 
 use super::search::independent;
 use super::{Range, Unknown};

@@ -1,4 +1,4 @@
-//! The programs of a search, by its unknowns and then by reactions.
+//! The compiled functions of a search, of its unknowns and then of reactions.
 
 use super::angle_sums::AngleSums;
 use super::{NoSteadyMotions, Unknown};

@@ -1,4 +1,4 @@
-//! Forces, torques, contacts, diodes, freewheels and drives: what bodies do to each other.
+//! Interactions between bodies: forces, torques, contacts, diodes, freewheels and drives.
 
 use super::machines::machine;
 use super::{placed, text_of};

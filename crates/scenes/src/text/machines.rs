@@ -1,7 +1,7 @@
-//! Motors with laws of their own in a drive: those of the program by their names, and `model = "text"` in the letters of a motor.
+//! Motors with their own laws in a drive: those of the program by their names, and `model = "text"` in the letters of a motor.
 //!
-//! A machine knows the angle g = p - W t from the field to its rotor, with the angle p of the motor. Its laws are evaluated once over the
-//! quantities of the drive as letters; what follows are expressions like those that a file may hold itself:
+//! The laws of a machine depend on the angle g = p - W t from the field to its rotor, with the angle p of the motor. They are evaluated once
+//! over the quantities of the drive as letters, which gives expressions such as a file can contain:
 //!
 //!   torque m(g', p') - dU/dg,    for each winding  L i' = v + W psi' - R i - (psi' + c) p' .
 

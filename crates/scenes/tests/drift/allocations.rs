@@ -1,4 +1,4 @@
-//! The way back onto constraints allocates nothing: twice the steps cost no allocation more.
+//! The projection onto constraints does not allocate: twice the steps need no further allocations.
 
 use super::scene;
 use integrators::{Method, Span, Tolerance, integrate};

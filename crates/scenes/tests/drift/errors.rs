@@ -1,4 +1,4 @@
-//! Errors and energies of runs that stay on their constraints, beside those of the same law without a way back.
+//! Errors and energies of runs with projection onto the constraints, compared with runs without it.
 
 use super::{path, plain, scene};
 use integrators::{Method, Observer, Span, System, Tolerance, integrate};

@@ -1,4 +1,4 @@
-//! Events of systems that stay on their constraints.
+//! Events in runs with projection onto the constraints.
 
 use super::parsed;
 use integrators::Method;

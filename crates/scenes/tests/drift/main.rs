@@ -1,4 +1,4 @@
-//! Runs of systems with constraints stay on them: residuals, errors, energies, events, allocations.
+//! Projection onto constraints in runs: residuals, errors, energies, events, allocations.
 
 mod allocations;
 mod errors;

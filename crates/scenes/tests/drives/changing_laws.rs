@@ -1,4 +1,4 @@
-//! Laws without inertia that change: switched circuits without inductances, and points without mass behind dry friction, beside closed
+//! Changing laws without inertia: switched circuits without inductances, and massless points with dry friction, compared with closed
 //! forms.
 
 use super::one_ways::root;

@@ -1,4 +1,4 @@
-//! Point masses that constraints guide: nothing with an inertia resists a turn, and a knife edge determines it.
+//! Point masses on a knife edge: the rotation has no inertia and is determined by the constraint.
 
 use super::{last, runs};
 use dalembert_scenes::ModelScene;

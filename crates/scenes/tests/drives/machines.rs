@@ -1,4 +1,4 @@
-//! Machines from their co-energies and windings, each where it settles beside its closed form.
+//! Machines from their co-energies and windings: steady states compared with closed forms.
 
 use super::{close, last, runs, stored};
 use std::f64::consts::PI;

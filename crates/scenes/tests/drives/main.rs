@@ -1,4 +1,4 @@
-//! Drives and circuits on systems that are text: beside closed forms, and beside the same circuits by energies.
+//! Drives and circuits in scene files, compared with closed forms and with formulations by energies.
 
 mod changing_laws;
 mod circuits;

@@ -1,4 +1,4 @@
-//! Diodes and freewheels: beside closed forms, and by balances that hold whatever conducts.
+//! Diodes and freewheels, compared with closed forms and by balances that hold in every conducting state.
 
 use super::{close, last, runs, stored};
 use dalembert_scenes::ModelScene;

@@ -1,4 +1,4 @@
-//! Motors with laws of their own in a drive: each of the program beside its law as it is compiled, and a text in the letters of a motor.
+//! Motors with their own laws in a drive: each motor of the program compared with its compiled law, and laws as text.
 
 use super::{close, last, runs};
 use dalembert_scenes::ModelScene;
@@ -38,7 +38,7 @@ fn sampled(model: &str) -> Motor {
     catalogue::sampled(model, value, 3).unwrap_or_else(|| panic!("{model}"))
 }
 
-/// Moment and rates of currents at an angle to the field and a slip.
+/// Torque and rates of currents at an angle to the field and a slip.
 fn own_law(motor: &Motor, angle: f64, slip: f64, currents: &[f64]) -> (f64, Vec<f64>) {
     let mut rates = vec![0.0; motor.windings()];
     let (sin, cos) = angle.sin_cos();

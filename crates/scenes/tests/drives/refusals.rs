@@ -1,4 +1,4 @@
-//! Drives that mean nothing, each with one message at its place.
+//! Invalid drives, each with one message at its place.
 
 use super::stored;
 use dalembert_scenes::ModelScene;

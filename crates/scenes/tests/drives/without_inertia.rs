@@ -1,4 +1,4 @@
-//! Coordinates without inertia: circuits without inductances, dampers and springs in series, beside closed forms.
+//! Coordinates without inertia: circuits without inductances, dampers and springs in series, compared with closed forms.
 
 use super::{close, last, runs};
 use dalembert_scenes::ModelScene;

@@ -1,4 +1,4 @@
-//! Whole files.
+//! Fuzz tests of whole files.
 
 use super::texts::{BALL, EVERYTHING, MACHINE, MOTORS};
 use super::{Drawn, changed};

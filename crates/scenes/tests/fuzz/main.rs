@@ -1,5 +1,5 @@
-//! Files that nobody meant: whatever stands in them, they are read or refused with a message at a place, what is read runs or says why
-//! it stops, and nothing panics or takes long.
+//! Fuzz tests of scene files: any file is read or refused with a message at a place, an accepted scene runs or gives the reason of its
+//! stop, and nothing panics or takes long.
 //!
 //! `FUZZ_ROUNDS=100000 cargo test --test fuzz -- --nocapture` tries more of them, and prints the resident memory every 10,000.
 

@@ -1,4 +1,4 @@
-//! Members of an ensemble.
+//! Fuzz tests of ensemble members.
 
 use super::{Drawn, changed};
 use dalembert_scenes::parse_ensemble;

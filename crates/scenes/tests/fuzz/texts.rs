@@ -1,4 +1,4 @@
-//! Texts that are drawn and changed.
+//! Random texts and random changes of texts.
 
 /// A ball on a rough slope in space, beside a rough wall.
 pub const BALL: &str = r#"

@@ -1,4 +1,4 @@
-//! Several dry contacts together.
+//! Several contacts with dry friction.
 
 use super::draws::{DRAWS, Draw, ends_at, on_a_line};
 use super::runs;

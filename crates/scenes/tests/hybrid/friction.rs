@@ -1,4 +1,4 @@
-//! One dry contact: it breaks away, slides, sticks again and grazes, as closed forms say.
+//! One contact with dry friction: breakaway, sliding, sticking and grazing, compared with closed forms.
 
 use super::draws::{DRAWS, Draw, ends_at, first_zero, on_a_line};
 use std::f64::consts::{PI, TAU};

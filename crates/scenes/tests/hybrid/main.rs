@@ -1,4 +1,4 @@
-//! Systems whose law or state changes at events, beside their closed forms.
+//! Systems whose law or state changes at events, compared with closed forms.
 
 mod contacts;
 mod draws;

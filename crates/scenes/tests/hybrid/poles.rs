@@ -1,4 +1,4 @@
-//! Events at positions that coordinates do not describe, where the law has no numbers.
+//! Events at singular positions of the coordinates, where the law is undefined.
 
 use dalembert_scenes::ModelScene;
 use integrators::Method;

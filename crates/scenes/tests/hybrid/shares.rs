@@ -1,4 +1,4 @@
-//! More dry contacts than speeds: the motion is determined, and the contacts share what holds it.
+//! More frictional contacts than speeds: the motion is determined, and the contacts share the forces.
 
 use super::draws::{Draw, ends_at, on_a_line};
 use std::fmt::Write;

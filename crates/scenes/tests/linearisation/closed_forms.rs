@@ -1,4 +1,4 @@
-//! Linear equations beside closed forms and published figures.
+//! Linear equations compared with closed forms and published values.
 
 use super::{CART, linear, scene, stored};
 use dalembert_scenes::equilibrium_of;

@@ -1,4 +1,4 @@
-//! Linear equations beside the law that runs and beside states on the constraints.
+//! Linear equations compared with differences of the law and of states on the constraints.
 
 use super::{CART, linear, scene, stored};
 use dalembert_scenes::linearisation::{Linearisation, Point, Standing, VariedEquations};

@@ -1,4 +1,4 @@
-//! Points of rest.
+//! Equilibria.
 
 use super::{CART, scene, stored};
 use dalembert_scenes::linearisation::VariedEquations;

@@ -1,4 +1,4 @@
-//! Forces for a motion.
+//! Inverse dynamics: forces for a prescribed motion.
 
 use super::stored;
 use dalembert_scenes::inverse::inverse;

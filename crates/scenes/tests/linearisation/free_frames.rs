@@ -1,4 +1,4 @@
-//! Frames that turn freely.
+//! Linearisation with freely turning frames.
 
 use super::{linear, scene};
 use dalembert_scenes::ModelScene;
@@ -7,7 +7,7 @@ use integrators::Ode;
 use nalgebra::{DMatrix, DVector};
 use simulation::{Axes, IvpScene};
 
-/// A symmetric top about a fixed point, A and C its moments there, in a frame that turns freely.
+/// A symmetric top about a fixed point, in a freely turning frame; A and C are its moments of inertia about that point.
 const FREE_TOP: &str = "title = \"A top\"\ngravity = \"-g*N.z\"\n[parameters]\nm = \"1.5 kg\"\nl = \"0.2 m\"\nA = \"0.09 kg m^2\"\nC = \"0.01 kg m^2\"\n\
     g = \"9.81 m/s^2\"\nk = \"0 N m s\"\n[coordinates]\n[frames]\nF = \"N free\"\n[bodies.top]\nframe = \"F\"\ncentre = \"O + l*F.z\"\nmass = \"m\"\n\
     inertia = { principal = [\"A - m*l^2\", \"A - m*l^2\", \"C\"] }\n[[torque]]\non = \"top\"\nis = \"-k*angular_velocity(top)\"\n\

@@ -1,4 +1,4 @@
-//! Instants of a run: across its events, and not beyond its end.
+//! Linearisation at instants of a run: across its events, and up to its end.
 
 use super::{scene, stored};
 use dalembert_scenes::linearisation::points::{NoInstance, along};

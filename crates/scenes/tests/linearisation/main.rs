@@ -1,4 +1,4 @@
-//! Linear equations, equilibria and inverse dynamics of systems that are text, beside closed forms and beside the equations that run.
+//! Linear equations, equilibria and inverse dynamics of scene files, compared with closed forms and with the compiled equations.
 
 mod closed_forms;
 mod differences;

@@ -1,4 +1,4 @@
-//! Floquet multipliers of periodic motions beside closed forms.
+//! Floquet multipliers of periodic motions compared with closed forms.
 
 use dalembert_scenes::ModelScene;
 use dalembert_scenes::linearisation::{Multipliers, NoMultipliers, Orbit};

@@ -1,4 +1,4 @@
-//! Outputs that hold reactions: their derivatives along the constraints.
+//! Outputs that depend on reactions: their derivatives along the constraints.
 
 use super::{linear, scene};
 use dalembert_scenes::start_of;

@@ -1,4 +1,4 @@
-//! Points of rest with steady currents: charges for which no equation asks grow.
+//! Equilibria with steady currents, in which cyclic charges grow.
 
 use super::scene;
 use dalembert_scenes::linearisation::{Stability, Standing, VariedEquations, eigenvalues};

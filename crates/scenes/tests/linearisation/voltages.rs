@@ -1,4 +1,4 @@
-//! Voltages for a motion: currents follow from the torques that they exert, beside closed forms and beside runs.
+//! Voltages for a prescribed motion: currents follow from their torques, compared with closed forms and runs.
 
 use dalembert_scenes::inverse::{Forces, inverse};
 use dalembert_scenes::linearisation::VariedEquations;

@@ -1,4 +1,4 @@
-//! Members whose law holds exponentials.
+//! Ensemble members with exponentials in their law.
 
 use crate::{ensemble, rows};
 

@@ -1,4 +1,4 @@
-//! Members with frames that turn freely.
+//! Ensemble members with freely turning frames.
 
 use crate::{ensemble, rows, rows_are_runs, with};
 

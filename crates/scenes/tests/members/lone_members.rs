@@ -1,4 +1,4 @@
-//! Members whose law changes at events, with contacts or diodes: each is the run of a file with its numbers.
+//! Ensemble members whose law changes at events, contacts or diodes: each equals the run of a file with its values.
 
 use super::{ensemble, rows, text, with};
 use dalembert_scenes::ModelScene;

@@ -1,4 +1,4 @@
-//! Ensembles of systems that are text: each member is the run of a file with its numbers, whoever runs beside it.
+//! Ensembles of scene files: each member equals the run of a file with its values, in any batch.
 
 mod exponentials;
 mod free_frames;

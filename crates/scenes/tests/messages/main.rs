@@ -1,4 +1,4 @@
-//! A file whose system is wrong gets one message for each cause, at its place, with what would be accepted.
+//! Messages on faulty files: one for each cause, at its place, with the accepted values.
 
 mod expressions;
 mod speeds;

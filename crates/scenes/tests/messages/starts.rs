@@ -1,4 +1,4 @@
-//! Starts, constraints, laws that cannot run.
+//! Messages on starts, constraints, and laws that cannot run.
 
 use super::{messages, one};
 

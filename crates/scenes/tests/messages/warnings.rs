@@ -1,4 +1,4 @@
-//! Texts that are accepted and perhaps mean something else.
+//! Warnings of accepted texts that may not mean what their author intended.
 
 use super::SOUND;
 use dalembert_scenes::ModelScene;

@@ -1,4 +1,4 @@
-//! `conform` on systems that are text: what is sound passes, and each mistake is found by its check.
+//! `conform` on scene files: sound systems pass, and each mistake is found by its check.
 
 use super::{all, path};
 use claims::finding::{Finding, PropertyVerdict};

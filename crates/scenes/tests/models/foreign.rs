@@ -1,4 +1,4 @@
-//! Problems of public collections and reports, beside the figures that stand there.
+//! Problems of public collections and reports, compared with the published values.
 
 use super::{folder, open};
 use dalembert_scenes::ModelScene;

@@ -1,4 +1,4 @@
-//! Every treatment of the constraints of a model, beside its own motion.
+//! Every formulation of a model's constraints, compared with its own motion.
 
 use super::open;
 use dalembert_scenes::ModelScene;

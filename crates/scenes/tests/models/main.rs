@@ -1,4 +1,4 @@
-//! Systems as text: read, proved, run, beside closed forms and beside what must stay what it is.
+//! Scene files: read, proved, run, and compared with closed forms and conserved quantities.
 
 mod bodies;
 mod conformity;

@@ -1,4 +1,4 @@
-//! Outputs with conditions of their own: they show cases, and the law stays one.
+//! Outputs with their own conditions, which do not split the law into modes.
 
 use dalembert_scenes::ModelScene;
 use integrators::Method;

@@ -1,4 +1,4 @@
-//! Places at which a law has no value: no run goes on behind one and calls its numbers a motion.
+//! Poles of a law: no run continues behind one and reports its numbers as a motion.
 
 use super::parsed;
 use integrators::Method;

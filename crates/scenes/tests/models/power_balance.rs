@@ -1,4 +1,4 @@
-//! The work that a run meters, beside closed forms, and beside the energy of every system that is shown.
+//! The work of loads along a run, compared with closed forms and with the energies of the project's scenes.
 
 use super::{going_on, open};
 use dalembert_scenes::ModelScene;

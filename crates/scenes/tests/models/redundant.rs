@@ -1,4 +1,4 @@
-//! Constraints that follow from others: named, without a reaction, and no obstacle to a run, a member or linear equations.
+//! Redundant constraints: reported, without a reaction, and no obstacle to a run, an ensemble member or linear equations.
 
 use dalembert_scenes::linearisation::{VariedEquations, eigenvalues};
 use dalembert_scenes::{ModelScene, independent_start, parse_ensemble};

@@ -196,7 +196,7 @@ fn a_top_precesses_and_sleeps_however_space_is_turned() {
     }
 }
 
-/// Where a set of angles is singular its equations lose their moments: no rest is found there that is none.
+/// At a singular position of a set of angles the equations lose a torque balance: the search reports no false equilibrium there.
 #[test]
 fn poles_of_the_angles_are_no_motions() {
     let text = "title = \"Body\"\ngravity = \"-(10 m/s^2)*N.z\"\n[frames]\nF = \"N free\"\n[points]\nG = \"O + (10 cm)*F.x + (5 cm)*F.y + (2 cm)*F.z\"\n\

@@ -1,7 +1,7 @@
 //! Motions that grow without bound, in finite time (blow-up) or exponentially.
 //!
-//! The time |y|/|y'| in which a component grows by its own size goes to zero like t* - t where it blows up at t*, stays what it is where it
-//! grows exponentially, and is t/p where it grows as t^p.
+//! The time |y|/|y'| in which a component grows by its own size goes to zero like t* - t where it blows up at t*, is constant for exponential
+//! growth, and is t/p for growth as t^p.
 
 use super::samples::Samples;
 use integrators::Ode;

@@ -1,7 +1,7 @@
 //! Missed events: `when` changes its sign between two samples, and the run has no event there.
 //!
-//! Samples are states of the run. Between them positions lie on cubic curves; what these show is computed again from the sample before,
-//! and told where the motion itself shows it too. A zero between two of the places that are looked at stays unseen.
+//! Between samples, which are states of the run, positions are interpolated by cubics. Where these show an event, the motion is computed
+//! again from the sample before, and the event is reported if the motion has it too. A zero between two tested places stays unseen.
 
 use super::samples::Samples;
 use crate::letters::Letters;

@@ -1,11 +1,11 @@
 //! The diagnosis of a run of a text system: its failures by their standard names, each with evidence and a remedy.
 //!
 //! # Overview
-//! * `recorded`: the states that a run has shown, with what lies between them;
-//! * `reasons`: failures that the reason of an ended law names by itself;
-//! * `inertia`: singular charts and mass matrices; `rank`: constraints that depend on each other;
-//! * `stiffness`, `growth`, `domain`: steps held by stability, motions that grow without bound, laws that end; `overflow`: exponentials
-//!   beyond every number;
+//! * `samples`: the sampled states of a run, with interpolation between them;
+//! * `reasons`: failures that follow from the reason for which a law ended;
+//! * `inertia`: singular charts and mass matrices; `rank`: dependent constraints;
+//! * `stiffness`, `growth`, `domain`: step sizes limited by stability, motions that grow without bound, laws that end; `overflow`:
+//!   exponentials beyond the range of double precision;
 //! * `drift`, `accumulation`, `missed_events`, `pulses`: residuals, event times, events and forces of short duration between the samples.
 //!
 //! All diagnoses are computed after the run from its samples, at no cost during the run.

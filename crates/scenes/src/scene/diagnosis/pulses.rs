@@ -1,8 +1,8 @@
 //! Missed pulses: between two samples the rates change within a short time, and no step of the run has evaluated them there.
 //!
-//! Between samples positions lie on cubic curves, speeds on lines. Rates are looked at there; where their integral is not the change of a
-//! speed, the motion is computed again from the sample before, with steps that are short where the rates change, and told where the next
-//! sample of the run differs. A pulse that is shorter than the distance of two looks stays unseen.
+//! Between samples positions are interpolated by cubics, speeds linearly, and rates are evaluated there. Where their integral is not the
+//! change of a speed, the motion is computed again from the sample before, with short steps where the rates change. The pulse is reported
+//! if the next sample of the run differs. A pulse shorter than the distance of two evaluations stays unseen.
 
 use super::samples::Samples;
 use crate::changing_laws::is_watched;

@@ -1,4 +1,4 @@
-//! Failures that the reason of an ended law names by itself.
+//! Failures that follow directly from the reason for which a law ended.
 
 use super::samples::Samples;
 use super::{accumulation, rank};

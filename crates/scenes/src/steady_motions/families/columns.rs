@@ -1,4 +1,4 @@
-//! The unknowns that equations determine by the others: columns with the largest pivots.
+//! The choice of dependent unknowns of a family: columns with the largest pivots.
 
 /// As many columns as rows, each with the largest pivot that is left; those beyond the divided ones come first. None where the rows are
 /// dependent.

@@ -1,4 +1,4 @@
-//! Where stability changes along one parameter: exactly, by the roots of the last coefficient and of Hurwitz' determinant.
+//! Exact boundaries of stability along one parameter, by the roots of the last coefficient and of Hurwitz' determinant.
 //!
 //! The characteristic polynomial has fractions of polynomials in the parameter as coefficients. A real eigenvalue crosses the axis where its
 //! last coefficient vanishes, a pair where Hurwitz' determinant of order n - 1 does (Orlando); between two such places, and poles, the

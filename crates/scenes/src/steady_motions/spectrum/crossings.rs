@@ -1,4 +1,4 @@
-//! Values at which a verdict of enclosed eigenvalues changes, each between two values with different verdicts.
+//! Brackets of the parameter values at which the verdict of enclosed eigenvalues changes.
 
 use super::{EnclosedSpectrum, EnclosedVerdict, NotEnclosed};
 

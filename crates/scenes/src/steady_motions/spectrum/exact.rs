@@ -1,4 +1,4 @@
-//! The same with fractions: Routh's criterion at a motion whose numbers are decimals, where every derivative there is a fraction.
+//! Exact Routh criterion at a motion whose values are decimals, and at which every derivative is rational.
 
 use super::reduction::{Layout, Pivot, Reduced, solved, whole};
 use crate::linearisation::{AllSlopes, VariedEquations};

@@ -1,4 +1,4 @@
-//! Eigenvalues of the linear equations at a steady motion, enclosed: zeros that have reasons are set apart, every other one lies in a disc.
+//! Enclosed eigenvalues of the linear equations at a steady motion: zeros with known reasons are split off, every other one lies in a disc.
 //!
 //! The motion is known by Krawczyk's operator, to thirty digits. So are the linear equations there without coordinates on which nothing
 //! depends, and their characteristic polynomial; as many of its last coefficients vanish as zeros have reasons.

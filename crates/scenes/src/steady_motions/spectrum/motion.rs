@@ -1,4 +1,4 @@
-//! A steady motion as numbers of thirty digits: everything that the varied equations ask for.
+//! A steady motion enclosed to thirty digits: all values on which the varied equations depend.
 
 use super::reduction::{solved, whole};
 use crate::linearisation::{AllSlopes, VariedEquations};

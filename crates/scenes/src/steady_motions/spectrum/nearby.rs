@@ -1,4 +1,4 @@
-//! Eigenvalues at a state about which there is a steady motion.
+//! Enclosed eigenvalues at the steady motion near a state.
 
 use super::along::{ExactAlong, along};
 use super::{EnclosedSpectrum, MOST_STATES, NotEnclosed, layout};

@@ -1,8 +1,8 @@
-//! Eigenvalues that are zero for a reason.
+//! Zero eigenvalues and their reasons: cyclic coordinates, conserved quantities, families, constraints of speeds.
 //!
-//! The linear equations keep the differential of everything that motions keep, so that each kept momentum of a cyclic coordinate, and the
-//! energy, is a left null vector where its differential does not vanish. Where a system with constraints of speeds rests, rates of
-//! displacements depend on fewer speeds than there are displacements: positions of rest stand side by side.
+//! The linear equations conserve the differential of every first integral: each conserved momentum of a cyclic coordinate, and the energy,
+//! gives a left null vector where its differential does not vanish. At an equilibrium with constraints of speeds the rates of displacements
+//! depend on fewer speeds than there are displacements: equilibria form a family.
 
 use super::reduction::{Matrix, Reduced, independent};
 use crate::linearisation::AllSlopes;
