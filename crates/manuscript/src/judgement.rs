@@ -32,7 +32,7 @@ use reader::{Issue, SceneError};
 use symbolic::{Sym, decide};
 
 impl PaperText {
-    /// Decides every claim, in the order of the file, and looks for the correction of each one that is refuted.
+    /// Judges every claim, in the order of the file, and searches for corrections of refuted ones.
     ///
     /// # Errors
     /// All that is wrong with the system, the meanings of letters and the formulas, each at its place.
@@ -40,8 +40,8 @@ impl PaperText {
         self.judge_each(|_| (), || true)
     }
 
-    /// The same: all findings so far are told whenever there is something new. Corrections, which are looked for when every claim has its
-    /// verdict, are looked for as long as `goes_on` allows.
+    /// Judges every claim, and hands all findings so far to `told` whenever one is new. Corrections are searched for when every claim has its
+    /// verdict, as long as `goes_on` allows.
     ///
     /// # Errors
     /// As those of [`PaperText::judge`].
@@ -53,7 +53,7 @@ impl PaperText {
         judged(self, false, told, goes_on)
     }
 
-    /// The same: each finding has the certificate of its verdict.
+    /// Judges every claim as `judge_each` does, with the certificate of each verdict.
     ///
     /// # Errors
     /// As those of [`PaperText::judge`].

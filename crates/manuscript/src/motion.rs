@@ -41,7 +41,7 @@ impl<'t, 'm> Motion<'t, 'm> {
         motion
     }
 
-    /// The same where rates vanish, which may leave dependent ones of them without a divisor.
+    /// The motion for vanishing rates, for which dependent rates may need no divisor.
     pub fn at_rest(trace: &'t Trace<'m>, rates: &[(Sym, Sym)]) -> Self {
         let mut motion = Motion::without_anything(trace);
         motion.set(rates.to_vec());

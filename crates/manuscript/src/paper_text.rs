@@ -96,7 +96,7 @@ impl PaperText {
         (self.system.name != self.path).then(|| Path::new(&self.system.name))
     }
 
-    /// The same claims about the system of another text, which has the name of its own.
+    /// The paper with the system of another text, under the name of the present one.
     #[must_use]
     pub fn with_model(mut self, text: String) -> Self {
         self.system.text = text;

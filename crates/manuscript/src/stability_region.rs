@@ -47,7 +47,7 @@ pub(crate) struct Region {
     /// Whether the energy is kept beyond the linear equations.
     pub is_lagrangian: bool,
     has_momenta: bool,
-    /// Where its conditions are written down.
+    /// The characteristic polynomial, where conditions on its roots are available.
     pub roots: Option<Characteristic>,
     /// Present for a conservative system.
     pub energy: Option<EnergyForm>,
@@ -97,7 +97,7 @@ impl Region {
         }
     }
 
-    /// In a sentence, where the conditions of a theorem hold.
+    /// The sentence on stability where the conditions of a theorem hold.
     pub fn told(&self, theorem: Theorem) -> String {
         match theorem {
             Theorem::Hurwitz => "all roots have negative real parts, so that the motion is asymptotically stable".to_owned(),
@@ -121,7 +121,7 @@ impl Region {
         }
     }
 
-    /// The same of a point.
+    /// The sentence on stability at a point.
     pub fn told_stable(&self, by_roots: bool) -> String {
         let of_roots = self.criteria.iter().find(|one| one.theorem.is_of_roots()).filter(|_| by_roots);
         match of_roots {

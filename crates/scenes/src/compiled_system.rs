@@ -112,7 +112,7 @@ impl CompiledSystem {
     /// Derives the equations and compiles them; `mode` has the case of each switch.
     ///
     /// # Errors
-    /// Why there is no law that runs.
+    /// The reason for which there is no law.
     pub fn of(model: &Arc<Model>, mode: &Mode) -> Result<Self, NotCompiled> {
         CompiledSystem::has_equations(model)?;
         if Elimination::of(model) == Elimination::Solved {
@@ -139,7 +139,7 @@ impl CompiledSystem {
     /// The system at a start from which no motion continues, or several do: the law with open contacts, which no run follows.
     ///
     /// # Errors
-    /// Why there is no such law.
+    /// The reason for which there is no such law.
     pub fn without_motion(model: &Arc<Model>) -> Result<Self, NotCompiled> {
         let apart = CompiledSystem::of(model, &Mode::off(model))?;
         Ok(CompiledSystem { without_value: symbolic::apart(|| of_motion(model)), ..apart })

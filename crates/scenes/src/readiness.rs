@@ -73,7 +73,7 @@ pub(crate) fn ready(model: &mut Arc<Model>) -> Result<Ready, Issue> {
 /// The state at time zero: as the file gives it, completed so that constraints hold; or an equilibrium, where it asks for one.
 ///
 /// # Errors
-/// Why there is none, at its place.
+/// The reason for which there is no start, at its place in the file.
 pub fn start_of(model: &Model) -> Result<Vec<f64>, Issue> {
     completed(model).map(|completed| completed.state)
 }
@@ -92,7 +92,7 @@ pub(crate) fn completed(model: &Model) -> Result<Completed, Issue> {
 /// warnings to it.
 ///
 /// # Errors
-/// Why there is none, at its place.
+/// The reason for which there is no start, at its place in the file.
 pub fn independent_start(model: &mut Model) -> Result<Vec<f64>, Issue> {
     let completed = completed(model)?;
     leave_out(model, &completed);
@@ -102,7 +102,7 @@ pub fn independent_start(model: &mut Model) -> Result<Vec<f64>, Issue> {
 /// Removes the equations of constraints that are redundant at a state at which the model may start.
 ///
 /// # Errors
-/// Why it may not.
+/// The reason for which the model cannot start there.
 pub fn independent_at(model: &mut Model, state: &[f64]) -> Result<(), Issue> {
     let found = consistent(&starting(model, state)).map_err(|unmet| unmet_at(model, unmet))?;
     leave_out(model, &found);
@@ -230,7 +230,7 @@ pub(crate) fn changes(model: &Model, what: &str) -> Issue {
 /// The equilibrium near the coordinates at the start, all of which may move; speeds at the start are ignored.
 ///
 /// # Errors
-/// Why there is none.
+/// The reason for which there is no equilibrium.
 pub fn equilibrium_of(model: &Model) -> Result<Equilibrium, Issue> {
     sought(model, true)
 }

@@ -108,7 +108,7 @@ impl ModelScene {
         ModelScene::parse_with(name, text, Given::default())
     }
 
-    /// The same, with what a program gives beside the text.
+    /// Reads a file, with additional data from a calling program.
     ///
     /// # Errors
     /// All faults of the file, each at its place.
@@ -204,7 +204,7 @@ impl ModelScene {
 }
 
 impl ModelScene {
-    /// The same scene with other numbers: a model, its law at its start, and the start.
+    /// The scene with another model, its law at the start, and that start.
     pub(crate) fn with(&self, model: Arc<Model>, system: Arc<CompiledSystem>, start: Vec<f64>) -> Self {
         let ModelScene { title, description, run, events, condition_lines, domains, knowledge, .. } = self;
         let (title, description) = (title.clone(), description.clone());
@@ -226,7 +226,7 @@ impl ModelScene {
         }
     }
 
-    /// The same scene with a run of another length.
+    /// The scene with a run of another length, s.
     pub(crate) fn with_span(&self, span: f64) -> Self {
         let mut scene = self.with(Arc::clone(&self.model), Arc::clone(&self.system), self.start.clone());
         scene.run.span = span;

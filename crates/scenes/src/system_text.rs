@@ -79,7 +79,7 @@ impl SystemText {
     /// The system for judging statements, with further outputs: the quantities of the statements.
     ///
     /// # Errors
-    /// The same, and all that is wrong with these outputs.
+    /// All faults of the system and of these outputs, and constraints that contradict each other.
     pub fn for_judgement_with(&self, outputs: Vec<Entry>) -> Result<Model, SceneError> {
         let (_, model, _) = parse_with(&self.name, &self.text, Task::Write, outputs)?;
         let mut model = self.with_its_values(model)?;

@@ -124,7 +124,7 @@ impl Typesetter {
     }
 }
 
-/// The same with fewer digits of its spaces, hundredths of an em: a page holds thousands of them.
+/// MathML with its spaces rounded to hundredths of an em: a page has thousands of them.
 fn shortened(mathml: &str) -> String {
     let shorter = [("0.16666667em", ".17em"), ("0.1667em", ".17em"), ("0.2222em", ".22em"), ("0.2777778em", ".28em")];
     let spaces = shorter.into_iter().fold(mathml.to_owned(), |all, (long, short)| all.replace(long, short));

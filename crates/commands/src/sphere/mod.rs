@@ -30,7 +30,7 @@ const VIEW: (f64, f64) = (35.0, 25.0);
 #[derive(Default)]
 pub struct Stationary {
     cones: Vec<Cone>,
-    /// The same cones, drawn.
+    /// The drawings of the cones.
     cases: Vec<Option<Case>>,
     maps: Option<Vec<Areas>>,
 }

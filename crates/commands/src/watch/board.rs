@@ -1,4 +1,4 @@
-//! The parts of the page as they stand, each with the version in which it changed; whoever shows the page asks for what is newer.
+//! The current parts of the page, each with the version of its last change; open pages ask for newer parts.
 
 use charts::page::live::{Part, Shown};
 use serde_json::{Map, Value, json};
@@ -34,7 +34,7 @@ struct Entry {
 
 /// News for a page.
 pub enum News {
-    /// Everything is in this version: one object for the page's script.
+    /// The parts that changed, as one object for the page's script, with the new version.
     Version(u64, Value),
     /// Nothing changed meanwhile.
     None,
@@ -57,7 +57,7 @@ impl Board {
         let before = entry.shown.clone();
         change(&mut entry.shown);
         for text in [&mut entry.shown.content, &mut entry.shown.fault] {
-            // nothing of a file acts on its reader
+            // texts of the file are made harmless
             if let Cow::Owned(visible) = charts::visible(text) {
                 *text = visible;
             }
@@ -86,7 +86,7 @@ impl Board {
         }
     }
 
-    /// Tells every page that the session is over.
+    /// Ends the session for every open page.
     pub fn end(&self) {
         self.locked().has_ended = true;
         self.changed.notify_all();
@@ -99,7 +99,7 @@ impl Board {
         (state.version, parts.collect())
     }
 
-    /// The change since a version, waited for so long.
+    /// The changes since a version, after waiting for one at most `patience`.
     pub fn since(&self, version: u64, patience: Duration) -> News {
         let state = self.locked();
         let waits = |state: &mut State| state.version <= version && !state.has_ended;

@@ -27,7 +27,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
-/// Which file is to be shown, and where.
+/// Arguments of `watch`.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// A scene, or a paper with [[claim]], that is shown as it is saved: equations, verdicts, the run, errors where the text is wrong
@@ -51,7 +51,7 @@ pub struct Asked {
 }
 
 impl Asked {
-    /// Whether what there is at the end of the time is kept.
+    /// Whether partial results are kept at the end of the time.
     pub fn keeps(&self) -> Keeps {
         match self.stage {
             None | Some(Stage::Motion) => Keeps::Part,
@@ -60,7 +60,7 @@ impl Asked {
     }
 }
 
-/// Pages that are open are told of the end within so long.
+/// The time within which open pages learn of the end.
 const FAREWELL: Duration = Duration::from_millis(60);
 
 /// Shows the file until Ctrl-C, or saves its page.

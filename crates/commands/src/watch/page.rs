@@ -1,4 +1,4 @@
-//! The board as a page: as a server gives it, and as a file.
+//! The board rendered as a page, for the server and as a file.
 
 use super::board::Board;
 use crate::output::Maker;

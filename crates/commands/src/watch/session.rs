@@ -1,4 +1,4 @@
-//! A session: the file is followed, its stages are started, stopped and told to the board, and sliders change its text in memory.
+//! A session: it follows the file, starts and stops the stages, writes their results to the board, and applies sliders to the text in memory.
 
 use super::board::Board;
 use super::followed_file::FollowedFile;
@@ -17,13 +17,13 @@ use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::{Duration, Instant};
 
-/// The interval at which the file is looked at.
+/// The interval at which the file is checked.
 const LOOK: Duration = Duration::from_millis(40);
 
 /// News for a session.
 pub enum Message {
     Worker(WorkerNews),
-    /// Values of sliders, in the place of all before.
+    /// Values of sliders, which replace all earlier ones.
     Values(Map<String, Value>),
 }
 
@@ -37,7 +37,7 @@ impl From<WorkerNews> for Message {
 pub struct Session {
     file: FollowedFile,
     board: StagedBoard,
-    /// Seconds of each stage.
+    /// The time limit of each stage, s.
     budget: u32,
     sender: Sender<Message>,
     news: Receiver<Message>,
@@ -96,7 +96,7 @@ impl Session {
         self.workers.clear();
     }
 
-    /// Does all stages of the file as it is now; whether every part came to its end.
+    /// Runs all stages for the present file; returns whether every part was completed.
     ///
     /// # Errors
     /// The message that refuses the text.
@@ -130,7 +130,7 @@ impl Session {
         }
     }
 
-    /// A new content of the file: what was at work is stopped.
+    /// Takes a new content of the file, and stops the running stages.
     fn renew(&mut self, content: Result<String, SceneError>) {
         self.workers.clear();
         self.refused.clear();
@@ -173,7 +173,7 @@ impl Session {
         }
     }
 
-    /// The text can be read: the stages that apply to it follow.
+    /// Starts the stages that apply to a text that could be read.
     fn go_on(&mut self, stages: &[Stage]) {
         self.is_read = true;
         self.data = if stages.contains(&Stage::Motion) { data(&self.text) } else { Vec::new() };
@@ -186,7 +186,7 @@ impl Session {
         }
     }
 
-    /// A stage has told all that it will.
+    /// Handles the end of a stage.
     fn end(&mut self, worker: Worker, beside: &str) {
         let (stage, number) = (worker.stage, worker.number);
         let status = worker.status();

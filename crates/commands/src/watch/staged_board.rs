@@ -1,4 +1,4 @@
-//! The board as stages change it: which parts a stage tells, and what happens to them when the stage begins, ends, or fails.
+//! Changes of the board by stages: the parts of each stage, and their states when the stage begins, ends, or fails.
 
 use super::board::Board;
 use super::stage::Stage;
@@ -7,10 +7,10 @@ use charts::page::live::{self, Freshness, Part, Shown};
 use serde_json::{Map, Value};
 use std::sync::Arc;
 
-/// The board as stages change it.
+/// The board with the changes that stages make.
 pub struct StagedBoard(Arc<Board>);
 
-/// The parts that a stage tells; the first one shows its faults.
+/// The parts that a stage computes; the first one shows its faults.
 fn parts(stage: Stage) -> &'static [Part] {
     match stage {
         Stage::System => &[Part::Equations, Part::Vectors],

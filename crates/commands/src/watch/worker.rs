@@ -1,4 +1,4 @@
-//! A stage at work in a process of its own, which ends with its handle.
+//! A stage that runs in a process of its own, which is killed when its handle is dropped.
 
 use super::stage::Stage;
 use super::told::{Given, Told};
@@ -21,12 +21,12 @@ pub enum WorkerEvent {
     Silent(String),
 }
 
-/// A process that is stopped when this goes.
+/// A process that is killed when this is dropped.
 pub struct Worker {
     pub stage: Stage,
     pub number: u64,
     child: Child,
-    /// Open as long as the process is to live.
+    /// The input of the process, which ends when this is closed.
     input: Option<ChildStdin>,
 }
 
@@ -36,7 +36,7 @@ pub struct Order<'a> {
     pub number: u64,
     pub path: &'a Path,
     pub text: String,
-    /// Seconds that it may take.
+    /// The time limit, s.
     pub budget: u32,
 }
 
@@ -76,7 +76,7 @@ impl Worker {
             // a session that is over hears nothing
             let _ = sender.send(WorkerNews { number, event: WorkerEvent::Silent(beside) }.into());
         })?;
-        // a process that ended at once tells why by its status
+        // a failure to write is ignored: the status of a process that ended at once has the reason
         let _ = worker.input.as_mut().map(|input| input.write_all(given.as_bytes()).and_then(|()| input.flush()));
         Ok(worker)
     }

@@ -69,7 +69,7 @@ pub(super) fn pairs(effects: &[Effect], residual: &[f64]) -> Vec<Vec<Edit>> {
     by_size(found)
 }
 
-/// The same for three edits.
+/// Triples of edits that stand apart and whose changes add up to the opposite of the residual, the smallest edits first.
 pub(super) fn triples(effects: &[Effect], residual: &[f64]) -> Vec<Vec<Edit>> {
     let effects = &effects[..effects.len().min(MOST_IN_THREES)];
     let sorted = Sorted::of(effects);
@@ -132,7 +132,7 @@ impl<'a> Sorted<'a> {
         Sorted { effects, order }
     }
 
-    /// Those with this change.
+    /// The places of effects with a given change, within rounding.
     fn near<'c>(&'c self, sought: &'c [f64], sizes: &'c [f64]) -> impl Iterator<Item = usize> + 'c {
         let width = ROUNDING * (1.0 + sizes[0].abs() + sought[0].abs());
         let change = |place: usize| &self.effects[place].change;

@@ -11,7 +11,7 @@ use std::ops::Range;
 /// Printed numbers are exchanged for quotients of numbers up to this one.
 const MOST: i64 = 12;
 
-/// All of them, in the order of the formula.
+/// All exchanges, in the order of the formula.
 pub(super) fn exchanges(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<Edit> {
     let mut all = signs(places, text);
     all.extend(functions(places, text));

@@ -6,7 +6,7 @@ use std::ops::Range;
 
 /// A term of a sum, or a product that stands alone.
 pub(super) struct Summand {
-    /// Where its sign stands, and the sign; none of a first term that is positive.
+    /// The place of the sign, and the sign; `None` for a positive first term.
     pub sign: Option<(usize, char)>,
     /// Without its sign.
     pub span: Range<usize>,
@@ -57,7 +57,7 @@ pub(super) struct Places {
 }
 
 impl Places {
-    /// Those of a statement that was read from this text.
+    /// The places of a statement that was read from this text.
     pub fn of(statement: &Statement, text: &str) -> Self {
         let mut finder = Finder { text, found: Places::default() };
         let sides = statement.chains.iter().flat_map(|chain| &chain.sides);

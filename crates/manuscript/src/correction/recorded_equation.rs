@@ -24,11 +24,11 @@ pub struct LineCorrection {
     pub line: Line,
 }
 
-/// Why a recorded equation has no print to be edited.
+/// The reason for which a recorded equation has no print that can be edited.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NotRead(pub String);
 
-/// The smallest edits by which an equation, which is not what was derived, becomes it: each is proved under the hypotheses.
+/// The smallest edits that turn an equation into the derived one: each is proved under the hypotheses.
 ///
 /// # Errors
 /// The LaTeX of the equation is not read back as the equation.
@@ -43,7 +43,7 @@ pub fn line_corrections(
     ground.corrections()
 }
 
-/// The same of a conclusion in which letters stand for other expressions.
+/// The smallest edits of a conclusion in which letters stand for other expressions.
 pub(super) fn conclusion_corrections(
     stand_for: &[(Sym, Sym)],
     line: &Line,

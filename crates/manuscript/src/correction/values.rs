@@ -16,7 +16,7 @@ const MOST_TERMS: usize = 3;
 /// Letters, numbers and signs that a value may have.
 const MOST_WEIGHT: usize = 64;
 
-/// The same of a value for a printed zero.
+/// Letters, numbers and signs, and terms, that a value in place of a printed zero may have.
 const MOST_WEIGHT_FOR_ZERO: usize = 120;
 const MOST_TERMS_FOR_ZERO: usize = 8;
 

@@ -21,7 +21,7 @@ pub(crate) struct ImplicitSpeeds {
 }
 
 impl ImplicitSpeeds {
-    /// Those of a mode; none where each of its speeds has an expression.
+    /// The implicit speeds of a mode; `None` where each algebraic speed has an expression.
     pub fn of(model: &Model, mode: &Mode) -> Result<Option<Self>, NotCompiled> {
         let places = apart(|| -> Result<Vec<usize>, NotCompiled> {
             let trace = Trace::of(model);

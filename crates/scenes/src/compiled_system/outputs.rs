@@ -63,7 +63,7 @@ pub(crate) fn determined(trace: &Trace<'_>, mode: &Mode, mut all: Vec<Sym>) -> V
     all
 }
 
-/// The same where accelerations and multipliers are inputs of their own.
+/// The outputs and energies, with accelerations and multipliers as further inputs.
 pub(crate) fn outputs_of_solved(model: &Model, letters: Letters<'_>, unknowns: &[Sym]) -> Vec<Sym> {
     let trace = Trace::of(model);
     let shown = model.outputs.iter().map(|output| trace.scalar(output.is));

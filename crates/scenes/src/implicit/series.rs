@@ -20,7 +20,7 @@ pub(crate) fn recurrence(model: &Model, least: usize) -> Option<Expandable> {
     })
 }
 
-/// The same with a last state that grows at a rate of its own, an expression over the letters of the trace.
+/// The series of a model with a further last state, whose rate is an expression over the letters of the trace.
 pub(crate) fn recurrence_with(
     model: &Model,
     least: usize,

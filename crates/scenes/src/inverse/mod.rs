@@ -53,7 +53,7 @@ const RANK: f64 = 1e-10;
 /// The forces at times, which rise.
 ///
 /// # Errors
-/// Why there are none.
+/// The reason for which there are no forces.
 pub fn inverse(
     model: &Model,
     motions: &[PrescribedMotion],

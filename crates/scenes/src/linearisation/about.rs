@@ -21,7 +21,7 @@ impl VariedEquations {
     /// About a state at a time.
     ///
     /// # Errors
-    /// Why there are none.
+    /// The reason for which there are no linear equations.
     pub fn about(&self, time: f64, state: &[f64]) -> Result<Linear, NotLinear> {
         let linear = self.linearised(self.point(time, state))?;
         let standing = self.standing(&linear)?;
@@ -62,7 +62,7 @@ pub fn inputs_of(model: &mut Model, names: &[String]) -> Result<Vec<usize>, Stri
 /// model.
 ///
 /// # Errors
-/// Why there is no such point, at its place.
+/// The reason for which there is no such point, at its place in the file.
 pub fn point_of(model: &mut Model, equilibrium: bool) -> Result<(Instance, Option<String>), Issue> {
     if !equilibrium {
         return independent_start(model).map(|state| ((0.0, state), None));

@@ -15,7 +15,7 @@ use symbolic::{Dimension, Sym, substitute_all};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
     pub time: f64,
-    /// Those of free frames, quaternions, stand last.
+    /// The coordinates; the quaternions of free frames stand last.
     pub coordinates: DVector<f64>,
     /// Rates of coordinates, then angular velocities of free frames.
     pub speeds: DVector<f64>,
@@ -40,7 +40,7 @@ pub struct Known {
     pub of: String,
     /// The unit of its multiplier: power per rate of the constraint.
     pub unit: String,
-    /// Whether it is led to zero, and not kept there.
+    /// Whether the constraint is stabilised by gains, not held exactly.
     pub is_programmed: bool,
     /// Whether it is an equation of motion without accelerations: inputs stand in it as in others.
     pub is_law: bool,
@@ -99,7 +99,7 @@ pub struct VariedEquations {
     /// Speeds, constraints, inputs, outputs, switches.
     pub(super) sizes: [usize; 5],
     pub(super) layout: Layout,
-    /// Those of positions that are kept, those of speeds that are kept, those that are led to zero.
+    /// The constraints: holonomic ones, then those of speeds, then stabilised ones.
     pub constraints: Vec<Known>,
     /// Parameters that are inputs, then the inputs of the model, by their names.
     pub inputs: Vec<String>,
@@ -115,7 +115,7 @@ impl VariedEquations {
     /// Some parameters, by their places, are inputs beside those of the model.
     ///
     /// # Errors
-    /// Why there are no equations with numbers.
+    /// The reason for which there are no equations with numbers.
     pub fn of(model: &Model, parameters: &[usize]) -> Result<Self, NotCompiled> {
         let all: Vec<usize> = (0..model.inputs.len()).collect();
         VariedEquations::with_inputs(model, parameters, &all)
@@ -124,7 +124,7 @@ impl VariedEquations {
     /// The same where some inputs of the model alone, by their places, are inputs; others are their values, with all derivatives of these.
     ///
     /// # Errors
-    /// Why there are no equations with numbers.
+    /// The reason for which there are no equations with numbers.
     pub fn with_inputs(model: &Model, parameters: &[usize], inputs: &[usize]) -> Result<Self, NotCompiled> {
         has_values_but(model, parameters)?;
         if !model.contacts.is_empty() {

@@ -60,7 +60,7 @@ impl Linearisation {
     }
 }
 
-/// Why there is no linearisation.
+/// The reason for which there is no linearisation.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NotLinear {
     /// The equations do not determine accelerations and reactions.
@@ -128,7 +128,7 @@ impl VariedEquations {
     /// About a point, whose accelerations and multipliers are found first.
     ///
     /// # Errors
-    /// Why there is none.
+    /// The reason for which there is no linearisation.
     pub fn linearised(&self, point: Point) -> Result<Linearisation, NotLinear> {
         let point = self.with_accelerations(point).map_err(NotLinear::Undetermined)?;
         if let Some(switch) = self.undecided_switch(&point) {

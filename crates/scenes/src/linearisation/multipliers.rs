@@ -116,7 +116,7 @@ impl Multipliers {
     /// Multipliers of the motion from the start of a scene, which returns after a period.
     ///
     /// # Errors
-    /// Why there are none.
+    /// The reason for which there are no multipliers.
     pub fn of(scene: &ModelScene, period: f64) -> Result<Self, NoMultipliers> {
         let model = &*scene.model;
         if is_watched(model) {
@@ -194,7 +194,7 @@ impl Multipliers {
         Ok(Multipliers { period, linear, monodromy, values, error, distance, ones })
     }
 
-    /// Those that no reason makes one: of all, as many nearest to one as have reasons are left out.
+    /// The multipliers without those that are one for a reason: for each reason the one nearest to one is left out.
     pub fn others(&self) -> Vec<[f64; 2]> {
         let mut rest = self.values.clone();
         let ones = self.ones.cyclic + usize::from(self.ones.shift) + usize::from(self.ones.energy);

@@ -44,7 +44,7 @@ impl fmt::Display for NoInstance {
 /// States of the run at times, by its own method, whose tolerance is made finer where it is coarse: across its events, up to its end.
 ///
 /// # Errors
-/// Why the run does not get there.
+/// The reason for which the run does not reach a time.
 pub fn along(scene: &ModelScene, times: &[f64], allowed: Duration) -> Result<Vec<Instance>, NoInstance> {
     let last = times.iter().copied().fold(0.0, f64::max);
     if last == 0.0 {

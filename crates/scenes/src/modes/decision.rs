@@ -126,7 +126,7 @@ fn without_shares(mode: &Mode, open: Open<'_>) -> Mode {
     alone
 }
 
-/// The same by pivots.
+/// Decides the cases of many open conditions by pivots.
 fn many(
     expansions: &Expansions,
     instant: &Instant<'_>,
@@ -149,7 +149,7 @@ fn many(
     Decided::None { not_held }
 }
 
-/// The same among all combinations of cases and phases.
+/// Decides the cases and phases by trying all combinations.
 fn tried(
     expansions: &Expansions,
     instant: &Instant<'_>,
@@ -348,7 +348,7 @@ fn standing(expansion: &Expansion<TERMS>, mode: &Mode, open: Open<'_>, slack: f6
     each.chain([of_contacts(expansion, mode, open, slack)]).min().unwrap_or(Some(Standing::Moves))
 }
 
-/// The same of all contacts.
+/// Whether contacts move as their phases say; `None` where one contradicts.
 fn of_contacts(expansion: &Expansion<TERMS>, mode: &Mode, open: Open<'_>, slack: f64) -> Option<Standing> {
     let contacts = expansion.contacts.iter().zip(&mode.phases).zip(open.touches);
     let is_alone = open.is_alone();
@@ -362,7 +362,7 @@ fn of_contacts(expansion: &Expansion<TERMS>, mode: &Mode, open: Open<'_>, slack:
     each.min().unwrap_or(Some(Standing::Moves))
 }
 
-/// The same of one condition.
+/// Whether one condition moves as its case says; `None` where it contradicts.
 pub(super) fn alone(expansion: &Expansion<TERMS>, case: Case, switch: usize, slack: f64) -> Option<Standing> {
     let condition = &expansion.conditions[switch];
     // one that has moved off zero while it was held must come back through it

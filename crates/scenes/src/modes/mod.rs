@@ -92,10 +92,10 @@ struct Current {
     /// The distance beyond zero at which each condition counts as passed, where it began at zero: errors of rounding, and of the
     /// motion while it was held. The law to which it has been decided to move holds so far.
     near: Vec<f64>,
-    /// The same for the distances of each switch from 0 and from 1, and for the expression of each event.
+    /// Such distances for each switch from 0 and from 1, and for the expression of each event.
     near_bounds: Vec<[f64; 2]>,
     near_events: Vec<f64>,
-    /// The same of each contact: its gap or pressure, then what is left of friction, or its sliding velocity.
+    /// Such distances for each contact: of its gap or pressure, then of its margins of friction, or its sliding velocity.
     near_contacts: Vec<[f64; 3]>,
     /// The watch of each contact, where it slides in space.
     glides: Vec<Option<Glide>>,

@@ -161,7 +161,7 @@ impl Mode {
         Mode { cases: vec![Case::Off; model.switches.len()], phases: vec![Phase::Apart; model.contacts.len()] }
     }
 
-    /// The same, sliding that begins like sliding that goes on: one law for both.
+    /// The mode in which beginning sliding is ordinary sliding: both have one law.
     pub fn without_headings(mut self) -> Self {
         for phase in &mut self.phases {
             if let Phase::Glides { begins, .. } = phase {
@@ -171,7 +171,7 @@ impl Mode {
         self
     }
 
-    /// The same, contacts that slide in space apart.
+    /// The mode in which contacts that slide in space are apart.
     pub fn without_glides(mut self) -> Self {
         for phase in &mut self.phases {
             if let Phase::Glides { .. } = phase {

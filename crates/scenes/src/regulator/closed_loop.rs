@@ -103,7 +103,7 @@ pub struct ClosedRun {
     pub costs: Vec<f64>,
     /// Changes of the law, and of the state by events.
     pub passages: Vec<Passage>,
-    /// Why the law of the run ends, where it does.
+    /// The reason for which the law of the run ends, where it does.
     pub left: Option<&'static str>,
 }
 

@@ -36,7 +36,7 @@ use std::time::{Duration, Instant};
 pub struct Regulated {
     /// Places of variations in a state: coordinates, then speeds.
     pub places: Vec<usize>,
-    /// Those that gains know.
+    /// The states on which the gains act.
     pub states: States,
     pub controllability: Controllability,
     /// K at the start: u = u0 - K (x - x0).
@@ -105,7 +105,7 @@ struct Task<'a> {
 /// Finds the regulator of a scene, and runs it.
 ///
 /// # Errors
-/// Why there is none, at its place.
+/// The reason for which there is no regulator, at its place in the file.
 pub fn regulated(scene: &ModelScene, allowed: Duration) -> Result<Regulated, Issue> {
     let deadline = Instant::now() + allowed;
     let task = Task::of(scene)?;

@@ -63,7 +63,7 @@ pub(crate) struct SingularPositions {
     least: f64,
     /// At a state, and beside it.
     looks: Mutex<[Look; 2]>,
-    /// The same of all constraints, where some follow from others and were left out.
+    /// The independence of all constraints, where redundant ones were left out.
     whole: Option<Box<SingularPositions>>,
 }
 
@@ -138,7 +138,7 @@ impl SingularPositions {
         Some(SingularPositions { whole, ..own })
     }
 
-    /// The same of a model in which so many equations follow from the others.
+    /// The independence of the constraints of a model with `redundant` redundant equations.
     fn with(model: &Model, redundant: usize, start: &[f64]) -> Option<Self> {
         let constraints = Constraints::of(model).ok()?.filter(|constraints| constraints.kept > redundant)?;
         let positions = constraints.known.iter().take_while(|known| known.level == Level::Position).count();
@@ -160,7 +160,7 @@ impl SingularPositions {
         singular.of_member(&values, &start_speeds(model), start)
     }
 
-    /// The same with other parameters, quasi-velocities at the start, and another start.
+    /// The independence of the constraints for an ensemble member, with its parameters, quasi-velocities and start.
     pub fn of_member(&self, parameters: &[f64], speeds: &[f64], start: &[f64]) -> Option<Self> {
         let [_, kept, ..] = self.counts;
         let mut singular = SingularPositions {

@@ -96,7 +96,7 @@ const ROUNDING: f64 = 1e-13;
 pub(super) struct Angles {
     pub parent: String,
     pub frame: String,
-    /// Those of the parent and of the frames between.
+    /// The rotation axes of the three angles, in the parent and in the frames between.
     pub axes: [usize; 3],
     pub names: [&'static str; 3],
     /// The place of the first angle among the coordinates.

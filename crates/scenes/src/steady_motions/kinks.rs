@@ -12,7 +12,7 @@ type Place = (usize, usize);
 
 type Combination = (Vec<Case>, SteadyMotions);
 
-/// The same with each of these told once: where the law lies between its sides, else at a combination of its own.
+/// The combinations with each such motion once: where the law lies between its sides, else at a combination of its own.
 pub(super) fn joined(mut all: Vec<Combination>) -> Vec<Combination> {
     // where no such case was tried, the law is the same on both sides of the zero
     let jumps: Vec<bool> = (0..all.first().map_or(0, |(cases, _)| cases.len()))

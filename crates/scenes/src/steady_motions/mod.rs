@@ -118,7 +118,7 @@ impl Asked {
     }
 }
 
-/// Why steady motions of a model are not sought.
+/// The reason for which steady motions of a model are not searched for.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoSteadyMotions {
     NotCompiled(NotCompiled),
@@ -195,7 +195,7 @@ pub struct Member {
     pub linear: Option<Linear>,
 }
 
-/// All of them.
+/// All steady motions of a search, with its undecided regions.
 #[derive(Clone, Debug, Default)]
 pub struct SteadyMotions {
     pub unknowns: Vec<Unknown>,
@@ -229,7 +229,7 @@ impl SteadyMotions {
     /// All in a box; `goes_on` is asked now and then.
     ///
     /// # Errors
-    /// Why none are sought.
+    /// The reason for which steady motions are not searched for.
     pub fn of(model: &Model, asked: &Asked, mut goes_on: impl FnMut() -> bool) -> Result<Self, NoSteadyMotions> {
         let names: Vec<&str> = asked.ranges.iter().map(|(name, _)| name.as_str()).collect();
         let extended = Extended::of(model, &names, None);
@@ -241,7 +241,7 @@ impl SteadyMotions {
     /// In each combination of cases of the conditions of a law, which are told by their letters.
     ///
     /// # Errors
-    /// Why none are sought.
+    /// The reason for which steady motions are not searched for.
     pub fn of_cases(
         model: &Model,
         asked: &Asked,

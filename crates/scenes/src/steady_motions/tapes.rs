@@ -16,7 +16,7 @@ pub(super) struct Expressions {
     pub sides: Vec<Sym>,
 }
 
-/// The same as programs.
+/// The equations as compiled functions.
 #[derive(Debug)]
 pub(super) struct Tapes {
     /// Residuals by unknowns, then multipliers.

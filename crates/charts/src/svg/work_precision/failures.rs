@@ -17,7 +17,7 @@ pub(super) struct Family<'a> {
     series: Vec<(usize, &'a Method)>,
 }
 
-/// Those in which a run failed, in the order of the chart.
+/// The families in which a run failed, in the order of the chart.
 pub(super) fn families(series: &[Method]) -> Vec<Family<'_>> {
     let mut families: Vec<Family> = Vec::new();
     for (at, method) in series.iter().enumerate() {

@@ -1,13 +1,13 @@
-//! A file and those that it names, looked at again and again.
+//! A file and the files that it names, checked for changes repeatedly.
 
 use reader::{SceneError, read_text};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
-/// A file whose clock says that it is older is read again only if its clock or its length says something new.
+/// The age from which a file is read again only if its time or length has changed.
 const YOUNG: Duration = Duration::from_secs(2);
 
-/// An editor that writes a file anew may leave it empty, or away, for so many looks.
+/// The number of checks for which a file may be empty or missing while an editor writes it.
 const LOOKS: u32 = 3;
 
 /// The content of a file, or why there is none.

@@ -21,11 +21,11 @@ use std::sync::mpsc::Sender;
 use std::thread;
 use std::time::Duration;
 
-/// Connections at one time.
+/// The largest number of simultaneous connections.
 const MOST_CONNECTIONS: usize = 64;
-/// A silent connection is told after so long that it is alive.
+/// The interval at which an idle event stream sends a sign of life.
 const PULSE: Duration = Duration::from_secs(10);
-/// A reader who takes nothing for so long is gone.
+/// The time after which a client that reads nothing is disconnected.
 const PATIENCE: Duration = Duration::from_secs(20);
 
 /// A server that listens.
@@ -90,7 +90,7 @@ impl Server {
 struct Connection(Arc<AtomicUsize>);
 
 impl Connection {
-    /// None where there are too many.
+    /// Counts a new connection; `None` where there are too many.
     fn of(open: Arc<AtomicUsize>) -> Option<Self> {
         let before = open.fetch_add(1, Relaxed);
         let own = Connection(open);
@@ -145,7 +145,7 @@ impl Site {
         ["127.0.0.1", "localhost"].iter().any(|name| host.eq_ignore_ascii_case(&format!("{name}:{}", self.port)))
     }
 
-    /// Compares every letter, so that the time tells nothing.
+    /// Compares the key in constant time.
     fn is_key(&self, key: &str) -> bool {
         let letters = key.bytes().zip(self.key.bytes());
         key.len() == self.key.len() && letters.fold(0, |differ, (one, other)| differ | (one ^ other)) == 0

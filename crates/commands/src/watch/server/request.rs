@@ -5,13 +5,13 @@ use std::io::{self, Read};
 use std::net::TcpStream;
 use std::time::{Duration, Instant};
 
-/// Bytes of a head: a browser's has some hundreds.
+/// The largest size of a head in bytes; a browser's has some hundreds.
 const MOST_HEAD: usize = 16 * 1024;
 /// Lines of a head.
 const MOST_HEADERS: usize = 64;
 /// Bytes of a body: an object of numbers.
 const MOST_BODY: usize = 64 * 1024;
-/// A whole request is there within so long.
+/// The time within which a request must be complete.
 const PATIENCE: Duration = Duration::from_secs(5);
 
 /// A method that the server knows.
@@ -36,7 +36,7 @@ pub struct Request {
 #[derive(Debug)]
 pub enum Refusal {
     Answered(Response),
-    /// Nobody is there to be answered.
+    /// The connection is closed: no answer is possible.
     Gone,
 }
 
@@ -50,7 +50,7 @@ impl From<io::Error> for Refusal {
 }
 
 impl Request {
-    /// Reads one.
+    /// Reads a request.
     pub fn read(stream: &TcpStream) -> Result<Self, Refusal> {
         let end = Instant::now() + PATIENCE;
         let mut bytes = Vec::new();

@@ -12,14 +12,14 @@ pub struct Response {
     kind: &'static str,
     /// Further headers, each with its line's end.
     extra: &'static str,
-    /// None where it goes on as long as the connection.
+    /// The body; `None` for a stream that lasts as long as the connection.
     body: Option<Cow<'static, str>>,
 }
 
 const TEXT: &str = "text/plain; charset=utf-8";
 const HTML: &str = "text/html; charset=utf-8";
 
-/// In every response: nothing is kept, guessed, framed, or read from elsewhere.
+/// Headers of every response: no caching, no guessing of types, no framing, no access from other sites.
 const HEADERS: &str = "Cache-Control: no-store\r\nX-Content-Type-Options: nosniff\r\nReferrer-Policy: no-referrer\r\n\
     Cross-Origin-Resource-Policy: same-origin\r\nCross-Origin-Opener-Policy: same-origin\r\nX-Frame-Options: DENY\r\nConnection: close\r\n";
 
@@ -63,7 +63,7 @@ impl Response {
         self.status.split(' ').next().and_then(|number| number.parse().ok()).unwrap_or(0)
     }
 
-    /// Writes it.
+    /// Writes the response.
     ///
     /// # Errors
     /// The connection is gone.
@@ -76,8 +76,8 @@ impl Response {
         stream.flush()
     }
 
-    /// Writes it to one who may not have been heard to the end: what comes is read and dropped for a moment, since a connection that is
-    /// closed with unread bytes loses the response.
+    /// Writes the response to a sender whose request may be incomplete. Further bytes are read and dropped for a moment, since closing a
+    /// connection with unread bytes loses the response.
     ///
     /// # Errors
     /// The connection is gone.

@@ -1,4 +1,4 @@
-//! The claims of a paper, told as they are decided.
+//! The claims of a paper, reported as they are judged.
 
 use super::Broken;
 use crate::claim_row::row;
@@ -10,10 +10,10 @@ use manuscript::{Finding, PaperText};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// A page of many claims is not told anew for each of them.
+/// The least time between two reports of the claims.
 const PAUSE: Duration = Duration::from_millis(120);
 
-/// Corrections are looked for until so little time is left.
+/// The time before the deadline at which the search for corrections ends.
 const KEPT: Duration = Duration::from_millis(500);
 
 /// Judges every claim, and tells all of them whenever some are decided.

@@ -1,7 +1,7 @@
 //! The stages of the page, each a process of its own.
 //!
-//! Algebra cannot be asked to end. A process can be ended at any instant, takes its memory with it, and a fault in it is a fault of one
-//! part of the page. So the program starts itself once for each stage, hands it the text, and reads lines of results.
+//! Algebra cannot be interrupted from within. A process can be killed at any time, which frees its memory, and a fault in it affects one
+//! part of the page only. The program therefore starts itself once for each stage, sends the text, and reads lines of results.
 
 mod claims;
 mod motion;
@@ -43,7 +43,7 @@ impl Stage {
     }
 }
 
-/// Why a stage tells no more.
+/// The reason for which a stage stops early.
 enum Broken {
     /// The text is not acceptable.
     Refused(String),

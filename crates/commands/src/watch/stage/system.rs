@@ -1,4 +1,4 @@
-//! The equations of a system, its vectors, and what is judged of it.
+//! The stages of a system: its equations, its vectors, and the verdicts on it.
 
 use super::{Broken, Stage};
 use crate::exit::be_quiet;

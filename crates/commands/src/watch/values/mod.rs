@@ -1,7 +1,7 @@
 //! The numbers of a file that sliders move: parameters, and the start.
 //!
-//! A change is a change of the text, in memory: the stages are handed the changed text, and the page shows the lines in which it
-//! differs. So every scene whose file has numbers with units can be changed, and what the page shows is what the file would give.
+//! A slider changes the text in memory: the stages get the changed text, and the page shows the lines in which it differs. All
+//! scenes whose file has numbers with units can be changed, and the page shows the results that the changed file would give.
 
 mod changed_text;
 
@@ -20,7 +20,7 @@ pub struct Datum {
     /// `parameters.m`, as TOML's dotted keys.
     pub id: String,
     pub number: f64,
-    /// As written; empty for a pure number.
+    /// The unit as written; empty for a pure number.
     pub unit: String,
     /// Before the number: `guess `, or nothing.
     pub before: &'static str,

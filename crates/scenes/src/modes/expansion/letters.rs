@@ -78,7 +78,7 @@ impl Expansions {
         unknown(mode, |contact| self.kinds[contact].is_in_space).into_iter().map(|of| self.reaction(of)).collect()
     }
 
-    /// The same of reactions that hang on accelerations.
+    /// Letters of unknown reactions that depend on accelerations.
     pub(super) fn inertial_reactions(&self, mode: &Mode) -> Vec<usize> {
         let mut letters = self.unknown_reactions(mode);
         letters.retain(|&letter| !self.is_value(letter));

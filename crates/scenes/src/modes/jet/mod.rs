@@ -32,7 +32,7 @@ impl<const N: usize> Jet<N> {
         Jet { terms, doubts }
     }
 
-    /// The same without doubts.
+    /// The series with doubts of zero.
     pub fn exact(self) -> Self {
         Jet { doubts: [0.0; N], ..self }
     }

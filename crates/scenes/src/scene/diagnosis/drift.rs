@@ -7,7 +7,7 @@ use simulation::{FailureKind, RunFailure};
 /// Residuals that no step of a run with constraints that are kept leaves, relative to the state.
 const OFF: f64 = 1e-6;
 
-/// The same of constant steps, whose errors are judged beside shorter ones.
+/// The residual for constant steps, relative to the state: their errors are judged by shorter steps instead.
 const OFF_OF_STEPS: f64 = 1e-4;
 
 /// Tolerances that a run which is asked for few digits may be off.

@@ -19,7 +19,7 @@ const SHRUNK: f64 = 0.02;
 /// The logarithm of the growth in the last quarter of a run, over that in the quarter before, below which it is slower than an exponential's.
 const SLOWER: f64 = 0.85;
 
-/// The same beyond which it is faster.
+/// The ratio of these logarithms above which the growth is faster than exponential.
 const FASTER: f64 = 1.3;
 
 /// The component that has grown most.

@@ -55,7 +55,7 @@ pub struct EnclosedSpectrum {
     pub exact: Option<Routh>,
 }
 
-/// Why eigenvalues are not enclosed.
+/// The reason for which eigenvalues are not enclosed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NotEnclosed {
     /// More states than are enclosed.
@@ -112,7 +112,7 @@ impl EnclosedSpectrum {
     /// At the enclosure of a motion, and the state about it.
     ///
     /// # Errors
-    /// Why eigenvalues are not enclosed.
+    /// The reason for which eigenvalues are not enclosed.
     pub(super) fn of(
         model: &Model,
         equations: &SteadyEquations,
