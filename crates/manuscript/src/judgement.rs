@@ -155,7 +155,7 @@ fn judge(
     is_certified: bool,
 ) -> Result<Finding, Issue> {
     let assumed = hypotheses(&claim.given, letters)?;
-    let there = where_they_hold(paper, &assumed, letters)?;
+    let there = where_they_hold(paper, claim.kind, &assumed, letters)?;
     let mut judged = Judged {
         id: format!("{}/{}", paper.key, claim.key()),
         section: claim.section.clone(),

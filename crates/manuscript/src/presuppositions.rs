@@ -13,6 +13,7 @@ use crate::verdict::neither;
 use claims::{Condition, Verdict};
 use latex::Statement;
 use reader::Issue;
+use symbolic::Sym;
 
 /// Signs and what must not vanish, where the equalities hold.
 ///
@@ -20,16 +21,25 @@ use reader::Issue;
 /// They contradict each other.
 pub(crate) fn where_they_hold(
     paper: &PaperText,
+    kind: Kind,
     assumed: &[Hypothesis],
     letters: &Letters<'_, '_>,
 ) -> Result<Vec<Condition>, Issue> {
-    let base = Motion::by_constraints(letters.trace);
+    let is_acceleration = |symbol: &Sym| letters.trace.accelerations.contains(symbol);
+    let conditions_of = || assumed.iter().filter_map(|hypothesis| hypothesis.condition);
+    let is_dynamic = conditions_of().any(|condition| condition.expression().symbols_of().iter().any(is_acceleration));
+    let constrained = || Motion::by_constraints(letters.trace);
+    let base = match kind {
+        Kind::Identity | Kind::LinearisedEquation => constrained(),
+        _ if is_dynamic => Motion::by_equations(letters.trace).unwrap_or_else(|_| constrained()),
+        _ => constrained(),
+    };
     let mut motion = base.clone();
     // a kind of claim that cannot assume one says so itself
     let is_assumed = assume(&mut motion, assumed).is_ok();
     let there = match is_assumed {
         true => conditions(&motion, assumed),
-        false => assumed.iter().filter_map(|hypothesis| hypothesis.condition).collect(),
+        false => conditions_of().collect(),
     };
     if there.is_empty() || motion.squares.is_empty() && is_met(&there) {
         return Ok(there);
@@ -62,7 +72,7 @@ pub(crate) fn presupposed(
 ) {
     let constrained = || Motion::by_constraints(letters.trace);
     let base = match claim.kind {
-        Kind::Identity | Kind::Inequality | Kind::LinearisedEquation => constrained(),
+        Kind::Identity | Kind::LinearisedEquation => constrained(),
         _ => Motion::by_equations(letters.trace).unwrap_or_else(|_| constrained()),
     };
     let mut motion = base.clone();

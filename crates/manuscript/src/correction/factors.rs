@@ -38,10 +38,11 @@ pub(super) fn factors(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<
     let inverse: Vec<String> =
         candidates[NUMBERS.len()..].iter().map(|call| format!(r"\frac{{1}}{{{call}}}")).collect();
     candidates.extend(inverse);
-    candidates.extend(rates.iter().map(|rate| rate.latex.clone()));
-    candidates.extend(rates.iter().map(|rate| format!(r"\frac{{1}}{{{}}}", rate.latex)));
-    candidates.extend(rates.iter().map(|rate| format!("{}^2", rate.latex)));
-    candidates.extend(rates.iter().map(|rate| format!(r"\frac{{1}}{{{}^2}}", rate.latex)));
+    let plain: Vec<&str> = rates.iter().filter(|rate| !rate.vanishes).map(|rate| rate.latex.as_str()).collect();
+    candidates.extend(plain.iter().map(|&latex| latex.to_owned()));
+    candidates.extend(plain.iter().map(|latex| format!(r"\frac{{1}}{{{latex}}}")));
+    candidates.extend(plain.iter().map(|latex| format!("{latex}^2")));
+    candidates.extend(plain.iter().map(|latex| format!(r"\frac{{1}}{{{latex}^2}}")));
     // a factor that changes no dimension
     let measured = || rates.iter().filter(|rate| rate.order == 0 && rate.dimension != Dimension::none());
     for above in measured() {

@@ -14,6 +14,8 @@ pub(super) struct LetterRate {
     pub is_input: bool,
     /// Over the model.
     pub value: Sym,
+    /// Whether it is zero along every motion, as the rate of an integral is: a formula multiplied by it says nothing.
+    pub vanishes: bool,
 }
 
 /// Every letter that is a scalar, and its rates as far as they have a meaning of their own.
@@ -27,7 +29,16 @@ pub(super) fn rates(letters: &Letters<'_, '_>) -> Vec<LetterRate> {
             let latex = if order == 0 { name.to_owned() } else { format!("{dots}{{{name}}}") };
             let is_symbol = value.symbol_name().is_some();
             let is_input = trace.model.inputs.iter().any(|input| Sym::symbol(&input.name) == value);
-            all.push(LetterRate { name: name.to_owned(), order, latex, dimension, is_symbol, is_input, value });
+            all.push(LetterRate {
+                name: name.to_owned(),
+                order,
+                latex,
+                dimension,
+                is_symbol,
+                is_input,
+                value,
+                vanishes: false,
+            });
             next = rate(trace, value).ok();
             dimension = dimension / Dimension::time();
         }

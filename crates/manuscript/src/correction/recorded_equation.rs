@@ -98,6 +98,7 @@ impl<'a> Recorded<'a> {
             is_symbol: true,
             is_input: false,
             value: letter.symbol,
+            vanishes: false,
         };
         let rates = letters.iter().filter(|letter| letter.is_recorded).map(of_letter).collect();
         let at = match decide(line.derived - line.printed(), hypotheses) {

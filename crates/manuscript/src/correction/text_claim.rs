@@ -11,10 +11,11 @@ use crate::conditions::Hypothesis;
 use crate::finding::Finding;
 use crate::integrals::known;
 use crate::letters::Letters;
+use crate::motion::Motion;
 use crate::steady_motion::Resting;
 use claims::Verdict;
 use latex::Statement;
-use symbolic::Sym;
+use symbolic::{Sym, normal};
 
 /// Everything that a claim is judged with.
 pub(crate) struct Judge<'a> {
@@ -52,7 +53,14 @@ impl<'a, 't, 'm> TextClaim<'a, 't, 'm> {
         };
         let resting = resting.unwrap_or_default();
         let rests = |rate: &LetterRate| resting.iter().any(|(symbol, _)| *symbol == rate.value);
-        let rates = rates(letters).into_iter().filter(|rate| !rests(rate)).collect();
+        let motion = Motion::by_equations(letters.trace).ok();
+        let vanishes = |value: Sym| {
+            motion.as_ref().is_some_and(|motion| {
+                normal(motion.reduced(value), &motion.hypotheses).is_ok_and(|form| form.to_sym() == Sym::ZERO)
+            })
+        };
+        let with_motion = |rate: LetterRate| LetterRate { vanishes: rate.order > 0 && vanishes(rate.value), ..rate };
+        let rates = rates(letters).into_iter().filter(|rate| !rests(rate)).map(with_motion).collect();
         TextClaim { claim, letters, judge, rates, probe }
     }
 

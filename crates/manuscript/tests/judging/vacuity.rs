@@ -90,3 +90,30 @@ fn a_model_without_inertia_corrects_nothing() {
     let found = on(&system(), "formula", "V = -m g l", "");
     assert!(found.corrections.iter().all(|one| one.changes[0].after != "m = 0"), "{}", found.text());
 }
+
+/// A body under a central force: its angular momentum p is an integral.
+const CENTRAL: &str = r#"
+title = "Central force"
+parameters = { M = "kg", mu = "m^3/s^2" }
+coordinates = { R = "m", nu = "rad" }
+frames = { K = "N turned nu about z" }
+bodies = { s = { centre = "O + R*K.x", mass = "M" } }
+energies = { potential = "-mu*M/R" }
+[letters]
+'M' = "M"
+'R' = "R"
+'\nu' = "nu"
+'p' = "momentum(nu)"
+'\mu' = "mu"
+"#;
+
+#[test]
+fn what_is_divided_by_the_rate_of_an_integral_claims_nothing() {
+    for formula in [r"\frac{M}{\dot p} > 0", r"\frac{M}{\dot p} < 0"] {
+        assert_eq!(verdict(&on(CENTRAL, "inequality", formula, "")), "undefined", "{formula}");
+    }
+    // and a rate that is zero is no factor of a correction
+    let found = on(CENTRAL, "formula", r"\ddot\nu = 0", "");
+    assert!(!found.corrections.is_empty(), "{}", found.text());
+    assert!(found.corrections.iter().all(|one| !one.formula.contains(r"\dot{p}")), "{}", found.text());
+}
