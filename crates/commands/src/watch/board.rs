@@ -92,6 +92,11 @@ impl Board {
         self.changed.notify_all();
     }
 
+    /// The values that sliders were moved to, which a page that opens later shows too.
+    pub fn values(&self) -> Map<String, Value> {
+        self.locked().values.clone()
+    }
+
     /// All parts, and their version.
     pub fn shown(&self) -> (u64, Vec<(Part, Shown)>) {
         let state = self.locked();

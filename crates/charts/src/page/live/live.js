@@ -55,7 +55,11 @@ const release = () => {
 source.addEventListener("message", ({ data }) => {
   const told = JSON.parse(data);
   told.parts.forEach(place);
-  if (told.values) settle(told.values);
+  if (!told.values) return;
+  settle(told.values);
+  // sliders that another page moved, unless one is being moved here
+  if (!waiting && dragged === null)
+    sent = moved = Object.fromEntries(Object.entries(told.values).map(([name, value]) => [name, Number(value)]));
 });
 source.addEventListener("open", () => (lost.hidden = true));
 source.addEventListener("error", () => (lost.hidden = false));

@@ -120,7 +120,8 @@ fn a_browser_shows_a_text_its_fault_its_mending_and_a_slider_without_a_complaint
     }
     let Some(mut browser) = Browser::start() else { return };
     let watched = Watched::of("swing.toml", PENDULUM);
-    browser.open(&format!("http://127.0.0.1:{}{}", watched.port, watched.root));
+    let address = format!("http://127.0.0.1:{}{}", watched.port, watched.root);
+    browser.open(&address);
     browser.until(DONE);
     assert_eq!(browser.value("document.title"), "A <pendulum>");
     assert_eq!(browser.value("document.querySelectorAll('#equations math').length > 3"), true);
@@ -134,6 +135,16 @@ fn a_browser_shows_a_text_its_fault_its_mending_and_a_slider_without_a_complaint
     watched.save(&PENDULUM.replace("A <pendulum>", "Mended"));
     browser.until(&format!("document.title === 'Mended' && {DONE}"));
     assert_eq!(browser.value("document.querySelector('#heading .fault').innerText"), "");
+
+    // a page that is opened later has its sliders where they were moved
+    let reset = "document.querySelector('#values .reset')";
+    assert_eq!(watched.move_to(&json!({ "parameters.l": 0.4 })), 200);
+    browser.open(&address);
+    let is_moved = "Number(document.querySelector('input[name=\"parameters.l\"]')?.value) === 0.4";
+    browser.until(&format!("{is_moved} && !{reset}.disabled"));
+    browser.value(&format!("{reset}.click()"));
+    browser
+        .until(&format!("{reset}.disabled && document.getElementById('lines').dataset.state === 'absent' && {DONE}"));
 
     browser.value("window.before = document.querySelector('#motion').innerHTML");
     let slide = "const slider = document.querySelector('input[name=\"parameters.l\"]'); slider.value = 0.25;

@@ -12,7 +12,7 @@ use super::page::{PageTitle, saved, served};
 use super::session::Message;
 use request::{Method, Refusal, Request};
 use response::Response;
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 use std::io::{self, Write};
 use std::net::{Ipv4Addr, SocketAddr, TcpListener, TcpStream};
 use std::sync::Arc;
@@ -161,6 +161,10 @@ impl Site {
         let since = query.strip_prefix("since=").and_then(|version| version.parse().ok());
         let mut version = since.unwrap_or(0);
         Response::EVENTS.write(stream)?;
+        let values = self.board.values();
+        if !values.is_empty() {
+            write!(stream, "data: {}\n\n", json!({ "parts": [], "values": values }))?;
+        }
         loop {
             match self.board.since(version, PULSE) {
                 News::Version(now, news) => {
