@@ -22,6 +22,13 @@ pub fn with_ways_to_a_system(error: SceneError) -> SceneError {
     if keys.iter().any(|key| WAYS.contains(&key.value.as_str())) {
         return error;
     }
+    let has = |name: &str| keys.iter().find(|key| key.value == name);
+    if let (Some(model), Some(_)) = (has("model"), has("claim")) {
+        let title = "this file is a paper: its system is in the file that `model` names";
+        let issue = Issue::at(model.span.clone(), title, "the system")
+            .accepted("that file; `judge` and `watch` take the paper");
+        return SceneError { issues: vec![issue], ..error };
+    }
     let misspelt = keys.iter().find_map(|key| Some((key, units::nearest(&key.value, WAYS)?)));
     let misspelt = misspelt.filter(|(key, _)| !is_of_system(&key.value));
     let issue = match (misspelt, keys.iter().find(|key| is_of_system(&key.value))) {

@@ -32,6 +32,8 @@ fn a_file_that_names_no_system_is_led_to_one() {
     }
     told(&PENDULUM.replace("[coordinates]", "[coordinate]"), "run", &["nameless.toml:3:2", "is `coordinates` meant?"]);
     told("title = \"Empty\"\n", "run", &["this file names no system", "`dalembert scenes` lists them"]);
+    let paper = "title = \"Paper\"\nmodel = \"scene.toml\"\n[[claim]]\nequation = \"eq1\"\n";
+    told(paper, "derive", &["this file is a paper", "nameless.toml:2:1", "`judge` and `watch`"]);
     std::fs::remove_file(&scene).expect("it is there");
 }
 
