@@ -5,9 +5,11 @@ use crate::finding::Finding;
 use crate::letters::Letters;
 use crate::lines::Line;
 use crate::motion::Motion;
+use crate::position_letters::by_position_letters;
 use crate::refutation::Refutation;
 use crate::retelling::ways_to_tell;
 use model::equations::Equations;
+use std::cell::OnceCell;
 use symbolic::{Hypotheses, Node, Sym, normal};
 
 /// The letters in which a reader is told.
@@ -25,11 +27,29 @@ pub(crate) fn shown([left, right]: [Sym; 2]) -> (String, String) {
 /// Divisors that must not vanish, each once and in its shortest form.
 pub(crate) fn divisors(found: &[Sym], told: Told<'_, '_, '_>) -> Vec<(String, String)> {
     let mut all: Vec<(String, String)> = Vec::new();
+    let mut known: Vec<Sym> = Vec::new();
+    let constrained = OnceCell::new();
+    // coordinates of a free frame are no letters of a paper
+    let by_letters = |part: Sym| {
+        let coordinates = &told.0.trace.coordinates;
+        let is_foreign = |symbol: &Sym| coordinates.contains(symbol) && has_no_letter(&told.0.told(*symbol), told);
+        let hypotheses = || &constrained.get_or_init(|| Motion::by_constraints(told.0.trace)).hypotheses;
+        let found = || by_position_letters(told.0, part, hypotheses());
+        let own = part.symbols_of().iter().any(is_foreign).then(found).flatten()?;
+        normal(own, &Hypotheses::none()).ok().map(|form| form.numerator())
+    };
+    let is_multiple = |part: Sym, of: &Sym| {
+        normal(part / *of, &Hypotheses::none()).is_ok_and(|quotient| quotient.as_constant().is_some())
+    };
     for &divisor in found {
         // a quotient vanishes where what stands above does; what stands below is a divisor of its own
         let parts = normal(divisor, &Hypotheses::none()).map_or(vec![divisor], |form| factors(form.numerator()));
         for part in parts.into_iter().filter(|part| part.as_constant().is_none()) {
-            let own = told.0.told(part);
+            let own = by_letters(part).unwrap_or_else(|| told.0.told(part));
+            if known.iter().any(|of| is_multiple(own, of)) {
+                continue;
+            }
+            known.push(own);
             let line = (format!("{own} != 0"), format!(r"{} \neq 0", own.latex()));
             if !all.contains(&line) {
                 all.push(line);
@@ -110,9 +130,13 @@ pub(crate) fn told_difference(left: Sym, motion: &Motion<'_, '_>, told: Told<'_,
 /// The way to tell an expression of the model that has the fewest symbols which the paper has no letter for; the first of these.
 fn plainest(expression: Sym, motion: &Motion<'_, '_>, told: Told<'_, '_, '_>) -> Option<Sym> {
     let plain = |way: Sym| normal(way, &Hypotheses::none()).map_or(way, |form| form.to_sym());
-    let has_no_letter = |symbol: &Sym| symbol.symbol_name().is_none_or(|name| told.0.dimension(&name).is_none());
-    let foreign = |way: &Sym| way.symbols_of().iter().filter(|symbol| has_no_letter(symbol)).count();
+    let foreign = |way: &Sym| way.symbols_of().iter().filter(|symbol| has_no_letter(symbol, told)).count();
     ways_to_tell(told.0, expression, &motion.hypotheses).into_iter().map(plain).min_by_key(foreign)
+}
+
+/// Whether the paper has no letter for a symbol.
+fn has_no_letter(symbol: &Sym, told: Told<'_, '_, '_>) -> bool {
+    symbol.symbol_name().is_none_or(|name| told.0.dimension(&name).is_none())
 }
 
 fn length(expression: Sym) -> usize {
