@@ -7,10 +7,16 @@ use manuscript::{Finding, PaperText};
 use std::path::{Path, PathBuf};
 use symbolic::decide;
 
+/// Papers of their own, and those that stand beside a page in Rust, which the report shows.
+const FOLDERS: [&str; 2] = ["papers", "papers/beside_pages"];
+
 fn files() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("papers");
-    let entries = std::fs::read_dir(folder).expect("there are papers");
-    let mut files: Vec<PathBuf> = entries.map(|entry| entry.expect("it can be listed").path()).collect();
+    let entries = |folder: &&str| {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+        std::fs::read_dir(folder).expect("there are papers")
+    };
+    let mut files: Vec<PathBuf> =
+        FOLDERS.iter().flat_map(entries).map(|entry| entry.expect("it can be listed").path()).collect();
     files.retain(|file| file.extension().is_some_and(|end| end == "toml"));
     files.sort();
     files
