@@ -2,12 +2,12 @@
 
 use crate::claim_text::Kind;
 use crate::finding::Finding;
+use crate::letter_forms::ways_to_tell;
 use crate::letters::Letters;
 use crate::lines::Line;
 use crate::motion::Motion;
 use crate::position_letters::by_position_letters;
 use crate::refutation::Refutation;
-use crate::retelling::ways_to_tell;
 use model::equations::Equations;
 use std::cell::OnceCell;
 use symbolic::{Hypotheses, Node, Sym, normal};

@@ -1,4 +1,4 @@
-//! Expressions of the model rewritten in the letters of a paper.
+//! The forms of an expression of the model in the letters of a paper.
 
 use crate::letters::Letters;
 use crate::position_letters::by_position_letters;
