@@ -136,8 +136,8 @@ const PAPERS: [(&str, &[&str]); 5] = [
     ("cart_pole.toml", &["m", "l", r"\cos\theta"]),
     ("furuta_pendulum.toml", &["m", "l", "r", r"\cos\theta"]),
     ("rolling_disc.toml", &["m", "r", r"\Omega"]),
-    ("manglieva2022_governor.toml", &[r"\rho", "u"]),
-    ("manglieva2022_two_discs.toml", &[r"\omega_2"]),
+    ("beside_pages/manglieva2022_governor.toml", &[r"\rho", "u"]),
+    ("beside_pages/manglieva2022_two_discs.toml", &[r"\omega_2"]),
 ];
 
 /// Proved claims, each broken in every way.
