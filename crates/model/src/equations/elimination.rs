@@ -71,7 +71,10 @@ impl Factors {
 }
 
 /// The solution of symmetric equations in an order that keeps their factors sparse: the row with the fewest other entries comes first.
-pub(crate) fn solve_sparse(matrix: &[Vec<Sym>], right: &[Sym]) -> Result<Vec<Sym>, usize> {
+///
+/// # Errors
+/// The row of the first pivot that is zero as it stands.
+pub fn solve_sparse(matrix: &[Vec<Sym>], right: &[Sym]) -> Result<Vec<Sym>, usize> {
     let order = order(matrix);
     let arranged: Vec<Vec<Sym>> = order.iter().map(|&i| order.iter().map(|&j| matrix[i][j]).collect()).collect();
     let factors = Factors::of(&arranged).map_err(|place| order[place])?;

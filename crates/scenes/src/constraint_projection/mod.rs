@@ -7,9 +7,13 @@
 //! which takes twice as long. One factorisation at a state serves all its corrections. Stabilised constraints are not projected;
 //! redundant ones hold with those that imply them.
 //!
+//! The corrections of few independent constraints are one compiled function of the state. Where these are many, redundant, or the state is
+//! singular, the equations are factorised at the state.
+//!
 //! A residual is rounding where it is below a few roundings of its size: the root of the sum of squares of its derivatives times
 //! coordinates, speeds and time.
 
+mod corrections;
 mod member;
 mod residuals;
 
@@ -18,6 +22,7 @@ pub(crate) use member::OfMember;
 use crate::layout::Layout;
 use crate::letters::Letters;
 use algebra::linear::{Factors, Pattern};
+use corrections::Corrections;
 use integrators::Projection;
 use model::{Model, Trace};
 use residuals::Kept;
@@ -47,6 +52,8 @@ pub(crate) struct ConstraintProjection {
     /// The places of constraints of positions among those of all rates, and the number of the latter.
     positions: Vec<usize>,
     rates: usize,
+    /// Independent constraints, not too many.
+    corrections: Option<Corrections>,
     /// Residuals of positions, then of all rates.
     residuals: Program,
     /// The residuals, the square of the size of each, the entries of J, the diagonal of the mass matrix.
@@ -61,6 +68,7 @@ pub(crate) struct ConstraintProjection {
 /// Work space for one state.
 #[derive(Debug)]
 struct Room {
+    corrections: Vec<f64>,
     all: Vec<f64>,
     mobilities: Vec<f64>,
     /// J, row by row.
@@ -102,6 +110,7 @@ impl ConstraintProjection {
             return None;
         }
         let speeds = model.speeds();
+        let corrections = Corrections::over(model, inputs, &letters);
         let residuals = Program::of(inputs, |time, inputs| {
             let trace = Trace::of(model);
             letters(time, inputs).put_into(&trace, &Kept::of(&trace).residuals())
@@ -128,7 +137,18 @@ impl ConstraintProjection {
         // rows that follow from others have no share of their own
         let pattern = Pattern::new(rates, 0, places);
         let (layout, rooms) = (Layout::of(model), Mutex::default());
-        Some(ConstraintProjection { layout, inputs, positions, rates, residuals, all, entries, pattern, rooms })
+        Some(ConstraintProjection {
+            layout,
+            inputs,
+            positions,
+            rates,
+            corrections,
+            residuals,
+            all,
+            entries,
+            pattern,
+            rooms,
+        })
     }
 
     /// A law of the motion, its state perhaps with more behind it, whose steps end on the constraints where there are some.
@@ -147,6 +167,7 @@ impl ConstraintProjection {
     fn room(&self) -> Room {
         let speeds = self.layout.speeds();
         Room {
+            corrections: vec![0.0; self.corrections.as_ref().map_or(0, Corrections::values)],
             all: vec![0.0; 2 * self.count() + self.entries.len() + speeds],
             mobilities: vec![0.0; speeds],
             rows: vec![0.0; self.rates * speeds],
@@ -214,6 +235,19 @@ impl ConstraintProjection {
 
     /// Projects a state, and returns whether it was moved. A state whose residual cannot be reduced is unchanged.
     fn bring(&self, t: f64, y: &mut [f64], room: &mut Room) -> Option<bool> {
+        if let Some(corrections) = &self.corrections {
+            room.kept.copy_from_slice(y);
+            if let Some(moved) = corrections.bring(self.layout, t, y, &mut room.corrections) {
+                return Some(moved);
+            }
+            y.copy_from_slice(&room.kept);
+        }
+        self.bring_by_factors(t, y, room)
+    }
+
+    /// As [`Self::bring`], by a factorisation at the state.
+    #[cold]
+    fn bring_by_factors(&self, t: f64, y: &mut [f64], room: &mut Room) -> Option<bool> {
         self.all.run(t, y, &mut room.all)?;
         let largest = |[positions, rates]: [f64; 2]| if rates.is_nan() { rates } else { positions.max(rates) };
         let mut off = self.off(room);

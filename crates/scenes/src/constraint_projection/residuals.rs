@@ -16,6 +16,11 @@ impl Kept {
         self.0.len()
     }
 
+    /// The rows of J.
+    pub fn rows(&self) -> Vec<&[Sym]> {
+        self.0.iter().map(|constraint| &*constraint.row).collect()
+    }
+
     /// Whether one of them holds positions.
     pub fn hold_positions(&self) -> bool {
         !self.places_of_positions().is_empty()
