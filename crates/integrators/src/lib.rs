@@ -71,7 +71,7 @@ mod work_precision;
 
 pub use batch::{Ensemble, LaneSeries, LaneStep, Members, SideBySide, fuses, lanes_order};
 pub use branches::{Branch, Curve, CurvePoint, Equilibria, Last, Repeating, Walk, eigenvalues, follow, spectrum};
-pub use events::{Event, Happening, Signal, Switches, integrate_to_event};
+pub use events::{Event, Happening, Pace, Signal, Switches, integrate_to_event};
 pub use law::{
     Composed, DIRECTIONS, Divisors, Dual8, Haste, Index2Dae, Index2DaeSystem, Jacobian, JacobianFn, Ode, Pieces,
     Projection, Real, Splitting, StepBounds, System, TaylorSeries, Variations, Working, slope, variable,

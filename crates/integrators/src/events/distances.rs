@@ -8,10 +8,36 @@ use super::Instant;
 /// The change of a distance over an interval below which its ends decide.
 const LITTLE: f64 = 0.1;
 
+/// The change by the bound near the states, up to which the motion hardly turns over an interval: then its own bounds at both ends hold
+/// between them, but for a factor.
+const EVEN: f64 = 3.0;
+
+/// That factor.
+const BETWEEN: f64 = 1.5;
+
+/// Bounds of the rate of a distance of the order of one, 1/s.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pace {
+    /// Near a state, in any direction of the motion. Zero for a signal that is no such distance.
+    pub near: f64,
+    /// At the state itself, along its motion; at most `near`.
+    pub own: f64,
+}
+
+impl Pace {
+    /// A bound of the change of the distance over an interval of this length, at whose ends these are the bounds of its rate.
+    pub fn change([before, after]: [Pace; 2], length: f64) -> f64 {
+        let near = length.abs() * before.near.max(after.near);
+        let own = BETWEEN * length.abs() * before.own.max(after.own);
+        if near <= EVEN { near.min(own) } else { near }
+    }
+}
+
 /// Whether a signal is such a distance, and not zero between two instants.
-pub(super) fn stays_off([before, after]: [&Instant; 2], signal: usize) -> bool {
-    let most = most_change([before, after], signal);
+pub(super) fn stays_off(ends: [&Instant; 2], signal: usize) -> bool {
+    let most = most_change(ends, signal);
     let distance = |at: &Instant| at.signals[signal].value.max(0.0).sqrt();
+    let [before, after] = ends;
     most > 0.0 && most < distance(before) + distance(after)
 }
 
@@ -22,7 +48,7 @@ pub(super) fn are_open(before: &Instant, after: &Instant) -> bool {
 }
 
 /// The bound of the change of a distance between two instants.
-fn most_change([before, after]: [&Instant; 2], signal: usize) -> f64 {
-    let fastest = |at: &Instant| at.signals[signal].fastest;
-    (after.time - before.time).abs() * fastest(before).max(fastest(after))
+fn most_change(ends: [&Instant; 2], signal: usize) -> f64 {
+    let [before, after] = ends;
+    Pace::change(ends.map(|at| at.signals[signal].pace), after.time - before.time)
 }

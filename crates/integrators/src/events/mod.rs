@@ -15,6 +15,7 @@ mod search;
 
 use crate::{End, Failure, Method, Observer, Outcome, Span, System, Tolerance, Work, integrate};
 use again::Again;
+pub use distances::Pace;
 use search::{Search, Seen, look};
 
 /// A signal: its value, its rate along the motion, and the noise up to which a value counts as zero.
@@ -24,8 +25,8 @@ pub struct Signal {
     pub rate: f64,
     pub noise: f64,
     /// For the square of a distance of the order of one, which may come down to zero and rise again in less than a
-    /// step: a bound of the rate of the distance near the state. Zero where values and rates at the ends of a step show enough.
-    pub fastest: f64,
+    /// step: bounds of the rate of the distance. Zero where values and rates at the ends of a step show enough.
+    pub pace: Pace,
 }
 
 /// Signals that are watched. Each counts from the time at which it was first positive: one that starts at zero may rise

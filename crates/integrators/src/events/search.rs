@@ -162,7 +162,7 @@ impl Search<'_, '_> {
     /// The fall of a distance to zero at the last instant of an interval that can be computed again; `None` where the motion does not
     /// end there.
     fn last(&mut self, [a, b]: [&Instant; 2]) -> Option<Seen> {
-        if self.of(a).fastest == 0.0 {
+        if self.of(a).pace.near == 0.0 {
             return None;
         }
         let (mut last, mut beyond) = (a.clone(), b.time);
@@ -178,8 +178,8 @@ impl Search<'_, '_> {
     }
 
     fn is_near(&self, instant: &Instant) -> bool {
-        let Signal { value, fastest, .. } = self.of(instant);
-        fastest > 0.0 && value <= NEAR * NEAR
+        let Signal { value, pace, .. } = self.of(instant);
+        pace.near > 0.0 && value <= NEAR * NEAR
     }
 
     /// The fall through zero in an interval that has one. Where it cannot be computed again, the end, which counts as zero, is taken.

@@ -1,8 +1,8 @@
 //! Events: where a signal falls through zero, or only touches it.
 
 use dalembert_integrators::{
-    Event, Happening, Method, Ode, Outcome, Record, Signal, Span, Switches, System, TaylorSeries, Tolerance, integrate,
-    integrate_to_event,
+    Event, Happening, Method, Ode, Outcome, Pace, Record, Signal, Span, Switches, System, TaylorSeries, Tolerance,
+    integrate, integrate_to_event,
 };
 use field::{Analytic, Over};
 
@@ -230,7 +230,8 @@ impl Switches for Even {
 
     fn signals(&self, _time: f64, y: &[f64], out: &mut [Signal]) {
         let (sin, cos) = y[0].sin_cos();
-        out[0] = Signal { value: sin * sin - LESS, rate: 2.0 * sin * cos, noise: 0.0, fastest: 1.0 };
+        out[0] =
+            Signal { value: sin * sin - LESS, rate: 2.0 * sin * cos, noise: 0.0, pace: Pace { near: 1.0, own: 1.0 } };
     }
 
     fn ends_above(&self, _signal: usize) -> bool {
@@ -248,6 +249,35 @@ fn a_distance_that_comes_to_zero_within_one_long_step_is_found() {
         assert!(event.is_some_and(|event| (event.time - exact).abs() < 1e-9), "{method:?}: {event:?}");
         assert!(outcome.state[0].sin().powi(2) > LESS, "{method:?}: {outcome:?}");
     }
+}
+
+/// The square of a distance that the motion of [`Even`] hardly changes, though motions in other directions would.
+struct Steady {
+    own: f64,
+}
+
+impl Switches for Steady {
+    fn count(&self) -> usize {
+        1
+    }
+
+    fn signals(&self, _time: f64, _y: &[f64], out: &mut [Signal]) {
+        out[0] = Signal { value: 0.04, rate: 0.0, noise: 0.0, pace: Pace { near: 1.0, own: self.own } };
+    }
+}
+
+#[test]
+fn a_distance_that_the_motion_itself_does_not_change_is_not_looked_for_within_a_step() {
+    let span = Span::new(0.0, 2.0, &[0.5]);
+    let work = |own: f64| {
+        let steady = Steady { own };
+        let found = integrate_to_event(&Even, Method::DormandPrince8, &Tolerance::both(1e-9), &span, &steady, &mut ());
+        assert_eq!(found.1, None);
+        found.0.work
+    };
+    let alone = integrate(&Even, Method::DormandPrince8, &Tolerance::both(1e-9), &span, &mut ()).work;
+    assert_eq!(work(0.1), alone);
+    assert!(work(1.0).rates > alone.rates);
 }
 
 /// y' = -1/y: y^2 falls evenly, and y comes to zero with an infinite rate at t = 1/2.

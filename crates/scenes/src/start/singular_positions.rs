@@ -8,6 +8,7 @@
 
 use super::constraints::Constraints;
 use super::start_speeds;
+use integrators::Pace;
 use model::Model;
 use model::equations::Level;
 use nalgebra::{Cholesky, DMatrix};
@@ -238,19 +239,22 @@ impl SingularPositions {
         let value = self.value(here);
         // each coordinate changes entries of its own in the main, so that squares add up
         let squares = self.weights.iter().zip(rates).map(|(weight, rate)| (weight * rate) * (weight * rate));
-        let mut fastest = squares.sum::<f64>().sqrt();
-        let mut rate = 0.0;
+        let near = squares.sum::<f64>().sqrt();
+        let (mut rate, mut own) = (0.0, near);
         let largest = rates.iter().fold(0.0, |largest: f64, rate| largest.max(rate.abs()));
-        if (value < FAR || self.knows_time) && largest > 0.0 && largest.is_finite() {
+        if largest > 0.0 && largest.is_finite() {
             let apart = APART / largest.max(1.0);
             let moved = state.iter().zip(rates).map(|(part, rate)| part + apart * rate);
             self.look_at(time + apart, moved, beside);
-            rate = (self.value(beside) - value) / apart;
+            if value < FAR || self.knows_time {
+                rate = (self.value(beside) - value) / apart;
+            }
             let changes = beside.rows.iter().zip(&here.rows).map(|(moved, own)| (moved - own) * (moved - own));
-            fastest = f64::max(fastest, changes.sum::<f64>().sqrt() / apart);
+            own = changes.sum::<f64>().sqrt() / apart;
         }
+        let pace = Pace { near: near.max(own), own };
         let is_left_out = value < self.least && self.whole.as_ref().is_some_and(|whole| whole.is_regular(time, state));
-        Margin { value, rate, fastest, what: if is_left_out { KEPT } else { SINGULAR } }
+        Margin { value, rate, pace, what: if is_left_out { KEPT } else { SINGULAR } }
     }
 
     /// Whether a state is far from a singular position.

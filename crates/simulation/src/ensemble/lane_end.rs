@@ -5,7 +5,7 @@
 
 use crate::Margin;
 use crate::events::{Margins, outside};
-use integrators::LaneStep;
+use integrators::{LaneStep, Pace};
 
 /// The change of a distance over an interval below which the interval is not halved.
 const LITTLE: f64 = 2e-4;
@@ -52,5 +52,5 @@ impl<'a> LaneEnd<'a> {
 /// Whether a distance may come to zero over an interval by the bound of its rate.
 fn is_open(before: &Margin, after: &Margin, length: f64) -> bool {
     let distance = |margin: &Margin| margin.value.max(0.0).sqrt();
-    length * before.fastest.max(after.fastest) > LITTLE.max(distance(before) + distance(after))
+    Pace::change([before.pace, after.pace], length) > LITTLE.max(distance(before) + distance(after))
 }

@@ -5,7 +5,8 @@
 
 use super::poles::{PoleWatch, up_to};
 use integrators::{
-    Event, Method, Observer, Ode, Outcome, Signal, Span, Switches, System, Tolerance, integrate, integrate_to_event,
+    Event, Method, Observer, Ode, Outcome, Pace, Signal, Span, Switches, System, Tolerance, integrate,
+    integrate_to_event,
 };
 use std::cell::RefCell;
 
@@ -16,8 +17,8 @@ pub struct Margin {
     pub value: f64,
     /// The derivative of the margin along the motion, 1/s.
     pub rate: f64,
-    /// A bound of the rate, as [`Signal::fastest`].
-    pub fastest: f64,
+    /// Bounds of the rate of the distance whose square this is, as [`Signal::pace`].
+    pub pace: Pace,
     /// Why the law does not hold beyond the end.
     pub what: &'static str,
 }
@@ -114,7 +115,7 @@ impl Switches for Ends<'_> {
             // beyond its end a law may be singular, and its rates NaN
             let [value, rate] =
                 [margin.value, margin.rate].map(|number| if number.is_finite() { number } else { -1.0 });
-            *signal = Signal { value, rate, noise: 0.0, fastest: margin.fastest };
+            *signal = Signal { value, rate, noise: 0.0, pace: margin.pace };
         }
     }
 
