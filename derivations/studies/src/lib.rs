@@ -1,19 +1,51 @@
 //! Studies of mechanical and electromechanical systems: motions, stability, steps of methods, smaller models.
 //!
 //! # Overview
-//! * [`stationary`]: all stationary motions of a gyrostat with any motor, exactly;
+//! * [`stationary`]: all steady motions of a gyrostat with any motor, exactly;
 //! * [`numerical_stability`]: numerical stability of steady motions;
-//! * [`synchronism`]: a synchronous motor under load, in step and out of it;
+//! * [`synchronism`]: a synchronous motor under load: synchronous and slipping motions;
 //! * [`stabilisation`]: constraint stabilisation (Baumgarte's gains, projection): stability regions, errors and work, measured;
-//! * [`failures`]: every way in which methods fail, with its threshold by theory and by runs;
-//! * [`model_reduction`]: smaller models under the one of a scene, the error of each, the cheapest that suffices;
-//! * [`conformance`]: rules for every motor, whoever wrote it;
+//! * [`failures`]: failures of numerical methods, each with its threshold by theory and by runs;
+//! * [`model_reduction`]: smaller models of a scene, the error of each, the cheapest that suffices;
+//! * [`conformance`]: checks of the general laws of motors;
 //! * [`closed_forms`]: motions in closed form, against which runs and references are measured;
 //! * [`long_runs`]: growth of errors over a million revolutions, measured against a closed form;
 //! * [`regimes`], [`governors`]: maps and series for pictures;
 //! * [`scene`]: a gyrostat or a bench with a motor, from a file; [`AnyScene`]: such a scene, or a model;
 //! * [`knowledge`]: facts about single text systems beyond their equations: closed forms, ends, smaller models;
 //! * [`ensemble`]: ensembles: many systems of one kind with different data, run in batches.
+//!
+//! # Example
+//! A synchronous motor as text passes the checks of [`conformance`].
+//! ```
+//! use claims::finding::PropertyVerdict;
+//! use dalembert_studies::conformance::conform;
+//! use dalembert_studies::scene::Scene;
+//! use reader::Family;
+//!
+//! let text = r#"
+//! title = "A synchronous motor on a bench"
+//! system = "bench"
+//! [rotor]
+//! axial = "1e-3 kg m^2"
+//! [start]
+//! rotor_speed = "30 rad/s"
+//! [run]
+//! span = "1 s"
+//! [machine]
+//! model = "text"
+//! field_speed = "30 rad/s"
+//! field_energy = "-b0*cos(g) - 1/2*b2*cos(2*g)"
+//! moment_law = "-f*phi'"
+//! [machine.parameters]
+//! b0 = "0.8 N m"
+//! b2 = "0.5 N m"
+//! f = "4 mN m s"
+//! "#;
+//! let scene = Scene::parse("bench.toml", text).expect("it is a scene");
+//! let findings = conform(&scene.machine);
+//! assert!(findings.iter().all(|finding| !matches!(finding.verdict, PropertyVerdict::Fails(_))));
+//! ```
 
 mod any_scene;
 pub mod closed_forms;
