@@ -1,7 +1,7 @@
 //! Steady motions along a parameter, or along the speed of a cyclic coordinate, with the bifurcations between values.
 //!
-//! At each value all motions are found. Where the numbers or the stability at two values differ, and both searches are complete, a bifurcation
-//! lies between: the bracket is narrowed as far as motions can be distinguished.
+//! At each value all motions are found. If the number of motions or their stability differs between two values with complete searches, there is a
+//! bifurcation in between, and its bracket is narrowed as far as motions can be distinguished.
 
 use super::spectrum::{EnclosedSpectrum, EnclosedVerdict};
 use super::stability::SteadyStability;
@@ -29,15 +29,15 @@ pub enum Change {
     Pair,
     /// The motions persist; their stability changes in another way.
     Exchange,
-    /// None appears or vanishes, or becomes stable or unstable: one that is unstable becomes so in more directions, or in fewer.
+    /// The number of directions changes in which a motion is unstable; motions neither appear nor vanish, and none becomes stable or unstable.
     Directions,
     /// A motion leaves the ranges, or enters them.
     Leaves,
-    /// One appears or vanishes within the ranges: a condition is met there, or friction lets go.
+    /// A motion appears or vanishes within the ranges, since a condition changes or friction reaches its bound.
     Ends,
-    /// Two or more leave the ranges, or enter them, at their ends.
+    /// Two or more motions leave the ranges, or enter them, at their ends.
     LeaveTogether,
-    /// Families appear or vanish, as places at which friction holds, and no motion that is alone.
+    /// Families appear or vanish, such as positions at which friction holds, and no isolated motion does.
     Families,
     /// Several of these at once.
     Several,
@@ -46,7 +46,7 @@ pub enum Change {
 /// Two values between which the motions change.
 #[derive(Clone, Debug)]
 pub struct Bifurcation {
-    /// With the searches there, each complete.
+    /// The last value before the change and the first one after it, each with a complete search.
     pub before: Sample,
     pub after: Sample,
     pub change: Change,
@@ -56,7 +56,7 @@ pub struct Bifurcation {
 #[derive(Clone, Debug)]
 pub struct Along {
     pub samples: Vec<Sample>,
-    /// All values that were looked at, those between which changes are enclosed too, the lowest first.
+    /// All examined values in ascending order, including those of brackets.
     pub visited: Vec<Sample>,
     pub bifurcations: Vec<Bifurcation>,
 }
@@ -64,23 +64,23 @@ pub struct Along {
 /// The part of the range to which a change is enclosed.
 const ENCLOSED: f64 = 1e-9;
 
-/// Changes as near to one another, as a part of the range, are one: close to it stability is not decided.
+/// Changes closer to each other than this fraction of the range count as one, since stability is not decided close to a change.
 const ONE: f64 = 1e-6;
 
-/// Where a search between two values is not complete, others are tried: parts of the way.
+/// If the search at a value between two others is not complete, values at these fractions of the distance are tried.
 const PARTS: [f64; 5] = [0.5, 0.381_966, 0.618_034, 0.236, 0.764];
 
-/// Motions so close together, as a part of the ranges, where two of them merge, are three that merge.
+/// If two motions merge and a third is closer than this fraction of the ranges, all three merge.
 const TOGETHER: f64 = 1e-2;
 
-/// A motion that is nearer to an end of a range than this part of it leaves the range there.
+/// A motion closer to an end of a range than this fraction of it counts as leaving the range there.
 const AT_END: f64 = 1e-5;
 
 impl Along {
-    /// At so many values from one to another, in SI units.
+    /// The motions at a number of values between two, in SI units.
     ///
     /// # Errors
-    /// Why steady motions are not sought, at the first value where they are not; or why it is no parameter.
+    /// The reason for which steady motions are not searched for at some value, or for which the name is not a parameter.
     pub fn of(
         model: &Model,
         asked: &Asked,
@@ -173,7 +173,7 @@ fn enclosed(
     Ok(all)
 }
 
-/// Those closer together than this as one.
+/// The changes, with those closer together than `near` as one.
 fn merged(all: Vec<Bifurcation>, near: f64) -> Vec<Bifurcation> {
     let mut merged: Vec<Bifurcation> = Vec::new();
     for next in all {
@@ -189,7 +189,7 @@ fn merged(all: Vec<Bifurcation>, near: f64) -> Vec<Bifurcation> {
     merged
 }
 
-/// In how many directions each motion is unstable, as far as that is known, in the order of these numbers, and the number of families.
+/// The number of directions in which each motion is unstable, if known, in ascending order; and the number of families.
 pub(super) fn kinds(found: &SteadyMotions) -> (Vec<usize>, usize) {
     let mut kinds: Vec<usize> = found.motions.iter().map(unstable).collect();
     kinds.sort_unstable();
@@ -199,7 +199,7 @@ pub(super) fn kinds(found: &SteadyMotions) -> (Vec<usize>, usize) {
 fn unstable(motion: &SteadyMotion) -> usize {
     match &motion.stability {
         SteadyStability::Falls(count) | SteadyStability::FallsOdd(count) => *count,
-        // the linear equations without cyclic coordinates are the same at all times, those of an instant need not be
+        // the linear equations without cyclic coordinates do not depend on the instant; those with cyclic coordinates may
         SteadyStability::Linear(found) => {
             match (found.enclosed.as_ref().map(EnclosedSpectrum::verdict), found.linear.stability) {
                 (Ok(EnclosedVerdict::Unstable(count)), _) => count,
@@ -239,7 +239,7 @@ fn change(before: &Sample, after: &Sample) -> Change {
     }
 }
 
-/// The change where motions are as many, by the directions that become unstable.
+/// The change if the number of motions stays equal, by the directions that become unstable.
 fn exchanged(before: &Sample, after: &Sample) -> Change {
     let unstable = |sample: &Sample| -> usize { sample.found.motions.iter().map(unstable).sum() };
     let stable = |sample: &Sample| kinds(&sample.found).0.iter().filter(|directions| **directions == 0).count();

@@ -29,14 +29,14 @@ pub(super) fn is_periodic(expression: Sym, angle: Sym) -> bool {
     !open.contains(&expression)
 }
 
-/// The turns, as an angle, that bring an angle to the one between minus half a turn and half a turn.
+/// The full turns, as an angle, whose addition brings an angle between minus half a turn and half a turn.
 pub(super) fn turns_to_zero(angle: f64) -> f64 {
     let turns = (angle / (2.0 * PI)).round() * -2.0 * PI;
     // minus half a turn is half a turn
     if angle + turns < -PI + 1e-9 { turns + 2.0 * PI } else { turns }
 }
 
-/// Whether two zeros differ by whole turns of angles: then one lies, turned, where the other is alone.
+/// Whether two zeros differ by whole turns of angles only: then one of them, after these turns, lies in the box in which the other is unique.
 pub(super) fn is_same(unknowns: &[Unknown], known: &Zero, other: &Zero) -> bool {
     let is_same = |(k, (at, alone)): (usize, (&Interval, &Interval))| {
         let turns = match unknowns.get(k) {

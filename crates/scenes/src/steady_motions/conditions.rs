@@ -1,8 +1,8 @@
 //! Steady motions with laws that change at conditions: each condition holds, fails, or is zero. At zero its part of the law lies anywhere
 //! between both cases, as for sticking dry friction.
 //!
-//! A condition that is zero at every rest, as the sign of a speed is, is set to zero. For others all three cases are tried; where the law
-//! is continuous at the condition's zero, as for `abs`, the zero belongs to both sides.
+//! A condition that is zero whenever the system rests, such as the sign of a speed, is set to zero. For other conditions all three cases are
+//! tried. If the law is continuous at the zero of the condition, as for `abs`, the zero belongs to both sides.
 
 use super::rows::{Rows, Touching};
 use super::{NoSteadyMotions, Range, Unknown};
@@ -111,9 +111,9 @@ pub(super) struct Laws {
     pub touching: Vec<Sym>,
     /// Tangential reactions by these.
     pub forces: Vec<(Sym, Sym)>,
-    /// Values that shall be positive, or negative, each with the place of its case.
+    /// Values that must be positive, or negative, each with the place of its case.
     pub sides: Vec<(Sym, bool, usize)>,
-    /// Values that shall be zero.
+    /// Values that must be zero.
     pub at_zero: Vec<Sym>,
 }
 
@@ -143,7 +143,7 @@ impl Laws {
         match case {
             Case::Holds => self.known.push((letter, Sym::ONE)),
             Case::Fails => self.known.push((letter, Sym::ZERO)),
-            // a part of a factor that is zero itself, as a coefficient of damping is at rest: no equation asks for it
+            // a part of a factor that multiplies zero, such as a coefficient of damping at rest: it occurs in no equation
             _ if all().all(|row| vanishes(row.diff(letter).substitute(at_rest))) => {
                 self.known.push((letter, Sym::ZERO))
             }

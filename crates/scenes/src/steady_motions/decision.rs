@@ -8,7 +8,7 @@ use super::tapes::Tapes;
 use algebra::boxes::{Found, Limits, Zero, zeros};
 use field::Interval;
 
-/// Boxes that are looked at before families are sought by identities.
+/// The number of boxes examined before the search looks for families by identities.
 const FIRST: usize = 2_000;
 
 /// Along each unknown, a part of its range below which a box is not divided.
@@ -19,7 +19,7 @@ const SMALLEST: f64 = 1e-7;
 pub(super) struct Decision {
     pub found: Found,
     pub families: Vec<Family>,
-    /// The part of the whole box that undecided boxes take.
+    /// The share of undecided boxes in the whole box.
     pub undecided_part: f64,
 }
 
@@ -44,7 +44,7 @@ impl Decision {
                 if own.found.undecided.is_empty() || equations.identities.is_empty() {
                     return own;
                 }
-                // families are told by the angles themselves
+                // families are given by the angles, not by their sums
                 Found { undecided: vec![domain.to_vec()], examined: own.found.examined, ..Found::default() }
             }
             None => zeros(boxes, domain, Limits { boxes: first, smallest: SMALLEST }, &mut goes_on),
@@ -62,7 +62,7 @@ impl Decision {
         Decision { found, families, undecided_part }
     }
 
-    /// By sums of angles, with what is found told by the angles.
+    /// Searches with sums of angles as unknowns; the result is given by the angles.
     fn by_sums(
         equations: &SteadyEquations,
         (sums, tapes): &(AngleSums, Tapes),
@@ -83,7 +83,7 @@ impl Decision {
     }
 }
 
-/// The part of a box that some boxes in it take.
+/// The share of some boxes in a box that contains them.
 fn part(boxes: &[Vec<Interval>], whole: &[Interval]) -> f64 {
     let volume =
         |at: &Vec<Interval>| at.iter().zip(whole).map(|(at, whole)| at.width() / whole.width()).product::<f64>();

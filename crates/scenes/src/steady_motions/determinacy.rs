@@ -16,9 +16,9 @@ const REGULAR: f64 = 1e-3;
 
 /// Preferences for independent speeds.
 pub(super) struct Wanted<'a> {
-    /// Those that stay independent where others can be determined.
+    /// Speeds that remain independent as far as the others can be determined.
     pub free: Vec<usize>,
-    /// A state at which the determined ones are determined, which is asked for where a motion near it is sought, else preferred.
+    /// A state at which the constraints must determine the other speeds, for a motion near this state; otherwise this is a preference.
     pub state: &'a [f64],
     pub is_near: bool,
 }
@@ -29,8 +29,8 @@ pub(super) struct Solution {
     pub is_regular: bool,
 }
 
-/// Some choices of determined speeds, of those that keep the most of the wanted speeds free: such as are determined at the state first.
-/// None where constraints are not linear in the speeds, or too many.
+/// Choices of determined speeds that leave the largest number of wanted speeds independent; those determined at the state come first.
+/// None if constraints are not linear in the speeds, or if there are too many.
 pub(super) fn solutions(
     trace: &Trace<'_>,
     (of_speeds, residuals, zeros_of_positions): (&[Equation], &[Sym], &[Sym]),
@@ -44,13 +44,13 @@ pub(super) fn solutions(
         return None;
     }
     let zeros = put(&of_speeds.iter().map(|one| one.zero).collect::<Vec<_>>());
-    // those first whose coordinates occur nowhere; constraints of positions determine some of those that they hold
+    // coordinates that occur nowhere come first; constraints of positions determine some of the coordinates in them
     let written: Vec<Sym> = residuals.iter().chain(rows.iter().flatten()).flat_map(|row| row.symbols_of()).collect();
     let held: Vec<Sym> = zeros_of_positions.iter().flat_map(|zero| zero.symbols_of()).collect();
     let mut order: Vec<usize> = (0..n).collect();
     order.sort_by_key(|&k| {
         let own = trace.coordinates[k];
-        // such as a start gives are those that somebody thinks of
+        // speeds given at the start are those that the user has in mind
         let is_given = !wanted.is_near && wanted.state[trace.coordinates.len() + k] != 0.0;
         (wanted.free.contains(&k), is_given, held.contains(&own), written.contains(&own))
     });

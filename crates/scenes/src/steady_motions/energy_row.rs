@@ -13,7 +13,7 @@ use crate::letters::Letters;
 use model::equations::vanishes;
 use model::{Model, Trace};
 
-/// The place of that equation, at speeds of which some are known.
+/// The place of that equation; some of the speeds are known.
 pub(super) fn implied(
     model: &Model,
     trace: &Trace<'_>,

@@ -25,11 +25,11 @@ use symbolic::{Sym, Tape, substitute_all};
 /// An unknown of the search: a coordinate, or the constant speed of a cyclic one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unknown {
-    /// As states call it: theta, or phi'.
+    /// The name as in states: theta, or phi'.
     pub name: String,
     /// Its place in the state.
     pub place: usize,
-    /// Whether it goes around a circle: its range is a whole turn.
+    /// Whether it is an angle with the range of a whole turn.
     pub is_circle: bool,
     pub range: Range,
 }
@@ -38,27 +38,27 @@ pub struct Unknown {
 #[derive(Debug)]
 pub(super) struct SteadyEquations {
     pub unknowns: Vec<Unknown>,
-    /// Numbers in the state that are no unknowns: what is fixed, and speeds of cyclic coordinates.
+    /// Given numbers of the state: fixed coordinates, and speeds of cyclic coordinates.
     pub given: Vec<(String, f64)>,
     /// Coordinates that occur nowhere.
     pub cyclic: Vec<String>,
     /// Their places.
     pub cyclic_places: Vec<usize>,
-    /// Those of them whose momenta are kept.
+    /// Cyclic coordinates with conserved momenta.
     pub kept_momenta: Vec<(usize, String)>,
-    /// The state with the numbers that are given.
+    /// The state with the given numbers.
     pub state: Vec<f64>,
     /// The number of reactions that the positions determine.
     pub reactions: usize,
     /// Whether the loads have a potential energy.
     pub have_potential: bool,
-    /// Whether an equation has no unknowns, and is not met.
+    /// Whether an equation has no unknowns and does not hold.
     pub is_unbalanced: bool,
     /// Coordinates that are unknowns.
     pub coordinates: usize,
     /// The number of residuals.
     pub rows: usize,
-    /// Whether each condition shall be positive, else negative.
+    /// Whether each condition must be positive; otherwise it must be negative.
     pub holds: Vec<bool>,
     /// The case of each of these, by its place in the combination.
     pub side_places: Vec<usize>,
@@ -66,9 +66,9 @@ pub(super) struct SteadyEquations {
     pub is_at_condition: bool,
     /// For each condition of the law 1 where it holds, else 0.
     pub switches: Vec<f64>,
-    /// Identities between them, where none holds reactions.
+    /// Identities between the residuals, if these contain no reactions.
     pub identities: Vec<Identity>,
-    /// Speeds that are given, for every other value of which there are steady motions too.
+    /// Given speeds that may have any other value: there are steady motions for each value.
     pub free_speeds: Vec<String>,
     /// Derivatives of the momenta of cyclic coordinates by the unknowns, row after row, then by their speeds; none where these depend on
     /// anything else, and where constraints hold speeds.
@@ -77,7 +77,7 @@ pub(super) struct SteadyEquations {
     pub masses: Option<Tape>,
     /// The programs of the search.
     pub tapes: Tapes,
-    /// The same by sums of angles, where these occur more simply.
+    /// The programs with sums of angles as unknowns, if the equations are simpler in them.
     pub by_sums: Option<(AngleSums, Tapes)>,
     /// Places in the state of speeds that constraints of speeds determine, and these by the unknowns.
     pub determined: (Vec<usize>, Tape),
@@ -107,7 +107,7 @@ impl SteadyEquations {
             let (names, n) = (state_names(model), trace.speeds.len());
             let free = (0..n).filter(|&k| asked.range(&names[n + k]).is_some()).collect();
             let rows = Rows::of(model, &trace, &Wanted { free, state: &start, is_near: false })?;
-            // a gap that no coordinate opens has a reaction that no position determines
+            // the reaction of a gap that no coordinate changes is not determined by positions
             let gaps = &rows.conditions[rows.condition_letters.len()..];
             if let Some(place) = gaps.iter().position(|gap| vanishes(*gap)) {
                 return Err(NoSteadyMotions::Contacts { at: model.contacts[place].at.clone() });
@@ -121,8 +121,8 @@ impl SteadyEquations {
         })
     }
 
-    /// For the motion of a state where that is one identically, but for reactions; else for motions near it, whose speeds of cyclic
-    /// coordinates are kept where no equation asks for them.
+    /// The equations for the motion of a state, if they hold at it identically except for reactions; otherwise for motions near it. Speeds of
+    /// cyclic coordinates are those of the state unless an equation determines them.
     pub fn near(model: &Model, state: &[f64]) -> Result<Self, NoSteadyMotions> {
         Self::checked(model)?;
         let written = |is_pinned| Self::written(model, &Asked::default(), Some(state), is_pinned, &[]);
@@ -139,7 +139,7 @@ impl SteadyEquations {
 
     fn checked(model: &Model) -> Result<(), NoSteadyMotions> {
         Self::checked_but_for_conditions(model)?;
-        // an event changes the state alone: between events the law is one
+        // events change only the state: the law between events is smooth
         let is_one = model.switches.is_empty() && model.contacts.is_empty();
         if is_one { Ok(()) } else { Err(NoSteadyMotions::Changes) }
     }
@@ -197,7 +197,7 @@ impl SteadyEquations {
         if let Some(k) = implied(model, &trace, &rows, speed) {
             residuals[k] = Sym::ZERO;
         }
-        // the speed of a cyclic coordinate is sought where its own equation asks for it, else it is what the start, or somebody, says
+        // the speed of a cyclic coordinate is an unknown if the equation of this coordinate depends on it; otherwise the user or the start gives it
         let mut state = near.map_or_else(|| model.start_state(), <[f64]>::to_vec);
         state[..n].iter_mut().zip(is_cyclic).filter(|(_, cyclic)| **cyclic).for_each(|(value, _)| *value = 0.0);
         let (mut unknowns, mut given, mut known) = (Vec::new(), Vec::new(), Vec::new());
@@ -206,7 +206,7 @@ impl SteadyEquations {
             let (symbol, place, is_sought) = match is_cyclic[k] {
                 false => (trace.coordinates[k], k, !is_pinned),
                 true => {
-                    // its own equation asks for speeds, or for something that the others give by this one
+                    // its equation depends on speeds, or on quantities that the other equations determine by this speed
                     let asks = residuals[k].symbols_of().iter().any(|symbol| trace.speeds.contains(symbol))
                         || residuals[k] != Sym::ZERO
                             && residuals.iter().any(|row| row.symbols_of().contains(&trace.speeds[k]));
@@ -228,7 +228,7 @@ impl SteadyEquations {
                     known.push((symbol, Sym::constant(field::Rational::exactly(range.from))));
                     given.push((name, range.from));
                 }
-                // more than a turn holds every place more than once
+                // a range above a turn would contain positions twice
                 Some(range) if is_circle && range.to - range.from >= 2.0 * PI => {
                     unknowns.push((symbol, Unknown { name, place, is_circle, range: Range::TURN }));
                 }
@@ -260,7 +260,7 @@ impl SteadyEquations {
         };
         let asking_all = [&residuals[..], &rows.zeros].concat();
         let (residuals, zeros, at_zero) = (put(&residuals), put(&rows.zeros), put(&at_zero));
-        // reactions that are gone may leave sines and cosines that are constant together
+        // without reactions a row may contain sines and cosines whose combination is constant
         let is_constant = |row: &Sym| match cases.is_empty() {
             true => row.as_constant().is_some(),
             false => row.symbols_of().into_iter().all(|own| vanishes(row.diff(own))),
@@ -275,7 +275,7 @@ impl SteadyEquations {
         let asking: Vec<usize> = (0..n).filter(|&k| residuals[k] != Sym::ZERO).collect();
         let zeros_put = zeros.clone();
         let zeros: Vec<Sym> = zeros.into_iter().filter(|zero| *zero != Sym::ZERO).collect();
-        // a load that nothing balances
+        // an unbalanced load
         let is_unbalanced = residuals.iter().chain(&at_zero).any(is_open);
         let zeros: Vec<Sym> = zeros.into_iter().chain(at_zero.into_iter().filter(|zero| *zero != Sym::ZERO)).collect();
         let counts = [asking.len() + zeros.len(), unknowns.len() + multipliers.len()];
@@ -284,7 +284,7 @@ impl SteadyEquations {
         if counts[0] > counts[1] && !idle.is_empty() && !is_unbalanced {
             return Err(NoSteadyMotions::Unequal { counts, idle });
         }
-        // an equation that the given values alone fulfil may fail at others
+        // an equation that holds at the given values may fail at others
         let is_lost = |(before, after): (&Sym, &Sym)| *before != Sym::ZERO && *after == Sym::ZERO;
         let keeps_all = !asking_all.iter().zip(residuals.iter().chain(&zeros_put)).any(is_lost);
         let is_free = |&k: &usize| {

@@ -4,7 +4,7 @@ use super::SteadyMotion;
 use model::{Model, StartValue};
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 
-/// A factor of what tells how a set lies: the sine or the cosine of an angle.
+/// A factor of an expression for the position of a set: the sine or the cosine of an angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Factor {
     Sine,
@@ -23,11 +23,11 @@ pub(super) struct Set {
     pub is_spinning: bool,
     /// The first of both sets, whose last axis is that of the frame.
     pub is_main: bool,
-    /// The side of the second set, where both turns are one: along the axis of the parent, or against it.
+    /// The side of the second set if both turns have one axis: along the axis of the parent, or against it.
     pub is_positive: Option<bool>,
     /// The function of the second angle that is zero where the set is singular.
     pub regular: Factor,
-    /// Whether the second angle is a quarter turn in the middle of where the set is used.
+    /// Whether the second angle is a quarter turn at the middle of the orientations in which the set is used.
     pub has_angle_from_axis: bool,
     /// The cosine of the angle between both axes, up to its sign, of the second set.
     pub alignment: Vec<(usize, Factor)>,
@@ -56,7 +56,7 @@ impl Set {
         }
     }
 
-    /// Both sets; the second on both sides where both turns are one.
+    /// Both sets; the second one for both sides if both turns have one axis.
     pub fn all((parent, own): (usize, usize), is_spinning: bool) -> Vec<Self> {
         let main = Set::main((parent, own), is_spinning);
         let (next, last) = ((parent + 1) % 3, (parent + 2) % 3);
@@ -85,10 +85,10 @@ impl Set {
     }
 }
 
-/// Turns whose determinant is smaller do not tell two of them apart.
+/// Below this determinant of the axes two of the turns cannot be separated.
 const SINGULAR: f64 = 1e-6;
 
-/// Components of an angular velocity that are smaller parts of it are rounding.
+/// Components of an angular velocity below this fraction of it are rounding.
 const ROUNDING: f64 = 1e-13;
 
 /// The angles of one frame.
@@ -110,8 +110,8 @@ impl Angles {
         Angles { axes: main.axes, names: main.names, ..self.clone() }
     }
 
-    /// The angles at the start of a model in which the frame turns freely, then their rates: those that make up its angular velocity where the
-    /// spin is a motion of its own, else the component of that along the axis of the parent.
+    /// The angles at the start of a model in which the frame is free, then their rates. These give the whole angular velocity if the spin is
+    /// cyclic; otherwise only its component along the axis of the parent is used.
     pub fn start(&self, original: &Model, number: usize, is_spinning: bool) -> Vec<StartValue> {
         let state = original.start_state();
         let at = original.free_position(number);
@@ -124,7 +124,7 @@ impl Angles {
         let turns = self.turns(angles);
         let mut rates = match is_spinning {
             true if turns.determinant().abs() > SINGULAR => turns.lu().solve(&turning).unwrap_or_default(),
-            // both turns are one
+            // both turns have one axis
             true => Vector3::new(0.0, 0.0, own[self.axes[2]]),
             false => Vector3::new(turning[self.axes[0]], 0.0, 0.0),
         };
@@ -156,7 +156,7 @@ impl Angles {
                 (-entry(e, a)).atan2(entry(e, e)),
             ],
         };
-        // in the other order of axes turns have the other sense
+        // in the opposite order of axes turns have the opposite sense
         if a == (e + 1) % 3 { angles } else { angles.map(|angle| -angle) }
     }
 
@@ -188,7 +188,7 @@ impl Angles {
         (0..3).filter(move |row| is_whole || *row == first)
     }
 
-    /// The axes of the parent by those of the frame, the first alone where the first angle is none of the motion's, and the angular velocity.
+    /// The axes of the parent in the frame, and the angular velocity; only the first axis if the motion does not determine the first angle.
     pub fn seen(&self, motion: &SteadyMotion, is_whole: bool) -> Vec<f64> {
         let n = motion.state.len() / 2;
         let of = |from: usize| -> [f64; 3] { std::array::from_fn(|k| motion.state[from + self.first + k]) };
@@ -206,7 +206,7 @@ impl Angles {
 mod tests {
     use super::*;
 
-    /// R is put together again from its angles, and the rates give the angular velocity, for every first axis and both sets.
+    /// For every first axis and both sets, the angles of R give R again, and the rates give the angular velocity.
     #[test]
     fn angles_of_a_rotation_give_it_again() {
         let rotation = *Rotation3::from_euler_angles(0.3, -0.8, 1.9).matrix();

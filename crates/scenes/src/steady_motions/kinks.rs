@@ -1,10 +1,10 @@
-//! Motions at the zero of a condition, which the searches on both sides find and which count once.
+//! Motions at the zero of a condition: the searches on both sides find them, and they are counted once.
 
 use super::conditions::Case;
 use super::stability::SteadyStability;
 use super::{Family, SteadyMotion, SteadyMotions};
 
-/// The part of a number by which the end of a family may lie off.
+/// The relative error allowed for the end of a family.
 const NEAR: f64 = 1e-9;
 
 /// A combination and a motion of it, by their places.
@@ -12,7 +12,7 @@ type Place = (usize, usize);
 
 type Combination = (Vec<Case>, SteadyMotions);
 
-/// The combinations with each such motion once: where the law lies between its sides, else at a combination of its own.
+/// The combinations with each such motion once: in the case between both sides if it was tried, otherwise as a combination of its own.
 pub(super) fn joined(mut all: Vec<Combination>) -> Vec<Combination> {
     // where no such case was tried, the law is the same on both sides of the zero
     let jumps: Vec<bool> = (0..all.first().map_or(0, |(cases, _)| cases.len()))
@@ -65,7 +65,7 @@ pub(super) fn joined(mut all: Vec<Combination>) -> Vec<Combination> {
     all
 }
 
-/// Whether each motion of a combination, at the zero of a condition, is the end of a family of another combination: it is told there.
+/// Whether each motion of a combination, at the zero of a condition, is the end of a family of another combination, where it is printed.
 fn ends_of_families(all: &[Combination], (cases, found): (&Vec<Case>, &SteadyMotions)) -> Vec<bool> {
     let is_end = |motion: &SteadyMotion| {
         !motion.at_conditions.is_empty()
@@ -79,7 +79,7 @@ fn ends_of_families(all: &[Combination], (cases, found): (&Vec<Case>, &SteadyMot
     found.motions.iter().map(is_end).collect()
 }
 
-/// Whether a family comes to a motion, by the enclosures of its pieces or of what is not decided beside them.
+/// Whether a family ends at a motion, by the enclosures of its pieces and of the undecided boxes next to them.
 fn holds(there: &SteadyMotions, family: &Family, motion: &SteadyMotion) -> bool {
     let known = there.unknowns.iter().enumerate().filter(|(_, unknown)| unknown.place < there.state_size);
     let known: Vec<(usize, usize)> = known.map(|(own, unknown)| (own, unknown.place)).collect();

@@ -63,7 +63,7 @@ pub struct Range {
 }
 
 impl Range {
-    /// A whole turn, whose ends are no angles at which symmetric systems rest.
+    /// A whole turn whose ends are not angles at which symmetric systems have equilibria.
     const TURN: Range = Range { from: -PI - 0.617, to: PI - 0.6169 };
 
     /// A little to both sides of a value.
@@ -81,14 +81,14 @@ impl Range {
     }
 }
 
-/// Which steady motions are asked for.
+/// The options of a search for steady motions.
 #[derive(Clone, Debug, Default)]
 pub struct Asked {
     /// Ranges of coordinates, and of speeds of cyclic ones, by their names.
     pub ranges: Vec<(String, Range)>,
-    /// Boxes that are looked at, at most.
+    /// The largest number of boxes to examine.
     pub boxes: usize,
-    /// Angles that are small together.
+    /// Products of sines and cosines that must not be small.
     pub steep: Vec<Steep>,
     /// The text of the model, for frames that turn freely, along a parameter.
     pub text: Option<Arc<Source>>,
@@ -133,25 +133,25 @@ pub enum NoSteadyMotions {
         conditions: usize,
         most: usize,
     },
-    /// A frame turns freely, and is not placed by angles.
+    /// A frame turns freely, and is not described by angles.
     FreeFrame {
         why: String,
     },
     /// The law depends on time.
     OfTime,
-    /// A constraint of speeds that is not solved as it is written, or one that is led to zero.
+    /// A constraint of speeds that is not linear in the speeds, or a programmed constraint.
     OfSpeeds {
         at: ops::Range<usize>,
     },
     /// No inertia resists a coordinate.
     Singular,
-    /// No name of a coordinate that occurs, nor of the speed of a cyclic one.
+    /// Not the name of a coordinate that occurs, nor of the speed of a cyclic coordinate.
     Unknown {
         name: String,
         nearest: Option<String>,
         accepted: Vec<String>,
     },
-    /// One value is given where an equation asks for a value: numbers meet it by chance alone.
+    /// A single value is given for an unknown that an equation determines; it would hold only by chance.
     Sought {
         name: String,
         value: f64,
@@ -185,7 +185,7 @@ pub struct SteadyMotion {
     pub at_conditions: Vec<usize>,
 }
 
-/// One of a family.
+/// A member of a family.
 #[derive(Clone, Debug)]
 pub struct Member {
     /// Unknowns, to rounding.
@@ -208,25 +208,25 @@ pub struct SteadyMotions {
     pub motions: Vec<SteadyMotion>,
     /// Whether the loads have a potential energy, however they are written.
     pub have_potential: bool,
-    /// Motions side by side, with the stability of some of each family.
+    /// Families of motions, with the stability of some members of each.
     pub families: Vec<(Family, Vec<Member>)>,
-    /// Speeds that are given, for every other value of which there are motions too.
+    /// Given speeds that may have any other value: there are motions for each value.
     pub free_speeds: Vec<String>,
-    /// Boxes in which there may be others.
+    /// Boxes in which there may be further motions.
     pub undecided: Vec<Vec<[f64; 2]>>,
-    /// These by regions.
+    /// Undecided boxes grouped into regions.
     pub regions: Vec<Region>,
-    /// The part of the whole box that they take.
+    /// The share of undecided boxes in the whole box.
     pub undecided_part: f64,
-    /// Boxes that were looked at.
+    /// The number of examined boxes.
     pub examined: usize,
 }
 
-/// Near a state, as a part of one in SI units and of the value itself, steady motions are the one that is meant.
+/// The distance from a state, relative to one in SI units and to the value, within which a steady motion counts as the one of this state.
 const ASIDE: f64 = 1e-6;
 
 impl SteadyMotions {
-    /// All in a box; `goes_on` is asked now and then.
+    /// All steady motions in a box; the search calls `goes_on` regularly and ends if it returns false.
     ///
     /// # Errors
     /// The reason for which steady motions are not searched for.
@@ -238,7 +238,7 @@ impl SteadyMotions {
         Ok(Self::found(model, (equations, extended.as_ref()), asked.boxes, &mut goes_on))
     }
 
-    /// In each combination of cases of the conditions of a law, which are told by their letters.
+    /// Steady motions in each combination of cases of the conditions of a law.
     ///
     /// # Errors
     /// The reason for which steady motions are not searched for.

@@ -1,13 +1,13 @@
 //! Steady motions of systems with frames that turn freely: by two sets of angles, each regular where the other is not.
 //!
-//! With the axis e of the parent about which the law asks for nothing, such as the vertical, and an axis s of the frame, that of a body of
-//! revolution or else the same letter,
+//! Let e be the axis of the parent about which the law is invariant, such as the vertical, and s an axis of the frame: the axis of a body of
+//! revolution, or otherwise the axis with the letter of e. The set
 //!
 //!   R = R_e R_a R_s :    c = e . R s ,
 //!
-//! is regular where c is not one in size. With s = e these are Euler's angles, c = cos(nutation), and the other set is that of Tait and Bryan;
-//! else it is the other way round, with c the sine of an elevation. A motion in which the frame turns about e alone, or about s too where
-//! nothing depends on that spin, rests in the first set but for these angles. Where s lies along e both turns are one.
+//! is regular where |c| is not one. If s has the letter of e, these are Euler's angles with c = cos(nutation), and the second set is that of Tait
+//! and Bryan; otherwise the sets are exchanged, and c is the sine of an elevation. If the frame turns about e, and about s if nothing depends on
+//! this spin, only these two angles of the first set change. If s is parallel to e, both turns are one.
 
 use super::frame_angles::{Angles, Factor, Set};
 use super::quasi_velocities::without_part;
@@ -21,19 +21,19 @@ use nalgebra::Vector3;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use symbolic::Sym;
 
-/// Frames that turn freely, at most: each doubles the number of searches.
+/// The largest number of free frames: each doubles the number of searches.
 const MOST_FRAMES: usize = 2;
 
 /// An angle by which both sets overlap.
 const OVERLAP: f64 = 0.01;
 
-/// The angle from where a set is singular within which it is not used.
+/// The distance, as an angle, from singular orientations of a set within which it is not used.
 const LEAST: f64 = 1e-3;
 
-/// Numbers of two motions that differ by no more are those of one.
+/// Two motions whose numbers differ by less are one motion.
 const SAME: f64 = 1e-7;
 
-/// A product of sines and cosines of angles that is at least so large: in size, or itself, or its opposite.
+/// A lower bound for a product of sines and cosines of angles: for its absolute value, the product itself, or its negative.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Steep {
     factors: Vec<(String, Factor)>,
@@ -41,17 +41,17 @@ pub struct Steep {
     is_positive: Option<bool>,
 }
 
-/// A set of angles of each free frame, with its model, and where motions are sought by it.
+/// A set of angles for each free frame, with its model, and the orientations in which it is used.
 #[derive(Clone, Debug)]
 pub struct Orientation {
     pub model: Model,
     pub asked: Asked,
     frames: Vec<Angles>,
-    /// Where they are sought, in words.
+    /// The orientations in which it is used, in words.
     held: Vec<String>,
 }
 
-/// The axis of the parents, and for each frame its own axis, and whether nothing depends on the turn about that.
+/// The axis of the parents; for each frame its own axis, and whether nothing depends on the turn about it.
 struct Axes {
     parent: usize,
     own: Vec<(usize, bool)>,
@@ -61,7 +61,7 @@ impl Orientation {
     /// All sets for the free frames of a model that was read from a source.
     ///
     /// # Errors
-    /// There are too many free frames, or a part of the text asks for the free turn itself.
+    /// There are too many free frames, or a part of the text uses the free rotation itself.
     pub fn all(source: &Source, model: &Model, asked: &Asked) -> Result<Vec<Self>, NoSteadyMotions> {
         let count = model.free.len();
         if count > MOST_FRAMES {
@@ -112,7 +112,7 @@ impl Orientation {
         Ok(Orientation { model, asked: Asked::default(), frames, held: Vec::new() })
     }
 
-    /// Takes the start, and the ranges that are asked for; false where these are of other sets.
+    /// Takes over the start and the ranges of the options; false if these ranges belong to other sets.
     fn take(&mut self, original: &Model, sets: &[Set], asked: &Asked) -> bool {
         self.asked = Asked { steep: Vec::new(), ..asked.clone() };
         for (number, (angles, set)) in self.frames.iter().zip(sets).enumerate() {
@@ -126,7 +126,7 @@ impl Orientation {
             let main = angles.as_main(set);
             let start = main.start(original, number, set.is_spinning);
             let rates: [f64; 3] = std::array::from_fn(|k| start[3 + k].value);
-            // turns about the axis of the parent, and about the axis of the frame where that is no coordinate of this set
+            // turns about the axis of the parent, and about the axis of the frame if that is not a coordinate of this set
             let (main_names, first) = (main.names, of(set.names[0], "'"));
             let about = range(of(main_names[0], "'")).or_else(|| range(first.clone()));
             let spin = if set.is_spinning { range(of(main_names[2], "'")) } else { None };
@@ -136,7 +136,7 @@ impl Orientation {
                 self.model.start.extend(start);
                 self.asked.ranges.extend(about.map(|about| (first, about)));
             } else {
-                // both turns are one, or opposite
+                // both turns have the same or opposite axes
                 let point = |value: f64| Range { from: value, to: value };
                 let about_ends = about.unwrap_or(point(rates[0]));
                 let spin_ends = spin.unwrap_or(point(if set.is_spinning { rates[2] } else { 0.0 }));
@@ -157,7 +157,7 @@ impl Orientation {
                 least,
                 is_positive,
             };
-            // not where the set itself is singular
+            // not near singular orientations of the set
             self.asked.steep.push(steep(&[(1, set.regular)], LEAST.sin(), None));
             if is_asked(set.names) {
                 continue;
@@ -187,12 +187,12 @@ impl Orientation {
                 ));
             }
         }
-        // a start that is missing is no obstacle
+        // a missing start does not matter
         let _ = independent_start(&mut self.model);
         true
     }
 
-    /// The angles in words, and where they are sought.
+    /// The angles, and the orientations in which they are used, in words.
     pub fn in_words(&self) -> Vec<String> {
         let letter = |at: usize| ["x", "y", "z"][at];
         let frames = self.frames.iter().map(|own| {
@@ -206,8 +206,8 @@ impl Orientation {
 }
 
 impl Axes {
-    /// The axis of the parents about which the law asks for the least, the first of several; and of each frame one about which nothing depends
-    /// on its turn, or else the same.
+    /// The axis of the parents on which the law depends least, the first of several; and for each frame an axis such that nothing depends on the turn
+    /// about it, or otherwise the axis with the same letter.
     fn of(source: &Source, model: &Model) -> Result<Self, NoSteadyMotions> {
         let count = model.free.len();
         let mut best: Option<(usize, Axes)> = None;
@@ -254,10 +254,10 @@ impl Orientation {
 pub type InOrientation = (Orientation, Vec<(Vec<Case>, SteadyMotions)>);
 
 impl SteadyMotions {
-    /// All by sets of angles, each with the cases of its conditions; a motion that two sets have is told in the first.
+    /// All steady motions by sets of angles, each with the cases of its conditions; a motion that two sets describe is listed in the first.
     ///
     /// # Errors
-    /// Why none are sought.
+    /// The reason for which steady motions are not searched for.
     pub fn of_orientations(
         all: Vec<Orientation>,
         mut goes_on: impl FnMut() -> bool,
@@ -288,7 +288,7 @@ impl SteadyMotions {
         Ok(told)
     }
 
-    /// The motions of all sets of angles, by direction cosines in the place of angles.
+    /// The motions of all sets of angles, by direction cosines instead of angles.
     pub(super) fn united_orientations(all: Vec<InOrientation>) -> Self {
         let by_cosines = |(own, cases): InOrientation| {
             let mut found = Self::united(cases);
@@ -307,7 +307,7 @@ impl SteadyMotions {
 }
 
 impl Orientation {
-    /// The unknowns of a search with direction cosines in the place of angles, by their places in what is seen of a motion.
+    /// The unknowns of a search with direction cosines instead of angles, in the order of `seen`.
     fn cosines(&self, found: &SteadyMotions) -> Vec<Unknown> {
         let n = found.state_size / 2;
         let plain = self.frames.first().map_or(n, |angles| angles.first);
@@ -321,7 +321,7 @@ impl Orientation {
             for (row, column) in rows.flat_map(|row| (0..3).map(move |column| (row, column))) {
                 let axis = |at: usize| ["x", "y", "z"][at];
                 let name = format!("{}.{} . {}.{}", angles.parent, axis(row), angles.frame, axis(column));
-                // no motion leaves it
+                // all direction cosines lie within
                 let range = Range { from: -2.0, to: 2.0 };
                 all.push(Unknown { name, place, is_circle: false, range });
                 place += 1;
@@ -337,7 +337,7 @@ impl Orientation {
     }
 }
 
-/// An expression for each such product, which shall not be negative.
+/// An expression for each bounded product; it must not be negative.
 pub(super) fn steep(trace: &Trace<'_>, names: &[String], asked: &Asked, is_cyclic: &[bool]) -> Vec<Sym> {
     let each = asked.steep.iter().filter_map(|steep| {
         let mut product = Sym::ONE;

@@ -15,10 +15,10 @@ pub struct PlaneCell {
     pub found: SteadyMotions,
 }
 
-/// Halvings of the way between the middles of two cells that differ.
+/// Halvings of the distance between the middles of two cells that differ.
 const HALVINGS: usize = 5;
 
-/// The middles of so many equal parts of a range.
+/// The middles of `count` equal parts of a range.
 pub fn middles(range: Range, count: usize) -> Vec<f64> {
     let part = |k: usize| range.from + (range.to - range.from) * (2 * k + 1) as f64 / (2 * count) as f64;
     (0..count).map(part).collect()
@@ -28,7 +28,7 @@ impl PlaneCell {
     /// All motions at two values.
     ///
     /// # Errors
-    /// Why steady motions are not sought.
+    /// The reason for which steady motions are not searched for.
     pub fn at(
         model: &Model,
         asked: &Asked,
@@ -43,7 +43,7 @@ impl PlaneCell {
     /// The column of cells at a value of the first parameter.
     ///
     /// # Errors
-    /// Why steady motions are not sought, at the first cell where they are not.
+    /// The reason for which steady motions are not searched for, at the first such cell.
     pub fn column(
         model: &Model,
         asked: &Asked,
@@ -56,16 +56,16 @@ impl PlaneCell {
         middles(second.1, rows).into_iter().map(at).collect()
     }
 
-    /// Whether two cells have as many motions with as many unstable directions each; cells that are not decided have neither.
+    /// Whether two cells have equal numbers of motions with equal numbers of unstable directions; false for undecided cells.
     pub fn is_like(&self, other: &Self) -> bool {
         let decided = self.found.is_complete() && other.found.is_complete();
         !decided || kinds(&self.found) == kinds(&other.found)
     }
 
-    /// Two values a small part of the way apart between which the motions change, from one cell to another that differs.
+    /// A narrow bracket of the change of motions between two cells that differ.
     ///
     /// # Errors
-    /// Why steady motions are not sought on the way.
+    /// The reason for which steady motions are not searched for at some point in between.
     pub fn border(
         &self,
         other: &Self,

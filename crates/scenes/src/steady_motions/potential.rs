@@ -10,7 +10,7 @@ use model::Trace;
 use model::equations::{Equation, vanishes};
 use symbolic::{Sym, substitute_all};
 
-/// The largest number of speeds for which this is asked: the work grows with its square.
+/// The largest number of speeds for which this is tested: the work grows with its square.
 const MOST_ASKED: usize = 10;
 
 /// Whether the loads behind residuals without accelerations have a potential energy, T over the same letters.
@@ -22,7 +22,7 @@ pub(super) fn have_potential(trace: &Trace<'_>, residuals: &[Sym], energy: Sym, 
     }
     let without_reactions: Vec<(Sym, Sym)> = constraints.iter().map(|one| (one.multiplier, Sym::ZERO)).collect();
     let at_rest: Vec<(Sym, Sym)> = speeds.iter().map(|speed| (*speed, Sym::ZERO)).collect();
-    // energies that are not quadratic in the speeds move a system that rests
+    // energies that are not quadratic in the speeds exert forces on a system at rest
     let is_quadratic = (0..n).all(|i| {
         (0..n).all(|j| {
             let second = energy.diff(speeds[i]).diff(speeds[j]);
@@ -50,7 +50,7 @@ pub(super) fn have_potential(trace: &Trace<'_>, residuals: &[Sym], energy: Sym, 
     holds_no_speeds && is_gradient()
 }
 
-/// Coordinates whose momenta are kept: the energy T does not hold them, and no load and no reaction stands in their equations,
+/// Coordinates with conserved momenta: T does not depend on them, and no load and no reaction occurs in their equations,
 ///
 ///   R_k + d(T_uk)/dq u = 0 ,
 ///

@@ -1,9 +1,9 @@
 //! Quasi-velocities among the independent speeds of a system with constraints of speeds.
 //!
-//! Along an edge that may not slip sideways no rate of a Cartesian coordinate is constant; the component of the velocity along the edge is.
-//! The quasi-velocities of the file are tried, then components of the velocities of bodies along their axes: those are taken in which the
-//! most coordinates have no part in the equations. A chosen one is the rate of a coordinate that is added, so that everything else stays as
-//! it is for coordinates.
+//! If a knife edge moves in a circle, the rates of its Cartesian coordinates vary, but its velocity along the edge is constant.
+//! The quasi-velocities of the file are tried first, then components of the velocities of bodies along their axes. The set that makes the most
+//! coordinates cyclic is chosen. Each chosen quasi-velocity becomes the rate of an added coordinate, so that the other code handles
+//! coordinates only.
 
 use super::NoSteadyMotions;
 use super::determinacy::Wanted;
@@ -25,8 +25,8 @@ pub(super) struct Extended {
 const MOST_TRIED: usize = 24;
 
 impl Extended {
-    /// Where quasi-velocities leave more coordinates without a part in the equations than rates of coordinates do, or are asked for by name;
-    /// at a state, or else at the start.
+    /// The extended model, if quasi-velocities make more coordinates cyclic than rates of coordinates do, or if `asked` names one of them;
+    /// at a state, or at the start if there is none.
     pub fn of(model: &Model, asked: &[&str], state: Option<&[f64]>) -> Option<Self> {
         if changes(model) || model.positions() != model.speeds() || !model.algebraic_speeds.is_empty() {
             return None;
@@ -34,7 +34,7 @@ impl Extended {
         symbolic::apart(|| Self::chosen(model, asked, state))
     }
 
-    /// The model and the state with them, where they are wanted at it; else both as they are.
+    /// The model and the state with quasi-velocities, if they are useful at this state; otherwise both unchanged.
     pub fn about(model: &Model, state: &[f64]) -> (Model, Vec<f64>) {
         let extended = Self::of(model, &[], Some(state));
         let moved = extended.and_then(|extended| extended.extended(state).map(|state| (extended.model, state)));
@@ -132,7 +132,7 @@ impl Extended {
         Some([coordinates, &vec![0.0; values.len()], speeds, &values].concat())
     }
 
-    /// The state of the model as it was in a state with the integrals, and the quasi-velocities there.
+    /// From a state with the integrals: the state of the original model, and its quasi-velocities.
     pub fn original(&self, state: &[f64]) -> (Vec<f64>, Vec<(String, f64)>) {
         let n = self.original.speeds();
         let (coordinates, speeds) = state.split_at(state.len() / 2);

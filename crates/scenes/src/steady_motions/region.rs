@@ -13,27 +13,27 @@ pub struct Region {
     pub hull: Vec<[f64; 2]>,
     pub boxes: usize,
     pub near: Near,
-    /// Whether there is one steady motion at least, by enclosures: the equations change their signs between opposite faces (Poincare,
-    /// Miranda). Singular equations may be so too.
+    /// Whether there is at least one steady motion, by enclosures: the equations change their signs between opposite faces (Poincare,
+    /// Miranda). This test also works for singular equations.
     pub holds_one: bool,
 }
 
-/// The result of Newton's method in a region, from some of its boxes: a guess by numbers alone.
+/// The result of Newton's method in a region, from some of its boxes: a numerical guess without proof.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Near {
-    /// It comes to no steady motion there that is not among the others.
+    /// Newton's method finds no steady motion that is not already known.
     Nothing,
-    /// The equations have no values in a part of it, however small its boxes are: there a distance is zero, or a divisor.
+    /// The equations have no value somewhere in the region, since a distance or a divisor is zero there.
     Undefined,
-    /// To one at least about which the equations are regular: more boxes would show it.
+    /// At least one motion with regular equations: a search with more boxes would prove it.
     Regular,
-    /// To one about which they are singular in so many directions, and none stands beside it along these: motions merge.
+    /// A motion with equations that are singular in this number of directions, and no motion next to it along them: motions merge.
     Merging(usize),
-    /// In so many directions others stand beside it: a curve, a surface.
+    /// Other motions adjoin in this number of directions: a curve, a surface.
     Family(usize),
 }
 
-/// Unknowns up to which each is given an equation of its own, and the part of a region by which its faces lie outside.
+/// The largest number of unknowns for the test of signs on faces, and the distance of these faces outside the region, as a fraction of it.
 const MOST_FACES: usize = 6;
 const FACE: f64 = 0.25;
 
@@ -43,7 +43,7 @@ const CELLS: f64 = 48.0;
 /// More cells than these are one region.
 const MOST_CELLS: usize = 2_000;
 
-/// More boxes than these are one region: they would be told apart for longer than they were searched.
+/// A larger number of boxes counts as one region: separating them would take longer than the search.
 const MOST_BOXES: usize = 20_000;
 
 /// With more regions than these the cells are twice as large.
@@ -64,16 +64,16 @@ const ROUNDING: f64 = 1e-9;
 /// Singular values below this part of the largest are taken for zero.
 const RANK: f64 = 1e-6;
 
-/// The least singular value, of rows in parts of their largest slopes over the ranges, that is none of a singular place.
+/// Below this singular value a position counts as singular; rows are divided by their largest derivatives over the ranges.
 const LEAST_REGULAR: f64 = 1e-4;
 
-/// The part of a box at which Newton's method begins.
+/// The starting point of Newton's method, as a fraction of a box.
 const ASIDE_OF_MIDDLE: f64 = 0.43;
 
 /// The part of a range up to which a region is small.
 const SMALL: f64 = 1e-5;
 
-/// The part of a range by which one goes along a singular direction.
+/// The length of a displacement along a singular direction, as a fraction of a range.
 const ASIDE: f64 = 1e-3;
 
 /// The regions of undecided boxes, the largest first.
@@ -141,7 +141,7 @@ fn region(equations: &SteadyEquations, known: &[Zero], (boxes, beginnings): (&[&
     Region { hull: hull.into_iter().map(|at| [at.low(), at.high()]).collect(), boxes: boxes.len(), near, holds_one }
 }
 
-/// Whether loads are bounded in a region, unless it is so large that this tells nothing.
+/// Whether loads are bounded in a region; not decided for large regions, whose enclosures are too wide.
 fn has_values(equations: &SteadyEquations, hull: &[Interval]) -> bool {
     let is_large = |(at, unknown): (&Interval, &Unknown)| at.width() > SMALL * unknown.range.interval().width();
     if hull.iter().zip(&equations.unknowns).any(is_large) {
@@ -175,7 +175,7 @@ fn holds_one(equations: &SteadyEquations, hull: &[Interval]) -> bool {
     matched(unknowns, &changes, 0, &mut vec![false; unknowns])
 }
 
-/// Whether the unknowns from one on have each an equation that is not taken.
+/// Whether each unknown from this one on can be assigned an equation that is still free.
 fn matched(count: usize, changes: &impl Fn(usize, usize) -> bool, from: usize, taken: &mut Vec<bool>) -> bool {
     if from == count {
         return true;
@@ -194,7 +194,7 @@ fn matched(count: usize, changes: &impl Fn(usize, usize) -> bool, from: usize, t
 fn near(equations: &SteadyEquations, known: &[Zero], from: &[Interval], hull: &[Interval]) -> Near {
     let positions = equations.unknowns.len();
     let mut start = DVector::zeros(positions + equations.reactions);
-    // aside from the middle, which may be a place of symmetry
+    // off the middle, which may be a point of symmetry
     (0..positions).for_each(|k| start[k] = from[k].low() + ASIDE_OF_MIDDLE * from[k].width());
     let Some(found) = zero(equations, start) else { return Near::Nothing };
     let margin = |k: usize| ASIDE * equations.unknowns[k].range.interval().width();
@@ -207,7 +207,7 @@ fn near(equations: &SteadyEquations, known: &[Zero], from: &[Interval], hull: &[
     if is_known || !is_there(&found) {
         return Near::Nothing;
     }
-    // a row that is small at the zero alone, beside what it is elsewhere, is singular too, though all may be
+    // a row that is small at the zero and larger elsewhere makes the zero singular, even if all rows are small there
     let Some(mut scaled) = slopes(equations, &found) else { return Near::Nothing };
     let largest = largest_slopes(equations);
     for (row, largest) in largest.iter().enumerate().filter(|(_, largest)| **largest > 0.0 && largest.is_finite()) {
@@ -236,7 +236,7 @@ fn near(equations: &SteadyEquations, known: &[Zero], from: &[Interval], hull: &[
 fn zero(equations: &SteadyEquations, mut at: DVector<f64>) -> Option<DVector<f64>> {
     let mut program = equations.tapes.values.over::<f64>();
     let mut values = vec![0.0; at.len()];
-    // fewer equations than unknowns leave zeros behind
+    // singular values that are zero because there are fewer equations than unknowns are left out
     for _ in 0..STEPS {
         program.evaluate(at.as_slice(), &mut values[..equations.rows]);
         let svd = slopes(equations, &at)?.try_svd(true, true, f64::EPSILON, MOST_ITERATIONS)?;
@@ -255,7 +255,7 @@ fn zero(equations: &SteadyEquations, mut at: DVector<f64>) -> Option<DVector<f64
     values.iter().all(|value| value.abs() <= 1e-9 * size).then_some(at)
 }
 
-/// The largest slope of each equation over the ranges of the unknowns, by enclosures; infinite where it is not bounded.
+/// The largest derivative of each equation over the ranges of the unknowns, by enclosures; infinite if it is not bounded.
 fn largest_slopes(equations: &SteadyEquations) -> Vec<f64> {
     let ranges = equations.unknowns.iter().map(|unknown| unknown.range.interval());
     let all: Vec<Interval> = ranges.chain((0..equations.reactions).map(|_| Interval::EVERYTHING)).collect();
@@ -264,7 +264,7 @@ fn largest_slopes(equations: &SteadyEquations) -> Vec<f64> {
     slopes.chunks(all.len()).map(|row| row.iter().fold(0.0, |largest: f64, slope| largest.max(slope.size()))).collect()
 }
 
-/// None where one is no number, as that of a distance that is zero.
+/// None if one of them is NaN, such as the derivative of a distance that is zero.
 fn slopes(equations: &SteadyEquations, at: &DVector<f64>) -> Option<DMatrix<f64>> {
     let mut slopes = vec![0.0; at.len() * at.len()];
     equations.tapes.slopes.over::<f64>().evaluate(at.as_slice(), &mut slopes[..equations.rows * at.len()]);

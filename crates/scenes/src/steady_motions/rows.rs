@@ -1,11 +1,11 @@
 //! Equations of motion without accelerations, one for each speed, over letters of the model.
 //!
-//! Constraints of speeds determine some of them by the others, u_D = B(q) u_I + b(q). Steady are the others: with u_I' = 0 and
-//! u_D' = du_D/dq q', the equations along the displacements that these constraints leave,
+//! Constraints of speeds determine some speeds by the others, u_D = B(q) u_I + b(q). In a steady motion the independent speeds u_I are
+//! constant. With u_I' = 0 and u_D' = du_D/dq q', the equations along the displacements that these constraints allow,
 //!
 //!   r_I + B^T r_D = 0 ,
 //!
-//! hold none of their reactions (Maggi). A determined speed of a coordinate that occurs must be zero; of others it may change: a disc that
+//! contain no reactions (Maggi). A determined speed must be zero if its coordinate occurs in the equations; otherwise it may change: a disc that
 //! rolls in a circle moves steadily.
 
 use super::NoSteadyMotions;
@@ -16,9 +16,9 @@ use model::equations::{Equation, Level, Residuals, constraints_of, vanishes};
 use model::{Contact, Model, Sides, Trace};
 use symbolic::{Sym, substitute_all};
 
-/// The equations, with the data of the file put in.
+/// The equations with the data of the file.
 pub(super) struct Rows {
-    /// One for each speed, zero where it asks for nothing.
+    /// One for each speed; zero if it is satisfied identically.
     pub residuals: Vec<Sym>,
     /// Constraints of positions, and their functions.
     pub constraints: Vec<Equation>,
@@ -27,7 +27,7 @@ pub(super) struct Rows {
     /// they are negative.
     pub conditions: Vec<Sym>,
     pub condition_letters: Vec<Sym>,
-    /// Contacts by what their reactions may be.
+    /// Contacts with the letters of their reactions.
     pub contacts: Vec<Touching>,
     /// Speeds that constraints of speeds determine, by the others.
     pub determined: Vec<(usize, Sym)>,
@@ -35,11 +35,11 @@ pub(super) struct Rows {
     pub is_cyclic: Vec<bool>,
     /// Whether the loads have a potential energy, and no constraint holds speeds.
     pub have_potential: bool,
-    /// Coordinates whose momenta are kept, where no constraint holds speeds.
+    /// Coordinates with conserved momenta, if there are no constraints of speeds.
     pub kept_momenta: Vec<usize>,
-    /// Whether the determined speeds are determined at the state that was asked about.
+    /// Whether the constraints determine these speeds at the state of the request.
     pub is_regular: bool,
-    /// Coordinates that may be without a part in the equations, by any choice of independent speeds.
+    /// The largest number of cyclic coordinates for any choice of independent speeds.
     pub most_cyclic: usize,
 }
 
@@ -48,19 +48,19 @@ pub(super) struct Rows {
 pub(super) struct Touching {
     /// Letters of N, then of T along each tangent.
     pub reactions: Vec<Sym>,
-    /// mu; none where it is smooth.
+    /// The coefficient of friction; none for a smooth contact.
     pub friction: Option<Sym>,
-    /// Whether it may let go.
+    /// Whether the contact may open.
     pub is_one_sided: bool,
     /// The sliding velocity along each tangent.
     pub slides: Vec<Sym>,
 }
 
-/// In systems with more coordinates a coordinate is cyclic where it is not written.
+/// In systems with more coordinates a coordinate counts as cyclic only if it does not occur in the expressions.
 const MOST_DECIDED: usize = 12;
 
 impl Rows {
-    /// Speeds that are asked for stay independent, those that constraints of speeds determine are such as they do determine at a state.
+    /// The equations; wanted speeds remain independent, and the determined speeds are such as constraints determine at the state.
     pub fn of(model: &Model, trace: &Trace<'_>, wanted: &Wanted<'_>) -> Result<Self, NoSteadyMotions> {
         let is_kept = |one: &Equation| one.gains.is_none() && one.law.is_none();
         let (constraints, of_speeds): (Vec<Equation>, Vec<Equation>) =
@@ -87,7 +87,7 @@ impl Rows {
             slides: put(&contact.slides.iter().map(|&slide| trace.scalar(slide)).collect::<Vec<_>>()),
         };
         let contacts: Vec<Touching> = model.contacts.iter().enumerate().map(touching).collect();
-        // neither held in place nor moved by a potential
+        // no potential depends on it
         let potential = put(&[trace.potential_energy()])[0];
         let is_held = |own: &Sym| {
             zeros.iter().chain([&potential]).any(|zero| zero.symbols_of().contains(own) && !vanishes(zero.diff(*own)))
@@ -126,7 +126,7 @@ impl Rows {
             let rows = projected(trace, &residuals, &of_speeds, &determined);
             with(rows, determined, is_regular)
         });
-        // the first of those that leave the most coordinates without a part in the equations
+        // the first choice with the largest number of cyclic coordinates
         let mut best: Option<Rows> = None;
         for next in all {
             let reached = next.cyclic_count() >= most_cyclic;
@@ -167,7 +167,7 @@ impl Rows {
                 break;
             }
         }
-        // nothing depends on them: any value serves
+        // nothing depends on them: any value will do
         let cyclic = trace.coordinates.iter().zip(&self.is_cyclic).filter(|(_, cyclic)| **cyclic);
         let none: Vec<(Sym, Sym)> = cyclic.map(|(symbol, _)| (*symbol, Sym::ZERO)).collect();
         self.residuals = substitute_all(&self.residuals, &none);
@@ -179,18 +179,18 @@ impl Rows {
     }
 }
 
-/// With the speeds that constraints determine by the others.
+/// The expressions with the determined speeds replaced by the independent ones.
 fn moving(trace: &Trace<'_>, all: &[Sym], determined: &[(usize, Sym)]) -> Vec<Sym> {
     substitute_all(all, &determined.iter().map(|&(k, rate)| (trace.speeds[k], rate)).collect::<Vec<_>>())
 }
 
-/// With accelerations that are zero but for some.
+/// The rows with zero accelerations, except for some.
 fn at_rest(trace: &Trace<'_>, rows: Vec<Sym>, but: &[(Sym, Sym)]) -> Vec<Sym> {
     let rests = trace.accelerations.iter().map(|symbol| (*symbol, Sym::ZERO));
     substitute_all(&rows, &but.iter().copied().chain(rests).collect::<Vec<_>>())
 }
 
-/// The equations along displacements that constraints of speeds leave.
+/// The equations along displacements that constraints of speeds allow.
 fn projected(trace: &Trace<'_>, residuals: &[Sym], of_speeds: &[Equation], determined: &[(usize, Sym)]) -> Vec<Sym> {
     let n = trace.speeds.len();
     let known: Vec<(Sym, Sym)> = determined.iter().map(|&(k, rate)| (trace.speeds[k], rate)).collect();

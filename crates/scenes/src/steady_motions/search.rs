@@ -20,11 +20,11 @@ pub(super) struct Boxes<'a> {
     through_surplus: Propagation<'a>,
     slopes: Program<'a, Interval>,
     loads: Program<'a, Interval>,
-    /// Conditions, and whether each shall be positive, else negative.
+    /// Conditions, and whether each must be positive; otherwise it must be negative.
     sides: Program<'a, Interval>,
     holds: &'a [bool],
     side: Vec<Interval>,
-    /// Parts of friction and of laws between two sides, by their places, with their ranges: beyond these there is no motion.
+    /// Shares of friction and of laws between two cases, by their places, with the ranges outside of which there is no motion.
     shares: Vec<(usize, Interval)>,
     /// J^T and -h.
     load: Vec<Interval>,
@@ -60,8 +60,8 @@ impl<'a> Boxes<'a> {
 }
 
 impl Boxes<'_> {
-    /// Whether every condition has its side all over a box; none where that is open. Where a constraint that was left out is not fulfilled
-    /// there is no motion of the system.
+    /// Whether every condition has its sign in the whole box; `None` if this is not decided. A violated constraint that was left out also
+    /// excludes motions of the system.
     pub fn lies_aside(&mut self, at: &[Interval]) -> Option<bool> {
         self.implied.evaluate(at, &mut self.implies);
         if self.implies.iter().any(|value| !value.contains(0.0)) {
@@ -91,7 +91,7 @@ impl Boxes<'_> {
         (0..self.side.len()).filter(|&k| self.side[k].contains(0.0)).collect()
     }
 
-    /// Whether a zero in a box fulfils the equations beyond the number of unknowns; none where that is open.
+    /// Whether a zero in a box satisfies the surplus equations, which were not solved; `None` if this is not decided.
     pub fn fulfils_all(&mut self, at: &[Interval]) -> Option<bool> {
         self.surplus.evaluate(at, &mut self.left);
         match self.left.iter().all(|value| value.contains(0.0)) {
@@ -158,7 +158,7 @@ impl Equations for Boxes<'_> {
         }
         for (one, guess) in multipliers.iter_mut().zip(&guess) {
             let found = point(*guess) + Interval::new(-bound, bound);
-            // both hold every zero; where they have nothing in common there is none, which the equations show
+            // both contain every zero; if they are disjoint there is no zero
             *one = one.and(found).unwrap_or(found);
         }
         true
@@ -173,7 +173,7 @@ impl Equations for Boxes<'_> {
     }
 }
 
-/// As many rows of a matrix as it has columns, each with the largest pivot that is left.
+/// As many rows of a matrix as it has columns, each with the largest remaining pivot.
 pub(super) fn independent(rows: usize, columns: usize, entry: impl Fn(usize, usize) -> f64) -> Option<Vec<usize>> {
     let mut left = DMatrix::from_fn(rows, columns, entry);
     let mut chosen = Vec::new();

@@ -13,12 +13,12 @@ use model::Model;
 /// The stability of a steady motion, as far as it is known.
 #[derive(Clone, Debug)]
 pub enum SteadyStability {
-    /// The potential energy, amended by the kinetic energy of cyclic coordinates at the momenta that they have there, has a strict minimum in
-    /// every direction that constraints leave: stable in all but cyclic coordinates (Lagrange and Dirichlet, Routh).
+    /// The amended potential energy, with the kinetic energy of cyclic coordinates at their momenta, has a strict minimum in
+    /// every direction that constraints allow: stable in all but cyclic coordinates (Lagrange and Dirichlet, Routh).
     Minimum,
-    /// At rest, and the potential energy falls in so many directions: unstable, since frequencies there are imaginary.
+    /// An equilibrium at which the potential energy decreases in this number of directions: unstable, since frequencies there are imaginary.
     Falls(usize),
-    /// The amended potential energy falls in an odd number of directions: unstable, whatever gyroscopic forces there are (Thomson and Tait).
+    /// The amended potential energy decreases in an odd number of directions: unstable with any gyroscopic forces (Thomson and Tait).
     FallsOdd(usize),
     /// A condition of the law is zero there, and of this side of it alone is known whether the potential energy has a strict minimum.
     AtCondition { is_minimum: bool },
@@ -38,7 +38,7 @@ pub struct Eigenvalues {
     pub enclosed: Result<EnclosedSpectrum, NotEnclosed>,
 }
 
-/// At an enclosure of unknowns and reactions, and the state about it.
+/// The stability at an enclosure of unknowns and reactions; `state` is a state within it.
 pub(super) fn judged(
     model: &Model,
     equations: &SteadyEquations,
@@ -84,13 +84,13 @@ pub(super) fn judged(
     }
 }
 
-/// Whether the kinetic energy is positive in every direction that constraints leave, of everything that is enclosed: bodies without mass may
-/// hang between those that have one. With as many constraints as f has rows the matrix
+/// Whether the kinetic energy is positive in every direction that constraints allow, for all enclosed numbers. Bodies without mass are allowed
+/// between others. The matrix
 ///
 ///   | M   f'^T |
 ///   | f'   0   |
 ///
-/// has then as many negative eigenvalues as there are constraints, and all others are positive.
+/// then has as many negative eigenvalues as there are constraints f = 0, and all others are positive.
 fn has_inertia(equations: &SteadyEquations, boxes: &mut Boxes<'_>, enclosure: &[Interval], n: usize) -> bool {
     let Some(tape) = &equations.masses else { return false };
     let (own, positions) = (enclosure.len(), equations.unknowns.len());
@@ -104,7 +104,7 @@ fn has_inertia(equations: &SteadyEquations, boxes: &mut Boxes<'_>, enclosure: &[
     let unknown_at: Vec<Option<usize>> =
         (0..n).map(|place| equations.unknowns.iter().position(|unknown| unknown.place == place)).collect();
     let (reactions, zero) = (equations.reactions, Interval::point(0.0));
-    // cyclic coordinates are in no constraint
+    // constraints contain no cyclic coordinates
     let push =
         |place: usize, reaction: usize| unknown_at[place].map_or(zero, |row| slopes[row * own + positions + reaction]);
     let size = n + reactions;
@@ -118,14 +118,14 @@ fn has_inertia(equations: &SteadyEquations, boxes: &mut Boxes<'_>, enclosure: &[
     signs(&matrix, size) == Some([reactions, n])
 }
 
-/// In how many directions the amended potential energy falls; none where that is not decided. The matrix
+/// The number of directions in which the amended potential energy decreases; none if this is not decided. The matrix
 ///
 ///   | V'' - lambda f'' - T''   f'^T   p'^T |
 ///   | f'                        0     0    |
 ///   | p'                        0    -M_c  |
 ///
-/// with the momenta p of cyclic coordinates and their masses M_c has as many positive eigenvalues as there are constraints and directions in
-/// which that energy rises, and as many negative ones as there are constraints, cyclic coordinates and directions in which it falls.
+/// with the momenta p of cyclic coordinates and their masses M_c has a positive eigenvalue for each constraint and each direction in
+/// which that energy increases, and a negative one for each constraint, each cyclic coordinate and each direction in which it decreases.
 fn falls(equations: &SteadyEquations, boxes: &mut Boxes<'_>, enclosure: &[Interval]) -> Option<usize> {
     let (own, positions, cyclic) = (enclosure.len(), equations.unknowns.len(), equations.cyclic.len());
     let mut slopes = vec![Interval::EVERYTHING; own * own];

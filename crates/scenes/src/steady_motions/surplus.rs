@@ -4,10 +4,10 @@ use super::search::independent;
 use super::{Range, Unknown};
 use symbolic::{Sym, Tape};
 
-/// Places within a range, as parts of it, at which equations are told apart: none is a place of symmetry.
+/// Points of a range, as fractions of it, at which independent equations are selected; none of them is a point of symmetry.
 const ASIDE: [f64; 3] = [0.43, 0.71, 0.29];
 
-/// A guess of a reaction.
+/// The value of reactions at these points.
 const REACTION: f64 = 0.83;
 
 /// Equations that are solved, and the others.
@@ -17,7 +17,7 @@ pub(super) struct Selection {
 }
 
 impl Selection {
-    /// With as many solved ones as there are unknowns and reactions, which are their letters in this order.
+    /// As many solved equations as letters; the letters are the unknowns, then the reactions.
     pub fn of(equations: Vec<Sym>, letters: &[Sym], unknowns: &[Unknown]) -> Self {
         let wanted = letters.len();
         if equations.len() <= wanted {
@@ -32,7 +32,7 @@ impl Selection {
     }
 }
 
-/// Rows that are independent at a place of the ranges.
+/// Rows that are independent at a point of the ranges.
 fn chosen(equations: &[Sym], letters: &[Sym], unknowns: &[Unknown]) -> Option<Vec<usize>> {
     let slopes: Vec<Sym> = equations.iter().flat_map(|row| letters.iter().map(|&by| row.diff(by))).collect();
     let tape = Tape::record(letters, &slopes).ok()?;

@@ -2,10 +2,10 @@
 //!
 //!   sum_k c_k(q) R_k(q) = 0 at every q ,
 //!
-//! with coefficients that are linear in the unknowns and in cosines and sines of angles: nothing acts along the displacement c, as along the
-//! turn (-y, x) about a centre. Where c_k is not zero, equation k follows from the others.
+//! with coefficients that are linear in the unknowns and in cosines and sines of angles. Nothing acts along the displacement c, such as the
+//! turn (-y, x) about a centre. If c_k is not zero, equation k follows from the others.
 //!
-//! Values at points of the domain leave the candidates, and identity testing decides them.
+//! Candidates are found from values at points of the domain, and decided by identity testing.
 
 use crate::steady_motions::Unknown;
 use algebra::linear::minors;
@@ -18,11 +18,11 @@ use symbolic::{Sym, Tape};
 #[derive(Debug)]
 pub(in crate::steady_motions) struct Identity {
     coefficients: Tape,
-    /// As a displacement.
+    /// The coefficients as a displacement, in words.
     told: String,
 }
 
-/// Unknowns beyond which identities are not sought.
+/// The largest number of unknowns for which identities are searched for.
 const MOST_UNKNOWNS: usize = 6;
 
 /// Larger denominators are no coefficients of an identity.
@@ -35,7 +35,7 @@ const MOST_ITERATIONS: usize = 1_000;
 const RANK: f64 = 1e-10;
 
 impl Identity {
-    /// All that are found between equations that hold these letters alone.
+    /// All identities between equations that contain only these letters.
     pub fn of(residuals: &[Sym], (letters, unknowns): (&[Sym], &[Unknown]), along: &[String]) -> Vec<Self> {
         let (rows, n) = (residuals.len(), letters.len());
         if rows == 0 || n > MOST_UNKNOWNS || rows > n {

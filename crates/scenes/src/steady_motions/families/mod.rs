@@ -1,5 +1,5 @@
-//! Families of steady motions: fewer equations than unknowns, since the equations hold for every value of a speed, or since an identity
-//! makes one of them follow from the others.
+//! Families of steady motions: there are fewer independent equations than unknowns, because a speed may have any value, or because one equation
+//! follows from the others by an identity.
 //!
 //! A family is enclosed in pieces, in each of which there is one motion, and no other, for every value of its parameters.
 
@@ -17,25 +17,25 @@ use field::Interval;
 use pieces::{Limits, Piece, Pieces, Underdetermined};
 use std::f64::consts::PI;
 
-/// Steady motions side by side, in pieces that touch one another.
+/// A family of steady motions, in adjoining pieces.
 #[derive(Clone, Debug)]
 pub struct Family {
-    /// In how many directions they stand side by side.
+    /// The dimension of the family.
     pub dimension: usize,
-    /// Pieces, each with one motion for every value of some unknowns: the places of these, and where the motions are.
+    /// Pieces, each with one motion for every value of some unknowns: the places of these unknowns, and the box of the motions.
     pub pieces: Vec<(Vec<usize>, Vec<[f64; 2]>)>,
-    /// The smallest box around them.
+    /// The smallest box that contains the pieces.
     pub hull: Vec<[f64; 2]>,
-    /// Displacements along which nothing acts, where these are the cause: one for each identity.
+    /// Displacements along which nothing acts, one for each identity, if identities cause the family.
     pub along: Vec<String>,
-    /// Some of its motions: unknowns with reactions.
+    /// Some of the motions: unknowns with reactions.
     pub(super) members: Vec<Vec<f64>>,
 }
 
 /// More pieces than these are taken for one family.
 const MOST_JOINED: usize = 3_000;
 
-/// Motions of a family that are judged.
+/// The number of motions of a family whose stability is tested.
 const MEMBERS: usize = 7;
 
 /// Along each unknown, a part of its range below which a box is not divided.
@@ -87,14 +87,14 @@ impl Underdetermined for Fewer<'_, '_> {
     }
 }
 
-/// Boxes in which the same equations are kept, and the displacements along which nothing acts there.
+/// Boxes with a common choice of independent equations, and the displacements along which nothing acts there.
 struct OfRows {
     rows: Vec<usize>,
     along: Vec<String>,
     open: Vec<Vec<Interval>>,
 }
 
-/// Families and what is not decided.
+/// Families and undecided boxes.
 #[derive(Default)]
 pub(super) struct Enclosed {
     pub families: Vec<Family>,
@@ -102,7 +102,7 @@ pub(super) struct Enclosed {
     pub examined: usize,
 }
 
-/// Families in some boxes of a domain, where the equations are fewer than the unknowns or identities make them so.
+/// Families in some boxes of a domain with fewer independent equations than unknowns.
 pub(super) fn families(
     equations: &SteadyEquations,
     boxes: &mut Boxes<'_>,
@@ -218,7 +218,7 @@ fn family(equations: &SteadyEquations, pieces: &[&(Piece, Vec<String>)]) -> Fami
     Family { dimension: pieces[0].0.parameters.len(), members: members.collect(), pieces: all, hull, along }
 }
 
-/// A gap between pieces that is none.
+/// A gap between pieces that counts as rounding.
 const JOINT: f64 = 1e-9;
 
 /// The smallest range around some ranges.
@@ -241,7 +241,7 @@ fn arc(mut ends: Vec<[f64; 2]>) -> [f64; 2] {
     if widest <= JOINT || first + 2.0 * PI - last >= widest {
         return [first, last];
     }
-    // on behind the turn, from behind the widest gap
+    // continued beyond a turn, from the end of the widest gap
     let end = ends.iter().map(|own| own[1]).filter(|end| *end < begin).fold(f64::NEG_INFINITY, f64::max) + 2.0 * PI;
     let turns = turns_to_zero(begin);
     [begin + turns, end + turns]
@@ -258,7 +258,7 @@ mod tests {
             |found: [f64; 2], from: f64, to: f64| (found[0] - from).abs() < 1e-12 && (found[1] - to).abs() < 1e-12;
         assert!(near(arc(vec![[2.0, 2.6], [-3.7, -3.5]]), 2.0, 2.0 * PI - 3.5));
         assert!(near(arc(vec![[-0.5, 0.1], [0.1, 0.4]]), -0.5, 0.4));
-        // all around but for a gap
+        // the whole circle except a gap
         assert!(near(arc(vec![[-3.7, -1.0], [-0.5, 2.6]]), -0.5, 2.0 * PI - 1.0));
         assert!(near(arc(vec![[-3.7586, 1.0], [0.9, 2.5247]]), -3.7586, 2.5247));
     }

@@ -13,7 +13,7 @@ use std::collections::VecDeque;
 
 /// Equations over intervals, fewer than unknowns.
 pub(in crate::steady_motions) trait Underdetermined {
-    /// The number of unknowns that are divided, which stand first, and of those that the others bound.
+    /// The number of unknowns that are divided, which come first, and the number of unknowns that are bounded by the others.
     fn unknowns(&self) -> [usize; 2];
 
     fn rows(&self) -> usize;
@@ -24,7 +24,7 @@ pub(in crate::steady_motions) trait Underdetermined {
     /// Bounds for the unknowns that are not divided; false where there are none.
     fn bound(&mut self, at: &mut [Interval]) -> bool;
 
-    /// Whether everything else that solutions must fulfil holds all over a box, or nowhere in it; none where that is open.
+    /// Whether the further conditions on solutions hold in the whole box, or nowhere in it; none if this is not decided.
     fn holds(&mut self, _at: &[Interval]) -> Option<bool> {
         Some(true)
     }
@@ -40,11 +40,11 @@ pub(in crate::steady_motions) trait Underdetermined {
 pub(in crate::steady_motions) struct Piece {
     /// Places of the parameters.
     pub parameters: Vec<usize>,
-    /// Where the solutions are: of the parameters all values.
+    /// The box of the solutions, with all values of the parameters.
     pub enclosure: Vec<Interval>,
-    /// Where there is no other.
+    /// The box in which there is no other solution.
     alone: Vec<Interval>,
-    /// About a solution at the middle of the parameters.
+    /// An approximate solution at the middle of the parameters.
     pub middle: Vec<f64>,
 }
 
@@ -60,23 +60,23 @@ pub(in crate::steady_motions) struct Pieces {
 #[derive(Clone, Copy)]
 pub(in crate::steady_motions) struct Limits {
     pub boxes: usize,
-    /// Part of the domain, along each unknown, below which a box is not divided.
+    /// Fraction of the domain, along each unknown, below which a box is not divided.
     pub smallest: f64,
 }
 
 /// Steps of Newton's method towards the middle of a piece.
 const STEPS: usize = 8;
 
-/// Widths of a piece about its middle, beside the way of the solutions through it.
+/// The width of a piece about its middle, relative to the change of the solutions along it.
 const WIDTHS: [f64; 3] = [1.25, 2.0, 4.0];
 
-/// A box that is left narrower than this part is narrowed again.
+/// If a narrowed box is smaller than this fraction of the box, it is narrowed again.
 const WORTH: f64 = 0.75;
 
-/// The part of the smallest box in which the end of a piece is told: what ends it has a zero there.
+/// The width, as a fraction of the smallest box, to which the end of a piece is located: the condition that ends it has a zero there.
 const END: f64 = 1e-3;
 
-/// Boxes between two questions whether to go on.
+/// Boxes between two checks of the deadline.
 const BETWEEN: usize = 8;
 
 /// All pieces in some boxes of the divided unknowns, which are parts of a domain.
@@ -87,7 +87,7 @@ pub(in crate::steady_motions) fn pieces(
     limits: Limits,
     mut goes_on: impl FnMut() -> bool,
 ) -> Pieces {
-    // where equations have no values sides may be narrowed without end
+    // sides could be narrowed without end where equations have no values
     let least: Vec<f64> = domain.iter().map(|side| limits.smallest * side.width()).collect();
     let mut found = Pieces::default();
     let mut open = VecDeque::from(boxes);
@@ -112,13 +112,13 @@ pub(in crate::steady_motions) fn pieces(
 /// The part of a box that is still open.
 struct Open {
     left: Vec<Interval>,
-    /// The unknown to divide, where one is to blame.
+    /// The unknown to divide, if a single one spreads the equations.
     blamed: Option<usize>,
-    /// Its solutions, where nothing is open but whether the rest holds for all of them.
+    /// Its solutions, if only the further conditions are undecided for some of them.
     end: Option<Piece>,
 }
 
-/// None where all of a box is decided.
+/// None if the whole box is decided.
 fn examined(
     equations: &mut dyn Underdetermined,
     mut at: Vec<Interval>,
@@ -179,7 +179,7 @@ fn examined(
     }
 }
 
-/// The unknown whose range spreads the equations the most: with it at its middle they are nearest to linear.
+/// The unknown whose range spreads the equations the most: with this unknown at its middle they are closest to linear.
 fn blamed(equations: &mut dyn Underdetermined, parameters: &[usize], at: &[Interval]) -> Option<usize> {
     let [n, _] = equations.unknowns();
     let mut least: Option<(f64, usize)> = None;
@@ -208,7 +208,7 @@ fn shown(equations: &mut dyn Underdetermined, local: &Local, at: &[Interval]) ->
         last = Some(near);
     }
     let near = last?;
-    // along the parameters the solutions go so far, and they are known to rounding alone
+    // the change of the solutions along the parameters, which is at least rounding
     let way = |row: usize| -> f64 {
         let along = local.parameters.iter().map(|&k| near.entry(row, k).size() * 0.5 * at[k].width());
         along.sum::<f64>() + near.step[row].width()
@@ -283,7 +283,7 @@ impl Local {
         self.slopes[row * self.wide + column]
     }
 
-    /// The distance of the equations from the unknowns themselves.
+    /// The deviation of the preconditioned equations from the unknowns.
     fn spread(&self) -> f64 {
         let each = |(row, &place): (usize, &usize)| {
             let entry = |&column: &usize| {

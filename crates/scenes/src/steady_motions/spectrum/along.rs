@@ -16,14 +16,14 @@ use model::Model;
 use std::cmp::Ordering;
 use symbolic::Sym;
 
-/// Digits of places, in bits.
+/// Precision of the boundaries, in bits.
 const BITS: usize = 80;
 
 /// A value of the parameter at which an eigenvalue is on the axis, or an equation singular.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Boundary {
     pub value: f64,
-    /// The fraction that it is; none of a root of higher degree.
+    /// The value as a fraction; none for a root of higher degree.
     pub exact: Option<String>,
     /// The degree of the polynomial, with integer coefficients, whose root it is.
     pub degree: usize,
@@ -34,11 +34,11 @@ pub struct Boundary {
 pub struct ExactAlong {
     /// In ascending order.
     pub boundaries: Vec<Boundary>,
-    /// Before the first, between two, and behind the last.
+    /// Before the first boundary, between two, and after the last.
     pub counts: Vec<Routh>,
 }
 
-/// Along a parameter, by its place; so many zeros have reasons.
+/// Boundaries along a parameter, given by its place; `reasons` zero eigenvalues have known reasons.
 pub(super) fn along(
     model: &Model,
     layout: &Layout,
@@ -59,7 +59,7 @@ pub(super) fn along(
     bounded(&coefficients, &hurwitz, unexplained).ok_or(NotEnclosed::NotExact)
 }
 
-/// The characteristic polynomial without its zeros, and how many of these have no reason.
+/// The characteristic polynomial divided by its zero roots, and the number of zero roots without a known reason.
 fn polynomial(
     model: &Model,
     layout: &Layout,
@@ -91,7 +91,7 @@ fn polynomial(
     Some((coefficients, zeros.checked_sub(reasons)?))
 }
 
-/// Roots of the last coefficient and of Hurwitz' determinant, and poles, with the count beside each.
+/// Roots of the last coefficient and of Hurwitz' determinant, and poles, with the counts between them.
 fn bounded(coefficients: &[Quotient], hurwitz: &Quotient, unexplained: usize) -> Option<ExactAlong> {
     let last = coefficients.last()?;
     let poles = coefficients.iter().fold(vec![Rational::int(1)], |all, c| product(&all, &c.below));
@@ -163,7 +163,7 @@ fn determinant(mut matrix: Matrix<Quotient>) -> Option<Quotient> {
             let factor = row[column].over(&own[column])?;
             row.iter_mut().zip(&own).for_each(|(entry, own)| *entry = entry.minus(&own.times(&factor)));
         }
-        // a sign is nothing to roots
+        // the sign of the determinant does not matter for its roots
         all = all.times(&own[column]);
     }
     Some(all)

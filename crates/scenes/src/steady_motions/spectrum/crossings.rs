@@ -5,10 +5,10 @@ use super::{EnclosedSpectrum, EnclosedVerdict, NotEnclosed};
 /// Intervals at whose ends verdicts are compared.
 const INTERVALS: usize = 8;
 
-/// Steps towards a change.
+/// The largest number of steps to narrow a bracket.
 const STEPS: usize = 48;
 
-/// Two values so near to one another, in roundings, are not brought together any more.
+/// A bracket of this width, in rounding errors, is not narrowed further.
 const ROUNDINGS: f64 = 4.0;
 
 /// A value with its verdict.
@@ -16,7 +16,7 @@ const ROUNDINGS: f64 = 4.0;
 pub struct Judged {
     pub value: f64,
     pub verdict: EnclosedVerdict,
-    /// The largest real part, with its imaginary part.
+    /// The eigenvalue with the largest real part.
     pub foremost: [f64; 2],
 }
 
@@ -32,7 +32,7 @@ pub struct Crossings {
 }
 
 impl Crossings {
-    /// From one value to another, by the eigenvalues at each; `goes_on` is asked now and then.
+    /// The verdicts from one value to another, by the eigenvalues at each; `goes_on` is called regularly and ends the search if it returns false.
     pub fn of(
         [from, to]: [f64; 2],
         mut spectrum: impl FnMut(f64) -> Result<EnclosedSpectrum, NotEnclosed>,
@@ -68,8 +68,8 @@ impl Crossings {
     }
 }
 
-/// The ends brought together. Each step goes twice as far from the nearer end as the secant of the largest real parts says, so that the
-/// change is soon between two values near it.
+/// The bracket narrowed. Each step is twice the distance of the secant's zero from the nearer end, by the largest real parts, so that soon both
+/// ends are near the change.
 fn narrowed(
     mut ends: [Judged; 2],
     judged: &mut impl FnMut(f64) -> Result<Judged, NotEnclosed>,

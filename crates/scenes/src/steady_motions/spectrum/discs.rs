@@ -4,9 +4,9 @@
 //!
 //!   W_i = p(z_i) / (a_n prod_(j != i) (z_i - z_j)) ,
 //!
-//! hold all roots, and discs that hang together as many roots as there are discs (Smith 1970). Real polynomials have conjugate roots, and
-//! those of conservative systems negative ones too: a root that is alone and has its mirror image in the same disc lies on the axis of
-//! the mirror.
+//! contain all roots; a connected union of discs contains as many roots as discs (Smith 1970). Roots of real polynomials come in conjugate pairs,
+//! those of conservative systems also in pairs of opposite sign. A root that is alone in its disc, and whose mirror image lies in this disc, is
+//! therefore on the axis of the mirror.
 
 use algebra::real::{Ball, Ordered};
 use field::{DoubleDouble, Over, Scalar};
@@ -15,7 +15,7 @@ use num_traits::Zero;
 /// Steps towards roots.
 const STEPS: usize = 60;
 
-/// Numbers that are all zero begin so far apart, in 1/s, times a rounding.
+/// The initial distance between numbers that are all zero, in 1/s, in rounding errors.
 const LEAST: f64 = 1e-12;
 
 /// Discs whose distance is larger than their radii by this part are apart.
@@ -87,8 +87,8 @@ fn size([re, im]: [f64; 2]) -> f64 {
     re.hypot(im)
 }
 
-/// Discs for the roots of a polynomial, its coefficients from the highest, from numbers near them; whether its roots come with their negatives
-/// is said. None where the discs have no bounds.
+/// Discs for the roots of a polynomial, from numbers near the roots; its coefficients begin with the highest. The caller says whether roots come
+/// in pairs of opposite sign. None if the discs are unbounded.
 pub(super) fn discs(coefficients: &[Ball], begin: &[[f64; 2]], is_even: bool) -> Option<Vec<EigenvalueDisc>> {
     let n = begin.len();
     if coefficients.len() != n + 1 {
@@ -149,7 +149,7 @@ pub(super) fn discs(coefficients: &[Ball], begin: &[[f64; 2]], is_even: bool) ->
     Some(all)
 }
 
-/// Nearer to roots, all at once (Ehrlich, Aberth).
+/// A step that improves all approximate roots at once (Ehrlich, Aberth).
 fn improved(coefficients: &[Ball], begin: &[[f64; 2]]) -> Vec<Complex<DoubleDouble>> {
     let middle: Vec<DoubleDouble> = coefficients.iter().map(Ball::middle).collect();
     let largest = begin.iter().map(|z| size(*z)).fold(0.0, f64::max);

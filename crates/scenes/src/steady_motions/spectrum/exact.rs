@@ -21,8 +21,8 @@ pub struct Routh {
     pub unexplained: usize,
 }
 
-/// The exact count at a state, with the cases of conditions; so many zeros of the reduced equations have reasons. None where a number is no fraction, or the state is not
-/// a steady motion exactly.
+/// The exact count at a state, with the cases of conditions, where a number of zeros of the reduced equations have known reasons. None if some
+/// number is not a fraction, or if the state is not exactly a steady motion.
 pub(super) fn routh(
     model: &Model,
     with_numbers: &VariedEquations,
@@ -58,7 +58,7 @@ pub(super) fn routh(
     counted(coefficients, unexplained)
 }
 
-/// Whether every derivative is a fraction where nothing accelerates: no sine of a number stands in them.
+/// Whether every derivative at zero accelerations is a fraction: none contains a sine of a number.
 fn are_fractions(varied: &VariedEquations, (state, switches): (&[f64], &[f64])) -> bool {
     let [n, m, ..] = varied.counts();
     symbolic::apart(|| {
@@ -75,7 +75,7 @@ pub(super) fn counted(coefficients: Vec<Rational>, unexplained: usize) -> Option
     Some(Routh { left, axis, right, unexplained })
 }
 
-/// The equations at the motion, with the speeds, accelerations and multipliers that follow exactly. None where the state is no steady motion.
+/// The equations at the motion, with the exact speeds, accelerations and multipliers. None if the state is not a steady motion.
 pub(super) fn at_motion<R: Pivot>(
     varied: &VariedEquations,
     layout: &Layout,

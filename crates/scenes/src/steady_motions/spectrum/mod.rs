@@ -1,7 +1,7 @@
 //! Enclosed eigenvalues of the linear equations at a steady motion: zeros with known reasons are split off, every other one lies in a disc.
 //!
-//! The motion is known by Krawczyk's operator, to thirty digits. So are the linear equations there without coordinates on which nothing
-//! depends, and their characteristic polynomial; as many of its last coefficients vanish as zeros have reasons.
+//! Krawczyk's operator encloses the motion to thirty digits. From it follow the linear equations without cyclic coordinates and their
+//! characteristic polynomial, to the same precision. As many of its last coefficients are zero as zero eigenvalues have reasons.
 
 mod along;
 mod crossings;
@@ -32,13 +32,13 @@ use reduction::{Layout, Reduced};
 use std::fmt;
 use zeros::{Kept, reasons};
 
-/// Larger systems have no characteristic polynomial with thirty digits.
+/// For larger systems the characteristic polynomial loses its thirty digits.
 const MOST_STATES: usize = 24;
 
-/// Digits of decimals that are tried.
+/// The largest number of digits of trial decimals.
 const DIGITS: usize = 10;
 
-/// Discs that reach so many times beyond a bound of all eigenvalues are told as none.
+/// Discs that exceed a bound of all eigenvalues by this factor are useless and count as none.
 const BEYOND: f64 = 1e3;
 
 /// Smaller values are tried as zero.
@@ -62,17 +62,17 @@ pub enum NotEnclosed {
     Large { states: usize, most: usize },
     /// Accelerations, or speeds by constraints, are not determined within the enclosure of the motion, or an expression has no bounds.
     Undetermined,
-    /// There are no linear equations with numbers.
+    /// There are no numerical linear equations.
     NoEquations,
-    /// Steady motions are not sought in such a model.
+    /// Steady motions are not searched for in such a model.
     NotSought(&'static str),
-    /// It is not shown that there is a steady motion at the point.
+    /// The search does not prove a steady motion at the point.
     NoMotion,
-    /// Inputs depend on the state, and the linear equations hold them at their values.
+    /// Inputs depend on the state, but the linear equations keep them constant.
     Feedback,
-    /// The motion changes with the parameter, or a number is no fraction.
+    /// The motion changes with the parameter, or some number is not a fraction.
     NotExact,
-    /// Eigenvalues come with their negatives at every value of a parameter.
+    /// The negative of every eigenvalue is an eigenvalue, for each value of a parameter.
     Opposite,
 }
 
@@ -109,7 +109,7 @@ pub enum EnclosedVerdict {
 }
 
 impl EnclosedSpectrum {
-    /// At the enclosure of a motion, and the state about it.
+    /// The eigenvalues at an enclosed motion; `state` is a state within the enclosure.
     ///
     /// # Errors
     /// The reason for which eigenvalues are not enclosed.
@@ -167,7 +167,7 @@ impl EnclosedSpectrum {
             coefficients.iter_mut().skip(1).step_by(2).for_each(|c| *c = Ball::constant(0.0));
         }
         let mut discs = discs::discs(&coefficients, &begin[forced..], is_even)?;
-        // no eigenvalue is larger than the largest sum of a row: a disc far beyond it tells nothing
+        // no eigenvalue exceeds the largest sum of a row: a disc far beyond it is useless
         let sums = matrix.iter().map(|row| row.iter().map(|entry| entry.size()).sum::<f64>());
         let beyond = BEYOND * (1.0 + sums.fold(0.0, f64::max));
         discs.iter_mut().filter(|disc| disc.radius > beyond).for_each(|disc| disc.radius = f64::INFINITY);

@@ -40,7 +40,7 @@ pub(super) fn slopes_at(
     Some((varied.over(&point, Ball::zero()), speeds))
 }
 
-/// The zero of an enclosure that holds one, by Krawczyk's operator with thirty digits: K(X) holds what X does.
+/// The zero in an enclosure that contains one, by Krawczyk's operator with thirty digits: K(X) contains every zero of X.
 fn refined(equations: &SteadyEquations, enclosure: &[Interval]) -> Vec<Ball> {
     let size = enclosure.len();
     let mut at: Vec<Ball> = enclosure.iter().map(|part| Ball::over_range(part.low(), part.high())).collect();

@@ -12,14 +12,14 @@ use algebra::boxes::{Limits, zeros};
 use field::Interval;
 use model::Model;
 
-/// Boxes that are looked at near the state.
+/// The number of boxes examined near the state.
 const BOXES: usize = 200;
 
 impl EnclosedSpectrum {
-    /// At the steady motion that is shown to be near a state, the only one there with the speeds of cyclic coordinates of that state.
+    /// The eigenvalues at the steady motion near a state, which is proved to be the only one there with the state's speeds of cyclic coordinates.
     ///
     /// # Errors
-    /// Why eigenvalues are not enclosed.
+    /// The reason for which eigenvalues are not enclosed.
     pub fn near(model: &Model, state: &[f64], goes_on: impl FnMut() -> bool) -> Result<Self, NotEnclosed> {
         let states = 2 * model.speeds();
         if states > 2 * MOST_STATES {
