@@ -2,9 +2,9 @@
 //!
 //!   r_k - sum mu_c J_ck = 0 ,    f_c = 0 ,    i = 0 of a diode that blocks ,    g = 0 of a condition that is held
 //!
-//! are linear in these speeds, in the multipliers mu of the constraints f on them, in the voltages across such diodes and in such
-//! switches. In some modes a combination of these equations has no unknowns, as for a capacitor behind an ideal diode at a source.
-//! The combination is a hidden constraint of positions or of speeds with inertia, and is replaced by its rate.
+//! are linear in these speeds, in the multipliers mu of the constraints f on them, in the voltages across blocking diodes and in the
+//! switches of held conditions. In some modes a combination of these equations has no unknowns, for example if an ideal diode connects a
+//! source with a capacitor. This combination is a hidden constraint of positions or of speeds with inertia, and is replaced by its rate.
 
 use super::contacts::letters as reactions;
 use super::held::is_linear;
@@ -21,17 +21,17 @@ use symbolic::{Sym, substitute_all};
 pub(crate) struct Parted {
     /// One for each speed; zero for those that are algebraic.
     pub accelerations: Vec<Sym>,
-    /// One for each constraint; its letter where it holds algebraic speeds.
+    /// One for each constraint; its letter if the constraint contains algebraic speeds.
     pub multipliers: Vec<Sym>,
-    /// Algebraic speeds, then the multipliers of constraints that hold them.
+    /// Algebraic speeds, then the multipliers of constraints that contain them.
     pub letters: Vec<Sym>,
-    /// Sums that these keep at zero: the law of each, then each constraint.
+    /// Sums that are zero for the right values of these letters: the law of each speed, then each constraint.
     pub zeros: Vec<Sym>,
-    /// For each condition, and for each contact, whether it holds an algebraic speed: its value follows at once from the mode.
+    /// For each condition and each contact, whether it contains an algebraic speed: then the mode determines its value.
     pub is_direct: Direct,
 }
 
-/// Conditions and contacts whose values follow at once from the mode.
+/// Conditions and contacts whose values are determined by the mode.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Direct {
     pub conditions: Vec<bool>,
@@ -97,8 +97,8 @@ impl Parted {
         Ok(Parted { accelerations, multipliers, letters: Vec::new(), zeros: Vec::new(), is_direct })
     }
 
-    /// Letters by what stands for them in a mode: algebraic speeds, multipliers, voltages of diodes and switches that follow at once, and
-    /// switches that the mode fixes. None of a system without such speeds. Reactions and switches that hang on accelerations stay letters.
+    /// Letters with their expressions in a mode: algebraic speeds, their multipliers, voltages of diodes and switches that the mode determines,
+    /// and switches that it fixes. None for a system without such speeds. Reactions and switches that depend on accelerations stay letters.
     pub(super) fn settled(&self, trace: &Trace<'_>, mode: &Mode) -> Result<Settled, NotCompiled> {
         if self.letters.is_empty() {
             return Ok(Settled::default());
@@ -162,14 +162,14 @@ impl Parted {
     }
 }
 
-/// Letters that follow at once in a mode.
+/// Letters that a mode determines.
 #[derive(Default)]
 pub(super) struct Settled {
-    /// Letters by what stands for them.
+    /// Letters with their expressions.
     pub values: Vec<(Sym, Sym)>,
-    /// Algebraic speeds with sums that these keep at zero, where no expression stands for them: the run keeps them by their rates.
+    /// Algebraic speeds without an expression, with sums that must be zero: the run integrates their rates.
     pub implicit: Vec<(Sym, Sym)>,
-    /// Switches of conditions that rest, among these letters.
+    /// Switches of conditions at zero, among these letters.
     pub switches: Vec<usize>,
 }
 

@@ -1,10 +1,10 @@
 //! Combinations of phases of contacts in which a motion may continue.
 //!
-//! A combination has unique reactions only where their conditions, gap'' = 0 of each contact that presses and v' = 0 of each that sticks,
-//! are independent. Of the feet of a block at most two press at once. Combinations are built contact by contact, and those with dependent
-//! gaps are left out with all their extensions. Then the tangents follow: contacts at rest in space or on a wall have more reactions than
-//! the motion determines. One of them leans: its friction acts along the directions that the others leave free. A contact that does not
-//! press, and whose gap depends on those of the others, is carried.
+//! The reactions of a combination are unique only if the conditions gap'' = 0 of each pressing contact and v' = 0 of each sticking contact
+//! are independent. In the plane at most two feet of a block press at once. Combinations are built contact by contact; a combination with
+//! dependent gaps is left out with all its extensions. The tangents are added next. Contacts at rest in space or on a wall may have more
+//! reactions than the motion determines. Then one of them leans: its friction acts only along the directions that the others leave free. A
+//! contact that does not press, and whose gap depends on the gaps of pressing contacts, is carried.
 
 use super::contacts::{PARTS, unknown_parts};
 use super::decision::Open;
@@ -41,13 +41,13 @@ pub(super) fn combinations(expansions: &Expansions, instant: &Instant<'_>, open:
     Some(all.into_iter().filter_map(along_tangents).collect())
 }
 
-/// Whether a contact is one of those whose conditions depend on each other: a guide that the coordinates satisfy has a balance of its own,
-/// and of currents that follow at once the whole mode decides.
+/// Whether the conditions of a contact may depend on those of others. A guide that the coordinates satisfy has a balance of its own, and
+/// currents without inertia are decided by the whole mode.
 fn counts(kind: Kind) -> bool {
     !kind.is_guide && !kind.is_direct
 }
 
-/// Phases with tangents that do not depend on each other, beside the normals that are kept; none where that is not possible.
+/// Phases with independent tangents, in addition to the independent normals; none if this is not possible.
 fn along_tangents(
     responses: &DMatrix<f64>,
     expansions: &Expansions,
@@ -72,7 +72,7 @@ fn along_tangents(
     Some(phases)
 }
 
-/// The phases of a contact that would stick in space, where others hold it along one tangent, or along both.
+/// The phases of a contact in space that would stick, if others hold it along one or both tangents.
 pub(super) fn leaning(phase: Phase, is_in_space: bool) -> Vec<Phase> {
     match phase {
         Phase::Sticks(face) if is_in_space => {
@@ -82,7 +82,7 @@ pub(super) fn leaning(phase: Phase, is_in_space: bool) -> Vec<Phase> {
     }
 }
 
-/// Conditions that are kept, as directions in the space of motions: rows of Cholesky's factor of their responses.
+/// Independent conditions, as directions in the space of motions: rows of Cholesky's factor of their responses.
 #[derive(Clone, Debug, Default)]
 struct Kept {
     places: Vec<usize>,
@@ -90,7 +90,7 @@ struct Kept {
 }
 
 impl Kept {
-    /// With those of a contact; none where they depend on these.
+    /// With the conditions of a contact added; none if they depend on these.
     fn with(&self, responses: &DMatrix<f64>, contact: usize, parts: &[usize]) -> Option<Self> {
         let mut kept = self.clone();
         parts.iter().all(|part| kept.add(responses, PARTS * contact + part)).then_some(kept)

@@ -13,8 +13,8 @@ use symbolic::{Derivation, Sym, substitute_all};
 /// Letters of a contact: N, and T along each tangent. In the plane the last one is zero.
 pub(crate) const PARTS: usize = 3;
 
-/// The sums that reactions keep at zero, normal and tangential, of each contact; of a guide that the coordinates satisfy the balance of
-/// forces across it. They hold accelerations and multipliers.
+/// The normal and tangential equations of each contact, as sums that are zero; for a guide that the coordinates satisfy, the balance of
+/// forces across it. They contain accelerations and multipliers.
 pub(super) fn kept_at_zero(trace: &Trace<'_>) -> Vec<[Sym; PARTS]> {
     let of = |(contact, balance): (&Contact, Option<Sym>)| {
         let normal = balance.unwrap_or_else(|| trace.rate_of(trace.gap_rate(contact)));
@@ -36,7 +36,7 @@ pub(super) fn slides(trace: &Trace<'_>, contact: &Contact) -> [Sym; 2] {
     [0, 1].map(|tangent| contact.slides.get(tangent).map_or(Sym::ZERO, |&slide| trace.scalar(slide)))
 }
 
-/// The reactions of a contact that its phase leaves to be found.
+/// The unknown reactions of a contact in a phase.
 pub(super) fn unknown_parts(phase: Phase, is_in_space: bool) -> &'static [usize] {
     match phase {
         Phase::Apart | Phase::Carried => &[],
@@ -65,7 +65,7 @@ pub(crate) fn letters(trace: &Trace<'_>) -> Vec<Sym> {
     contacts.flat_map(|contact| (0..PARTS).map(move |part| trace.reaction(contact, part))).collect()
 }
 
-/// T over N of a contact that slides, along each tangent.
+/// T/N of a contact that slides, along each tangent.
 fn over_normal(trace: &Trace<'_>, contact: usize, phase: Phase) -> Option<[Sym; 2]> {
     let face = number(phase.face()?.sign());
     let most = friction(trace, contact) * face;
@@ -84,20 +84,20 @@ pub(super) fn friction(trace: &Trace<'_>, contact: usize) -> Sym {
     trace.model.contacts[contact].friction.map_or(Sym::ZERO, |friction| trace.scalar(friction))
 }
 
-/// The equations for the reactions of a mode that are to be found.
+/// The equations for the unknown reactions of a mode.
 pub(super) struct ReactionEquations {
-    /// Reactions that are zero, or that friction ties to others.
+    /// Reactions that are zero, or proportional to others by friction.
     pub given: Vec<(Sym, Sym)>,
-    /// Contact and component of each that is to be found.
+    /// Contact and component of each unknown reaction.
     pub unknown: Vec<[usize; 2]>,
     pub rows: Vec<Vec<Sym>>,
     pub right: Vec<Sym>,
-    /// The sums that they keep at zero.
+    /// The equations, as sums that are zero.
     zeros: Vec<Sym>,
 }
 
 impl ReactionEquations {
-    /// From accelerations and multipliers that hold the letters of reactions; letters that are settled stand for themselves no longer.
+    /// The equations from accelerations and multipliers that contain the letters of reactions; letters with known expressions are replaced.
     pub fn of(
         trace: &Trace<'_>,
         mode: &Mode,
@@ -149,14 +149,14 @@ fn slope(trace: &Trace<'_>, expression: Sym, [contact, component]: [usize; 2]) -
 
 /// The contacts of a mode.
 pub(super) struct Closed {
-    /// Reactions that others give, then those that are found, by their letters.
+    /// Reactions that follow from others, then those that are solved for, by their letters.
     pub found: Vec<Vec<(Sym, Sym)>>,
-    /// The determinant of the equations for them: where it vanishes they are not determined, or grow beyond every bound.
+    /// The determinant of the equations for them: where it is zero they are not determined, or unbounded.
     pub determinant: Sym,
 }
 
-/// The reactions of a mode, from accelerations and multipliers that hold their letters; then both with the reactions in their place.
-/// Letters that are settled stand for themselves no longer, and the reactions of contacts that follow at once are among them.
+/// The reactions of a mode, from accelerations and multipliers that contain their letters; then both with the reactions inserted.
+/// Letters with known expressions are replaced, among them the reactions of contacts that the mode determines directly.
 pub(super) fn closed(
     trace: &Trace<'_>,
     mode: &Mode,
@@ -203,7 +203,7 @@ pub(super) fn closed(
     Ok((Closed { found: vec![given.clone(), shown], determinant }, moved))
 }
 
-/// Friction of contacts that lean, along the tangents along which others hold them.
+/// Friction of leaning contacts, along the tangents along which others hold them.
 pub(super) fn leant(mode: &Mode) -> Vec<[usize; 2]> {
     let of = |(contact, phase): (usize, &Phase)| {
         let held = if let Phase::Leans { held, .. } = phase { *held } else { [true; 2] };

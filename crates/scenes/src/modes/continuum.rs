@@ -1,15 +1,15 @@
-//! A continuum of motions from one state: a mode whose equations for the reactions are singular and yet solvable.
+//! A continuum of motions from one state: a mode whose equations for the reactions are singular but solvable.
 //!
-//! At the critical friction A N = b has a singular A. If the system is solvable, N + s n with A n = 0 is a solution for every s, each with
-//! another motion. They form a continuum of motions where the conditions of the mode, which are linear in s, leave an interval.
+//! At the critical friction the matrix A of A N = b is singular. If the system is solvable, N + s n with A n = 0 is a solution for every s, each
+//! with a different motion. If the conditions of the mode, which are linear in s, hold on an interval, the motions form a continuum.
 
 use super::expansion::{Accelerations, Expansions, Instant, Reacting};
 use super::mode::{Face, Mode, Phase};
 use super::touch::Touch;
 use nalgebra::{DMatrix, DVector};
 
-/// A singular value below this part of the largest one is zero; what is left of b below this part of it, or so many times
-/// its error, is.
+/// A singular value below this fraction of the largest one counts as zero; so does a residual of b below this fraction of b, or below
+/// a multiple of its error.
 const SINGULAR: f64 = 1e-12;
 const LEFT: f64 = 1e-10;
 const DOUBTS: f64 = 16.0;
@@ -17,7 +17,7 @@ const DOUBTS: f64 = 16.0;
 /// A change below this part of what changes is rounding.
 const ROUNDED: f64 = 1e-9;
 
-/// Whether contacts that slide in the plane admit a continuum of motions, in a mode whose reactions are not determined.
+/// Whether contacts that slide in the plane allow a continuum of motions, in a mode whose reactions are not determined.
 pub(super) fn is_continuum(expansions: &Expansions, instant: &Instant<'_>, mode: &Mode, touches: &[Touch]) -> bool {
     let slides = |phase: &Phase| matches!(phase, Phase::Slips { .. });
     let in_space = |phase: &Phase| matches!(phase, Phase::Glides { .. } | Phase::Leans { .. });
@@ -39,7 +39,7 @@ pub(super) fn is_continuum(expansions: &Expansions, instant: &Instant<'_>, mode:
     is_interval(margins) && contacts.clone().any(moves)
 }
 
-/// A solution of singular equations, and the direction in which all of them lie; none where they are regular or contradict each other.
+/// A solution of singular equations, and the direction of the line of all solutions; none if they are regular or contradictory.
 fn line(slopes: &DMatrix<f64>, right: &DVector<f64>, doubt: f64) -> Option<[DVector<f64>; 2]> {
     if right.is_empty() || !slopes.iter().chain(right.iter()).all(|entry| entry.is_finite()) {
         return None;
@@ -57,7 +57,7 @@ fn line(slopes: &DMatrix<f64>, right: &DVector<f64>, doubt: f64) -> Option<[DVec
     (left.amax() <= (LEFT * right.amax()).max(DOUBTS * doubt)).then_some([one, direction])
 }
 
-/// The numbers of a contact that are not negative as its phase says.
+/// The margins of a contact, which its phase requires to be nonnegative.
 fn margins(contact: &Reacting, phase: Phase, touch: Touch) -> Vec<f64> {
     let Reacting { reactions: [normal, tangent, _], accelerations: [away, along, _], friction } = *contact;
     let pressure = phase.face().map_or(0.0, Face::sign) * normal;
@@ -73,7 +73,7 @@ fn margins(contact: &Reacting, phase: Phase, touch: Touch) -> Vec<f64> {
     }
 }
 
-/// Whether numbers that change linearly from s = 0 to s = 1 are all positive for some s, and not for one alone.
+/// Whether numbers that are linear in s are all nonnegative on an interval of s, given their values at s = 0 and s = 1.
 fn is_interval(numbers: impl Iterator<Item = (f64, f64)>) -> bool {
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     for (at, beyond) in numbers {

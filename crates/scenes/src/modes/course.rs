@@ -8,15 +8,15 @@ use std::sync::Arc;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Sets {
     Nothing,
-    /// The same, of an expression that passes zero in a direction that does not count, or of diodes that block on with other shares.
+    /// No change: an expression passes zero in a direction that does not count, or diodes continue to block with other shares.
     Unseen,
     /// An event of the model sets coordinates and speeds.
     Event(usize),
     /// A contact closes with a velocity.
     Impact(usize),
-    /// An impact after which all bounces that are left are taken for none.
+    /// An impact after which the remaining bounces are neglected.
     LastBounce,
-    /// The rest of the sliding of a contact in space is taken from the speeds.
+    /// The remaining sliding velocity of a contact in space is set to zero.
     Rest {
         contact: usize,
         /// The largest speed of the slide.
@@ -24,7 +24,7 @@ pub(super) enum Sets {
     },
     /// The motion ends.
     End,
-    /// It ends where the equations for the reactions become singular.
+    /// The motion ends since the equations for the reactions become singular.
     Jam,
 }
 
@@ -40,12 +40,12 @@ pub(super) struct Crossing {
 /// A law of a run.
 #[derive(Clone)]
 pub(super) struct Leg {
-    /// None of the law of the start.
+    /// The event before this law; none for the law at the start.
     pub cause: Option<Crossing>,
     pub moded: Arc<Moded>,
     /// Letters of contacts that slide in space.
     pub glides: Vec<f64>,
-    /// Whether one of them begins to slide, from rest.
+    /// Whether one of these contacts begins to slide from rest.
     pub begins_to_glide: bool,
 }
 

@@ -4,9 +4,9 @@
 //!
 //!   A = W_nn - mu sign(v) W_nt .
 //!
-//! With all coefficients times s the determinant of A is a polynomial in s, positive at s = 0. At its least zero the reactions are unbounded,
-//! and beyond it there may be no motion with this sliding, or several (Painlevé 1895). The zero is the reciprocal of the largest real
-//! eigenvalue of W_nn^-1 mu sign(v) W_nt. The result is the least one over all sets of pressing contacts and all directions of sliding.
+//! If all coefficients are multiplied by s, the determinant of A is a polynomial in s, positive at s = 0. At its smallest positive zero the
+//! reactions are unbounded, and beyond it there may be no motion with this sliding, or several (Painlevé 1895). This zero is the reciprocal of
+//! the largest real eigenvalue of W_nn^-1 mu sign(v) W_nt. The result is the minimum over all sets of pressing contacts and directions of sliding.
 
 use super::contacts::PARTS;
 use super::expansion::{Expansions, Instant, Kind};
@@ -18,27 +18,27 @@ use nalgebra::DMatrix;
 /// The largest number of contacts in touch: three states of each are combined.
 const MOST: usize = 7;
 
-/// An eigenvalue whose imaginary part is below this part of it is real.
+/// An eigenvalue counts as real if its imaginary part is below this fraction of its real part.
 const REAL: f64 = 1e-9;
 
-/// An eigenvalue below this is rounding of zero: no friction is critical.
+/// An eigenvalue below this is rounding: no friction is critical.
 const LEAST: f64 = 1e-12;
 
-/// Columns that depend on each other to this part: contacts that do not press together.
+/// The relative size of a singular value below which contacts cannot press together.
 const RANK: f64 = 1e-11;
 
-/// The least multiple of the coefficients of friction at which reactions are not determined, and the mode in which that is so.
+/// The smallest multiple of the coefficients of friction at which reactions are not determined, and the mode in which this happens.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Critical {
     pub factor: f64,
     pub mode: Mode,
 }
 
-/// A contact in touch as a set takes it: with the sign of its friction in the column of N.
+/// A closed contact of a set, with the phase that gives the sign of its friction.
 type Sliding = (usize, Phase);
 
 impl Critical {
-    /// At a state, with what the contacts do there; none where no friction reaches that, or one slides in space.
+    /// The critical friction at a state with its phases of contacts; none if no multiple is critical, or if a contact slides in space.
     pub fn of(expansions: &Expansions, instant: &Instant<'_>, mode: &Mode, touches: &[Touch]) -> Option<Self> {
         let in_touch = |kind: &Kind, touch: Touch| touch != Touch::Open && !kind.is_one_way;
         let touching: Vec<usize> = (0..touches.len()).filter(|&k| in_touch(&expansions.kinds[k], touches[k])).collect();
@@ -69,7 +69,7 @@ impl Critical {
     }
 }
 
-/// The ways in which a contact may slide.
+/// The phases in which a contact may slide.
 fn directions(kind: Kind, touch: Touch) -> Vec<Phase> {
     let both = match touch {
         Touch::Slides { forwards } => vec![forwards],
@@ -80,7 +80,7 @@ fn directions(kind: Kind, touch: Touch) -> Vec<Phase> {
     both.into_iter().flat_map(|forwards| faces.iter().map(move |&face| Phase::Slips { forwards, face })).collect()
 }
 
-/// The least multiple of friction at which a set of contacts that slide has no determined reactions.
+/// The smallest multiple of friction at which the reactions of a set of sliding contacts are not determined.
 fn factor(responses: &DMatrix<f64>, friction: &[f64], set: &[Sliding]) -> Option<f64> {
     if set.is_empty() {
         return None;
@@ -112,7 +112,7 @@ mod tests {
     use super::{Face, Phase, factor};
     use nalgebra::DMatrix;
 
-    /// W_nn = 1 + 3 c^2 and W_nt = -3 s c of a rod: the friction is (1 + 3 c^2)/(3 s c), and backwards nothing is critical.
+    /// For a rod W_nn = 1 + 3 c^2 and W_nt = -3 s c: the critical friction is (1 + 3 c^2)/(3 s c); no friction is critical for backward sliding.
     #[test]
     fn a_rod_has_the_friction_of_painleve() {
         let (s, c) = 1.0_f64.sin_cos();

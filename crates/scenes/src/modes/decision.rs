@@ -1,9 +1,9 @@
 //! The choice of the mode after an event: the only one consistent with its cases, among all cases of the conditions at zero.
 //!
-//! Just after an instant a condition g with g = 0 is on where the first nonzero one of g', g'', ... is positive, off where it is
-//! negative, and held where the switch s that keeps it at zero lies between 0 and 1; for s at a bound the first nonzero one of s', s'',
-//! ... decides. Every sign is compared with the rounding error of its value, in all candidates alike: where two cases differ by
-//! rounding alone, the next derivative decides.
+//! Just after an instant with g = 0 the condition g is on if the first nonzero derivative among g', g'', ... is positive, and off if it is
+//! negative. It is held if the switch s that keeps it at zero lies between 0 and 1; for s at a bound the first nonzero derivative of s
+//! decides. In all candidates a sign counts only if the value exceeds its rounding error; if two cases differ by rounding only, the next
+//! derivative decides.
 
 use super::combinations::combinations;
 use super::continuum::is_continuum;
@@ -14,34 +14,34 @@ use super::pivots::{NotFound, pivoted};
 use super::shares::shares;
 use super::touch::{Beside, Touch, at_rest, possible, standing_of};
 
-/// The largest number of conditions at zero together whose combinations are all tried; among more, one that agrees is sought.
+/// The largest number of conditions at zero whose combinations are all tried; for more conditions one consistent combination is searched for.
 const MOST_OPEN: usize = 6;
 
 /// The largest number of combinations of cases and phases that are tried.
 const MOST_TRIED: usize = 20_000;
 
-/// Terms by which combinations are sifted, and by which those that are left are decided.
+/// The number of terms used to exclude combinations, and the number used to decide the remaining ones.
 pub(super) const FEW: usize = 2;
 pub(super) const TERMS: usize = 6;
 
-/// Multiples of its doubt that a term must exceed, to count. A larger one serves where a smaller leaves no case, or several: a force that
-/// rises beyond friction so little, or so shortly, that the speed stays within its rounding.
+/// Multiples of its error bound that a term must exceed to count. A larger multiple is used if a smaller one leaves no case or several: a
+/// force may exceed friction by so little, or for so short a time, that the speed stays within its rounding.
 pub(super) const SLACKS: [f64; 7] = [16.0, 256.0, 4096.0, 65_536.0, 1_048_576.0, 16_777_216.0, 268_435_456.0];
 
-/// The order of what agrees.
+/// The degrees of agreement, in ascending order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Standing {
     /// A contact has no reaction, since others carry the body.
     Carries,
     /// A condition, or a contact, that should leave zero stays there.
     Rests,
-    /// A switch that is held, or a reaction, stays at its bound.
+    /// A held switch, or a reaction, stays at its bound.
     AtBound,
-    /// Everything moves as its case says.
+    /// Every condition and contact moves as its case requires.
     Moves,
 }
 
-/// The cases that go on from an instant.
+/// The cases after an instant.
 #[derive(Debug)]
 pub(super) enum Decided {
     One {
@@ -49,20 +49,20 @@ pub(super) enum Decided {
         expansion: Box<Expansion<TERMS>>,
         slack: f64,
     },
-    /// None agrees; whether one cannot be held.
+    /// No combination is consistent; whether some condition cannot be held.
     None {
         not_held: bool,
     },
     Several,
-    /// Motions without end.
+    /// A continuum of motions.
     Continuum,
     /// More combinations than are tried.
     TooMany,
-    /// None that is tried agrees: several contacts in space are in touch, and not all of them slide.
+    /// No combination that was tried is consistent; several contacts in space are closed, and not all of them slide.
     RestTogether,
 }
 
-/// The conditions and contacts that are open at an instant.
+/// The conditions and contacts that must be decided at an instant.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Open<'a> {
     /// Conditions at zero.
@@ -72,7 +72,7 @@ pub(super) struct Open<'a> {
 }
 
 impl Open<'_> {
-    /// The contacts that slide in two directions, with what is known of each.
+    /// The contacts in space, with their state.
     fn in_space(&self, expansions: &Expansions) -> impl Iterator<Item = (usize, Touch)> {
         let kinds = self.touches.iter().zip(&expansions.kinds).enumerate();
         kinds.filter_map(|(contact, (touch, kind))| kind.is_in_space.then_some((contact, *touch)))
@@ -179,14 +179,14 @@ fn tried(
     }
 }
 
-/// The combinations that no number contradicts at once.
+/// The combinations that the first terms do not exclude.
 struct Candidates {
     all: Vec<(Mode, Expansion<TERMS>)>,
     /// Whether a combination cannot be held.
     not_held: bool,
     /// Whether combinations were left out in which several contacts in space rest, or begin to slide.
     rest_together: bool,
-    /// Whether a combination whose reactions are not determined admits motions without end.
+    /// Whether a combination with undetermined reactions allows a continuum of motions.
     is_continuum: bool,
 }
 
@@ -216,7 +216,7 @@ impl Candidates {
             expansions.mirror(&mut candidate);
             for candidate in directed(expansions, instant, candidate, open) {
                 let Some(sifted) = expansions.at::<FEW>(instant, &candidate) else {
-                    // where speeds are algebraic a mode may leave some of them open, and another one holds
+                    // with algebraic speeds a mode may not determine some of them although another mode is consistent
                     candidates.not_held |= !expansions.has_algebraic();
                     candidates.is_continuum |= is_continuum(expansions, instant, &candidate, open.touches);
                     continue;
@@ -252,7 +252,7 @@ fn directed(expansions: &Expansions, instant: &Instant<'_>, mode: Mode, open: Op
     headings(expansions, instant, &mode, &beginning).into_iter().map(with).collect()
 }
 
-/// The highest standing of candidates, and those that have it; none where all contradict themselves.
+/// The highest degree of agreement, and the candidates that reach it; none if all are contradictory.
 fn best(all: &[(Mode, Expansion<TERMS>)], open: Open<'_>, slack: f64) -> Option<(Standing, Vec<usize>)> {
     let standings: Vec<Option<Standing>> =
         all.iter().map(|(mode, expansion)| standing(expansion, mode, open, slack)).collect();
@@ -260,8 +260,7 @@ fn best(all: &[(Mode, Expansion<TERMS>)], open: Open<'_>, slack: f64) -> Option<
     Some((best, (0..all.len()).filter(|&place| standings[place] == Some(best)).collect()))
 }
 
-/// Every combination that agrees with the motion that it gives, with the number of this motion among them; none where they are too many
-/// to be tried.
+/// Every combination that is consistent with the motion it gives, with the number of this motion; none if there are too many combinations.
 pub(super) fn agreeing(
     expansions: &Expansions,
     instant: &Instant<'_>,
@@ -302,7 +301,7 @@ impl Mode {
     }
 }
 
-/// The case to which a condition points that contradicts its own.
+/// The case towards which a condition moves, if it contradicts the assumed case.
 pub(super) fn contradicted(expansion: &Expansion<TERMS>, case: Case, switch: usize, slack: f64) -> Option<Case> {
     let [low, high] = expansion.margins(switch).map(|margin| margin.sign(slack) < 0.0);
     match case {
@@ -339,7 +338,7 @@ fn is_possible(sifted: &Expansion<FEW>, mode: &Mode, open: Open<'_>, slack: f64)
         })
 }
 
-/// Whether open conditions and contacts move as they should; none where one contradicts.
+/// The agreement of open conditions and contacts with their cases; none for a contradiction.
 fn standing(expansion: &Expansion<TERMS>, mode: &Mode, open: Open<'_>, slack: f64) -> Option<Standing> {
     if !holds_hidden(expansion, slack) {
         return None;
@@ -348,7 +347,7 @@ fn standing(expansion: &Expansion<TERMS>, mode: &Mode, open: Open<'_>, slack: f6
     each.chain([of_contacts(expansion, mode, open, slack)]).min().unwrap_or(Some(Standing::Moves))
 }
 
-/// Whether contacts move as their phases say; `None` where one contradicts.
+/// The agreement of contacts with their phases; `None` for a contradiction.
 fn of_contacts(expansion: &Expansion<TERMS>, mode: &Mode, open: Open<'_>, slack: f64) -> Option<Standing> {
     let contacts = expansion.contacts.iter().zip(&mode.phases).zip(open.touches);
     let is_alone = open.is_alone();
@@ -362,12 +361,12 @@ fn of_contacts(expansion: &Expansion<TERMS>, mode: &Mode, open: Open<'_>, slack:
     each.min().unwrap_or(Some(Standing::Moves))
 }
 
-/// Whether one condition moves as its case says; `None` where it contradicts.
+/// The agreement of one condition with its case; `None` for a contradiction.
 pub(super) fn alone(expansion: &Expansion<TERMS>, case: Case, switch: usize, slack: f64) -> Option<Standing> {
     let condition = &expansion.conditions[switch];
-    // one that has moved off zero while it was held must come back through it
+    // a condition that drifted off zero while it was held must pass through zero again
     let band = || (slack * condition.doubts[0]).max(4.0 * beyond(condition.terms[0], case));
-    // one whose value follows at once is where its case says, or leaves zero to there
+    // a condition whose value the mode determines has the sign of its case, or leaves zero in this direction
     let value = if expansion.is_direct[switch] { condition.sign_of(0, slack) } else { 0.0 };
     let (signs, at_zero) = match case {
         Case::On if value != 0.0 => ([value; 2], Standing::Rests),
@@ -384,7 +383,7 @@ pub(super) fn alone(expansion: &Expansion<TERMS>, case: Case, switch: usize, sla
     }
 }
 
-/// The distance of a condition on the other side than its case says.
+/// The distance of a condition beyond zero on the side opposite to its case.
 pub(super) fn beyond(value: f64, case: Case) -> f64 {
     match case {
         Case::On => (-value).max(0.0),

@@ -1,8 +1,8 @@
 //! The distribution of friction among contacts that hold a body with more reactions than its motion determines.
 //!
-//! Reactions give one motion for all T of contacts that lean on the others, whose T follow: T_f = T_0 + Z T_l, T_0 those without leaning. Shown,
-//! and kept within the cones of friction, are those with the least sum of |T|^2/(mu N): feet of a table that is pushed come to their bounds
-//! together. With a multiplier for each T_f
+//! The motion is independent of the friction T_l of leaning contacts; the friction of the others is T_f = T_0 + Z T_l, where T_0 belongs to T_l = 0.
+//! Outputs show the distribution with the least sum of |T|^2/(mu N), which must lie within the cones of friction: the feet of a pushed table
+//! reach their bounds together. With a multiplier m for each T_f
 //!
 //!   T_f = D_f m,    T_l = -D_l Z' m,    (D_f + Z D_l Z') m = T_0,    D = mu N,
 //!
@@ -10,10 +10,10 @@
 
 use field::Scalar;
 
-/// Normal reactions change with the distribution, and the bounds with them: it is found so many times.
+/// Normal reactions, and with them the bounds, change with the distribution: the number of iterations.
 pub(super) const ROUNDS: usize = 3;
 
-/// T_l of the least sum, from T_0, the columns of Z, and mu N of each component of T_f and of T_l.
+/// T_l with the least sum, from T_0, the columns of Z, and mu N of each component of T_f and of T_l.
 pub(super) fn balancing<S: Scalar>(
     alone: &[S],
     columns: &[Vec<S>],

@@ -10,11 +10,11 @@ use super::signals::Fall;
 use super::touch::margins;
 use integrators::{Event, Happening};
 
-/// The bound of this error, in roundings of the time, where speeds are algebraic: a signal that decays to zero as an exponential is there by
-/// rounding, with a rate that is as small, and nothing is late.
+/// The bound of this error, in roundings of the time, with algebraic speeds: an exponentially decaying signal reaches zero by rounding, with
+/// an equally small rate, so that its residual says nothing about the time.
 const LOCATED: f64 = 64.0;
 
-/// The error of the time of a fall, by what is left of its signal.
+/// The error of the time of a fall, from the residual of its signal.
 pub(super) fn late(before: &Current, known: &Expansion<TERMS>, event: &Event) -> f64 {
     let fall = before.moded.signals.falls[event.signal];
     let (signal, near) = match fall {

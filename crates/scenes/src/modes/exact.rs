@@ -10,23 +10,24 @@ use num_traits::Zero;
 use simulation::references::{At, Followed, Means, Unknown};
 use std::sync::PoisonError;
 
-/// Newton's iteration doubles the digits: where a run knows thirteen one step comes to all that are kept, and the next finds so.
+/// The largest number of Newton steps. Each doubles the digits: from the thirteen digits of a run one step reaches full precision, and the
+/// next one confirms it.
 const MOST: usize = 8;
 const BEGINS: &str = "a contact begins to slide in space, which is not followed to all digits,";
 
-/// A contact in space is followed by such parts of the time in which it would come to rest, until such a part of its speed is left.
+/// A sliding contact in space is integrated by this fraction of the remaining time to rest, until its speed is small enough.
 const SLOWS: f64 = 0.9;
 const LEFT: f64 = 1e-14;
 
 /// It comes to rest before so many times the time of its slide.
 const BEYOND: f64 = 2.0;
 
-/// A determinant so small beside that where it was slowed down is zero to all digits; it goes as exp(-s^2) with the slowed time s, which
-/// is doubled so often.
+/// A determinant smaller than this, relative to its initial value, is zero to all digits; it decreases like exp(-s^2) with the slowed
+/// time s, which is doubled at each step.
 const VANISHED: f64 = 1e-31;
 const DOUBLINGS: usize = 40;
 
-/// A correction so small, relative to the time, leaves nothing to correct.
+/// A correction below this, relative to the time, ends the iteration.
 const LAST: f64 = 1e-20;
 
 impl Modes {
@@ -38,7 +39,7 @@ impl Modes {
     /// The course of a run by one method, at instants up to its end.
     ///
     /// # Errors
-    /// Where the method does not follow it, or an event is told by a tie.
+    /// The method cannot follow the motion, or an event is ambiguous since several signals are zero together.
     pub fn exactly(
         &self,
         course: &RunTable,
@@ -134,7 +135,7 @@ impl Follower<'_> {
         Ok(())
     }
 
-    /// Follows a law to where the equations for its reactions become singular: there speeds have no bound, and places are left.
+    /// Follows a law until the equations for its reactions become singular: speeds are unbounded there, positions are finite.
     fn jam(&mut self, Leg { moded, .. }: &Leg, told: f64) -> Result<(), Unknown> {
         let blunt = || Unknown::Blunt { time: told };
         let slowed = Slowed::of(&self.laws.model, &moded.system.mode).ok_or_else(blunt)?;
@@ -155,7 +156,7 @@ impl Follower<'_> {
         Err(blunt())
     }
 
-    /// Follows a contact that slides in space until a part of its speed is left whose square is rounding, and takes that part away.
+    /// Follows a contact that slides in space until the square of its relative speed is rounding, and then sets the speed to zero.
     fn rest(
         &mut self,
         Leg { moded, glides, .. }: &Leg,
@@ -169,7 +170,7 @@ impl Follower<'_> {
         };
         let place = signals.in_space.iter().position(|own| *own == contact).unwrap_or(0);
         let slow = DoubleDouble::lift(glides[GLIDE * place + 2]);
-        // shortly before the run found it, where the speed falls as a straight line does
+        // shortly before the event of the run, where the speed decreases linearly
         let begun = self.at.0;
         let last = begun + (DoubleDouble::lift(told) - begun) * DoubleDouble::lift(BEYOND);
         self.go_to(moded, begun + (DoubleDouble::lift(told) - begun) * DoubleDouble::lift(SLOWS))?;
@@ -190,13 +191,13 @@ impl Follower<'_> {
             if left.approx().is_nan() || left.approx() > 0.5 * known.approx() {
                 return Err(blunt);
             }
-            // by the chord: a velocity so small has its direction, and so the rate of its size, to few digits
+            // by the chord: a small velocity has few digits of direction, and so has the rate of its size
             fall = (known - left) / (next - time);
         }
         let expansions = self.laws.expansions().map_err(|_| Unknown::Blunt { time: told })?;
         let (time, state) = &mut self.at;
         *state = expansions.rested_exactly(*time, state, &then.system.mode).ok_or(blunt)?;
-        // the rest of the way, by the law that follows
+        // the remaining slide, by the next law
         let rest = left / fall;
         let mut rates = vec![DoubleDouble::zero(); state.len()];
         then.system.rates(*time, state, &mut rates);
@@ -205,7 +206,7 @@ impl Follower<'_> {
         Ok(())
     }
 
-    /// Where a signal is zero, close to where the run found it: Newton's method on the instant, the motion followed to each.
+    /// The zero of a signal near the instant found by the run: Newton's method for the instant, with an integration to each iterate.
     fn zero_of(&mut self, Leg { moded, glides, .. }: &Leg, crossing: Crossing) -> Result<(), Unknown> {
         let blunt = Unknown::Blunt { time: crossing.time };
         self.go_to(moded, DoubleDouble::lift(crossing.time))?;

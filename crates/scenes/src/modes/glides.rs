@@ -1,14 +1,14 @@
 //! Contacts that slide in space, from slip to rest.
 //!
-//! T = -mu |N| v/|v| turns with v, and has no limit where v goes to zero. The speed |v| does not change its sign there, so that signals
-//! watch it from an instant at which it was w in the direction d:
+//! T = -mu |N| v/|v| turns with v, and has no limit as v goes to zero. Since the speed |v| does not change its sign there, three signals
+//! observe it from an instant at which it was w in the direction d:
 //!
-//!   |v| - w/10,    which falls where the contact has slowed down by ten,
-//!   1000 w - |v|,  which falls where it has become so fast that a tenth of w is nothing to it,
-//!   v . d,         which falls where v has turned by a right angle, or has come through zero within one step.
+//! |v| - w/10,    negative when the contact has slowed down by a factor of ten,
+//! 1000 w - |v|,  negative when it has become so fast that w/10 is no longer a useful threshold,
+//! v . d,         negative when v has turned by a right angle, or has passed zero within one step.
 //!
-//! After any of these falls the watch begins anew, until the remaining speed is small enough to be set to zero at once: the reactions on
-//! the rest of the way would differ by the square of the remaining part.
+//! When a signal becomes negative, the observation starts again with new w and d, until the remaining speed is small enough to be set to zero: the
+//! error of the reactions is then the square of the remaining relative speed.
 
 use super::course::Sets;
 use super::expansion::{Instant, Touching, direction};
@@ -50,16 +50,16 @@ pub(super) struct Glide {
     speed: f64,
     /// The largest speed at which a watch of this slide began.
     fastest: f64,
-    /// The time in which the speed doubles, where it begins from rest, or has done so.
+    /// The time in which the speed doubles, for a slide that began from rest.
     doubling: Option<f64>,
 }
 
 impl Glide {
-    /// The watches of contacts in their phases; none of one that does not slide in space.
+    /// The observations of contacts in their phases; none for a contact that does not slide in space.
     pub fn of_all<const N: usize>(contacts: &[Touching<N>], phases: &[Phase], time: f64) -> Vec<Option<Self>> {
         let begins = |phase: &Phase| matches!(phase, Phase::Glides { begins: Some(_), .. });
         let all = || contacts.iter().zip(phases);
-        // those that begin together have the speeds of one instant
+        // contacts that begin together have the speeds of one instant
         let doubling = all().filter(|(_, phase)| begins(phase)).map(|(contact, _)| doubling(contact, time));
         let doubling = doubling.fold(0.0, f64::max);
         all().map(|(contact, phase)| Glide::of(contact, *phase, doubling)).collect()
@@ -79,7 +79,7 @@ impl Glide {
         Some(Glide { heading, speed, fastest: speed, doubling: Some(doubling) })
     }
 
-    /// The time in which the speed doubles, at most a second, where it begins from rest.
+    /// The time in which the speed doubles, at most a second, for a slide that begins from rest.
     pub fn doubling(&self) -> Option<f64> {
         self.doubling
     }
@@ -94,7 +94,7 @@ impl Glide {
         self.heading.map(|part| part * self.speed)
     }
 
-    /// The next watch, after one of its signals has fallen; none where the contact comes to rest.
+    /// The next observation, after one of the signals has become negative; none if the contact comes to rest.
     pub fn next<const N: usize>(&self, contact: &Touching<N>, fall: Fall) -> Option<Self> {
         let [slide, aside] = [contact.slide.terms, contact.aside.terms];
         let (speed, heading) = motion(slide[0], aside[0]);
@@ -109,7 +109,7 @@ impl Glide {
         Sets::Rest { contact, fastest: self.fastest }
     }
 
-    /// Whether so little is left of its speed that it is taken away at once.
+    /// Whether its speed is small enough to be set to zero.
     fn is_over<const N: usize>(&self, contact: &Touching<N>) -> bool {
         let rounding = SLACK * contact.slide.doubts[0].max(contact.aside.doubts[0]);
         let (speed, [along, aside]) = motion(contact.slide.terms[0], contact.aside.terms[0]);
@@ -125,7 +125,7 @@ fn motion(along: f64, aside: f64) -> (f64, [f64; 2]) {
     (speed, [along / speed, aside / speed])
 }
 
-/// The time after which a contact that begins to slide has a speed with a direction, in a time that the clock resolves.
+/// The time after which the speed of a contact that begins to slide has a direction; the clock resolves this time.
 fn doubling<const N: usize>(contact: &Touching<N>, time: f64) -> f64 {
     let term = |order: usize| contact.slide.terms[order].hypot(contact.aside.terms[order]);
     let doubt = contact.slide.doubts[0].max(contact.aside.doubts[0]);
@@ -136,7 +136,7 @@ fn doubling<const N: usize>(contact: &Touching<N>, time: f64) -> f64 {
 }
 
 impl Modes {
-    /// Gives contacts that begin to slide in space the speed from which they are followed.
+    /// Gives contacts that begin to slide in space their initial speed.
     pub(super) fn push_off(&self, time: f64, state: &mut [f64], current: &Current) {
         let Ok(expansions) = self.laws.expansions() else { return };
         let start = |contact: usize| {
@@ -154,15 +154,15 @@ impl Modes {
         }
     }
 
-    /// The first contact that slides in space with a speed that is to be taken away at once.
+    /// The first contact in space whose sliding speed is to be set to zero.
     pub(super) fn is_over(&self, before: &Current, instant: &Instant<'_>) -> Option<usize> {
         let contacts = self.laws.expansions().ok()?.contacts(instant, &before.moded.system.mode.cases);
         let mut glides = before.glides.iter().zip(&contacts);
         glides.position(|(glide, contact)| glide.is_some_and(|glide| glide.is_over(contact)))
     }
 
-    /// The contacts that slide in space and come to rest together with the one of an event: so little is left of their speed, or of the time
-    /// in which it falls to zero.
+    /// The contacts that slide in space and come to rest together with the contact of an event, by their remaining speed or the remaining time
+    /// until it is zero.
     pub(super) fn rest_together(&self, before: &Current, event: &Event, state: &[f64]) -> Vec<bool> {
         let Ok(expansions) = self.laws.expansions() else { return vec![false; before.glides.len()] };
         let contacts = expansions.contacts(&Instant::at(event.time, state), &before.moded.system.mode.cases);
@@ -178,7 +178,7 @@ impl Modes {
         before.glides.iter().enumerate().map(rests).collect()
     }
 
-    /// Takes what is left of the speeds of contacts that rest in space, and tells that they do.
+    /// Sets the remaining speeds of contacts that come to rest in space to zero, and reports their rest.
     pub(super) fn bring_to_rest(
         &self,
         mode: &Mode,
@@ -209,7 +209,7 @@ impl Modes {
     }
 }
 
-/// The time in which a contact that slows down comes to rest, if it goes on so; zero where it does not.
+/// The time in which a contact that slows down comes to rest at its present deceleration; zero if it does not slow down.
 fn time_to_rest(before: &Current, contact: usize, event: &Event, state: &[f64]) -> f64 {
     let signals = &before.moded.signals;
     let Some(signal) = signals.falls.iter().position(|fall| *fall == Fall::Slows { contact }) else { return 0.0 };

@@ -1,7 +1,7 @@
-//! Conditions that stay at zero: the value between the two cases of each that keeps it there (Filippov 1988).
+//! Conditions that stay at zero: for each the value between its two cases that keeps it there (Filippov 1988).
 //!
-//! Along the motion g' = a + b s with the switch s, which the law holds linearly: s = -a/b. Dry friction is such a law: while it
-//! sticks, s takes the value of the force that is needed.
+//! The law is linear in the switch s, and along the motion g' = a + b s; hence s = -a/b. Dry friction is an example: while it
+//! sticks, s follows the required force.
 
 use super::algebraic::{Parted, Settled};
 use super::contacts::{Closed, PARTS, closed, letters as reactions_of};
@@ -48,7 +48,7 @@ pub(crate) fn held(trace: &Trace<'_>, mode: &Mode, parted: Parted) -> Result<Mod
     let condition = |switch: &usize| in_mode(&[trace.scalar(trace.model.switches[*switch])])[0];
     let rates: Vec<Sym> = held.iter().map(|k| trace.rate_of(condition(k)).substitute(&motion)).collect();
     let rates = substitute_all(&rates, &settled);
-    // an |g| in the law of g brings powers of the switch, which go where g is zero
+    // |g| in the law of g causes powers of the switch, which vanish at g = 0
     let at_zero = match is_linear(&rates, &symbols) {
         true => Vec::new(),
         false => zeros(trace, &resting.iter().map(condition).collect::<Vec<Sym>>()),
@@ -78,7 +78,7 @@ pub(crate) fn held(trace: &Trace<'_>, mode: &Mode, parted: Parted) -> Result<Mod
     let in_found = |all: &[Sym]| substitute_all(all, &found);
     let mut parts: Vec<Sym> = in_found(&trace.switches);
     if free.len() < resting.len() || !shared.is_empty() {
-        // s = 1/2 + B^T l: of all that keep the conditions at zero the nearest to 1/2
+        // s = 1/2 + B^T l: the solution nearest to 1/2 of all that keep the conditions at zero
         let columns: Vec<Vec<Sym>> = (0..held.len()).map(|row| slopes(row, &free)).collect();
         let product = |a: &[Sym], b: &[Sym]| a.iter().zip(b).fold(Sym::ZERO, |sum, (a, b)| sum + *a * *b);
         let gram = columns.iter().map(|a| columns.iter().map(|b| product(a, b)).collect()).collect();
@@ -124,7 +124,7 @@ pub(crate) fn held(trace: &Trace<'_>, mode: &Mode, parted: Parted) -> Result<Mod
     Ok(ModeMotion { switches, parts, accelerations, multipliers, reactions, determinant, speeds, implicit })
 }
 
-/// The rates of speeds that sums keep at zero: those that keep the rates of the sums at zero.
+/// The rates of speeds that are given implicitly by sums that are zero: the rates of these sums are zero.
 fn implicit_rates(
     trace: &Trace<'_>,
     speeds: &[Sym],
@@ -145,7 +145,7 @@ fn implicit_rates(
         .map_err(|_| NotCompiled::Massless { coordinate: crate::compiled_system::speed_name(trace.model, first()) })
 }
 
-/// The values of letters, with the reactions of contacts in them.
+/// The values of letters, with the reactions of contacts inserted.
 fn settled_with(settled: &[(Sym, Sym)], reactions: impl Fn(&[Sym]) -> Vec<Sym>) -> Vec<(Sym, Sym)> {
     let (letters, values): (Vec<Sym>, Vec<Sym>) = settled.iter().copied().unzip();
     letters.into_iter().zip(reactions(&values)).collect()
@@ -156,14 +156,14 @@ fn by(expression: Sym, letter: Sym) -> Sym {
     Derivation::new([(letter, Sym::ONE)]).of(expression)
 }
 
-/// Whether expressions are linear in letters together.
+/// Whether expressions are jointly linear in letters.
 pub(super) fn is_linear(expressions: &[Sym], letters: &[Sym]) -> bool {
     let mut slopes =
         expressions.iter().flat_map(|&expression| letters.iter().map(move |&letter| by(expression, letter)));
     slopes.all(|slope| letters.iter().all(|letter| !slope.symbols_of().contains(letter)))
 }
 
-/// For each condition g, where it has the form c u + d of a speed u with a number c, or a parameter, that u is -d/c where g is zero.
+/// For each condition g of the form c u + d, with a speed u and a number or parameter c: the value u = -d/c at g = 0.
 fn zeros(trace: &Trace<'_>, conditions: &[Sym]) -> Vec<(Sym, Sym)> {
     let mut known: Vec<(Sym, Sym)> = Vec::new();
     for condition in conditions {
@@ -187,7 +187,7 @@ fn solved(rows: Vec<Vec<Sym>>, right: Vec<Sym>) -> Result<Vec<Sym>, usize> {
     eliminated(rows, right).map(|(values, _)| values)
 }
 
-/// Gauss's elimination in order, with the determinant; the first row without a pivot where there is one.
+/// Gauss's elimination in order, with the determinant; or the first row without a pivot.
 pub(crate) fn eliminated(mut rows: Vec<Vec<Sym>>, mut right: Vec<Sym>) -> Result<(Vec<Sym>, Sym), usize> {
     let (n, mut determinant) = (right.len(), Sym::ONE);
     for pivot in 0..n {

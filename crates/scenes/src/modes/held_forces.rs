@@ -1,11 +1,11 @@
 //! Sticking friction whose bound is proportional to an unknown, such as a reaction.
 //!
-//! With a switch s the equations for the unknowns u hold it as
+//! The equations for the unknowns u depend on a switch s by
 //!
 //!   E_i(u, s) = E_i(u, 1/2) + d_i (s - 1/2) W(u)
 //!
-//! with one bound W of the friction and factors d that hold no unknown. The force F = (s - 1/2) W is sought in the place of s: the equations,
-//! and the rate of the condition that is held, are linear in u and F, and s follows from F.
+//! with one bound W of the friction and factors d without unknowns. The force F = (s - 1/2) W replaces s as unknown: the equations
+//! and the rate of the held condition are linear in u and F, and s follows from F.
 
 use super::unknown_speeds::Elimination;
 use field::Scalar as _;
@@ -17,13 +17,13 @@ pub(super) fn multiplies(switch: Sym, zeros: &[Sym], unknowns: &[Sym]) -> bool {
     zeros.iter().any(|zero| by(*zero, switch).symbols_of().iter().any(|letter| unknowns.contains(letter)))
 }
 
-/// Unknowns and switches, each with its value, from the equations and the rate of the condition of each switch; none where they are not
-/// linear in the unknowns and the forces.
+/// Unknowns and switches with their values, from the equations and the rate of the condition of each switch; none if these are not linear in the
+/// unknowns and the forces.
 pub(super) fn held_forces(unknowns: &[Sym], held: &[(Sym, Sym)], zeros: &[Sym]) -> Option<Vec<(Sym, Sym)>> {
     let switches: Vec<Sym> = held.iter().map(|(switch, _)| *switch).collect();
     let half = Sym::ONE / Sym::int(2);
     let middle: Vec<(Sym, Sym)> = switches.iter().map(|&switch| (switch, half)).collect();
-    // any numbers serve where a quotient does not depend on the unknowns
+    // any numbers will do, since a valid quotient does not depend on the unknowns
     let some = unknowns.iter().zip(2_i64..).map(|(&letter, number)| (letter, Sym::ratio(2 * number + 1, number)));
     let some: Vec<(Sym, Sym)> = some.chain(middle.iter().copied()).collect();
     let forces: Vec<Sym> = (0..held.len()).map(|number| Sym::symbol(&format!("held force {number}"))).collect();

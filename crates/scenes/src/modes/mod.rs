@@ -68,9 +68,9 @@ use words::Words;
 pub struct Laws {
     model: Arc<Model>,
     known: Mutex<HashMap<Mode, Made>>,
-    /// Made when a mode is first decided.
+    /// Created when a mode is first decided.
     expansions: OnceLock<Result<Expansions, NotCompiled>>,
-    /// Made when an event first sets a state.
+    /// Created when an event first sets a state.
     kept: OnceLock<KeptConstraints>,
     words: Words,
 }
@@ -89,22 +89,22 @@ struct Current {
     moded: Arc<Moded>,
     /// The side of each event.
     sides: Vec<Side>,
-    /// The distance beyond zero at which each condition counts as passed, where it began at zero: errors of rounding, and of the
-    /// motion while it was held. The law to which it has been decided to move holds so far.
+    /// The distance beyond zero at which a condition that began at zero counts as passed: errors of rounding, and of the
+    /// motion while it was held. Up to this distance the decided law holds.
     near: Vec<f64>,
-    /// Such distances for each switch from 0 and from 1, and for the expression of each event.
+    /// These distances for each switch from 0 and from 1, and for the expression of each event.
     near_bounds: Vec<[f64; 2]>,
     near_events: Vec<f64>,
-    /// Such distances for each contact: of its gap or pressure, then of its margins of friction, or its sliding velocity.
+    /// These distances for each contact: for its gap or pressure, then for its margins of friction, or its sliding velocity.
     near_contacts: Vec<[f64; 3]>,
-    /// The watch of each contact, where it slides in space.
+    /// The observation of each contact that slides in space.
     glides: Vec<Option<Glide>>,
-    /// The determinant of the equations for the reactions, where the law began.
+    /// The determinant of the equations for the reactions at the beginning of the law.
     determinant: f64,
 }
 
 impl Current {
-    /// Letters of the signals of contacts that slide in space, of all that may.
+    /// Letters of the signals of all contacts that may slide in space.
     fn glide_letters(&self) -> Vec<f64> {
         let in_space = self.moded.signals.in_space.iter().map(|&contact| self.glides[contact]);
         in_space.flat_map(|glide| glide.map_or([0.0; GLIDE], |glide| glide.letters())).collect()
@@ -122,20 +122,20 @@ pub enum Refused {
     Contact(Unfit),
 }
 
-/// The law of a mode, or the reason for which there is none.
+/// The law of a mode, or the reason why there is none.
 type Made = Result<Arc<Moded>, NotCompiled>;
 
 /// The law of a mode, with the signals that end it.
 struct Moded {
     system: Arc<CompiledSystem>,
-    /// Made once: series and Jacobian serve every segment.
+    /// Created once: all segments share series and Jacobian.
     law: Arc<dyn Law>,
-    /// The number of signals that the law follows beside the state.
+    /// The number of signals that the law integrates in addition to the state.
     followed: usize,
     signals: Signals,
 }
 
-/// All that decides the laws of a model and its events, as text.
+/// Everything that determines the laws of a model and its events, as text.
 ///
 /// # Errors
 /// Why there is none.
@@ -196,26 +196,26 @@ impl Modes {
         Modes { laws, current: Mutex::default(), passages: Mutex::default(), course: Mutex::default() }
     }
 
-    /// Modes of another run of the same laws.
+    /// Modes for another run with these laws.
     pub fn of_another_run(&self) -> Self {
         Modes::with(Arc::clone(&self.laws))
     }
 
-    /// Keeps what a run has come to: the law that goes on from a state, or an end.
+    /// Records the outcome of an event: the next law, or the end of the run.
     fn tell(&self, time: f64, state: &[f64], what: String, (by, goes_on): (&CompiledSystem, bool)) {
         let then = goes_on.then(|| self.laws.words.mode(&by.mode));
         let row = [state, &by.outputs(time, state)].concat();
         self.passages.lock().unwrap_or_else(PoisonError::into_inner).push(Passage { time, what, then, row });
     }
 
-    /// Keeps that no motion follows an event, with its reason.
+    /// Records that no motion follows an event, with the reason.
     fn end(&self, before: &Current, (time, state): (f64, &[f64]), crossing: Crossing, why: &'static str) {
         let fall = before.moded.signals.falls.get(crossing.signal).copied();
         let (sets, fall) = match why {
             reasons::JAMS => (Sets::Jam, Some(Fall::Jams)),
             _ => (Sets::End, fall),
         };
-        // one that breaks a constraint has been told with it
+        // a broken constraint has already been reported
         if why != reasons::BROKEN
             && let Some(fall) = fall
         {
@@ -224,7 +224,7 @@ impl Modes {
         self.follow(Some(Crossing { sets, ..crossing }), before);
     }
 
-    /// Keeps a law of the run with the event that led to it.
+    /// Records a law of the run with the event that led to it.
     fn follow(&self, cause: Option<Crossing>, current: &Current) {
         let moded = Arc::clone(&current.moded);
         let begins_to_glide = current.glides.iter().flatten().any(|glide| glide.doubling().is_some());
@@ -257,18 +257,18 @@ impl Modes {
         Ok(Arc::clone(&begun.moded.system))
     }
 
-    /// The law in which the run is, or was last.
+    /// The current or last law of the run.
     pub fn current(&self) -> Option<Arc<CompiledSystem>> {
         let current = self.current.lock().unwrap_or_else(PoisonError::into_inner);
         current.as_ref().map(|current| Arc::clone(&current.moded.system))
     }
 
-    /// The first condition that the law in which the run is keeps at zero.
+    /// The first condition that the current law keeps at zero.
     pub fn held_condition(&self) -> Option<usize> {
         self.current()?.mode.cases.iter().position(|case| case.rests())
     }
 
-    /// Whether nothing changes but the share of each of several diodes in the voltage that they block together.
+    /// Whether only the shares of diodes in the voltage that they block together change.
     fn only_shares(&self, before: &Current, after: &Current) -> bool {
         let [before, after] = [before, after].map(|current| &current.moded.system.mode);
         let kinds = &self.laws.model.contacts;

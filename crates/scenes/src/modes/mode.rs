@@ -11,7 +11,7 @@ pub enum Case {
     Off,
     /// The expression stays at zero, since either case drives it back (sliding mode), as for sticking dry friction.
     Held,
-    /// The expression stays at zero since held conditions imply it; its switch takes a share of their forces.
+    /// The expression stays at zero since this follows from held conditions; its switch takes a share of their forces.
     Shared,
     /// As `Shared`, with the switch at its bound 1 (on) or 0, since its share would exceed it.
     Spent { on: bool },
@@ -23,7 +23,7 @@ impl Case {
         !matches!(self, Case::On | Case::Off)
     }
 
-    /// Whether the switch is 1, where the case says it, or 0.
+    /// Whether the switch is 1 or 0, if the case determines it.
     pub(super) fn fixed(self) -> Option<bool> {
         match self {
             Case::On | Case::Spent { on: true } => Some(true),
@@ -66,7 +66,7 @@ pub struct Heading {
 }
 
 impl Heading {
-    /// From the angle, its rate, and the error of the angle.
+    /// A direction from its angle, the rate of the angle, and the error of the angle.
     pub fn of(angle: f64, turn: f64, doubt: f64) -> Self {
         Heading { angle: angle.to_bits(), turn: turn.to_bits(), doubt: doubt.to_bits() }
     }
@@ -94,17 +94,16 @@ pub enum Phase {
     Apart,
     /// In touch and sticking: the sliding velocity stays zero, |T| <= mu |N|.
     Sticks(Face),
-    /// In touch in space, the sliding velocity stays zero: by friction along the tangents that are `held`, along the others by what else
-    /// holds the body.
+    /// In touch in space, the sliding velocity stays zero: by friction along the tangents that are `held`, by other contacts along the
+    /// others.
     Leans { face: Face, held: [bool; 2] },
-    /// In touch, sliding or beginning to, T = -mu |N| sign(v): whether v is positive. Of a smooth contact the direction means nothing.
+    /// In touch, sliding or beginning to slide, T = -mu |N| sign(v): whether v is positive. The direction does not matter for a smooth contact.
     Slips { forwards: bool, face: Face },
-    /// In touch and sliding in space, T = -mu |N| v/|v|; where v is zero so far, the direction in which it begins to slide.
+    /// In touch and sliding in space, T = -mu |N| v/|v|; if v is still zero, with the direction in which it begins to slide.
     Glides { face: Face, begins: Option<Heading> },
-    /// In touch and at rest since other contacts hold it there, with T at its bound: of a body that is held by more reactions than motions
-    /// determine.
+    /// In touch, with T at its bound, but at rest since other contacts hold it: the body has more reactions than its motion determines.
     Rests { forwards: bool, face: Face },
-    /// In touch without a reaction, since other contacts keep the gap at zero: a foot of a body that stands on more feet than determine it.
+    /// In touch without a reaction, since other contacts keep the gap at zero: a superfluous foot of a body.
     Carried,
 }
 
@@ -195,7 +194,7 @@ impl Mode {
         with
     }
 
-    /// Whether nothing is chosen.
+    /// Whether the reactions are unique.
     pub fn is_only_one(&self) -> bool {
         self.cases.is_empty() && self.phases.is_empty()
     }

@@ -16,13 +16,13 @@ pub(crate) struct ModeMotion {
     pub reactions: Vec<[Sym; PARTS]>,
     /// The determinant of the equations for the reactions.
     pub determinant: Sym,
-    /// 1, 0, or what keeps the condition at zero.
+    /// 1, 0, or the value that keeps the condition at zero.
     pub switches: Vec<Sym>,
-    /// Each switch, or its part of what keeps conditions at zero where that is beyond its bound.
+    /// Each switch; for a switch at its bound, the share that it would have without the bound.
     pub parts: Vec<Sym>,
-    /// Letters of algebraic speeds, with what stands for them.
+    /// Letters of algebraic speeds, with their expressions.
     pub speeds: Vec<(Sym, Sym)>,
-    /// Letters of algebraic speeds for which no expression stands, with sums that these keep at zero.
+    /// Letters of algebraic speeds without an expression, with sums that must be zero.
     pub implicit: Vec<(Sym, Sym)>,
 }
 

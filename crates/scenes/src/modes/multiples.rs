@@ -62,7 +62,7 @@ pub(super) fn mirrored(trace: &Trace<'_>) -> Vec<Option<Mirrored>> {
     (0..conditions.len()).map(of).collect()
 }
 
-/// The letters of mirrored switches, each with what stands for it.
+/// The letters of mirrored switches, each with its expression.
 pub(super) fn letters(trace: &Trace<'_>, mirrored: &[Option<Mirrored>]) -> Vec<(Sym, Sym)> {
     let replaced = |(own, mirrored): (usize, &Option<Mirrored>)| {
         let Mirrored { of, same_side } = (*mirrored)?;

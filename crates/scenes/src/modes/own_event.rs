@@ -13,7 +13,7 @@ use integrators::{Event, Happening};
 use model::Direction;
 
 impl Modes {
-    /// The run after it; `known` is the motion there in the law before, `held` the conditions that this law holds.
+    /// The run after the event; `known` is the motion there in the previous law, `held` the conditions that this law holds.
     pub(super) fn after_own(
         &self,
         before: &Current,
@@ -31,7 +31,7 @@ impl Modes {
         if is_open && event.what == Happening::StartsBelow {
             return with_side(Side { sign: -from, is_open: false });
         }
-        // one that has not left zero since it was set there does not come back to it
+        // an expression that has not left zero since it was set there does not pass it again
         let rate = before.moded.signals.event_rate(number, event.time, state, &before.glide_letters());
         let has_jumped = event.what == Happening::StartsBelow && known.events[number].sign_of(0, SLACK) == -from;
         if rate * from > 0.0 && !has_jumped {
@@ -66,7 +66,7 @@ impl Modes {
         state.copy_from_slice(&set);
         let expansions = self.laws.expansions().map_err(refused)?;
         let instant = Instant { late, ..Instant::at(event.time, state) };
-        // a condition that was held may stay held where the event has not moved it
+        // a held condition may stay held if the event has not changed it
         let now = expansions.as_given(&instant, &Mode::off(&self.laws.model));
         let stays = |switch: &usize| {
             now.as_ref().is_some_and(|now| {
@@ -78,7 +78,7 @@ impl Modes {
         let past = |other: usize| match before.sides[other] {
             Side { sign: from, .. } if other == number => Past::Set { from, near: before.near_events[other] },
             Side { sign: from, is_open: false } if known.events[other].sign_of(0, SLACK) == 0.0 => {
-                // one that passes here in the other direction has passed, wherever the state that is set leads
+                // an expression that passes zero here in the other direction counts as passed, whatever state the event sets
                 let jet = &known.events[other];
                 let has_passed = jet.way(SLACK * jet.doubts[0], SLACK) == -from && !counts(other, from);
                 Past::Side { from: if has_passed { -from } else { from }, near: before.near_events[other] }

@@ -15,7 +15,7 @@ use super::touches::NEGATIVE;
 use super::{Current, Modes};
 use integrators::{Event, Happening};
 
-/// A determinant is zero where it has fallen to this part of what it was.
+/// A determinant counts as zero below this fraction of its initial value.
 const JAMMED: f64 = 1e-6;
 
 /// The least multiple of a doubt that counts.
@@ -38,7 +38,7 @@ impl Modes {
         found.conditions.iter().position(|condition| condition.sign_of(0, SLACK) == 0.0)
     }
 
-    /// The mode at a state that no mode has led to.
+    /// The mode at a state without a previous mode.
     pub(super) fn begun(&self, time: f64, state: &[f64]) -> Result<Current, &'static str> {
         let instant = Instant::at(time, state);
         let cases = self.cases_next(&instant)?;
@@ -46,7 +46,7 @@ impl Modes {
         self.at(&instant, (&[], &touches), |_| Past::None)
     }
 
-    /// The mode at a state; conditions that were held, and may be so still, are open.
+    /// The mode at a state; conditions that were held are open, since they may stay held.
     pub(super) fn at(
         &self,
         instant: &Instant<'_>,
@@ -57,7 +57,7 @@ impl Modes {
         self.settled(instant, &mode, Open { switches: &open, touches }, past)
     }
 
-    /// The cases of conditions next after a state: of one at zero by its rate, where that does not depend on cases.
+    /// The cases of conditions just after a state: for a condition at zero by its rate, if this does not depend on cases.
     pub(super) fn cases_next(&self, instant: &Instant<'_>) -> Result<Vec<Case>, &'static str> {
         let expansions = self.laws.expansions().map_err(refused)?;
         let (mut mode, open) = self.cases_at(instant, &[])?;
@@ -90,8 +90,8 @@ impl Modes {
         Ok((mode, open))
     }
 
-    /// Conditions that jump since another one has passed: a law that changes may change the speed of what a body slides on. They get
-    /// the case of the side to which they jump.
+    /// Conditions that jump because another one has passed zero: for example a change of the law may change the speed of a support.
+    /// They get the case of the side to which they jump.
     fn jumped(
         &self,
         instant: &Instant<'_>,
@@ -122,12 +122,12 @@ impl Modes {
         let mut fall = before.moded.signals.falls[event.signal];
         expansions.return_to_zero(event.time, state, &mode, SLACK);
         let exact = Instant::at(event.time, state);
-        // where nothing is left of a slide, reactions have no digits, nor has their fall: the slide stops first
+        // at the end of a slide reactions, and the times of their signals, have no digits: the slide stops first
         let over = match fall {
             Fall::Lifts { .. } | Fall::Slides { .. } | Fall::Jams => self.is_over(before, &exact),
             _ => None,
         };
-        // a contact that has slowed down in space has a direction, and reactions, to few digits, on which nothing here depends
+        // a contact in space that has slowed down has a direction and reactions with few digits, but nothing here depends on them
         let seen = match fall.is_of_a_glide() || over.is_some() {
             true => mode.clone().without_glides(),
             false => mode.clone(),
@@ -136,7 +136,7 @@ impl Modes {
             // a long step may end beyond
             return Err(if self.jams(before, event.time, state) { JAMS } else { NO_LAW });
         };
-        // the law in which a condition touches zero goes on where it leads away from zero
+        // after a condition has touched zero, its law continues if it leads away from zero
         if let (Fall::Passes { switch }, Happening::Touches) = (fall, event.what)
             && alone(&known, mode.cases[switch], switch, SLACK) == Some(Standing::Moves)
         {
@@ -199,7 +199,7 @@ impl Modes {
         let together = self.rest_together(before, event, state);
         let (mut touches, sets) = self.touches_after((cases, &mode), fall, (event.time, late), state)?;
         self.bring_to_rest(&mode, &together, event.time, state, &mut touches);
-        // a gap that has closed has been set to zero, whatever the error of the time
+        // the gap of a closed contact is set to zero, so that the error of the time does not matter
         let late = match fall {
             Fall::Closes { contact } if !expansions.kinds[contact].is_direct => 0.0,
             _ => late,
@@ -222,11 +222,11 @@ impl Modes {
         let current = self.settled(&instant, &mode, Open { switches: &open, touches: &touches }, keeps);
         let current = match current {
             Ok(current) => current,
-            // there it is a rounding which condition fails first
+            // near a jam rounding decides which condition fails first
             Err(NONE | NONE_AT_ONCE | SEVERAL) if self.jams(before, event.time, state) => return Err(JAMS),
             Err(why) => return Err(why),
         };
-        // one that has touched zero goes on as before
+        // a condition that has touched zero continues as before
         if matches!(fall, Fall::Passes { .. }) && current.moded.system.mode == before.moded.system.mode {
             current.moded.system.set_algebraic_speeds(event.time, state);
             return Ok(After::Unchanged(current));
@@ -253,7 +253,7 @@ impl Modes {
             })
     }
 
-    /// The one mode with these cases whose open conditions move as it says.
+    /// The only mode with these cases that is consistent with its motion.
     fn settled(
         &self,
         instant: &Instant<'_>,
@@ -282,7 +282,7 @@ impl Modes {
             let beyond = beyond(condition.terms[0], mode.cases[switch]);
             let rounding = (slack * condition.doubts[0]).max(condition.hidden(slack));
             let near = (2.0 * beyond).max(rounding);
-            // one that follows at once is open wherever it is
+            // a condition whose value the mode determines is open at any value
             if condition.terms[0].abs() <= near && open.switches.contains(&switch) { near } else { 0.0 }
         };
         // a value with algebraic speeds may leave zero more slowly than the terms of its sum
@@ -314,7 +314,7 @@ impl Modes {
             let beyond = (-2.0 * side.sign * jet.terms[0]).max(0.0);
             let near = match past {
                 Past::None if !side.is_open => rounding(jet),
-                // a body that is set to rest on a wall stays there, where the expression is zero but for rounding
+                // a body that an event sets to rest on a wall stays there if the expression is zero up to rounding
                 Past::Set { near, .. } if jet.way(0.0, slack) == 0.0 => near.max(beyond).max(rounding(jet)),
                 Past::Set { near, .. } if is_zero => near,
                 Past::Side { near, .. } | Past::Jumping { near, .. } if is_zero => near.max(beyond),

@@ -1,8 +1,8 @@
-//! The cases of many conditions at zero at once, by pivots, whose number grows polynomially with that of conditions.
+//! The cases of many conditions that are zero together, by pivots, whose number grows polynomially with the number of conditions.
 //!
-//! The rates g' = a + B s with 0 <= s <= 1, s = 1 where g' > 0 and s = 0 where g' < 0, are a linear complementarity problem. Of
-//! dry friction B = -G R with a semidefinite G and the bounds R of the forces, and criss-cross pivots by one fixed order end (Klafszky
-//! and Terlaky 1992). Signs are those of series in the time, which are ordered as numbers are.
+//! The rates g' = a + B s with 0 <= s <= 1, s = 1 for g' > 0 and s = 0 for g' < 0, form a linear complementarity problem. For
+//! dry friction B = -G R with a semidefinite G and the bounds R of the forces, and criss-cross pivots in a fixed order terminate (Klafszky
+//! and Terlaky 1992). Signs are those of series in the time, which are ordered like numbers.
 
 use super::decision::{TERMS, contradicted};
 use super::expansion::{Expansion, Expansions, Instant, Slopes, solved};
@@ -10,23 +10,23 @@ use super::jet::Jet;
 use super::mode::{Case, Mode};
 use num_traits::Zero;
 
-/// Changes of all contradicted cases together that may leave as many (block pivots, Judice and Pires 1994).
+/// The number of changes of all contradicted cases together without progress (block pivots, Judice and Pires 1994).
 const PATIENCE: usize = 3;
 
 /// Pivots for each open condition.
 const PIVOTS: usize = 40;
 
-/// A number is zero where it is not so many times its doubt.
+/// A number counts as zero unless it exceeds its doubt by this factor.
 const PIVOT: f64 = 64.0;
 
-/// No cases were found that agree.
+/// No consistent cases were found.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NotFound {
     /// Whether every condition that should be held could be.
     pub is_held: bool,
 }
 
-/// Cases that agree, from those of a mode.
+/// Consistent cases, found from those of a mode.
 pub(super) fn pivoted(
     expansions: &Expansions,
     instant: &Instant<'_>,
@@ -72,7 +72,7 @@ pub(super) fn pivoted(
     Err(NotFound { is_held: true })
 }
 
-/// The held condition that leaves where one that it implies is held in its place: their rates fall together.
+/// The held condition that is replaced by a condition that follows from it; their rates are proportional.
 fn leaving(
     implied: &Implied,
     slopes: &Slopes<TERMS>,
@@ -94,14 +94,14 @@ pub(super) struct Implied {
 }
 
 impl Implied {
-    /// None where its switch changes its rate while the others are held.
+    /// None if its switch changes its rate while the others are held.
     pub fn of(slopes: &Slopes<TERMS>, held: &[usize], switch: usize) -> Option<Self> {
         let rows = held.iter().map(|&column| held.iter().map(|&row| slopes[row][column]).collect()).collect();
         let right = held.iter().map(|&column| slopes[switch][column]).collect();
         let factors = solved(rows, right)?;
         let through = held.iter().zip(&factors).map(|(&row, factor)| slopes[row][switch] * *factor);
         let left = slopes[switch][switch] - through.fold(Jet::zero(), |sum, term| sum + term);
-        // a slope that is zero at this instant only is none that is implied
+        // a derivative that is zero at this instant only does not count as dependent
         (0..TERMS).all(|order| left.sign_of(order, PIVOT) == 0.0).then(|| Implied { held: held.to_vec(), factors })
     }
 
@@ -115,7 +115,7 @@ impl Implied {
     }
 }
 
-/// For each held condition the change of its switch by that of another, which is at rest too, with its sign where it is not zero.
+/// For each held condition the derivative of its switch by the switch of another condition at zero, with its sign.
 pub(super) fn replaced(slopes: &Slopes<TERMS>, held: &[usize], switch: usize) -> Option<Vec<(usize, f64)>> {
     let rows = held.iter().map(|&row| held.iter().map(|&column| slopes[row][column]).collect()).collect();
     let right = held.iter().map(|&row| -slopes[row][switch]).collect();

@@ -11,19 +11,19 @@ use super::unfit::Unfit;
 use super::{Modes, Refused};
 use model::OneWay;
 
-/// A regime that agrees with its motion.
+/// A regime that is consistent with its motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Regime {
-    /// Conditions and contacts with what they do.
+    /// The cases of conditions and the phases of contacts, in words.
     pub name: String,
     pub margins: Vec<Margin>,
-    /// The motion that it gives, by its number: several regimes may give one motion, with other reactions.
+    /// The number of its motion: several regimes with different reactions may give one motion.
     pub motion: usize,
-    /// Whether other reactions give the same motion: those of the margins are one choice.
+    /// Whether other reactions give the same motion, so that the reactions in the margins are one possible choice.
     pub is_one_choice: bool,
 }
 
-/// A condition of a regime, and the number by which it is met, in SI units.
+/// A condition of a regime, and the margin by which it holds, in SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Margin {
     /// The contact or the condition.
@@ -33,15 +33,15 @@ pub struct Margin {
     pub unit: &'static str,
 }
 
-/// The number of motions that go on from a state.
+/// The number of motions from a state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Motions {
     One,
-    /// One, where a margin is zero.
+    /// One, with a margin that is zero.
     OneOnItsBoundary,
     None,
     Several,
-    /// Motions without end, in a mode whose reactions are not determined.
+    /// A continuum of motions, in a mode whose reactions are not determined.
     Continuum,
     /// More combinations than are tried.
     NotTried,
@@ -52,11 +52,11 @@ pub enum Motions {
 pub struct Regimes {
     pub regimes: Vec<Regime>,
     pub motions: Motions,
-    /// None where no friction reaches it, or contacts slide in space.
+    /// None if no multiple of friction is critical, or if contacts slide in space.
     pub critical: Option<CriticalFriction>,
 }
 
-/// The friction up to which reactions are determined, whatever the loads.
+/// The friction below which reactions are determined for all loads.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CriticalFriction {
     /// The multiple of all coefficients of friction at the state.
@@ -66,7 +66,7 @@ pub struct CriticalFriction {
 }
 
 impl Modes {
-    /// The regimes at a state that no mode has led to.
+    /// The regimes at a state without a previous mode.
     ///
     /// # Errors
     /// Where there is no law, or a contact cannot be at the state.
@@ -98,7 +98,7 @@ impl Modes {
         };
         let all = match (agreeing(expansions, &instant, &mode, open), verdict) {
             (Some(all), _) => all,
-            // among very many conditions the one that was found by pivots
+            // for very many conditions only the one that was found by pivots
             (None, Decided::One { mode, expansion, .. }) => vec![(mode, *expansion, 0)],
             (None, _) => Vec::new(),
         };
@@ -110,7 +110,7 @@ impl Modes {
         };
         let mut regimes: Vec<Regime> = Vec::new();
         for found in all.into_iter().map(regime) {
-            // a foot at rest holds, or is held by others: the same in words
+            // a foot at rest may hold or be held by others: both have one description
             match regimes.iter_mut().find(|known| (&known.name, known.motion) == (&found.name, found.motion)) {
                 Some(known) => known.is_one_choice = true,
                 None => regimes.push(found),
@@ -225,7 +225,7 @@ const FALLS: [&str; TERMS - 1] = [
     "its fifth rate is negative",
 ];
 
-/// The order of the first rate that is not zero beside its rounding.
+/// The order of the first rate that exceeds its rounding.
 fn order(condition: &Jet<TERMS>) -> usize {
     (1..TERMS).find(|&order| condition.sign_of(order, SLACKS[0]) != 0.0).unwrap_or(1)
 }
@@ -236,7 +236,7 @@ fn first_rate(condition: &Jet<TERMS>) -> f64 {
     (1..=order).fold(condition.terms[order], |rate, factor| rate * factor as f64)
 }
 
-/// Units of a reaction, and of what a contact without one does.
+/// Units of a reaction, and of the motion of an open contact.
 fn units(one_way: Option<OneWay>) -> [&'static str; 2] {
     match one_way {
         None => ["N", "m/s^2"],

@@ -1,8 +1,8 @@
 //! The distribution of friction among redundant sticking contacts.
 //!
-//! One set of cases that agrees gives the motion. Conditions at rest that held ones imply then share with these: switches
-//! s = 1/2 + B^T l, cut at 0 and at 1, which is a convex problem with one solution (see the parts of an expansion). Criss-cross pivots
-//! find those that are cut.
+//! One consistent set of cases determines the motion. Conditions at zero that follow from held ones then share their forces: the switches are
+//! s = 1/2 + B^T l, limited to [0, 1], which is a convex problem with one solution (see the parts of an expansion). Criss-cross pivots
+//! find the switches at their limits.
 
 use super::decision::{TERMS, rests};
 use super::expansion::{Expansion, Expansions, Instant, Slopes};
@@ -12,7 +12,7 @@ use super::pivots::{Implied, replaced};
 /// Pivots for each condition at rest.
 const PIVOTS: usize = 40;
 
-/// The mode with its shares, where contacts share; none where no shares are found.
+/// The mode with its shares, if contacts share; none if no shares are found.
 pub(super) fn shares(
     expansions: &Expansions,
     instant: &Instant<'_>,
@@ -24,14 +24,14 @@ pub(super) fn shares(
     let mut mode = mode.clone();
     let mut shared = Vec::new();
     for &switch in open {
-        // one whose value follows at once has no share
+        // a condition whose value the mode determines has no share
         if expansions.direct_conditions[switch] {
             continue;
         }
         if mode.cases[switch] != Case::Held && rests(expansion, mode.cases[switch], switch, slack) {
-            // a condition at rest that no others imply is held
+            // a condition at zero that does not follow from others is held
             match Implied::of(slopes, &expansions.held(&mode), switch) {
-                // a diode that blocks keeps it there alone, by the voltage that this case leaves across it
+                // a blocking diode keeps the condition at zero by its own voltage in this case
                 Some(implied) if expansions.has_algebraic() && implied.terms().next().is_none() => {}
                 Some(_) => shared.push(switch),
                 None => mode.cases[switch] = Case::Held,
@@ -68,8 +68,8 @@ pub(super) fn shares(
     None
 }
 
-/// The condition that is held in the place of another whose switch stays at a bound: a shared one, or one whose switch leaves its own
-/// bound such that the other returns.
+/// The condition that is held instead of another one whose switch stays at a bound: a shared condition, or one whose switch leaves its own
+/// bound such that the other switch returns.
 fn successor(
     (slopes, held): (&Slopes<TERMS>, &[usize]),
     mode: &[Case],

@@ -1,6 +1,6 @@
 //! The sides of a model's own events: an event counts when its expression passes zero after the start.
 //!
-//! An expression that is zero at the start is on the side to which the motion leaves, by the first rate that is not zero.
+//! An expression that is zero at the start is on the side to which the motion moves it, given by the first nonzero rate.
 
 use super::decision::TERMS;
 use super::jet::Jet;
@@ -10,7 +10,7 @@ use super::jet::Jet;
 pub(super) struct Side {
     /// 1 above zero, -1 below.
     pub sign: f64,
-    /// Whether no rate says it: then the side on which the expression is found first.
+    /// Whether no rate decides the sign: then the first nonzero value of the expression does.
     pub is_open: bool,
 }
 
@@ -25,7 +25,7 @@ pub(super) enum Past {
         /// The distance beyond zero at which it counts as passed.
         near: f64,
     },
-    /// The same where speeds are algebraic: the expression may have jumped over zero with one of them, and then passes zero at once.
+    /// As `Side`, with algebraic speeds: the expression may have jumped across zero with one of them, and then passes zero at this instant.
     Jumping { from: f64, near: f64 },
     /// The event has just set the state, coming from a side.
     Set { from: f64, near: f64 },

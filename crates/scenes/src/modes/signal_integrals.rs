@@ -1,6 +1,6 @@
 //! The law of a mode with its signals as further states, so that the curvature of a signal limits the step size of every method.
 //!
-//! A sticking block has zero accelerations, and unlimited steps, while the force that will move it oscillates.
+//! Example: while a block sticks, its accelerations are zero and do not limit the step, although the force that will move it oscillates.
 
 use super::mode::{Case, Mode, Phase};
 use super::signals::{Fall, written};
@@ -12,7 +12,7 @@ use simulation::{CompiledLaw, Law, Program};
 use std::sync::Arc;
 use symbolic::{Derivation, Sym};
 
-/// Rates of the state, then of the signals that its rates alone do not resolve.
+/// Rates of the state, then of the signals that are not resolved by the steps of the state.
 #[derive(Debug)]
 struct Followed {
     model: Arc<Model>,
@@ -20,7 +20,7 @@ struct Followed {
     dimension: usize,
 }
 
-/// The law of a mode as it runs, and how many signals it follows.
+/// The law of a mode in a run, and the number of signals that it integrates.
 pub(super) fn followed(model: &Arc<Model>, system: &Arc<CompiledSystem>) -> (Arc<dyn Law>, usize) {
     let mode = &system.mode;
     if mode.is_only_one() && model.events.is_empty() {
@@ -61,10 +61,10 @@ fn of_signals(model: &Model, mode: &Mode, time: Sym, state: &[Sym]) -> Option<Ve
         let mut letters = signal.symbols_of().into_iter();
         letters.any(|letter| !Derivation::new([(letter, Sym::ONE)]).of(signal).symbols_of().is_empty())
     };
-    // 1 - s bends with s
+    // 1 - s has the curvature of s
     let own = falls.iter().zip(all.as_chunks::<2>().0);
     let own = own.filter(|(fall, _)| !matches!(fall, Fall::Leaves { to: Case::On, .. }));
-    // reactions turn without bound where a contact in space comes to rest; in the rates of the state they stand already
+    // reactions turn without bound as a contact in space comes to rest; the rates of the state already contain them
     let glides = mode.phases.iter().any(|phase| matches!(phase, Phase::Glides { .. }));
     let own =
         own.filter(|(fall, _)| !(glides && matches!(fall, Fall::Lifts { .. } | Fall::Slides { .. } | Fall::Jams)));

@@ -22,12 +22,12 @@ pub(super) enum Fall {
     Passes {
         switch: usize,
     },
-    /// A condition that was held would have to leave its cases: to the one that is not there, or to the other.
+    /// The switch of a held condition reaches its bound: the condition becomes negative or positive.
     Leaves {
         switch: usize,
         to: Case,
     },
-    /// A switch that is spent would come back from its bound.
+    /// A switch at its bound would return into the interval.
     Frees {
         switch: usize,
     },
@@ -35,11 +35,11 @@ pub(super) enum Fall {
     Closes {
         contact: usize,
     },
-    /// The face of a contact presses no more.
+    /// The face of a contact stops pressing.
     Lifts {
         contact: usize,
     },
-    /// Friction holds a contact no more: its second or third margin falls.
+    /// Friction no longer holds a contact: its second or third margin becomes negative.
     Slides {
         contact: usize,
         margin: usize,
@@ -54,7 +54,7 @@ pub(super) enum Fall {
     Stops {
         contact: usize,
     },
-    /// A contact that slides in space has slowed down, become much faster, or turned, since its watch began.
+    /// A contact that slides in space has slowed down, become much faster, or turned, since its observation began.
     Slows {
         contact: usize,
     },
@@ -71,7 +71,7 @@ pub(super) enum Fall {
 }
 
 impl Fall {
-    /// Whether it is of the watch of a contact that slides in space.
+    /// Whether it belongs to the observation of a contact that slides in space.
     pub fn is_of_a_glide(self) -> bool {
         matches!(self, Fall::Slows { .. } | Fall::Hastens { .. } | Fall::Turns { .. })
     }
@@ -107,8 +107,8 @@ impl Signals {
         }
     }
 
-    /// The values of everything that is written: signals with their rates, and what events set. Behind the state stand the letters of
-    /// contacts that slide in space.
+    /// The values of all recorded expressions: signals with their rates, and the states that events set. The letters of contacts that slide in
+    /// space follow after the state.
     fn all<S: Running + Over<f64>>(&self, time: S, state: &[S], glides: &[f64]) -> Vec<S> {
         let mut values = vec![S::lift(f64::NAN); 2 * self.falls.len() + self.events * state.len()];
         if glides.is_empty() {
@@ -138,7 +138,7 @@ impl Signals {
     }
 }
 
-/// Letters of a contact that slides in space, of its watch.
+/// The number of letters for the observation of a contact that slides in space.
 pub(super) const GLIDE: usize = 3;
 
 /// The contacts that slide in space.
@@ -146,7 +146,7 @@ fn in_space(model: &Model) -> Vec<usize> {
     (0..model.contacts.len()).filter(|&contact| model.contacts[contact].is_in_space()).collect()
 }
 
-/// The signals of a mode and, over symbols, all that [`Signals::all`] gives, from the state and the letters behind it.
+/// The signals of a mode and, over symbols, all results of [`Signals::all`], from the state and the letters after it.
 pub(super) fn written(
     model: &Model,
     mode: &Mode,
@@ -184,7 +184,7 @@ pub(super) fn written(
         };
         for (fall, signal) in watched {
             let [value, rate] = with_rate(signal);
-            // a signal that the law keeps constant never falls: a condition that others imply while they are held
+            // a signal that is constant in this law never becomes negative, such as a condition that follows from held ones
             if !rests(rate) {
                 falls.push(fall);
                 all.extend([value, rate]);
@@ -286,8 +286,8 @@ fn of_contact(
 }
 
 impl Current {
-    /// Whether a signal that began at zero and has risen beyond its error bound counts as falling at zero, not only below minus the
-    /// bound: error bounds are wide where reactions are integrated by their rates.
+    /// Whether a signal that began at zero and has risen beyond its error bound counts as falling already at zero, instead of at minus the
+    /// bound. Error bounds are wide if reactions are integrated by their rates.
     pub(super) fn passes_at_zero(&self, fall: Fall) -> bool {
         matches!(fall, Fall::Passes { .. }) && self.moded.system.has_implicit_speeds()
     }
@@ -321,7 +321,7 @@ impl Switches for Current {
                 Fall::Jams => (self.determinant.signum(), 0.0),
                 Fall::Event { event } => (self.sides[event].sign, self.near_events[event]),
             };
-            // one that has been decided to rise beyond its bound is seen to do so: a rise of twice the noise is
+            // a signal that must rise beyond its bound counts as having risen at twice the noise
             let [shift, noise] = if self.passes_at_zero(*fall) { [0.0, 0.5 * near] } else { [near, 0.0] };
             *signal = Signal { value: side * value + shift, rate: side * rate, noise, ..Signal::default() };
         }

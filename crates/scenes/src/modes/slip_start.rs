@@ -1,7 +1,7 @@
 //! The law for the beginning of a slip from rest in space.
 //!
-//! Its direction changes within the time in which the speed with which it is followed doubles. A first step of that length lets a method
-//! see it; and a series in the time has no digits there, since v/|v| divides by a number that is small beside the rate of v.
+//! The direction of the slip changes within the time in which its initial speed doubles. The first step has this length, so that a method
+//! resolves the change. A series in the time has no digits there, since v/|v| divides by a number that is small compared with the rate of v.
 
 use super::Current;
 use field::DoubleDouble;
@@ -9,10 +9,10 @@ use integrators::{Divisors, Dual8, JacobianFn, Ode, Projection, StepBounds, Syst
 use simulation::Law;
 use std::sync::Arc;
 
-/// The part of the time in which the speed doubles.
+/// The first step as a fraction of the time in which the speed doubles.
 const SHORT: f64 = 0.1;
 
-/// The law of the current mode with its longest first step: changed where a contact begins to slide.
+/// The law of the current mode with its longest first step; the law differs if a contact begins to slide.
 pub(super) fn from_rest(current: &Current, law: Arc<dyn Law>) -> (Arc<dyn Law>, Option<f64>) {
     let doubling = current.glides.iter().flatten().filter_map(|glide| glide.doubling());
     match doubling.reduce(f64::min) {

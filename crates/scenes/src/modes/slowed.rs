@@ -11,16 +11,16 @@ use model::{Model, Trace};
 use simulation::{Program, Running};
 use symbolic::{Derivation, Sym, substitute_all};
 
-/// y' = D f(t, y) of places and speeds, and t' = D, with the time as the last component: backwards where D is negative. The reactions
-/// are numerators over D, so that this law is regular up to D = 0, to which it comes as exp(-s^2) does: there speeds grow as s,
-/// in finite time.
+/// y' = D f(t, y) for positions and speeds, and t' = D with the time as the last component; the time decreases where D is negative. Reactions
+/// have the denominator D, so this law is regular up to D = 0. D decreases like exp(-s^2) with the new variable s, while speeds grow like s
+/// within a finite time t.
 pub(super) struct Slowed {
     program: Program,
     states: usize,
 }
 
 impl Slowed {
-    /// None of a mode that holds conditions, or whose reactions follow at once or are shared.
+    /// None for a mode with held conditions, or with reactions that the mode determines directly or that are shared.
     pub fn of(model: &Model, mode: &Mode) -> Option<Self> {
         let states = model.positions() + model.speeds();
         let mut is_known = true;
@@ -57,7 +57,7 @@ fn written(model: &Model, mode: &Mode, (time, state): (Sym, &[Sym])) -> Option<V
     let numerator = |column: usize| {
         let mut rows = equations.rows.clone();
         rows.iter_mut().zip(&equations.right).for_each(|(row, right)| row[column] = *right);
-        // without a pivot a determinant is zero
+        // a determinant without a pivot is zero
         eliminated(rows, equations.right.clone()).map_or(Sym::ZERO, |(_, determinant)| determinant)
     };
     let numerators: Vec<Sym> = (0..equations.unknown.len()).map(numerator).collect();
@@ -80,7 +80,7 @@ impl<S: Running> Ode<S> for Slowed {
     }
 
     fn rates(&self, s: S, y: &[S], dy: &mut [S]) {
-        // made for a state of this length
+        // the program was built for a state of this length
         self.program.run(s, y, dy).unwrap_or(());
     }
 }

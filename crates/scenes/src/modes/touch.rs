@@ -1,8 +1,8 @@
-//! The phases in which a contact may be at an instant, and whether it moves as its phase says.
+//! The possible phases of a contact at an instant, and whether its motion agrees with a phase.
 //!
-//! In touch, gap and gap' are zero. Of the phases that are possible one holds: apart where the first higher rate of the gap that is not
-//! zero is positive; sticking where N and mu |N| - |T| are positive, or rise from zero; sliding where N is, and the sliding velocity
-//! leaves zero in the direction that friction opposes.
+//! While gap and gap' are zero, three phases are possible. The contact is apart if the first nonzero higher rate of the gap is positive. It sticks
+//! if N and mu |N| - |T| are positive, or rise from zero. It slides if N is positive and the sliding velocity leaves zero in the direction that
+//! friction opposes.
 
 use super::decision::{FEW, SLACKS, Standing, TERMS};
 use super::expansion::{Kind, Touching, direction};
@@ -19,12 +19,12 @@ pub(super) enum Touch {
     Rest,
     /// In touch and sliding.
     Slides { forwards: bool },
-    /// A diode whose current follows at once from what conducts.
+    /// A diode whose current follows from the conducting diodes, without inertia.
     AtOnce,
 }
 
 impl Touch {
-    /// The phases that a contact may be in; of those without a reaction one, whose gap tells which it is.
+    /// The possible phases of a contact; of the phases without a reaction only one, since the gap distinguishes them.
     pub fn phases(self, Kind { sides, is_rough, is_guide, is_in_space, .. }: Kind) -> Vec<Phase> {
         let faces = || Face::of(sides).iter().copied();
         let glides = || faces().map(|face| Phase::Glides { face, begins: None });
@@ -46,7 +46,7 @@ impl Touch {
     }
 }
 
-/// The margins of a contact in touch: the pressure, and what friction holds beyond T, forwards and backwards; in space (mu N)^2 - T^2.
+/// The margins of a closed contact: the pressure, and the reserve of friction forwards and backwards; in space (mu N)^2 - T^2.
 pub(super) fn margins<const N: usize>(contact: &Touching<N>, face: Face) -> [Jet<N>; 3] {
     let Touching { friction, reactions: [normal, tangent, aside], .. } = *contact;
     let pressure = normal * Jet::constant(face.sign(), 0.0);
@@ -60,7 +60,7 @@ pub(super) fn margins<const N: usize>(contact: &Touching<N>, face: Face) -> [Jet
     }
 }
 
-/// The sliding velocity in the direction that friction at its bound opposes, of a slip that begins.
+/// The sliding velocity of a slip that begins, in the direction that friction at its bound opposes.
 pub(super) fn leaving<const N: usize>(contact: &Touching<N>, phase: Phase) -> Jet<N> {
     match phase {
         Phase::Glides { begins: Some(heading), .. } => {
@@ -94,10 +94,10 @@ pub(super) fn possible(contact: &Touching<FEW>, phase: Phase, touch: Touch, slac
     }
 }
 
-/// A number below zero by this part of what it stands beside is no rounding, whatever the bound of its error.
+/// A negative number above this relative size is not rounding, even if its error bound is larger.
 const SMALL: f64 = 1e-6;
 
-/// Sizes by which the numbers of a contact are judged: smaller ones are rounding.
+/// Reference sizes for the numbers of a contact: much smaller ones are rounding.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Beside {
     /// The pressures of the other contacts, N.
@@ -107,7 +107,7 @@ pub(super) struct Beside {
 }
 
 impl Beside {
-    /// Whether a contact contradicts its phase by a number that is no rounding.
+    /// Whether a contact contradicts its phase by more than rounding.
     fn contradicts(self, contact: &Touching<TERMS>, phase: Phase, touch: Touch) -> bool {
         let is_below = |jet: Jet<TERMS>, order: usize, size: f64| {
             size > 0.0 && jet.terms[order] < -(SLACKS[0] * jet.doubts[order]).max(SMALL * size)
@@ -131,7 +131,7 @@ impl Beside {
     }
 }
 
-/// The size of the rate of a margin of friction: the rates of its parts without their signs.
+/// The size of the rate of a margin of friction: the sum of the absolute rates of its parts.
 fn rate_beside<const N: usize>(contact: &Touching<N>, [most, own]: [f64; 2]) -> f64 {
     let Touching { friction, reactions: [normal, tangent, aside], .. } = *contact;
     let rate = |jet: Jet<N>| jet.terms[1].abs();
@@ -145,7 +145,7 @@ fn rate_beside<const N: usize>(contact: &Touching<N>, [most, own]: [f64; 2]) -> 
     }
 }
 
-/// The degree to which a contact moves as its phase says; none where it contradicts it.
+/// The degree to which the motion of a contact agrees with its phase; none for a contradiction.
 pub(super) fn standing_of(
     contact: &Touching<TERMS>,
     phase: Phase,
@@ -179,7 +179,7 @@ pub(super) fn standing_of(
     let contradicts = |sign: &f64| sign.is_nan() || *sign < 0.0;
     match () {
         () if bounds.iter().chain(&leaving).any(contradicts) => None,
-        // in space it has no direction then
+        // in space the slip then has no direction
         () if leaving.contains(&0.0) && matches!(phase, Phase::Glides { .. }) => None,
         () if leaving.contains(&0.0) => Some(Standing::Rests),
         () if bounds.contains(&0.0) => Some(Standing::AtBound),

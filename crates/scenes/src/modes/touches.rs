@@ -22,13 +22,13 @@ const ENERGY: &str =
 const TURNS: &str =
     "an impact with friction in space would turn the direction of sliding, which its laws do not follow";
 pub(super) const NEGATIVE: &str = "a coefficient of friction is negative";
-/// A bounce ends where all bounces after it take less than this part of the time of the run.
+/// Bouncing ends when all further bounces together take less than this fraction of the time of the run.
 const BOUNCES: f64 = 1e-9;
-/// A fall is longer than the one before by at most so many roundings of the gap.
+/// A fall exceeds the previous one by at most this many roundings of the gap.
 const DEEPER: f64 = 8.0;
 
 impl Modes {
-    /// The touch of the contacts at a state that is given.
+    /// The touch of the contacts at a given state.
     pub(super) fn touches(&self, time: f64, state: &[f64], cases: &[Case]) -> Result<Vec<Touch>, &'static str> {
         let expansions = self.laws.expansions().map_err(refused)?;
         let instant = Instant::at(time, state);
@@ -45,7 +45,7 @@ impl Modes {
         Ok(expansions.contacts(&instant, cases).into_iter().zip(&expansions.kinds).map(of).collect())
     }
 
-    /// The contacts after a fall in some phases, with the cases before it, and the change in the state: an impact changes the speeds.
+    /// The contacts after the fall of a signal, from the phases and cases before it, and the change of the state: an impact changes the speeds.
     pub(super) fn touches_after(
         &self,
         (before, mode): (&[Case], &Mode),
@@ -129,7 +129,7 @@ impl Modes {
         };
         let of = |(place, (contact, phase)): (usize, (Touching<1>, &Phase))| match *phase {
             _ if expansions.kinds[place].is_direct => Touch::AtOnce,
-            // others of the same current
+            // other diodes with the same current
             Phase::Apart if expansions.kinds[place].is_one_way && contact.gap.sign_of(0, SLACK) == 0.0 => {
                 touching(&contact)
             }
@@ -138,9 +138,9 @@ impl Modes {
             // a bounce
             Phase::Apart if contact.gap_rate.sign_of(0, SLACK) > 0.0 => Touch::Open,
             Phase::Apart => touching(&contact),
-            // another contact has struck it off
+            // the impact of another contact has opened it
             _ if opened.contains(&place) => Touch::Open,
-            // an impact may turn the sliding of others round
+            // an impact may reverse the sliding of others
             _ if closing.is_some() => touching(&contact),
             Phase::Carried => touching(&contact),
             // a condition may change the speed of a plane at once
@@ -158,24 +158,24 @@ impl Modes {
         Ok((contacts.into_iter().zip(phases).enumerate().map(of).collect(), sets))
     }
 
-    /// Whether what is left of bounces at a contact is over in no time beside that of the run, or no higher than the rounding of its gap.
+    /// Whether the remaining bounces of a contact are short compared with the time of the run, or no higher than the rounding of its gap.
     fn bounces_end(&self, mode: &Mode, contact: usize, time: f64, state: &[f64]) -> Result<bool, &'static str> {
         let expansions = self.laws.expansions().map_err(refused)?;
         let [_, restitution] = expansions.coefficients(time, state, (contact, &mode.cases));
         let found = expansions.at::<2>(&Instant::at(time, state), mode);
         let Some(Touching { gap, gap_rate, .. }) = found.map(|found| found.contacts[contact]) else { return Ok(false) };
         let [rate, acceleration] = gap_rate.terms;
-        // the flights take 2 v/a, e times that, and so on; the first one is v^2/(2 a) high
+        // the flights last 2 v/a, then e times that, and so on; the first one is v^2/(2 a) high
         let rest = 2.0 * rate / -acceleration / (1.0 - restitution);
         let height = rate * rate / (-2.0 * acceleration);
-        // a gap is zero within its rounding, and each fall is longer by that: e^2 (h + d) is not below h = d e^2/(1 - e^2)
+        // a gap is zero up to its rounding d, which lengthens each fall: the next height e^2 (h + d) is not below h for h = d e^2/(1 - e^2)
         let square = restitution * restitution;
         let lowest = SLACK * gap.doubts[0] * (1.0 + DEEPER * square / (1.0 - square));
         let is_over = (0.0..BOUNCES * time).contains(&rest) || (0.0..lowest).contains(&height);
         Ok(rate > 0.0 && acceleration < 0.0 && restitution < 1.0 && is_over)
     }
 
-    /// The touch of the contacts after an event has set the state: those that it has left as they were are in touch as before.
+    /// The touch of the contacts after an event has set the state: contacts that it did not change remain in touch.
     pub(super) fn touches_set(
         &self,
         Mode { phases, cases }: &Mode,

@@ -1,6 +1,6 @@
 //! Accelerations of contacts and the equations for reactions, at one state in many modes.
 //!
-//! Where rows are linear in switches and reactions, their values and slopes are evaluated once, and a mode costs one elimination.
+//! If rows are linear in switches and reactions, their values and derivatives are evaluated once, and each mode costs one elimination.
 
 use super::super::contacts::PARTS;
 use super::super::jet::Jet;
@@ -9,7 +9,7 @@ use super::letters::Quantity;
 use super::{Expansions, Instant, solved};
 use nalgebra::{DMatrix, DVector};
 
-/// An acceleration below this part of the largest term of its sum is rounding.
+/// An acceleration below this fraction of the largest term of its sum is rounding.
 const ROUNDED: f64 = 1e-12;
 
 /// Rows and their slopes, at a state and in the cases of conditions.
@@ -18,7 +18,7 @@ pub(in super::super) struct Accelerations<'a> {
     values: Vec<Jet<1>>,
 }
 
-/// The equations of a mode for what it leaves unknown: slopes times unknown = right.
+/// The linear equations of a mode for its unknowns: slopes times unknowns = right sides.
 pub(in super::super) struct Equations {
     pub slopes: DMatrix<f64>,
     pub right: DVector<f64>,
@@ -37,7 +37,7 @@ pub(in super::super) struct Reacting {
 }
 
 impl<'a> Accelerations<'a> {
-    /// None where rows are not linear, or speeds are algebraic.
+    /// None if rows are not linear, or with algebraic speeds.
     pub fn of(expansions: &'a Expansions, Instant { time, state, .. }: &Instant<'_>, mode: &Mode) -> Option<Self> {
         if expansions.has_algebraic() || expansions.slopes.iter().any(|slope| !slope.changed_by.is_empty()) {
             return None;
@@ -48,7 +48,7 @@ impl<'a> Accelerations<'a> {
         Some(Accelerations { expansions, values: expansions.values(exact(*time), &parts, &letters, &[]) })
     }
 
-    /// Those along both tangents of each contact, in a mode with these cases, no numbers where they are rounding; none where its reactions
+    /// Accelerations along both tangents of each contact, in a mode with these cases; NaN for rounding, and none if the reactions of the mode
     /// are not determined.
     pub fn along_tangents(&self, mode: &Mode) -> Option<Vec<[f64; 2]>> {
         let (tied, unknown) = self.unknown(mode);
@@ -76,7 +76,7 @@ impl<'a> Accelerations<'a> {
         Equations { slopes, right, doubt, unknown, tied }
     }
 
-    /// The contacts of a mode under what its equations leave unknown.
+    /// The contacts of a mode for given values of its unknowns.
     pub fn contacts(
         &self,
         mode: &Mode,
@@ -117,12 +117,12 @@ impl<'a> Accelerations<'a> {
         self.expansions.reaction([contact, part])
     }
 
-    /// The row of a letter, without what is unknown.
+    /// The row of a letter with all unknowns zero.
     fn row(&self, mode: &Mode, letter: usize) -> Jet<1> {
         self.values[self.expansions.states + mode.cases.len() + letter]
     }
 
-    /// Rows of letters with values of what is unknown, each with the largest of its terms.
+    /// Rows of letters for values of the unknowns, each with the largest of its terms.
     fn rows(
         &self,
         mode: &Mode,

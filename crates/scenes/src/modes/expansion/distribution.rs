@@ -8,7 +8,7 @@ use super::letters::Quantity;
 use super::{Expansions, solved};
 
 impl Expansions {
-    /// Changes the reactions of contacts that lean to those that are shown; they stay one choice where these are not determined.
+    /// Replaces the reactions of leaning contacts by the distribution that is shown; unchanged if this distribution is not determined.
     pub(super) fn distribute<const N: usize>(
         &self,
         mode: &Mode,
@@ -24,7 +24,7 @@ impl Expansions {
         let moved = self.slopes_by(values, tied, unknown, &leant);
         let column = |place: usize| solved(rows.clone(), moved.iter().map(|row| -row[place]).collect());
         let Some(mut columns) = (0..leant.len()).map(column).collect::<Option<Vec<Vec<Jet<N>>>>>() else { return };
-        // any choice is one: its own errors do not count
+        // every choice is valid: its own errors do not count
         columns.iter_mut().flatten().for_each(|part| part.doubts = [0.0; N]);
         let first = self.mirrored.len();
         let contact_of = |letter: usize| letter.checked_sub(first).map(|place| [place / PARTS, place % PARTS]);

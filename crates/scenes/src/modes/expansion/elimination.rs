@@ -3,10 +3,10 @@
 use super::super::jet::Jet;
 use num_traits::{One, Zero};
 
-/// A pivot is zero where it is not so many times its doubt.
+/// A pivot counts as zero unless it exceeds its error bound by this factor.
 const PIVOT: f64 = 64.0;
 
-/// Gauss's elimination with the largest pivots; none where one is zero but for rounding.
+/// Gauss's elimination with the largest pivots; none if a pivot is zero up to rounding.
 pub(in super::super) fn solved<const N: usize>(
     mut rows: Vec<Vec<Jet<N>>>,
     mut right: Vec<Jet<N>>,
@@ -16,7 +16,7 @@ pub(in super::super) fn solved<const N: usize>(
         let size = |row: usize| rows[row][pivot].terms[0].abs();
         let row = (pivot..n).max_by(|&a, &b| size(a).total_cmp(&size(b)))?;
         let largest = rows[row][pivot];
-        // zero, or no number
+        // zero or NaN
         if largest.sign_of(0, PIVOT).abs() != 1.0 {
             return None;
         }
@@ -39,8 +39,8 @@ pub(in super::super) fn solved<const N: usize>(
     Some(right)
 }
 
-/// An equation, slopes times unknowns = right; with its rate, slopes of the rate times unknowns = its right, where only the value of the
-/// equation holds its unknowns.
+/// An equation, slopes times unknowns = right side. For an equation whose value contains the unknowns, also its rate: slopes of the rate times
+/// unknowns = its right side.
 pub(in super::super) struct Row<const N: usize> {
     pub slopes: Vec<Jet<N>>,
     pub right: Jet<N>,
@@ -51,12 +51,12 @@ pub(in super::super) struct Row<const N: usize> {
 struct Reduced<const N: usize> {
     slopes: Vec<Jet<N>>,
     right: Jet<N>,
-    /// The factors of the equations of which it is the sum; none of a rate.
+    /// The factors of the equations whose combination it is; none for a rate.
     sum: Option<Vec<Jet<N>>>,
 }
 
-/// The unknowns of equations, and what is left of combinations of equations that hold no unknowns: hidden constraints, whose rates take
-/// their places. None where the unknowns are not determined.
+/// The unknowns of equations, and the residuals of hidden constraints: combinations of equations without unknowns, which are replaced by
+/// their rates. None if the unknowns are not determined.
 pub(in super::super) fn with_hidden<const N: usize>(rows: &[Row<N>]) -> Option<(Vec<Jet<N>>, Vec<Jet<N>>)> {
     let n = rows.len();
     let unit = |own: usize| (0..n).map(|other| if own == other { Jet::one() } else { Jet::zero() }).collect();
@@ -101,7 +101,7 @@ pub(in super::super) fn with_hidden<const N: usize>(rows: &[Row<N>]) -> Option<(
     Some((values, hidden))
 }
 
-/// Takes the row of a pivot from another one.
+/// Eliminates the unknown of a pivot from another row.
 fn reduce<const N: usize>(all: &mut [Reduced<N>], row: usize, (pivot, column): (usize, usize)) {
     if all[row].slopes[column].terms.iter().all(|term| *term == 0.0) {
         return;

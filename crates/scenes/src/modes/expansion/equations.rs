@@ -8,8 +8,8 @@ use crate::modes::multiples::{letters, mirrored};
 use model::{Contact, Model, Trace};
 use symbolic::{Derivation, Sym, Tape, substitute_all};
 
-/// Rates of the state; conditions; rows, with switches and reactions as they are; the slopes of rows; gaps, their rates, sliding
-/// velocities, coefficients of friction; events.
+/// Rates of the state; conditions; rows, with switches and reactions as letters; the derivatives of rows by letters; gaps, their rates,
+/// sliding velocities, coefficients of friction; events.
 pub(super) fn expansions(model: &Model) -> Result<Expansions, NotCompiled> {
     let trace = Trace::of(model);
     let mirrored = mirrored(&trace);
@@ -96,8 +96,8 @@ fn gaps<'a>(trace: &'a Trace<'_>) -> impl Iterator<Item = Sym> + 'a {
     trace.model.contacts.iter().map(|contact| trace.scalar(contact.gap))
 }
 
-/// The sums that letters keep at zero: rates of conditions, sums of contacts, laws of algebraic speeds. What follows at once is kept by its
-/// value; where that holds no unknowns, by its rate, which stands behind all of them.
+/// The equations of the letters, as sums that are zero: rates of conditions, equations of contacts, laws of algebraic speeds. A quantity that
+/// the mode determines is held by its value, or by its rate if the value contains no unknowns; the rates follow after all other rows.
 fn rows(trace: &Trace<'_>, parted: &Parted, conditions: &[Sym], motion: &[(Sym, Sym)]) -> Vec<Sym> {
     let Parted { is_direct, zeros, letters, .. } = parted;
     let rate = |value: &Sym| trace.rate_of(*value).substitute(motion);
@@ -112,6 +112,6 @@ fn rows(trace: &Trace<'_>, parted: &Parted, conditions: &[Sym], motion: &[(Sym, 
     let of_laws = zeros.iter().map(|zero| [*zero, rate(zero)]);
     let (rows, rates): (Vec<Sym>, Vec<Sym>) =
         of_conditions.chain(of_contacts).chain(of_laws).map(|[row, rate]| (row, rate)).unzip();
-    // a system without algebraic speeds has no use of them
+    // a system without algebraic speeds does not need the rates
     if letters.is_empty() { rows } else { [rows, rates].concat() }
 }

@@ -1,4 +1,4 @@
-//! Impulses to all digits: impacts, and what brings contacts to rest.
+//! Impulses in double-double: impacts, and impulses that bring contacts to rest.
 
 use super::super::contacts::PARTS;
 use super::super::mode::{Case, Mode};
@@ -9,11 +9,11 @@ use integrators::Real;
 use nalgebra::{DMatrix, DVector};
 use num_traits::{One, Zero};
 
-/// Rounds, each of which takes away what the one before has left of sliding, but for the rounding of an `f64`.
+/// Rounds of correction, each of which removes the remaining sliding up to the rounding of an `f64`.
 const ROUNDS: usize = 4;
 
 impl Expansions {
-    /// A state after an impact, to all digits; none where the law does not determine it.
+    /// A state after an impact, in double-double; none if the law does not determine it.
     pub fn struck_exactly(
         &self,
         time: DoubleDouble,
@@ -43,8 +43,8 @@ impl Expansions {
         found
     }
 
-    /// A state after the sliding, and the closing, of contacts in touch is taken from it by the reactions that a mode leaves to be found;
-    /// none where these are not determined.
+    /// A state whose closed contacts have no remaining sliding or closing velocity, by impulses of the unknown reactions of a mode;
+    /// none if these are not determined.
     pub fn rested_exactly(&self, time: DoubleDouble, state: &[DoubleDouble], mode: &Mode) -> Option<Vec<DoubleDouble>> {
         let all = self.letters_in::<DoubleDouble>(&mode.cases);
         let unknown = self.unknown_reactions(mode);

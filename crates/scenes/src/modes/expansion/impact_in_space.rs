@@ -1,16 +1,16 @@
 //! An impact with friction in space, along the direction in which the contact slides.
 //!
-//! The impulses N and T change the sliding velocity v by N c + D T with a vector c and a matrix D. Where c and D v are parallel to v, as
-//! for a ball, T stays parallel to v in the whole impact, and the law is that of an impact in the plane of the normal and v. Elsewhere
-//! the direction of sliding turns within the impact (Routh 1860), which is refused.
+//! The impulses N and T change the sliding velocity v by N c + D T with a vector c and a matrix D. If c and D v are parallel to v, as
+//! for a ball, T stays parallel to v during the whole impact, and the law is that of an impact in the plane of the normal and v. Otherwise
+//! the direction of sliding turns within the impact (Routh 1860); such impacts are refused.
 
 use super::impact_law::NotStruck;
 use integrators::Real;
 
-/// Parts across the direction of sliding below this part of the others are rounding.
+/// Components across the direction of sliding below this fraction of the others are rounding.
 const ACROSS: f64 = 1e-12;
 
-/// A contact that closes in space: the rate of its gap, its sliding velocity, and what unit impulses add to these.
+/// A contact that closes in space: the rate of its gap, its sliding velocity, and the changes of these by unit impulses.
 pub(super) struct Struck<S> {
     pub closing: S,
     pub sliding: [S; 2],
@@ -18,16 +18,16 @@ pub(super) struct Struck<S> {
 }
 
 impl<S: Real> Struck<S> {
-    /// The direction of sliding that the impact keeps.
+    /// The direction of sliding, which the impact does not change.
     ///
     /// # Errors
-    /// Where it turns.
+    /// The impact would change it.
     pub fn way(&self) -> Result<[S; 2], NotStruck> {
         let [[_, _, _], [by_normal, own, cross], [beside, _, other]] = self.responses;
         let size = |[a, b]: [S; 2]| (a * a + b * b).sqrt();
         let (speed, pull) = (size(self.sliding), size([by_normal, beside]));
         let is_small = |value: S, beside: S| value.approx().abs() <= ACROSS * beside.approx().abs();
-        // at rest it begins to slide to where the normal impulse drives it
+        // from rest it begins to slide in the direction of the normal impulse's effect
         let way = match (speed.is_zero(), pull.is_zero()) {
             (false, _) => self.sliding.map(|part| part / speed),
             (true, false) => [by_normal / pull, beside / pull],
@@ -40,7 +40,7 @@ impl<S: Real> Struck<S> {
         if keeps { Ok(way) } else { Err(NotStruck::Turns) }
     }
 
-    /// The rate of the gap, the sliding velocity along a direction, and what unit impulses along the normal and along it add to them.
+    /// The rate of the gap, the sliding velocity along a direction, and their changes by unit impulses along the normal and this direction.
     pub fn along(&self, [first, second]: [S; 2]) -> (S, S, [[S; 2]; 2]) {
         let along = |[_, one, other]: [S; 3]| first * one + second * other;
         let [gap, one, other] = self.responses;

@@ -12,13 +12,13 @@
 use integrators::Real;
 use model::Restitution;
 
-/// Energies that differ by so little, beside the sum of the works of both impulses, differ by rounding.
+/// A difference of energies below this fraction of the work of both impulses is rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// A determinant below this part of its product is zero: the point moves along one line.
+/// A determinant below this fraction of its product is zero: the point can move along one line only.
 const SINGULAR: f64 = 1e-12;
 
-/// A path of impulses has no more pieces: sliding, sticking or sliding the other way, in compression and in restitution.
+/// The largest number of pieces of a path of impulses: sliding, sticking or reversed sliding, in compression and in restitution.
 const MOST_PIECES: usize = 8;
 
 /// The reason for which an impact is not determined.
@@ -45,9 +45,9 @@ pub(super) struct Impact<S> {
     /// gap', negative, and v.
     pub closing: S,
     pub sliding: S,
-    /// a, b and c, d: what unit impulses N and T add to gap' and to v.
+    /// a, b and c, d: the changes of gap' and of v by unit impulses N and T.
     pub responses: [[S; 2]; 2],
-    /// None where it is smooth.
+    /// None for a smooth contact.
     pub friction: Option<S>,
     pub restitution: S,
 }
@@ -56,7 +56,7 @@ impl<S: Real> Impact<S> {
     /// N and T.
     ///
     /// # Errors
-    /// Where the law does not determine them, or contradicts energy.
+    /// The law does not determine them, or the energy would grow.
     pub fn impulses(&self) -> Result<[S; 2], NotStruck> {
         if !(0.0..=1.0).contains(&self.restitution.approx()) {
             return Err(NotStruck::Restitution);
@@ -100,7 +100,7 @@ impl<S: Real> Impact<S> {
         let sticks = if determinant.approx().abs() > SINGULAR * (a * d).approx().abs() {
             Some([(needed * d + b * self.sliding) / determinant, (-a * self.sliding - c * needed) / determinant])
         } else {
-            // v is zero with gap': N alone brings both there
+            // N alone brings both gap' and v to zero
             self.restitution.is_zero().then_some([needed / a, zero])
         };
         let holds = sticks.filter(|&[normal, tangent]| is_impulse(normal) && tangent.magnitude() <= friction * normal);
@@ -116,7 +116,7 @@ impl<S: Real> Impact<S> {
         }
     }
 
-    /// The path of N and T, piece by piece: within one N grows, T follows it by the same factor, and v does not change its sign.
+    /// The path of N and T, piece by piece: in a piece N grows, T is proportional to it, and v does not change its sign.
     fn by_poisson(&self) -> Result<[S; 2], NotStruck> {
         let zero = S::zero();
         let (mut impulses, mut end) = ([zero; 2], None);
@@ -140,7 +140,7 @@ impl<S: Real> Impact<S> {
             let Some(grows) = (if is_stop { stops } else { ends }) else { return Err(NotStruck::Undetermined) };
             impulses = [impulses[0] + grows, impulses[1] + slope * grows];
             if is_stop {
-                // at rest exactly, whatever rounding left
+                // at rest exactly, without a remainder of rounding
                 impulses[1] = self.holding(impulses[0]);
             } else if end.is_some() {
                 return Ok(impulses);
@@ -151,7 +151,7 @@ impl<S: Real> Impact<S> {
         Err(NotStruck::Undetermined)
     }
 
-    /// T with which v is zero beside an N.
+    /// T for which v is zero with a given N.
     fn holding(&self, normal: S) -> S {
         let [_, [c, d]] = self.responses;
         -(self.sliding + c * normal) / d
@@ -170,7 +170,7 @@ impl<S: Real> Impact<S> {
             return zero;
         }
         let holds = -c / d;
-        // else it slides to where N alone would drive it
+        // otherwise it slides in the direction in which N alone would drive it
         if holds.magnitude() <= friction { holds } else { against(c) }
     }
 }

@@ -13,14 +13,14 @@ use model::Sides;
 use nalgebra::DMatrix;
 use num_traits::{One, Zero};
 
-/// Newton's method from what an integration has left.
+/// Steps of Newton's method to remove the residuals of an integration.
 const IMPULSES: usize = 3;
 
-/// A change beyond so many times its doubt is one.
+/// A change counts if it exceeds its error bound by this factor.
 const CHANGES: f64 = 16.0;
 
 impl Expansions {
-    /// The change of the rates of a state by a unit of each of some letters, beside the values of all.
+    /// The changes of the rates of a state by a unit of some letters, at given values of all letters.
     fn responses(&self, clock: Jet<1>, state: &[Jet<1>], all: &[Jet<1>], letters: &[usize]) -> Vec<Vec<f64>> {
         let of = |&letter: &usize| {
             let [none, one] = [Jet::zero(), Jet::one()].map(|value| {
@@ -57,7 +57,7 @@ impl Expansions {
             let Some(found) = self.run((clock, &parts), mode, &[], &unknown) else { return false };
             let Expansion { conditions, contacts, switches, hidden, .. } = found;
             let off = |&letter: &usize| match letter.checked_sub(conditions.len()) {
-                // a value that is algebraic in the unknowns has no residual of its own: that of the hidden constraint counts
+                // an equation of values has no residual of its own: the residual of the hidden constraint counts
                 _ if self.is_value(letter) => Jet::zero(),
                 None => conditions[letter],
                 Some(place) => {
@@ -78,7 +78,7 @@ impl Expansions {
             let values = self.values(clock, &parts, &all, &[]);
             let tied = vec![None; self.kinds.len()];
             let first = self.states + conditions.len();
-            // a combination of values that holds no unknowns is that of a hidden constraint
+            // a combination of values without unknowns is a hidden constraint
             let right = |row: usize| match self.is_value(unknown[row]) {
                 true => [Jet::zero(), -values[first + unknown[row]]],
                 false => [-off[row], Jet::zero()],
@@ -93,8 +93,8 @@ impl Expansions {
         true
     }
 
-    /// Moves a contact that has closed to where its gap is zero: along the displacement that a force along the normal gives, so that
-    /// constraints stay as they are.
+    /// Moves a contact that has closed so that its gap is zero, by the displacement that a force along the normal would cause, which does not change
+    /// constraints.
     pub fn return_to_touch(&self, time: f64, state: &mut [f64], contact: usize) {
         let clock = Jet::<1>::constant(time, 0.0);
         let letter = self.reaction([contact, 0]);
@@ -147,10 +147,10 @@ impl Expansions {
         letters
     }
 
-    /// The speeds after a contact has closed, by its law of impacts, and the contacts in touch that it opens; none must be pressed by it.
+    /// The speeds after a contact has closed, by its law of impacts, and the closed contacts that the impact opens; it must not press any of them.
     ///
     /// # Errors
-    /// Where the impulses are not determined.
+    /// The impulses are not determined.
     pub fn struck(
         &self,
         time: f64,
@@ -171,7 +171,7 @@ impl Expansions {
                 *part += impulse * rate;
             }
         }
-        // one that opens, or slides on, has no impulse of its own
+        // a contact that opens, or continues to slide, has no impulse of its own
         let after = self.values(clock, &rounded(state), &all, &[]);
         let mut opened = Vec::new();
         for &other in in_touch {
@@ -200,7 +200,7 @@ impl Expansions {
         parts.iter().fold(Jet::zero(), |sum: Jet<1>, part| sum + *part).sign_of(0, CHANGES) != 0.0
     }
 
-    /// The parts that unit reactions, normal and tangential of each contact, add to gap'' and to both v' of each.
+    /// The changes of gap'' and of both v' of each contact by unit reactions, normal and tangential, of each contact.
     pub fn responses_of_contacts(&self, Instant { time, state, .. }: &Instant<'_>) -> DMatrix<f64> {
         let letters: Vec<usize> = (0..self.kinds.len())
             .flat_map(|contact| (0..PARTS).map(move |part| self.reaction([contact, part])))

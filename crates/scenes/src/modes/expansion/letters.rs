@@ -35,12 +35,12 @@ impl Expansions {
         self.letters() - self.algebraic..self.letters()
     }
 
-    /// The number of rows: one for each letter, and where speeds are algebraic its rate.
+    /// The number of rows: one for each letter, and with algebraic speeds also one for the rate of each.
     pub(super) fn rows(&self) -> usize {
         if self.has_algebraic() { 2 * self.letters() } else { self.letters() }
     }
 
-    /// Whether the row of a letter is a value, which follows at once from the mode, and not a rate.
+    /// Whether the row of a letter is a value, which the mode determines, instead of a rate.
     pub(super) fn is_value(&self, letter: usize) -> bool {
         let cases = self.mirrored.len();
         match letter.checked_sub(cases) {
@@ -49,8 +49,8 @@ impl Expansions {
         }
     }
 
-    /// Steps of Newton's method for unknown letters: one where the rows are linear in them. A law of g that has |g| in it is linear
-    /// where g is zero; rounding leaves powers of g.
+    /// Steps of Newton's method for unknown letters: one if the rows are linear in them. A law of g that contains |g| is linear
+    /// at g = 0 up to rounding.
     pub(super) fn rounds(&self, unknown: &[usize]) -> usize {
         let changes = |slope: &Slope| {
             unknown.contains(&slope.row) && slope.changed_by.iter().any(|letter| unknown.contains(letter))
@@ -73,7 +73,7 @@ impl Expansions {
         self.mirrored.len() + PARTS * contact + component
     }
 
-    /// Letters of reactions that a mode leaves to be found.
+    /// Letters of the unknown reactions of a mode.
     pub(super) fn unknown_reactions(&self, mode: &Mode) -> Vec<usize> {
         unknown(mode, |contact| self.kinds[contact].is_in_space).into_iter().map(|of| self.reaction(of)).collect()
     }
@@ -142,7 +142,7 @@ impl Expansions {
     }
 }
 
-/// The part of the rate of a direction to which it is found.
+/// The relative accuracy of the rate of a direction.
 const TURN: f64 = 1e-10;
 
 /// A direction that begins at an angle and turns.

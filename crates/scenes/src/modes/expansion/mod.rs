@@ -1,7 +1,7 @@
 //! The motion just after an instant in any mode: Taylor coefficients of conditions, switches and events, without compiling its law.
 //!
-//! Accelerations are written down once with every switch and every reaction of a contact as an input. Switches that are held follow
-//! order by order from g' = 0, reactions in touch from gap'' = 0 and v' = 0, which are linear in them.
+//! Accelerations are recorded once, with every switch and every reaction of a contact as an input. Held switches follow
+//! order by order from g' = 0, reactions of closed contacts from gap'' = 0 and v' = 0; these equations are linear in them.
 
 mod accelerations;
 mod distribution;
@@ -33,19 +33,19 @@ use model::{Model, Restitution, Sides};
 use num_traits::{One, Zero};
 use symbolic::{Tape, apart};
 
-/// The number of roundings by which each number of a state, and the time, may be off.
+/// The assumed error of each number of a state and of the time, in roundings.
 const ROUNDINGS: f64 = 4.0;
 
-/// Rates are known to so much of the largest, whatever the bound of their errors.
+/// The assumed relative accuracy of rates, if their error bound is larger.
 const DIGITS: f64 = 1e-12;
 
-/// A switch, which lies between 0 and 1, is known to so much, whatever the bound of its error.
+/// The assumed accuracy of a switch, which lies between 0 and 1, if its error bound is larger.
 const KNOWN: f64 = 1e-9;
 
-/// Steps of Newton's method for laws that are linear but for rounding.
+/// Steps of Newton's method for laws that are linear up to rounding.
 const ROUNDS: usize = 3;
 
-/// Steps of Newton's method for laws that hold products of unknowns.
+/// Steps of Newton's method for laws with products of unknowns.
 const MOST_ROUNDS: usize = 20;
 
 /// A model as a function of the time, the state and the switches.
@@ -54,17 +54,17 @@ pub(super) struct Expansions {
     tape: Tape,
     states: usize,
     positions: usize,
-    /// Slopes of rows by letters, where they are not zero. Letters are switches, then the reactions of each contact; a row is the rate of
-    /// a condition, then what the reaction of the same place keeps at zero.
+    /// The nonzero derivatives of rows by letters. Letters are switches, then the reactions of each contact; rows are the rates of
+    /// conditions, then for each reaction the equation that determines it.
     slopes: Vec<Slope>,
     pub mirrored: Vec<Option<Mirrored>>,
     pub kinds: Vec<Kind>,
-    /// Whether the value of each condition follows at once from the mode, since it holds an algebraic speed.
+    /// Whether the mode determines the value of each condition, since the condition contains an algebraic speed.
     pub direct_conditions: Vec<bool>,
     /// The number of algebraic speeds, with the multipliers of their constraints; the speeds, which stand first.
     algebraic: usize,
     algebraic_speeds: Vec<usize>,
-    /// States in which errors of rates add up: neither algebraic speeds, which follow at once, nor impulses, on which nothing depends.
+    /// States in which errors of rates accumulate: not algebraic speeds, which the mode determines, nor impulses, on which nothing depends.
     summed: Vec<usize>,
     events: usize,
 }
@@ -81,7 +81,7 @@ pub(super) struct Kind {
     pub is_one_way: bool,
     /// Whether it slides in two directions.
     pub is_in_space: bool,
-    /// Whether this speed follows at once from the mode.
+    /// Whether the mode determines this speed.
     pub is_direct: bool,
 }
 
@@ -107,20 +107,20 @@ pub(super) struct Touching<const N: usize> {
     pub is_in_space: bool,
 }
 
-/// Where a motion goes on.
+/// The instant and state from which a motion continues.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Instant<'a> {
     pub time: f64,
     pub state: &'a [f64],
     /// The error of the time of the event that led here.
     pub late: f64,
-    /// Rates of the state before it, which tell the error of the state: in a mode that holds a speed they are zero. None of a system
-    /// without algebraic speeds, in which what is held is set to zero.
+    /// Rates of the state before the event, from which the error of the state is estimated. Empty for a system
+    /// without algebraic speeds, in which held quantities are set to zero.
     pub before: &'a [f64],
 }
 
 impl<'a> Instant<'a> {
-    /// One that is known exactly.
+    /// An instant and a state that are known exactly.
     pub fn at(time: f64, state: &'a [f64]) -> Self {
         Instant { time, state, late: 0.0, before: &[] }
     }
@@ -132,7 +132,7 @@ pub(super) struct Expansion<const N: usize> {
     pub rates: Vec<Jet<N>>,
     pub conditions: Vec<Jet<N>>,
     pub switches: Vec<Jet<N>>,
-    /// Each switch, or its part of what keeps conditions at zero where that is beyond its bound.
+    /// Each switch; for a switch at its bound, the share that it would have without the bound.
     pub parts: Vec<Jet<N>>,
     pub contacts: Vec<Touching<N>>,
     pub events: Vec<Jet<N>>,
@@ -140,7 +140,7 @@ pub(super) struct Expansion<const N: usize> {
     pub slopes: Slopes<N>,
     /// Constraints that the mode hides: of positions, or of speeds with inertia.
     pub hidden: Vec<Jet<N>>,
-    /// Whether the value of each condition follows at once from the mode.
+    /// Whether the mode determines the value of each condition.
     pub is_direct: Vec<bool>,
 }
 
@@ -158,7 +158,7 @@ impl Expansions {
         apart(|| equations::expansions(model))
     }
 
-    /// The motion in a mode; none where a condition cannot be held.
+    /// The motion in a mode; none if a condition cannot be held.
     pub fn at<const N: usize>(&self, instant: &Instant<'_>, mode: &Mode) -> Option<Expansion<N>> {
         let mut unknown = self.held(mode);
         unknown.extend(self.unknown_reactions(mode));
@@ -166,7 +166,7 @@ impl Expansions {
         self.with_unknown(instant, mode, &unknown)
     }
 
-    /// Values at a state as it is given, with its algebraic speeds, where no reaction acts.
+    /// Values at a given state, with its algebraic speeds and without reactions.
     pub fn as_given(&self, instant: &Instant<'_>, mode: &Mode) -> Option<Expansion<1>> {
         self.with_unknown(instant, mode, &[])
     }
@@ -189,14 +189,14 @@ impl Expansions {
         letters.resize(self.letters(), 0.0);
         let confirmed = self.confirmed(time, state, &letters);
         let first = self.shorter::<1, N>((clock, &moved), mode, &confirmed, unknown)?;
-        // errors of rates add up from the start on; a run whose digits are fewer than these is not decided by its roundings
+        // errors of rates accumulate from the start; the roundings do not decide a run with fewer digits than this
         let sizes = self.summed.iter().map(|&place| first[place].terms[0].abs());
         let known = DIGITS * sizes.fold(0.0, f64::max);
         let before = before.iter().copied().chain(std::iter::repeat(0.0));
         for ((part, rate), before) in moved.iter_mut().zip(&first).zip(before) {
             let own = (rate.doubts[0] + ROUNDINGS * ROUNDING * rate.terms[0].abs()).min(known);
             let moved = time.abs() * own + late * rate.terms[0].abs().max(before.abs());
-            // in a case that does not hold an exponential may be beyond all numbers
+            // in a case that does not hold an exponential may overflow
             part.doubts[0] += if moved.is_finite() { moved } else { 0.0 };
         }
         for order in 0..N - 1 {
@@ -242,8 +242,7 @@ impl Expansions {
         }
     }
 
-    /// The motion from a time and a state; `confirmed` has the parts of the bounds of errors that count. Letters that are unknown are solved
-    /// for.
+    /// The motion from a time and a state, solved for the unknown letters; `confirmed` has the fractions of the error bounds that trials confirm.
     fn run<const N: usize>(
         &self,
         (time, state): (Jet<N>, &[Jet<N>]),
@@ -259,7 +258,7 @@ impl Expansions {
         let cases = mode.cases.len();
         let mut letters: Vec<Jet<N>> = mode.cases.iter().map(value).collect();
         letters.resize(self.letters(), Jet::zero());
-        // where they are unknown they are sought from their last values on, at which friction in proportion to them has a bound
+        // the iteration starts from the last values, at which friction that is proportional to them has a bound
         for (letter, speed) in self.algebraic().zip(&self.algebraic_speeds) {
             let last = state[self.positions + speed];
             letters[letter] = if unknown.is_empty() { last } else { Jet::constant(last.terms[0], 0.0) };
@@ -282,7 +281,7 @@ impl Expansions {
                 let is_found = unknown.iter().zip(&changes).all(|(&letter, change)| change.is_beside(&letters[letter]));
                 let is_last = round >= ROUNDS && is_found || round == rounds;
                 for (&letter, change) in unknown.iter().zip(changes) {
-                    // the step begins at a number that is known exactly, and ends at one that errs as the step does
+                    // the step begins at an exact number and ends at one with the error of the step
                     let found = letters[letter].exact() + change;
                     letters[letter] = if is_last { found } else { found.exact() };
                 }
@@ -338,7 +337,7 @@ impl Expansions {
         })
     }
 
-    /// The values of unknown letters that take their rows to the right sides, each with that of its rate; and hidden constraints.
+    /// The values of unknown letters for which their rows have the given right sides, with their rates; and hidden constraints.
     fn solved_for<const N: usize>(
         &self,
         (values, tied): (&[Jet<N>], &[Option<[Jet<N>; 2]>]),

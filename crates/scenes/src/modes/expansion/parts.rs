@@ -1,8 +1,8 @@
-//! The part that each switch takes of what keeps conditions at zero, where these depend on each other.
+//! The share of each switch in the forces that keep dependent conditions at zero.
 //!
-//! A block between two walls that stick does not say what each wall carries: with more contacts than speeds g' = a + B s = 0 has many
-//! solutions s. The motion is the same for all of them. Taken is the one with the least sum of (s - 1/2)^2, that of least squares of
-//! sign: s = 1/2 + B^T l, cut at 0 and at 1. It is unique, and continuous in a.
+//! The motion of a block that sticks between two walls does not determine the load of each wall: with more contacts than speeds
+//! g' = a + B s = 0 has many solutions s, all with the same motion. The solution with the least sum of (s - 1/2)^2 is chosen, which has the
+//! least sum of squares of `sign`: s = 1/2 + B^T l, limited to [0, 1]. It is unique and continuous in a.
 
 use super::super::jet::Jet;
 use super::super::mode::Case;
@@ -41,7 +41,7 @@ impl Expansions {
         Some(slopes)
     }
 
-    /// Switches by their parts, from those that keep the held conditions at zero with 1/2 for each shared one.
+    /// Switches by their shares, from those that keep the held conditions at zero if each shared switch is 1/2.
     pub(super) fn shared<const N: usize>(
         &self,
         mode: &[Case],

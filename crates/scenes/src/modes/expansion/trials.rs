@@ -1,25 +1,25 @@
 //! Rounding errors measured by trials, where their running bound is too wide.
 //!
-//! A running bound of errors grows with every operation and ignores cancellation of errors. The accelerations of an arm of five links by
-//! symbolic elimination have a bound larger than themselves, but are accurate. There the state is perturbed by its rounding several
-//! times, and the results are compared with those in double-double.
+//! A running bound of errors grows with every operation and ignores cancellation of errors. For example, the bound for the accelerations of an
+//! arm of five links by symbolic elimination is larger than the accelerations, although these are accurate. For such wide bounds the state
+//! is perturbed by its rounding several times, and the results are compared with those in double-double.
 
 use super::super::jet::{Jet, ROUNDING};
 use super::{Expansions, ROUNDINGS};
 use field::DoubleDouble;
 use num_traits::Zero;
 
-/// Bounds of more than this part of the largest number are tried: thousands of roundings.
+/// Bounds above this fraction of the largest number are tested by trials: thousands of roundings.
 const FAR: f64 = 1e-12;
 
-/// States that are tried.
+/// The number of perturbed states.
 const TRIALS: usize = 3;
 
-/// An error may be so many times the largest that is found.
+/// The factor from the largest error of the trials to the accepted bound.
 const MORE: f64 = 16.0;
 
 impl Expansions {
-    /// For each number of the tape the part of its bound that trials confirm; empty where all bounds are narrow.
+    /// For each number of the tape the fraction of its bound that trials confirm; empty if all bounds are narrow.
     pub(super) fn confirmed(&self, time: f64, state: &[f64], letters: &[f64]) -> Vec<f64> {
         let uncertain = |value: f64| Jet::<1>::constant(value, ROUNDINGS * ROUNDING * value.abs());
         let moved: Vec<Jet<1>> = state.iter().map(|value| uncertain(*value)).collect();
@@ -52,7 +52,7 @@ impl Expansions {
         }
         let part = |(error, value): (f64, &Jet<1>)| {
             let part = MORE * error.max(ROUNDING * value.terms[0].abs()) / value.doubts[0];
-            // NaN keeps the bound as it is
+            // NaN leaves the bound unchanged
             if part < 1.0 { part } else { 1.0 }
         };
         errors.into_iter().zip(&bounded).map(part).collect()

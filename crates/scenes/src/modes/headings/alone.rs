@@ -1,19 +1,19 @@
-//! All directions of one contact: zeros of the part of its acceleration across, among directions all round.
+//! All directions in which one contact may begin to slide: zeros of the component of its acceleration across the direction, on the whole circle.
 
 use super::super::mode::Heading;
 use super::{Slip, exact};
 use std::f64::consts::TAU;
 
-/// Directions that are tried, and steps to where a direction is its own.
+/// The number of trial directions, and of steps to find a zero between two of them.
 const TRIED: usize = 64;
 const STEPS: usize = 80;
 
 impl Slip<'_> {
-    /// Directions along which the slip that they give begins.
+    /// Directions that agree with the accelerations of their own slips.
     pub(super) fn of_one(&self) -> Vec<Vec<Heading>> {
         let at = |angle: f64| Some(self.accelerations(&[exact(angle)])?[0]);
         let step = TAU / TRIED as f64;
-        // no multiple of a right angle, along which a slip often begins
+        // not at multiples of a right angle, along which a slip often begins
         let tried: Vec<(f64, Option<[f64; 2]>)> =
             (0..=TRIED).map(|place| (place as f64 - 0.382) * step).map(|angle| (angle, at(angle))).collect();
         let between = |pair: &[(f64, Option<[f64; 2]>)]| {
@@ -29,7 +29,7 @@ impl Slip<'_> {
     }
 }
 
-/// The zero of a function between places where its signs differ: by secants, the end that stays counts half (Dowell and Jarratt 1971).
+/// The zero of a function between two points with different signs, by the Illinois variant of the secant method (Dowell and Jarratt 1971).
 fn zero(of: impl Fn(f64) -> f64, [mut low, mut high]: [f64; 2], [mut at_low, mut at_high]: [f64; 2]) -> f64 {
     let mut side = 0;
     for _ in 0..STEPS {

@@ -1,8 +1,8 @@
 //! Directions in which contacts in space begin to slide from rest.
 //!
-//! Each contact that begins to slip has the friction T = -mu |N| d and an acceleration a of slip that depends on all d, and d is its
-//! direction, a = |a| d. Where friction is exactly at its bound, a is zero: then d = -T/|T| with the friction T of sticking, and the
-//! directions turn in such a way that the rate of each a lies along its d.
+//! Each contact that begins to slip in the direction d has the friction T = -mu |N| d. Its acceleration a of slip depends on all directions, and
+//! must have the direction d: a = |a| d. If friction is exactly at its bound, a is zero; then d = -T/|T| with the friction T of sticking, and the
+//! directions turn such that the rate of each a is parallel to its d.
 
 mod alone;
 mod together;
@@ -16,10 +16,10 @@ use super::touch::margins;
 use field::{Analytic, Circle, Elementary};
 use nalgebra::{DMatrix, DVector};
 
-/// Roundings of one to which a direction is found that is its own.
+/// The accuracy of a direction, in roundings of one.
 const FOUND: f64 = 8.0;
 
-/// A part across below this part of the one along is rounding.
+/// A component across the direction below this fraction of the one along it is rounding.
 const STRAIGHT: f64 = 1e-10;
 
 /// All directions in which contacts may begin to slide together, the phases of the others being those of a mode.
@@ -39,8 +39,8 @@ pub(super) fn headings(
     }
 }
 
-/// A mode in which contacts that begin to slide are held, along one tangent or along none where the others hold them: all their normals come
-/// before tangents.
+/// A mode in which contacts that would begin to slide are held instead, along one tangent or none where others hold them; all their normals
+/// come before tangents.
 pub(super) fn held(
     expansions: &Expansions,
     instant: &Instant<'_>,
@@ -64,7 +64,7 @@ pub(super) fn held(
     Some(held)
 }
 
-/// A direction that does not turn, known to rounding.
+/// A constant direction, known to rounding.
 fn exact(angle: f64) -> Heading {
     Heading::of(angle, 0.0, FOUND * ROUNDING)
 }
@@ -74,7 +74,7 @@ struct Slip<'a> {
     instant: &'a Instant<'a>,
     mode: &'a Mode,
     beginning: &'a [(usize, Face)],
-    /// None where they are not linear in reactions.
+    /// None if accelerations are not linear in reactions.
     accelerations: Option<Accelerations<'a>>,
 }
 
@@ -95,7 +95,7 @@ impl Slip<'_> {
         }
     }
 
-    /// The same of a term of its sliding velocity.
+    /// For each contact these components of a Taylor coefficient of its sliding velocity.
     fn terms<const N: usize>(&self, headings: &[Heading], order: usize) -> Option<Vec<[f64; 2]>> {
         let found = self.expansions.at::<N>(self.instant, &self.along(headings))?;
         let tangential: Vec<[f64; 2]> =
@@ -112,7 +112,7 @@ impl Slip<'_> {
         self.beginning.iter().zip(headings).map(of).collect()
     }
 
-    /// The directions against the friction by which contacts are held, and whether it is at its bound in all.
+    /// The directions opposite to the friction that holds the contacts, and whether it is at its bound for all of them.
     fn by_friction(&self, held: &Mode) -> Option<(Vec<Heading>, bool)> {
         let found = self.expansions.at::<2>(self.instant, held)?;
         let mut all_at_bound = true;
@@ -129,16 +129,16 @@ impl Slip<'_> {
         Some((headings, all_at_bound))
     }
 
-    /// Directions at which friction is at its bound in all, with their rates.
+    /// The directions, with their rates, if friction is at its bound for all contacts.
     fn at_bound(&self, headings: &[Heading]) -> Option<Vec<Heading>> {
         let count = headings.len();
         let turning = |turns: &[f64]| -> Vec<Heading> {
             headings.iter().zip(turns).map(|(at, &turn)| Heading::of(at.angle(), turn, at.doubt())).collect()
         };
-        // parts across are linear in the rates of the angles
+        // components across the directions are linear in the rates of the angles
         let parts = |turns: &[f64]| self.terms::<3>(&turning(turns), 2);
         let none = parts(&vec![0.0; count])?;
-        // on lines that constraints leave they do not turn
+        // directions along which constraints leave a single line do not turn
         let mut turns = vec![0.0; count];
         if none.iter().any(|[across, along]| across.abs() > STRAIGHT * along.abs()) {
             let mut slopes = DMatrix::zeros(count, count);

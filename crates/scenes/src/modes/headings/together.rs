@@ -1,7 +1,7 @@
-//! Directions of several contacts that begin to slide at one instant: Newton's method from a few of them.
+//! Directions of several contacts that begin to slide at one instant, by Newton's method from a few starting values.
 //!
-//! It starts from motions without turning, and from the directions against the friction by which the body would be held. Other solutions
-//! than those to which these lead are not excluded.
+//! The starting values are translations of the body, and the directions opposite to the friction that would hold the body. Further solutions
+//! are not excluded.
 
 use super::super::mode::Heading;
 use super::{Slip, exact};
@@ -9,30 +9,30 @@ use field::Elementary;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
 
-/// Directions without turning.
+/// The number of translations as starting values.
 const TRIED: usize = 8;
 
 /// Steps of Newton's method, and halvings of one.
 const STEPS: usize = 30;
 const HALVINGS: usize = 6;
 
-/// A difference of angles for a slope.
+/// The difference of angles for a numerical derivative.
 const DIFFERENCE: f64 = 1e-6;
 
 /// The largest step.
 const FURTHEST: f64 = 1.0;
 
-/// Angles between directions and accelerations that are rounding, and those at which steps that no longer help have come to a solution.
+/// An angle between direction and acceleration that is rounding, and one that counts as a solution when steps no longer improve it.
 const NONE: f64 = 1e-15;
 const SMALL: f64 = 1e-9;
 
-/// Solutions that are one.
+/// Two solutions closer than this are one.
 const SAME: f64 = 1e-6;
 
 impl Slip<'_> {
-    /// Directions along which the slips that they give begin; those against friction, where it can hold the body, are tried as well.
+    /// Directions that agree with the accelerations of their own slips; those opposite to friction are starting values too, if it can hold the body.
     pub(super) fn of_several(&self, against_friction: Option<Vec<Heading>>) -> Vec<Vec<Heading>> {
-        // no multiple of a right angle, along which a slip often begins
+        // not at multiples of a right angle, along which a slip often begins
         let translations =
             (0..TRIED).map(|place| vec![(place as f64 - 0.382) * TAU / TRIED as f64; self.beginning.len()]);
         let against = against_friction.map(|headings| headings.into_iter().map(Heading::angle).collect());
@@ -46,7 +46,7 @@ impl Slip<'_> {
         found.into_iter().map(|angles| angles.into_iter().map(exact).collect()).collect()
     }
 
-    /// The angles from directions to the accelerations that they give.
+    /// The angles from directions to the accelerations that they cause.
     fn off(&self, angles: &[f64]) -> Option<DVector<f64>> {
         let headings: Vec<Heading> = angles.iter().copied().map(exact).collect();
         let parts = self.accelerations(&headings)?;
@@ -56,7 +56,7 @@ impl Slip<'_> {
         ))
     }
 
-    /// Directions that are those of their own accelerations.
+    /// Directions that agree with their own accelerations, from starting values.
     fn own(&self, mut angles: Vec<f64>) -> Option<Vec<f64>> {
         let moved = |angles: &[f64], by: &DVector<f64>| -> Vec<f64> {
             angles.iter().zip(by.iter()).map(|(angle, by)| wrapped(angle + by)).collect()
@@ -87,7 +87,7 @@ impl Slip<'_> {
     }
 }
 
-/// An angle between half a turn back and half a turn on.
+/// An angle reduced to the range from minus half a turn to half a turn.
 fn wrapped(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }

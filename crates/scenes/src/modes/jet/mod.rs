@@ -1,9 +1,9 @@
-//! Taylor coefficients of a quantity along a motion, each with the rounding error that it may carry.
+//! Taylor coefficients of a quantity along a motion, each with a bound of its rounding error.
 //!
-//! At an event some values are zero but for rounding, and the next coefficient decides the sign. A coefficient counts as zero
-//! where it is not larger than its doubt: a running bound of the errors of the state, of the time and of every operation. A value
-//! at zero has the sign with which it leaves the band of its doubt: -e s + s^2 with a small e falls, but not by more than e^2/4,
-//! which may be less than a rounding.
+//! At an event some values are zero up to rounding, and the next coefficient decides the sign. A coefficient counts as zero
+//! if it does not exceed its doubt: a running bound of the errors of the state, of the time and of every operation. The sign of a value at
+//! zero is the one with which it leaves the band of its doubt: -e s + s^2 with a small e first decreases, but by at most e^2/4,
+//! which may be below rounding.
 
 mod operators;
 
@@ -13,7 +13,7 @@ use num_traits::Zero;
 /// The relative rounding error of an operation.
 pub(super) const ROUNDING: f64 = f64::EPSILON;
 
-/// The factor between times at which a change is looked at, and how many there are: no more than forty powers of ten.
+/// The factor between times at which a change is evaluated, and their largest number, which covers forty powers of ten.
 const LONGER: f64 = 1.1;
 const MOST_TIMES: usize = 1000;
 
@@ -37,20 +37,20 @@ impl<const N: usize> Jet<N> {
         Jet { doubts: [0.0; N], ..self }
     }
 
-    /// The first terms, and zeros behind them.
+    /// The first terms, followed by zeros.
     pub fn resized<const K: usize>(&self) -> Jet<K> {
         let of = |all: &[f64; N]| std::array::from_fn(|order| all.get(order).copied().unwrap_or(0.0));
         Jet { terms: of(&self.terms), doubts: of(&self.doubts) }
     }
 
-    /// Sets the coefficients after one of a quantity whose rate has that one.
+    /// Sets the next coefficient of a quantity from the coefficient of its rate.
     pub fn follow(&mut self, rate: &Self, order: usize) {
         let per = 1.0 / (order + 1) as f64;
         self.terms[order + 1] = rate.terms[order] * per;
         self.doubts[order + 1] = rate.doubts[order] * per + ROUNDING * self.terms[order + 1].abs();
     }
 
-    /// Whether every term is rounding beside those of another quantity.
+    /// Whether every term is rounding compared with those of another quantity.
     pub fn is_beside(&self, other: &Self) -> bool {
         let own = self.terms.iter().zip(&self.doubts).zip(&other.terms);
         own.into_iter().all(|((term, doubt), other)| term.abs() <= doubt.max(4.0 * ROUNDING * other.abs()))
@@ -65,7 +65,7 @@ impl<const N: usize> Jet<N> {
         rate
     }
 
-    /// The sign of a term: zero where it does not exceed its doubt so many times, no number where it is none.
+    /// The sign of a term: zero if it does not exceed `slack` times its doubt, NaN if it is NaN.
     pub fn sign_of(&self, order: usize, slack: f64) -> f64 {
         let term = self.terms[order];
         if term.is_nan() || term.abs() > slack * self.doubts[order] { term.signum() } else { 0.0 }
@@ -77,7 +77,7 @@ impl<const N: usize> Jet<N> {
         if value == 0.0 { self.way(slack * self.doubts[0], slack) } else { value }
     }
 
-    /// The sign of the change by which the value first leaves a band, on either side of what it is at the instant; zero where it
+    /// The sign of the change by which the value first leaves a band about its value at the instant; zero if it
     /// does not change.
     pub fn way(&self, band: f64, slack: f64) -> f64 {
         let signs: [f64; N] = std::array::from_fn(|order| if order == 0 { 0.0 } else { self.sign_of(order, slack) });
@@ -102,7 +102,7 @@ impl<const N: usize> Jet<N> {
         signs[first]
     }
 
-    /// The largest value that doubts hide of a quantity which leaves zero slowly, as t^4 beside a doubt of t.
+    /// The largest value that doubts may hide of a quantity that leaves zero slowly, such as t^4 with a doubt proportional to t.
     pub fn hidden(&self, slack: f64) -> f64 {
         let Some(leading) = (0..N).find(|&order| self.sign_of(order, slack) != 0.0) else { return 0.0 };
         // up to the time from which the leading term exceeds each doubt before it
@@ -199,7 +199,7 @@ mod tests {
         }
     }
 
-    /// A term that is zero but for rounding does not decide; the next one does.
+    /// A term that is zero up to rounding does not decide; the next one does.
     #[test]
     fn a_sign_is_that_of_the_first_term_beyond_its_doubt() {
         let tenth = Jet::constant(0.1, 1e-17) * Jet::constant(3.0, 0.0) - Jet::constant(0.3, 5e-17);
@@ -210,7 +210,7 @@ mod tests {
         assert!(falling.sign(1.0).is_nan());
     }
 
-    /// -e s + s^2 falls by e^2/4: a fall of less than a rounding is none.
+    /// -e s + s^2 decreases by e^2/4: a decrease below rounding does not count.
     #[test]
     fn a_fall_that_rounding_hides_is_none() {
         let valley = |e: f64| Jet::<5>::constant(0.0, 1e-16) + time(0.0) * (time(0.0) - Jet::constant(e, 1e-17));
