@@ -54,7 +54,7 @@ pub fn driven_by(drive: &mut DriveSource, motor: &Motor, at: usize) -> Vec<Entry
     motor.data().map(datum).collect()
 }
 
-/// The fault of a machine that no drive has, or that is none; where the table names none, its reader tells it.
+/// The fault of a motor that a drive cannot have, or of an unknown name; the reader of the table reports a missing name.
 fn unknown(table: &mut Table<'_>) -> Option<Issue> {
     if !table.is_table("machine") {
         return None;

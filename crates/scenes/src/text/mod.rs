@@ -12,7 +12,7 @@ use model::{
 use reader::{At, Issue, Table};
 use std::ops::Range;
 
-/// Tables that the language will have.
+/// Tables planned for the language.
 const LATER: [(&str, &str); 2] = [("circuit", "circuits"), ("controls", "controls")];
 
 /// Reads every table of the system.
@@ -77,7 +77,7 @@ fn regulator(top: &mut Table<'_>) -> Option<RegulatorSource> {
     sound.then_some(RegulatorSource { inputs, cost, last, horizon, displaced, at })
 }
 
-/// Coordinates and rates at time zero; where `equilibrium` stands among them, they are guesses of one.
+/// Coordinates and rates at time zero; with the key `equilibrium` they are initial guesses of an equilibrium.
 fn start(top: &mut Table<'_>) -> (Vec<Entry>, Option<Range<usize>>) {
     let Some(mut table) = top.optional_table("start") else { return (Vec::new(), None) };
     let place = table.place_of("equilibrium");
@@ -117,10 +117,10 @@ const TOP: [&str; 25] = [
     "start",
 ];
 
-/// Keys at the top of a paper's file, which may hold its system too.
+/// Keys at the top of a paper's file, which may also contain its system.
 pub const OF_PAPERS: [&str; 5] = ["citation", "model", "letters", "claim", "summary"];
 
-/// Whether a table at the top has a name that is not known: its absence explains other faults.
+/// Whether a table at the top has an unknown name; the missing table may explain other faults.
 pub fn has_unknown_tables(top: &Table<'_>) -> bool {
     let is_paper = top.has("letters") || top.has("claim");
     let is_known = |key: &str| {
@@ -131,7 +131,7 @@ pub fn has_unknown_tables(top: &Table<'_>) -> bool {
         .any(|key| !is_known(&key.value) && (top.is_table(&key.value) || units::nearest(&key.value, TOP).is_some()))
 }
 
-/// Whether a table at the top of a file is a part of a system, and no part of what every file has.
+/// Whether a table at the top of a file belongs to a system, and is not common to all files.
 pub(crate) fn is_of_system(key: &str) -> bool {
     TOP.contains(&key) && !matches!(key, "title" | "description" | "known_as" | "parameters")
 }
@@ -142,14 +142,14 @@ pub fn issue(fault: Fault) -> Issue {
     Issue::at(span, title, label).accepted(accepted)
 }
 
-/// A text with its place in the file, which begins behind the quote.
+/// A text with its place in the file, which begins after the quote.
 fn placed(table: &Table<'_>, text: &At<String>) -> Text {
     let start = table.part(text, &(0..0)).start;
     Text::at(text.value.clone(), start)
 }
 
 fn key_text(key: &At<String>) -> Text {
-    // a quoted key is longer by its quotes
+    // the place of a quoted key includes its quotes
     let quote = usize::from(key.span.len() > key.value.len());
     Text::at(key.value.clone(), key.span.start + quote)
 }
@@ -177,7 +177,7 @@ fn entries_of(table: &mut Table<'_>, name: &str, keys: Vec<At<String>>) -> Vec<E
     entries
 }
 
-/// Whether a key holds a list or a table, as some keys of bodies, forces, constraints and events do.
+/// Whether a key has a list or a table as value, as some keys of bodies, forces, constraints and events do.
 fn holds_more(table: &mut Table<'_>, key: &str) -> bool {
     match key {
         "between" | "zero" => is_list(table, key),
@@ -185,7 +185,7 @@ fn holds_more(table: &mut Table<'_>, key: &str) -> bool {
     }
 }
 
-/// Whether a key holds a list of texts.
+/// Whether a key has a list of texts as value.
 fn is_list(table: &mut Table<'_>, key: &str) -> bool {
     let Some(place) = table.place_of(key) else { return false };
     table.text_or_texts(key, "text").first().is_some_and(|text| text.span != place)
