@@ -31,7 +31,7 @@ impl Record {
         Record { is_wanted, ..Record::default() }
     }
 
-    /// Begins another proof.
+    /// Discards the recorded steps and begins a new proof.
     pub fn restart(&mut self) {
         *self = Record::of(self.is_wanted);
     }
@@ -61,7 +61,7 @@ impl Record {
         }
     }
 
-    /// One expression vanishes where the other one does, or does not at an exact point.
+    /// A step: one expression is zero where the other one is, or differs from zero at an exact point there.
     pub fn step(
         &mut self,
         motion: &Motion<'_, '_>,
@@ -78,7 +78,7 @@ impl Record {
         }
     }
 
-    /// An expression that is a multiple of another one, which vanishes.
+    /// An expression that is a multiple of an expression that is zero.
     fn multiple(&mut self, motion: &Motion<'_, '_>, assumed: &[Hypothesis], [zero, then]: [Sym; 2], factor: Sym) {
         let before = self.parts.len();
         self.vanishes(motion, assumed, &[Condition::Zero(then)]);
@@ -113,7 +113,7 @@ impl Record {
 
     /// An exact point at which a conclusion fails.
     pub fn fails(&mut self, motion: &Motion<'_, '_>, assumed: &[Hypothesis], then: Condition, refutation: &Refutation) {
-        // where a step divides by zero the point gives the letters of the step no values
+        // if a step divides by zero, the point gives no values to its letters
         let is_defined = |symbol: Sym| {
             let value = motion.reduced(symbol).substitute(&refutation.point);
             !matches!(normal(value, &Hypotheses::none()), Err(NotNormal::Undefined(_)))
@@ -126,7 +126,7 @@ impl Record {
         }
     }
 
-    /// A divisor that vanishes on the motion, or a difference that was seen to vanish in prime fields alone.
+    /// A divisor that is zero on the motion, or a difference that was only shown to be zero in prime fields.
     pub fn undecided(&mut self, motion: &Motion<'_, '_>, assumed: &[Hypothesis], then: Condition, outcome: &Outcome) {
         match outcome {
             Outcome::Undefined(divisor) => self.part(motion, assumed, &[then], |relations| PartProof::Undefined {
@@ -137,7 +137,7 @@ impl Record {
         }
     }
 
-    /// An expression that is constant along the motion: its rate vanishes, or has another value at the point.
+    /// An expression that is constant along the motion: its rate is zero, or differs from zero at the point.
     pub fn constant(
         &mut self,
         motion: &Motion<'_, '_>,
@@ -163,8 +163,8 @@ impl Record {
         }
     }
 
-    /// An expression that along every motion has another form, whose value and whose first derivatives by letters vanish on a motion; or one of
-    /// them does not at a point: the derivative by the letter that is named, else the value.
+    /// An expression that is replaced by an equal one along every motion. Its value and its first derivatives by letters are zero on a motion, or
+    /// one of them is not zero at a point: the derivative by the named letter, or the value.
     pub fn linear(
         &mut self,
         [along, base]: [&Motion<'_, '_>; 2],
@@ -201,7 +201,7 @@ impl Record {
         self.parts.push(Part { given, steps, rates, then: vec![then], proof });
     }
 
-    /// An expression that is positive by the signs of the terms of its normal form.
+    /// An expression that is positive since all terms of its normal form are.
     pub fn positive(&mut self, motion: &Motion<'_, '_>, assumed: &[Hypothesis], greater: Sym) {
         let positive = assumed.iter().filter_map(|hypothesis| match hypothesis.condition {
             Some(Condition::Positive(letter)) if letter.symbol_name().is_some() => Some(letter),
@@ -212,7 +212,7 @@ impl Record {
         });
     }
 
-    /// An expression that is positive by the signs of its terms as written; `side` is the expression after the steps.
+    /// An expression that is positive since all its terms, as written, are; `side` is the expression after the steps.
     pub fn positive_as_written(
         &mut self,
         motion: &Motion<'_, '_>,
@@ -268,7 +268,7 @@ impl Record {
         }
     }
 
-    /// An expression that is positive, or not negative, where conditions hold: by these products, else as it is written.
+    /// An expression that is positive, or not negative, where conditions hold: by the given products, or by its terms as written.
     pub fn shown_by_signs(
         &mut self,
         motion: &Motion<'_, '_>,
@@ -309,14 +309,14 @@ impl Record {
         }
     }
 
-    /// The conclusion of the last part admits equality.
+    /// Lets the conclusion of the last part include equality.
     fn weaken(&mut self, is_strict: bool) {
         if let (Some(part), false) = (self.parts.last_mut(), is_strict) {
             part.then.iter_mut().for_each(|relation| relation.is = ">=");
         }
     }
 
-    /// An exact point at which an expression is negative, or zero where it is said to be positive.
+    /// An exact point at which an expression is negative, or zero although it is claimed to be positive.
     pub fn is_below(
         &mut self,
         motion: &Motion<'_, '_>,
@@ -329,7 +329,7 @@ impl Record {
         self.weaken(is_strict);
     }
 
-    /// A printed condition of stability beside that of the roots.
+    /// A printed condition of stability, compared with that of the roots.
     pub fn stability(
         &mut self,
         motion: &Motion<'_, '_>,
@@ -344,7 +344,7 @@ impl Record {
         let (given, steps) = premises(motion, assumed, &mut self.relations);
         let relations = &mut self.relations;
         let conditions = assumed.iter().filter(|hypothesis| hypothesis.condition.is_some()).count();
-        // conditions are given last
+        // conditions come last
         let place = |place: usize| given.len() - conditions + place;
         let (ratio, point) = match shown {
             Comparison::Same(Multiple { ratio, square }) => {

@@ -11,7 +11,7 @@ const FEW: usize = 3;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum EditKind {
     Sign,
-    /// A relation that admits equality.
+    /// A relation that includes equality.
     Strictness,
     Direction,
     Function,
@@ -64,7 +64,7 @@ pub enum Search {
 }
 
 impl Search {
-    /// A sentence for a reader on a search without result.
+    /// A sentence about a search without result.
     pub fn told(self) -> Option<&'static str> {
         match self {
             Self::None => None,

@@ -91,7 +91,7 @@ pub struct ClaimText {
     pub formula: Passage,
     /// Hypotheses in LaTeX.
     pub given: Vec<Passage>,
-    /// Letters that rest on a steady motion.
+    /// Letters that are constant on a steady motion.
     pub resting: Vec<Passage>,
     pub expected: Option<Verdict>,
 }

@@ -12,8 +12,8 @@ const MOST_SPEEDS: usize = 4;
 /// The largest length of a printed factor, in characters.
 const READABLE: usize = 120;
 
-/// The factors by which the model's equations make up a printed one, in a sentence: `1/(m*l^2) times the equation of theta`. None where
-/// reactions of constraints have a part in it, or where it cannot be read.
+/// The linear combination of the model's equations that equals a printed one, in a sentence: `1/(m*l^2) times the equation of theta`. None if
+/// it contains reactions of constraints, or is too long to read.
 pub(crate) fn told_combination(printed: Sym, motion: &Motion<'_, '_>, told: Told<'_, '_, '_>) -> Option<String> {
     let trace = motion.trace;
     let Equations { mass, constraints, .. } = Equations::of(trace);

@@ -1,4 +1,4 @@
-//! Products of conditions with factors that are not negative: where their sum vanishes identically, although one of them is positive, no point
+//! Sums of products of nonnegative conditions. If such a sum is identically zero although one of its products is positive, no point
 //! satisfies all conditions.
 
 use crate::natural_domain::natural_domain;
@@ -43,7 +43,7 @@ pub(crate) struct Product {
 }
 
 impl Product {
-    /// As a certificate has it; places of conditions begin behind those that were given before.
+    /// The form for a certificate; places of conditions follow after those that were given before.
     pub fn told(&self, before: usize, relations: &mut Relations) -> certificate::Product {
         let number = relations.recorder.place(Sym::constant(self.number));
         let mut told = certificate::Product { number, ..certificate::Product::default() };
@@ -59,7 +59,7 @@ impl Product {
     }
 }
 
-/// A polynomial that is not negative where the conditions hold.
+/// A polynomial that is nonnegative where the conditions hold.
 #[derive(Clone)]
 struct Factor {
     terms: Terms,
@@ -84,7 +84,7 @@ pub(crate) fn exclude_each_other(conditions: &[Condition]) -> bool {
     contradiction(conditions).is_some()
 }
 
-/// Products whose sum vanishes, although one of them is positive where all conditions hold.
+/// Products whose sum is zero although one of them is positive where all conditions hold.
 fn contradiction(conditions: &[Condition]) -> Option<Vec<(Rational, Factor)>> {
     let Polynomials { factors, zeros } = Polynomials::of(conditions);
     (1..=MOST_FACTORS).find_map(|count| {
@@ -97,12 +97,12 @@ fn contradiction(conditions: &[Condition]) -> Option<Vec<(Rational, Factor)>> {
     })
 }
 
-/// Whether an expression is not negative where the conditions hold, or positive where that is asked for.
+/// Whether an expression is nonnegative where the conditions hold; positive if `is_strict`.
 pub(crate) fn show(expression: Sym, is_strict: bool, conditions: &[Condition]) -> bool {
     exclude_each_other(&with_opposite(expression, is_strict, conditions))
 }
 
-/// The products that show it, with the conditions by whose places they are told; the last one is the opposite of what is shown.
+/// The products of the proof, and the conditions to whose places they refer; the last condition is the negation of the conclusion.
 pub(crate) fn proof(
     expression: Sym,
     is_strict: bool,
@@ -124,7 +124,7 @@ fn with_opposite(expression: Sym, is_strict: bool, conditions: &[Condition]) -> 
 /// Conditions as polynomials in their letters, angles and roots.
 struct Polynomials {
     factors: Vec<Factor>,
-    /// Polynomials that vanish.
+    /// Polynomials that are zero.
     zeros: Vec<Terms>,
 }
 
@@ -139,7 +139,7 @@ impl Polynomials {
             place += 1;
             let Some(whole) = Whole::of(condition.expression()) else { continue };
             for leaf in whole.polynomial.leaves_of().into_iter().filter(|leaf| leaf.as_constant().is_none()) {
-                // an angle is told by its cosine and its sine together
+                // an angle is represented by its cosine and its sine together
                 let together = match leaf.node() {
                     Node::Cos(angle) | Node::Sin(angle) => {
                         let circle = angle.circle_as_written();
@@ -195,7 +195,7 @@ impl Polynomials {
     }
 }
 
-/// The polynomial that has the sign of an expression, wherever that has a value.
+/// A polynomial with the sign of an expression wherever the expression has a value.
 struct Whole {
     polynomial: Sym,
     /// The ratio of the polynomial to the expression, where the denominator has no letters.
@@ -211,7 +211,7 @@ impl Whole {
     }
 }
 
-/// The equality that ties a root to what stands below it, or the sine of an angle to its cosine. Normal forms would leave nothing of it.
+/// The equality between a root and its radicand, or between the sine and the cosine of an angle. Normal forms would reduce it to zero.
 fn own_equality(leaf: Sym, letters: &[Sym]) -> Option<Terms> {
     let square = |of: Sym| {
         let mut exponents = vec![0; letters.len()];
@@ -271,7 +271,7 @@ fn product(one: &Terms, other: &Terms) -> Option<Terms> {
     (all.len() <= MOST_TERMS).then_some(all)
 }
 
-/// Products of up to so many factors, each of which may occur again.
+/// Products of up to `count` factors with repetition.
 fn products(factors: &[Factor], count: usize) -> Vec<Factor> {
     let mut all: Vec<Factor> = Vec::new();
     // with the place of the last factor
@@ -288,14 +288,14 @@ fn products(factors: &[Factor], count: usize) -> Vec<Factor> {
     all
 }
 
-/// Products with positive numbers, one of them a positive product, whose sum with multiples of zeros vanishes identically.
+/// Products with positive coefficients, one of them a positive product, whose sum with multiples of `zeros` is identically zero.
 fn sum_with_a_positive_term(products: Vec<Factor>, zeros: &[Terms]) -> Option<Vec<(Rational, Factor)>> {
     let mut known = products.iter().map(|product| &product.terms).chain(zeros).flat_map(|terms| terms.keys());
     let unit = vec![0; known.next().map_or(0, Vec::len)];
     let (zero, one) = (Rational::new(0, 1), Rational::new(1, 1));
     let plain = |terms: Terms| Factor { terms, is_strict: false, of: Vec::new(), scale: Some(one) };
     let number = Factor { is_strict: true, ..plain(Terms::from([(unit.clone(), one)])) };
-    // an equality times anything, with either sign
+    // an equality may have any multiplier, with either sign
     let multipliers: BTreeSet<Vec<u32>> = products
         .iter()
         .flat_map(|product| product.terms.keys())

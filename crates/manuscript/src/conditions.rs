@@ -13,13 +13,13 @@ use symbolic::Sym;
 pub(crate) struct Hypothesis {
     /// The hypothesis in the paper's letters, as text and LaTeX.
     pub told: (String, String),
-    /// The difference of its sides in the paper's letters; none where one of them is a number, which is in SI units.
+    /// The difference of its sides in the paper's letters; none if one of them is a number, which is in SI units.
     pub own: Option<Sym>,
-    /// Over the model: an equality, and the symbol that stands alone on its left.
+    /// Over the model: an equality, and the symbol on its left side if this is a single symbol.
     pub equality: Option<(Sym, Option<Sym>)>,
-    /// Whether a letter has a value other than zero: dimensions need not agree then.
+    /// Whether a letter has a numerical value other than zero: dimensions need not agree then.
     pub scales: bool,
-    /// Over the model: a sign, or an expression that does not vanish.
+    /// Over the model: a sign, or an expression that is not zero.
     pub condition: Option<Condition>,
     /// The place of the hypothesis in the file.
     pub at: std::ops::Range<usize>,
@@ -64,7 +64,7 @@ pub(crate) fn scalar(text: &Passage, term: &Term, letters: &Letters<'_, '_>) -> 
 /// Reads the hypotheses of a claim.
 ///
 /// # Errors
-/// The first text that is no hypothesis.
+/// The first text that is not a hypothesis.
 pub(crate) fn hypotheses(given: &[Passage], letters: &Letters<'_, '_>) -> Result<Vec<Hypothesis>, Issue> {
     given.iter().map(|text| hypothesis(text, letters)).collect()
 }

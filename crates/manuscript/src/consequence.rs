@@ -13,19 +13,19 @@ use claims::{Condition, Verdict};
 use model::equations::Equations;
 use symbolic::{Hypotheses, Node, Sym, decide, normal};
 
-/// The way from a condition to its consequence.
+/// The proof of a consequence from a condition.
 pub(crate) enum Way<'t, 'm> {
     /// The consequence is the condition with this factor.
     Multiple(Sym),
     /// The motion that assumes the condition.
     Solved(Box<Motion<'t, 'm>>),
-    /// The consequence vanishes by signs of roots of squares.
+    /// The consequence is zero by the signs of roots of squares.
     Signs,
 }
 
 /// Consequences of a condition.
 pub(crate) enum Step<'t, 'm> {
-    /// The other condition follows, if these divisors do not vanish.
+    /// The other condition follows if these divisors are not zero.
     Follows(Vec<Sym>, Way<'t, 'm>),
     /// The other condition fails at this point.
     Fails(Refutation),
@@ -41,7 +41,7 @@ pub(crate) fn written_divisors(expression: Sym) -> Vec<Sym> {
     own.into_iter().chain(expression.node().children().flat_map(written_divisors)).collect()
 }
 
-/// Whether `then` vanishes where `zero` does, and both are defined there.
+/// Whether `then` is zero where `zero` is and both are defined.
 pub(crate) fn step<'t, 'm>(motion: &Motion<'t, 'm>, zero: Sym, then: Sym, conditions: &[Condition]) -> Step<'t, 'm> {
     let mut there = motion.clone();
     let written = [written_divisors(zero), written_divisors(then)].concat();
@@ -52,7 +52,7 @@ pub(crate) fn step<'t, 'm>(motion: &Motion<'t, 'm>, zero: Sym, then: Sym, condit
         }
     }
     let (zero, then) = (motion.reduced(zero), motion.reduced(then));
-    // a model without its inertia has no motion; a point with masses below zero tells a reader little
+    // a model without inertia has no motion, and a point with negative masses does not help a reader
     let inertia = [zero, then].into_iter().flat_map(Sym::symbols_of).filter(|symbol| is_of_inertia(*symbol, motion));
     let inertia: Vec<Condition> = inertia.map(Condition::Positive).collect();
     let conditions = &[conditions, &inertia].concat()[..];
@@ -61,7 +61,7 @@ pub(crate) fn step<'t, 'm>(motion: &Motion<'t, 'm>, zero: Sym, then: Sym, condit
     if zero != Sym::ZERO && !parts.iter().any(open) {
         return Step::Open(Outcome::Undecided(format!("{zero} vanishes nowhere within the hypotheses")));
     }
-    // a multiple vanishes where the other one does
+    // a multiple is zero where the other one is
     if let Ok(form) = normal(then / zero, &motion.hypotheses) {
         let below = factors(form.denominator());
         if !below.iter().any(open) {
@@ -114,7 +114,7 @@ fn reduced(conditions: &[Condition], motion: &Motion<'_, '_>) -> Vec<Condition> 
     conditions.iter().map(|condition| condition.mapped(|e| motion.reduced(e))).collect()
 }
 
-/// A point at which a divisor vanishes, a condition holds and the other one does not.
+/// A point at which a divisor is zero, one condition holds and the other one does not.
 fn exhibit(motion: &Motion<'_, '_>, factor: Sym, zero: Sym, then: Sym, conditions: &[Condition]) -> Option<Refutation> {
     let known = [&motion.trace.coordinates[..], &motion.trace.speeds, &motion.trace.parameters].concat();
     let at_zero = known.iter().filter(|symbol| {
@@ -122,7 +122,7 @@ fn exhibit(motion: &Motion<'_, '_>, factor: Sym, zero: Sym, then: Sym, condition
             && decide(factor.substitute(&[(**symbol, Sym::ZERO)]), &motion.hypotheses).is_zero()
     });
     let at_zero = at_zero.map(|&symbol| (symbol, symbol));
-    // the condition is given the divisor's zero, and is solved there once more
+    // the condition is solved once more with the divisor set to zero
     let mut places: Vec<Motion<'_, '_>> = Vec::new();
     for (held, alone) in at_zero.chain([(factor, factor)]) {
         let mut there = motion.clone();
@@ -144,8 +144,8 @@ fn exhibit(motion: &Motion<'_, '_>, factor: Sym, zero: Sym, then: Sym, condition
     })
 }
 
-/// Whether a divisor does not vanish: by hypotheses and signs, by a value in the model, or since the model has inertia. The last two are
-/// told among the hypotheses of a verdict.
+/// Whether a divisor is never zero: by hypotheses and signs, by a value in the model, or since the model needs it as inertia. The last two reasons
+/// are listed among the hypotheses of a verdict.
 pub(crate) fn is_apart(factor: Sym, motion: &Motion<'_, '_>, conditions: &[Condition]) -> bool {
     if factor.as_constant().is_some() {
         return true;
@@ -168,7 +168,7 @@ pub(crate) fn is_of_inertia(symbol: Sym, motion: &Motion<'_, '_>) -> bool {
     motion.trace.parameters.contains(&symbol) && takes_inertia(symbol, motion)
 }
 
-/// Whether the coordinates have no inertia of their own where this one vanishes: at the pole of polar coordinates.
+/// Whether some coordinate has no inertia where this one is zero, as at the pole of polar coordinates.
 pub(crate) fn is_pole(symbol: Sym, motion: &Motion<'_, '_>) -> bool {
     motion.trace.coordinates.contains(&symbol) && takes_inertia(symbol, motion)
 }
@@ -185,7 +185,7 @@ fn has_value(symbol: Sym, motion: &Motion<'_, '_>) -> bool {
     all.any(|one| Sym::symbol(&one.name) == symbol && one.value.is_some_and(|value| value > 0.0))
 }
 
-/// Whether a step holds; else the verdict is told.
+/// Whether a step holds; otherwise the verdict is written into the finding.
 pub(crate) fn followed(
     step: Step<'_, '_>,
     own: [Sym; 2],
@@ -212,7 +212,7 @@ pub(crate) fn followed(
     }
 }
 
-/// Lists the factors of a divisor that no hypothesis keeps from vanishing.
+/// Lists the factors of a divisor that no hypothesis excludes from being zero.
 pub(crate) fn require(divisor: Sym, conditions: &[Condition], letters: &Letters<'_, '_>, finding: &mut Finding) {
     let known = conditions.iter().filter_map(|condition| match condition {
         Condition::NonZero(e) | Condition::Positive(e) => Some(*e),

@@ -12,11 +12,11 @@ use model::equations::Equations;
 use std::cell::OnceCell;
 use symbolic::{Hypotheses, Node, Sym, normal};
 
-/// The letters in which a reader is told.
+/// The letters of printed results.
 #[derive(Clone, Copy)]
 pub(crate) struct Told<'a, 't, 'm>(pub &'a Letters<'t, 'm>);
 
-/// A longer difference is not written out.
+/// The largest length of a printed difference.
 const READABLE: usize = 600;
 
 /// An equation as it was read: text and LaTeX.
@@ -24,12 +24,12 @@ pub(crate) fn shown([left, right]: [Sym; 2]) -> (String, String) {
     (format!("{left} = {right}"), format!("{} = {}", left.latex(), right.latex()))
 }
 
-/// Divisors that must not vanish, each once and in its shortest form.
+/// Divisors that must not be zero, each once and in its shortest form.
 pub(crate) fn divisors(found: &[Sym], told: Told<'_, '_, '_>) -> Vec<(String, String)> {
     let mut all: Vec<(String, String)> = Vec::new();
     let mut known: Vec<Sym> = Vec::new();
     let constrained = OnceCell::new();
-    // coordinates of a free frame are no letters of a paper
+    // a paper has no letters for the coordinates of a free frame
     let by_letters = |part: Sym| {
         let coordinates = &told.0.trace.coordinates;
         let is_foreign = |symbol: &Sym| coordinates.contains(symbol) && has_no_letter(&told.0.told(*symbol), told);
@@ -42,7 +42,7 @@ pub(crate) fn divisors(found: &[Sym], told: Told<'_, '_, '_>) -> Vec<(String, St
         normal(part / *of, &Hypotheses::none()).is_ok_and(|quotient| quotient.as_constant().is_some())
     };
     for &divisor in found {
-        // a quotient vanishes where what stands above does; what stands below is a divisor of its own
+        // a quotient is zero where its numerator is; its denominator is a separate divisor
         let parts = normal(divisor, &Hypotheses::none()).map_or(vec![divisor], |form| factors(form.numerator()));
         for part in parts.into_iter().filter(|part| part.as_constant().is_none()) {
             let own = by_letters(part).unwrap_or_else(|| told.0.told(part));
@@ -69,7 +69,7 @@ pub(crate) fn factors(product: Sym) -> Vec<Sym> {
     }
 }
 
-/// The data of the paper at a counterexample: every letter of the formula with its value there, then what else the point fixes.
+/// The data of the paper at a counterexample: every letter of the formula with its value there, then all other values of the point.
 pub(crate) fn point(
     own: [Sym; 2],
     refutation: &Refutation,
@@ -98,7 +98,7 @@ pub(crate) fn point(
     listed
 }
 
-/// Terms that the right side lacks, derived less printed: by the equation of motion that comes closest, or by the value that was derived.
+/// Terms that the right side lacks, derived less printed: by the closest equation of motion, or by the derived value.
 pub(crate) fn missing(kind: Kind, line: &Line, motion: &Motion<'_, '_>, told: Told<'_, '_, '_>, finding: &mut Finding) {
     let short = |expression: Sym| {
         let form = normal(expression, &motion.hypotheses).ok()?;
@@ -118,7 +118,7 @@ pub(crate) fn missing(kind: Kind, line: &Line, motion: &Motion<'_, '_>, told: To
     }
 }
 
-/// The rest of an expression that should vanish, where it can be read.
+/// The value of an expression that should be zero, if it is short enough to read.
 pub(crate) fn told_difference(left: Sym, motion: &Motion<'_, '_>, told: Told<'_, '_, '_>, finding: &mut Finding) {
     let Ok(form) = normal(left, &motion.hypotheses) else { return };
     let own = plainest(form.to_sym(), motion, told).filter(|own| length(*own) <= READABLE);
@@ -127,7 +127,7 @@ pub(crate) fn told_difference(left: Sym, motion: &Motion<'_, '_>, told: Told<'_,
     }
 }
 
-/// The way to tell an expression of the model that has the fewest symbols which the paper has no letter for; the first of these.
+/// The form of an expression of the model with the fewest symbols without a letter in the paper; the first of several.
 fn plainest(expression: Sym, motion: &Motion<'_, '_>, told: Told<'_, '_, '_>) -> Option<Sym> {
     let plain = |way: Sym| normal(way, &Hypotheses::none()).map_or(way, |form| form.to_sym());
     let foreign = |way: &Sym| way.symbols_of().iter().filter(|symbol| has_no_letter(symbol, told)).count();
@@ -143,7 +143,7 @@ fn length(expression: Sym) -> usize {
     expression.to_string().chars().count()
 }
 
-/// The difference to a multiple of one of the model's equations, the shortest.
+/// The shortest difference from a multiple of one of the model's equations.
 fn closest(printed: Sym, motion: &Motion<'_, '_>, short: &impl Fn(Sym) -> Option<Sym>) -> Option<(Sym, String)> {
     let trace = motion.trace;
     let Equations { mass, bias, constraints } = Equations::of(trace);

@@ -22,7 +22,7 @@ enum Sign {
     NotZero,
     NotNegative,
     Positive,
-    /// The cosine of the part does not vanish.
+    /// The cosine of the part is not zero.
     Cosine,
     Sine,
 }
@@ -30,7 +30,7 @@ enum Sign {
 /// Conditions under which every part of a formula has a value.
 ///
 /// # Errors
-/// The divisor that vanishes wherever the motion is.
+/// A divisor that is zero along every motion.
 pub(crate) fn domains(
     statement: &Statement,
     letters: &Letters<'_, '_>,
@@ -66,7 +66,7 @@ pub(crate) fn domains(
             Sign::NotZero | Sign::Cosine | Sign::Sine => {
                 let is_stated = conditions.contains(&Condition::NonZero(here));
                 let apart = |e: Sym| is_positive(e, motion, conditions, true);
-                // a product vanishes where one of its factors does
+                // a product is zero where one of its factors is
                 (is_stated || apart(here) || apart(-here), divisors(&[model], Told(letters)))
             }
         };

@@ -1,24 +1,24 @@
 //! A paper as a file: the letters of its formulas over a model, its claims as printed, and the finding on each.
 //!
 //! # Overview
-//! * [`PaperText`]: a file with `[letters]` and `[[claim]]`, beside the tables of its system or the name of their file;
+//! * [`PaperText`]: a file with `[letters]` and `[[claim]]`, and with the tables of its system or the name of the system's file;
 //! * `letters`: the meaning of each letter, over the symbols of the model;
 //! * `motion`: the equations along every motion: accelerations, multipliers, constraints, hypotheses;
-//! * [`PaperText::judge`]: a [`Finding`] for each claim. The derived side is never typed: it comes from the model;
+//! * [`PaperText::judge`]: a [`Finding`] for each claim. The derived side comes from the model, not from the file;
 //! * [`Correction`]: the smallest edit of a refuted formula that is proved;
-//! * [`PeerEquations`]: equations of motion that another program has derived, beside those of the model.
+//! * [`PeerEquations`]: equations of motion that another program has derived, compared with those of the model.
 //!
-//! | kind of claim | stated |
+//! | kind of claim | statement |
 //! |---|---|
 //! | `equation of motion` | the printed equation holds along every motion: it is a combination of the model's equations |
-//! | `linearised equation` | the printed equation holds to the first order about a motion on which letters rest |
+//! | `linearised equation` | the printed equation holds to the first order about a motion on which given letters are constant |
 //! | `formula` | the printed value of a quantity, identically or along every motion |
 //! | `identity` | both sides are equal for all positions, speeds and accelerations that the constraints allow |
-//! | `integral of motion` | the rate of the printed expression vanishes along every motion |
-//! | `inequality` | by the signs of its terms, or an exact point at which it fails |
-//! | `equivalence` | one condition is the other up to a factor that does not vanish |
-//! | `steady motion` | the printed condition is that of the motions on which the listed letters rest |
-//! | `stability` | a steady motion is stable in the first approximation where, and only where, the inequality holds |
+//! | `integral of motion` | the rate of the printed expression is zero along every motion |
+//! | `inequality` | the inequality holds wherever its formula has a value |
+//! | `equivalence` | two conditions imply each other |
+//! | `steady motion` | the printed condition characterises the motions on which the listed letters are constant |
+//! | `stability` | a steady motion is stable if and only if the inequality holds |
 //! | `number` | the value of a quantity for given data agrees with every printed digit, by enclosures |
 //!
 //! # Example

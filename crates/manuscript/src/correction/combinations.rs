@@ -1,34 +1,34 @@
-//! Combined edits of different terms: their changes add up, so that combinations equal to the residual are found without trying all.
+//! Combined edits of different terms. Their changes of the residual add up, so that combinations equal to the residual are found without trying all.
 
 use super::edit::Edit;
 use crate::change::EditKind;
 use std::ops::Range;
 
-/// Edits of one term with the change of the residual that they make.
+/// Edits of one term with their change of the residual.
 pub(super) struct Effect {
     pub edits: Vec<Edit>,
     pub change: Vec<f64>,
 }
 
-/// Edits that are combined in threes.
+/// The largest number of edits that are combined in threes.
 const MOST_IN_THREES: usize = 1_200;
 
-/// Combinations that are told.
+/// The largest number of returned combinations.
 const MOST: usize = 400;
 
-/// Two residuals, or a residual and zero, agree to this part of their size.
+/// The relative difference below which two residuals, or a residual and zero, agree.
 pub(super) const ROUNDING: f64 = 1e-8;
 
-/// Whether each entry is zero beside the size of what was added up.
+/// Whether each entry is zero compared with the size of its summands.
 pub(super) fn is_small(residual: &[f64], sizes: &[f64]) -> bool {
     residual.iter().zip(sizes).all(|(value, size)| value.abs() <= ROUNDING * (1.0 + size.abs()))
 }
 
-/// Edits of one term that are paired there.
+/// The largest number of edits of one term that are combined in pairs.
 const MOST_OF_TERM: usize = 240;
 
-/// Pairs of edits of two factors of a term: by `gone`, the change of the residual where the term is zero, each edit multiplies the
-/// term by a number, and both by the product.
+/// Pairs of edits of two factors of a term. With `gone`, the change of the residual without the term, each edit is known to multiply the
+/// term by a number; both together multiply it by the product.
 pub(super) fn in_one_product(effects: &[Effect], term: &Range<usize>, gone: &[f64]) -> Vec<Effect> {
     let holds = |edit: &Edit| term.start <= edit.span.start && edit.span.end <= term.end;
     let own: Vec<&Effect> = effects.iter().filter(|effect| effect.edits.iter().all(holds)).take(MOST_OF_TERM).collect();
@@ -54,7 +54,7 @@ pub(super) fn alone(effects: &[Effect], residual: &[f64]) -> Vec<Vec<Edit>> {
     by_size(effects.iter().filter(is_it).map(|effect| vec![effect]).collect())
 }
 
-/// Pairs of edits that stand apart and whose changes add up to the opposite of the residual, the smallest edits first.
+/// Pairs of edits at separate places whose changes add up to the negative of the residual, the smallest edits first.
 pub(super) fn pairs(effects: &[Effect], residual: &[f64]) -> Vec<Vec<Edit>> {
     let sorted = Sorted::of(effects);
     let mut found = Vec::new();
@@ -69,7 +69,7 @@ pub(super) fn pairs(effects: &[Effect], residual: &[f64]) -> Vec<Vec<Edit>> {
     by_size(found)
 }
 
-/// Triples of edits that stand apart and whose changes add up to the opposite of the residual, the smallest edits first.
+/// Triples of edits at separate places whose changes add up to the negative of the residual, the smallest edits first.
 pub(super) fn triples(effects: &[Effect], residual: &[f64]) -> Vec<Vec<Edit>> {
     let effects = &effects[..effects.len().min(MOST_IN_THREES)];
     let sorted = Sorted::of(effects);
@@ -103,7 +103,7 @@ fn are_apart(first: &Effect, second: &Effect) -> bool {
     first.edits.iter().all(|one| second.edits.iter().all(|other| apart(one, other)))
 }
 
-/// Slips of one sign before others, and plain factors before powers and quotients.
+/// A measure that puts edits of one symbol before others, and plain factors before powers and quotients.
 pub(super) fn size(edit: &Edit) -> u32 {
     let is_composed =
         edit.after.contains("^2") || edit.after.starts_with(r"\frac{") && !edit.after.starts_with(r"\frac{1}");

@@ -1,4 +1,4 @@
-//! The terms of a side beside the value that it must have: wrong terms, wrong numbers, missing terms, all at once.
+//! Comparison of all terms of a side with the value that the side must have: wrong terms, wrong numbers and missing terms at once.
 
 use super::edit::Edit;
 use super::ground::Ground;
@@ -12,30 +12,31 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use symbolic::{Hypotheses, Node, Sym, coefficients, normal};
 
-/// Terms that may be missing.
+/// The largest number of missing terms.
 const MOST_MISSING: usize = 16;
 
-/// Terms of a side that are looked at.
+/// The largest number of terms of a side.
 const MOST_SUMMANDS: usize = 48;
 
 /// A polynomial: the numbers before products of letters.
 type Products = BTreeMap<Vec<(String, u32)>, Rational>;
 
-/// The number before a term that its side must have instead of one; zero where the term is superfluous.
+/// The factor by which a term must be multiplied; zero for a superfluous term.
 #[derive(Clone, Copy)]
 struct Scaled {
     summand: usize,
     by: Rational,
 }
 
-/// The numbers before terms, and how many products of letters are right by them.
+/// Factors of terms, and the number of products of letters that are right with these factors.
 #[derive(Default)]
 struct Choice {
     numbers: Vec<Scaled>,
     right: usize,
 }
 
-/// Each side with all that differs in it, where most of the print stays and less is new than the print has.
+/// Edits of whole sides. A side is left out if less than half of its printed letters and numbers would stay, or if more would be new than
+/// printed.
 pub(super) fn compared(ground: &impl Ground, places: &Places) -> Vec<Vec<Edit>> {
     let sides = places.summands.iter().filter(|summand| summand.number == 1 && summand.side.is_some());
     let of = |first: &Summand| {
@@ -59,7 +60,7 @@ impl<G: Ground> Side<'_, G> {
         self.ground.text()
     }
 
-    /// The edited formula with the sought letter behind this side.
+    /// The edited formula with the sought letter added to this side.
     fn asked(&self, edits: &[Edit]) -> Option<latex::Statement> {
         let mut known = self.ground.known();
         if known.iter().any(|name| name == SOUGHT) {
@@ -71,7 +72,7 @@ impl<G: Ground> Side<'_, G> {
         read(&super::search::edited(self.text(), &[edits, &[sought]].concat()).0, &known).ok()
     }
 
-    /// Edits of this side with the number of letters and numbers that are new.
+    /// Edits of this side with the number of new letters and numbers.
     fn corrections(&self) -> Option<Vec<(usize, Vec<Edit>)>> {
         let lack = self.ground.lack(&self.asked(&[])?)?;
         let below = normal(lack, &Hypotheses::none()).ok()?.denominator();
@@ -82,7 +83,7 @@ impl<G: Ground> Side<'_, G> {
         }
         let mut scaled: Vec<Scaled> = Vec::new();
         let terms = self.terms_of(self.sum);
-        // a term that is wrong can hide another one
+        // twice, since one wrong term can hide another
         for place in [&terms[..], &terms].concat() {
             let within = |of: &Range<usize>, term: &Range<usize>| term.start <= of.start && of.end <= term.end;
             let span = |summand: usize| &self.places.summands[summand].span;
@@ -92,7 +93,7 @@ impl<G: Ground> Side<'_, G> {
             let chosen = self.scaled(place, lack, below, &lacking).numbers;
             for one in &chosen {
                 let term = self.products(one.summand, lack, below)?;
-                // two terms that are one and the same do not both go
+                // of two equal terms only one is removed
                 for (product, number) in term {
                     let rest = lacking.entry(product).or_insert(Rational::new(0, 1));
                     *rest += number * (Rational::new(1, 1) - one.by);
@@ -107,7 +108,7 @@ impl<G: Ground> Side<'_, G> {
             .map(|one| &self.places.summands[one.summand].span)
             .collect();
         let (printed, kept) = (self.kept(&[]), self.kept(&gone));
-        // where less than half of the print stays the side is written anew
+        // if less than half of the print stays, this would be a new formula and no correction
         if 2 * kept < printed {
             return None;
         }
@@ -125,7 +126,7 @@ impl<G: Ground> Side<'_, G> {
         (0..self.places.summands.len()).filter(|&place| self.places.summands[place].sum == sum).collect()
     }
 
-    /// The numbers before a term, or before the terms of a sum within it: those by which most of its products of letters are right.
+    /// The factor of a term, or of the terms of a sum within it, with which most of its products of letters are right.
     fn scaled(&self, place: usize, lack: Sym, below: Sym, lacking: &Products) -> Choice {
         let summand = &self.places.summands[place];
         let own = self.products(place, lack, below).filter(|own| !own.is_empty() && self.ground.goes_on());
@@ -148,7 +149,7 @@ impl<G: Ground> Side<'_, G> {
         best
     }
 
-    /// The part of a side that a term makes up, over its denominator.
+    /// The contribution of a term to a side, multiplied by the denominator of the side.
     fn products(&self, place: usize, lack: Sym, below: Sym) -> Option<Products> {
         let none = Edit::new(EditKind::ExtraTerm, self.places.summands[place].span.clone(), "0", String::new());
         let without = self.ground.lack(&self.asked(&[none])?)?;
@@ -171,7 +172,7 @@ impl<G: Ground> Side<'_, G> {
         Some(turned.into_iter().chain(factor).collect())
     }
 
-    /// Letters and numbers of this side that stay.
+    /// The number of letters and numbers of this side that stay.
     fn kept(&self, gone: &[&Range<usize>]) -> usize {
         let places = self.places;
         let stays = |at: &Range<usize>| {
@@ -198,7 +199,7 @@ impl<G: Ground> Side<'_, G> {
     }
 }
 
-/// The number that most products of a term have in the right side beside the print, and how many of them.
+/// The most frequent ratio between the right and the printed coefficients of the products of a term, and the number of products with it.
 fn most_frequent(own: &Products, lacking: &Products) -> (Rational, usize) {
     let one = Rational::new(1, 1);
     let mut votes: Vec<(Rational, usize)> = Vec::new();
@@ -209,11 +210,11 @@ fn most_frequent(own: &Products, lacking: &Products) -> (Rational, usize) {
             None => votes.push((by, 1)),
         }
     }
-    // a term that stays as it is goes first
+    // an unchanged term has preference
     votes.into_iter().max_by_key(|(by, count)| (*count, *by == one)).unwrap_or((one, 0))
 }
 
-/// The products of a polynomial with numbers before them; none of anything else.
+/// The products of a polynomial with their coefficients; none if the expression is not a polynomial.
 fn products(expression: Sym) -> Option<Products> {
     let form = normal(expression, &Hypotheses::none()).ok()?;
     let symbols = form.to_sym().leaves_of();

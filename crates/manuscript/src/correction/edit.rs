@@ -3,7 +3,7 @@
 use crate::change::EditKind;
 use std::ops::Range;
 
-/// An edit of a formula's text; of a hypothesis an addition beside it.
+/// An edit of a formula's text, or an added hypothesis.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Edit {
     pub kind: EditKind,
@@ -12,7 +12,7 @@ pub(super) struct Edit {
     pub after: String,
     /// The edit in words.
     pub words: String,
-    /// The part of the formula in which a reader is shown the edit.
+    /// The part of the formula that is printed to show the edit.
     pub around: Range<usize>,
 }
 
@@ -29,10 +29,10 @@ impl Edit {
         [before.trim().to_owned(), format!("{left}{}{right}", self.after).trim().to_owned()]
     }
 
-    /// The edited formula, and where the edit stands in it.
+    /// The edited formula, and the place of the edit in it.
     pub fn applied(&self, formula: &str) -> (String, Range<usize>) {
         let (before, behind) = (&formula[..self.span.start], &formula[self.span.end..]);
-        // a command would swallow the letter behind it
+        // a command would be joined with the letter after it
         let swallows = |left: &str, right: &str| {
             let tail = left.trim_end_matches(|letter: char| letter.is_ascii_alphabetic());
             tail.len() < left.len()

@@ -1,4 +1,4 @@
-//! Edits of one sign in its place: a sign, a function, an exponent, a letter, a dot, a number.
+//! Edits that replace one symbol: a sign, a function, an exponent, a letter, a dot, a number.
 
 use super::edit::Edit;
 use super::letter_rates::LetterRate;
@@ -27,7 +27,7 @@ pub(super) fn exchanges(places: &Places, text: &str, rates: &[LetterRate]) -> Ve
     all
 }
 
-/// Relations of an inequality that admits equality, or has the other direction.
+/// Other relations of an inequality: including equality, or in the other direction.
 pub(super) fn relations(text: &str) -> Vec<Edit> {
     const LOOSE: [(&str, &str); 4] = [(r"\lt", r"\leq"), (r"\gt", r"\geq"), ("<", r"\leq"), (">", r"\geq")];
     const TURNED: [(&str, &str); 10] = [
@@ -66,7 +66,7 @@ pub(super) fn told(summand: &Summand, text: &str) -> String {
 
 /// The sign of each term that is not zero.
 pub(super) fn signs(places: &Places, text: &str) -> Vec<Edit> {
-    // a sign that is printed is exchanged more often than one that is not
+    // printed signs first, since a wrong sign is usually printed
     let of = |is_printed: bool| {
         let chosen =
             move |summand: &&Summand| summand.sign.is_some() == is_printed && &text[summand.span.clone()] != "0";
@@ -75,7 +75,7 @@ pub(super) fn signs(places: &Places, text: &str) -> Vec<Edit> {
     of(true).chain(of(false)).collect()
 }
 
-/// The other sign of a term.
+/// The opposite sign of a term.
 pub(super) fn sign(summand: &Summand, text: &str) -> Edit {
     let (span, after) = match summand.sign {
         Some((at, '-')) if summand.number == 1 => (at..at + 1, ""),
@@ -238,7 +238,7 @@ fn numbers(places: &Places, text: &str) -> Vec<Edit> {
     all
 }
 
-/// A letter that was printed as a number: only one of them has the dimension that the formula asks for.
+/// A letter that was printed as a number: only one letter has the required dimension.
 fn letters_for_numbers(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<Edit> {
     let edit = |span: &Range<usize>, rate: &LetterRate| {
         let words = format!("`{}` for `{}`", rate.latex, &text[span.clone()]);

@@ -1,4 +1,4 @@
-//! Edits of one factor: one that is missing, one that is superfluous.
+//! Edits of one factor: a missing or a superfluous one.
 
 use super::edit::Edit;
 use super::exchanges::told;
@@ -7,7 +7,7 @@ use super::places::{Places, Summand};
 use crate::change::EditKind;
 use symbolic::Dimension;
 
-/// Numeric factors that slip into formulas, and out of them.
+/// Numeric factors that are often missing or superfluous in formulas.
 const NUMBERS: [&str; 10] = [
     "2",
     r"\frac{1}{2}",
@@ -21,7 +21,7 @@ const NUMBERS: [&str; 10] = [
     r"\frac{3}{4}",
 ];
 
-/// A factor before each term, and each factor of a term away.
+/// Edits that add a factor before each term, or remove a factor of a term.
 pub(super) fn factors(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<Edit> {
     let mut candidates: Vec<String> = NUMBERS.map(str::to_owned).to_vec();
     for call in &places.calls {
@@ -52,9 +52,9 @@ pub(super) fn factors(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<
     let mut all = Vec::new();
     for summand in places.summands.iter().filter(|summand| &text[summand.span.clone()] != "0") {
         for (place, factor) in summand.factors.iter().enumerate() {
-            // with the sign of a product beside it
+            // with an adjoining product sign
             let (span, after) = match (place, summand.factors.get(place + 1)) {
-                // a term that is nothing but this factor is a term more
+                // removing a term that consists of this factor alone is an edit of a term
                 (0, None) if summand.count > 1 => continue,
                 (0, None) => (factor.clone(), "1".to_owned()),
                 (0, Some(next)) => (factor.start..next.start, String::new()),
@@ -67,7 +67,7 @@ pub(super) fn factors(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<
         }
         for factor in &candidates {
             let below = factor.strip_prefix(r"\frac{1}{").and_then(|rest| rest.strip_suffix('}'));
-            // a factor that would cancel is one that is superfluous
+            // an added factor that would cancel is an edit of a superfluous factor
             if summand.factors.iter().any(|own| Some(&text[own.clone()]) == below) {
                 continue;
             }
@@ -80,7 +80,7 @@ pub(super) fn factors(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<
 /// A factor before a term.
 pub(super) fn before(summand: &Summand, factor: &str, text: &str) -> Edit {
     let at = summand.span.start;
-    // after a function a product needs its sign, and so does a number after a number
+    // a product needs a sign after a function, and between two numbers
     let needs_sign = factor.starts_with(r"\cos")
         || factor.starts_with(r"\sin")
         || text[at..].starts_with(|letter: char| letter.is_ascii_digit())

@@ -1,4 +1,4 @@
-//! The ground on which edits of a formula are tried: its letters, points at which it must hold, the judge that decides.
+//! The context in which edits of a formula are tried: its letters, test points, and the judge of edited formulas.
 
 use super::edit::Edit;
 use super::letter_rates::LetterRate;
@@ -8,23 +8,23 @@ use claims::certificate::Certificate;
 use latex::{Chain, Form, Relation, Statement, Term};
 use symbolic::Sym;
 
-/// The verdict of points on an edited formula.
+/// The result of test points for an edited formula.
 pub(super) enum Look {
-    /// It says nothing, or it is false.
+    /// The formula is empty, such as 0 = 0, or false.
     Fails,
     Holds,
-    /// The points give it no value.
+    /// The formula has no value at the points.
     Open,
 }
 
 /// An edited formula that is proved.
 pub(super) struct Proof {
     pub judged: Judged,
-    /// Where certificates are asked for.
+    /// Present if certificates are requested.
     pub certificate: Option<Certificate>,
 }
 
-/// A printed formula that is refuted, with everything by which an edit of it is judged.
+/// A refuted printed formula, with everything needed to judge its edits.
 pub(super) trait Ground {
     /// The print in LaTeX.
     fn text(&self) -> &str;
@@ -32,38 +32,38 @@ pub(super) trait Ground {
     /// Names of the letters that the formula may have.
     fn known(&self) -> Vec<String>;
 
-    /// Letters with their rates, as an edit may write them.
+    /// Letters and their rates, as edits may write them.
     fn rates(&self) -> &[LetterRate];
 
-    /// The difference of the two sides in the letters of the print, where there is one.
+    /// The difference of the two sides in the printed letters, if there is one.
     fn own_difference(&self, statement: &Statement) -> Option<Sym>;
 
-    /// Whether points can tell that an edited formula is false.
+    /// Whether test points can refute an edited formula.
     fn has_points(&self) -> bool;
 
-    /// Their verdict.
+    /// The result of the test points.
     fn look(&self, text: &str, statement: &Statement) -> Look;
 
-    /// The residual of the formula at some points, in double precision: zero where it is true. None where nothing can be measured.
+    /// The residual of the formula at some points, in double precision, which is zero for a true formula. None if it cannot be evaluated.
     fn residual(&self, statement: &Statement) -> Option<Vec<f64>>;
 
-    /// The value that the sought letter must have, in normal form over what the formula is judged by.
+    /// The value that the sought letter must have, in normal form over the symbols of the judgement.
     fn lack(&self, statement: &Statement) -> Option<Sym>;
 
-    /// The values that the sought letter must have, in the letters of the print.
+    /// The values that the sought letter must have, in the printed letters.
     fn sought(&self, statement: &Statement) -> Vec<Sym>;
 
-    /// Lost terms: what each sum lacks, as so many terms at most.
+    /// Lost terms: the terms that each sum lacks, if they are at most `most`.
     fn lost(&self, places: &Places, most: usize) -> Vec<Edit>;
 
-    /// The edited formula with its proof; none where it is not proved without an objection.
+    /// The edited formula with its proof; none if there is no proof, or an objection to it.
     fn proved(&self, text: &str) -> Option<Proof>;
 
     /// Whether there is time left.
     fn goes_on(&self) -> bool;
 }
 
-/// An equality over one denominator, without it, and the denominator: edits above and below change what is left of it by sums.
+/// An equality multiplied by its common denominator, and the denominator: edits of numerators and denominators then change its residual additively.
 pub(super) fn cleared(statement: &Statement) -> Option<(Statement, Term)> {
     let [Chain { sides, relations }] = &statement.chains[..] else { return None };
     let ([left, right], [Relation::Equal]) = (&sides[..], &relations[..]) else { return None };
@@ -78,7 +78,7 @@ fn product(left: Term, right: Term) -> Term {
     Term { span: left.span.clone(), form: Form::Product(Box::new(left), Box::new(right)) }
 }
 
-/// A product of fractions as one: its numerator, and its denominator where there is one.
+/// A product of fractions as one fraction: its numerator, and its denominator if there is one.
 fn fraction(term: &Term) -> (Term, Option<Term>) {
     let with = |form: Form| Term { span: term.span.clone(), form };
     match &term.form {

@@ -1,4 +1,4 @@
-//! Hypotheses that a print may have left out: a letter that is zero, a quantity that is constant.
+//! Hypotheses that the print may have omitted: a letter is zero, a quantity is constant.
 
 use super::letter_rates::LetterRate;
 use super::places::Places;
@@ -16,21 +16,21 @@ use std::cmp::Reverse;
 use std::collections::BTreeSet;
 use symbolic::{Hypotheses, Node, Sym, decide};
 
-/// Letters and rates that are one symbol of the model, each as zero: inputs first, then what is differentiated most; those of the formula before
-/// the others.
+/// Hypotheses that a letter or rate, which is a single symbol of the model, is zero: inputs first, then by falling order of the rate; letters of
+/// the formula come before others.
 pub(super) fn candidates(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<String> {
     let names: BTreeSet<&str> = places.atoms.iter().map(|atom| atom.name.as_str()).collect();
     let mut all: Vec<&LetterRate> = rates.iter().filter(|rate| rate.is_symbol).collect();
     all.sort_by_key(|rate| (!names.contains(rate.name.as_str()), !rate.is_input, Reverse(rate.order)));
     let zeros = all.iter().map(|rate| format!("{} = 0", rate.latex));
-    // a root of a square has the sign of a letter
+    // the root of a square depends on the sign of a letter
     let has_root = text.contains(r"\sqrt");
     let signed = all.iter().filter(|rate| has_root && rate.order == 0 && names.contains(rate.name.as_str()));
     let signs = signed.flat_map(|rate| [r"\geq", r"\leq"].map(|sign| format!("{} {sign} 0", rate.latex)));
     signs.chain(zeros).collect()
 }
 
-/// Whether a formula still states something where a letter is zero: not all of its sides, and most of its terms, stay.
+/// Whether a formula is not empty if a letter is zero: some side is not zero, and most of its terms stay.
 pub(super) fn leaves_something(claim: &ClaimText, hypothesis: &str, letters: &Letters<'_, '_>) -> bool {
     if !hypothesis.ends_with("= 0") {
         return true;
@@ -39,13 +39,13 @@ pub(super) fn leaves_something(claim: &ClaimText, hypothesis: &str, letters: &Le
         read(hypothesis, &letters.spelt()).ok().and_then(|statement| super::probe::own_difference(&statement, letters));
     let statement = read(&claim.formula.text, &known(claim.kind, letters)).ok();
     let (Some(zero), Some(statement)) = (zero, statement) else { return false };
-    // a model without its inertia has no motion
+    // a model without inertia has no motion
     if has_no_inertia(&claim.formula.with_text(hypothesis.to_owned()), letters) {
         return false;
     }
-    // claims of other kinds have sides that are read otherwise
+    // claims of other kinds have other sides
     let Ok(mut lines) = lines(claim, &statement, letters) else { return true };
-    // two sides that vanish by the hypothesis and the constraints say nothing either
+    // a formula is also empty if both sides are zero by the hypothesis and the constraints
     let mut motion = Motion::by_constraints(letters.trace);
     if !hypotheses(&claim.given, letters).is_ok_and(|assumed| assume(&mut motion, &assumed).is_ok()) {
         return false;
@@ -61,7 +61,7 @@ pub(super) fn leaves_something(claim: &ClaimText, hypothesis: &str, letters: &Le
     2 * staying >= terms.len() && !lines.iter().any(says_nothing)
 }
 
-/// Whether a letter that is zero leaves a coordinate of the model without inertia.
+/// Whether some coordinate of the model has no inertia if a letter is zero.
 fn has_no_inertia(hypothesis: &Passage, letters: &Letters<'_, '_>) -> bool {
     let read = hypotheses(std::slice::from_ref(hypothesis), letters);
     let zero = read.ok().and_then(|all| all.first().and_then(|one| one.equality));

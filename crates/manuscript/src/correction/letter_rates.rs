@@ -1,4 +1,4 @@
-//! The letters of a paper and their rates, as an edit may write them.
+//! The letters of a paper and their rates, as edits may write them.
 
 use crate::letters::{Letters, rate};
 use symbolic::{Dimension, Sym};
@@ -14,11 +14,11 @@ pub(super) struct LetterRate {
     pub is_input: bool,
     /// Over the model.
     pub value: Sym,
-    /// Whether it is zero along every motion, as the rate of an integral is: a formula multiplied by it says nothing.
+    /// Whether it is zero along every motion, such as the rate of an integral: a formula multiplied by it would be empty.
     pub vanishes: bool,
 }
 
-/// Every letter that is a scalar, and its rates as far as they have a meaning of their own.
+/// Every scalar letter, and its rates as far as they are defined.
 pub(super) fn rates(letters: &Letters<'_, '_>) -> Vec<LetterRate> {
     let trace = letters.trace;
     let mut all = Vec::new();

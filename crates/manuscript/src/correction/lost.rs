@@ -1,4 +1,4 @@
-//! Edits of one term that is lost: the missing terms exactly, where they are short.
+//! Edits that add a lost term: the missing terms are computed exactly, and used if they are short.
 
 use super::comparison::letters;
 use super::edit::Edit;
@@ -16,7 +16,7 @@ use model::equations::Equations;
 use std::ops::Range;
 use symbolic::{Hypotheses, Sym, normal};
 
-/// Lost terms with more characters are no slip of a print.
+/// A lost term with more characters is not a plausible error of the print.
 pub(super) const SHORT: usize = 140;
 
 /// The letter that stands for the term that is looked for.
@@ -39,7 +39,7 @@ pub(super) fn sought_values(ground: &TextClaim<'_, '_, '_>, statement: &Statemen
     zero.map_or_else(Vec::new, |zero| missing(ground.claim.kind, zero, ground.letters, probe))
 }
 
-/// The terms that each sum lacks, where these are so many short terms at most: `of` has their values, by the formula in which
+/// The terms that each sum lacks, if they are at most `most` short terms. `of` gives their values from the formula in which
 /// the sought letter is added to the sum.
 pub(super) fn lost_terms(
     places: &Places,
@@ -58,7 +58,7 @@ pub(super) fn lost_terms(
         let terms = read(&with, &known).map_or_else(|_| Vec::new(), |statement| of(&statement));
         let is_short = |term: &Sym| {
             let told = term.to_string();
-            // several terms that are much longer than the print are a formula of their own
+            // several terms that are much longer than the print would be a new formula
             let is_less = count(&told) == 1 || 2 * letters(*term) <= 3 * printed;
             *term != Sym::ZERO && told.chars().count() <= SHORT && count(&told) <= most && is_less
         };
@@ -66,7 +66,7 @@ pub(super) fn lost_terms(
     }))
 }
 
-/// One term that the last side lacks beside an edit.
+/// One term that the last side lacks in addition to an edit.
 pub(super) fn lost_beside(ground: &impl Ground, edit: &Edit, end: usize) -> Vec<Edit> {
     let mut known = ground.known();
     if known.iter().any(|name| name == SOUGHT) || edit.span.end > end {
@@ -83,7 +83,7 @@ pub(super) fn lost_beside(ground: &impl Ground, edit: &Edit, end: usize) -> Vec<
     added(std::iter::once((end..end, terms.into_iter().filter(is_short).map(signed).collect())))
 }
 
-/// The sums behind which a term may stand.
+/// The sums to which a term can be added.
 fn open_sums<'a>(places: &'a Places, text: &'a str) -> impl Iterator<Item = Range<usize>> + 'a {
     let may_hold = |sum: &&Range<usize>| {
         let behind = text[sum.end..].trim_start();
@@ -94,7 +94,7 @@ fn open_sums<'a>(places: &'a Places, text: &'a str) -> impl Iterator<Item = Rang
     places.sums.iter().filter(may_hold).cloned()
 }
 
-/// Edits that add a term behind a sum, the shortest first.
+/// Edits that add a term to a sum, the shortest first.
 fn added(terms: impl Iterator<Item = (Range<usize>, Vec<(&'static str, String)>)>) -> Vec<Edit> {
     let mut all: Vec<Edit> = Vec::new();
     for (sum, terms) in terms {
@@ -157,7 +157,7 @@ fn missing(kind: Kind, difference: Sym, letters: &Letters<'_, '_>, probe: &Probe
     let mut found: Vec<Sym> = Vec::new();
     for residual in residuals {
         let Ok(form) = normal(-residual / slope, &motion.hypotheses) else { continue };
-        // as it is, or by a letter that stands for more than one symbol
+        // unchanged, or by letters that denote more than one symbol
         let told = ways_to_tell(letters, form.to_sym(), &motion.hypotheses);
         for own in told {
             let Ok(own) = normal(own, &Hypotheses::none()).map(|form| form.to_sym()) else { continue };
@@ -178,7 +178,7 @@ pub(super) fn sought() -> Sym {
     Sym::symbol("sought term")
 }
 
-/// The sought letter from an expression that vanishes; none where it does not stand there linearly.
+/// The sought letter from an expression that is zero; none if the expression is not linear in it.
 pub(super) fn solved(zero: Sym) -> Option<Sym> {
     let slope = zero.diff(sought());
     let is_linear = slope != Sym::ZERO && !slope.symbols_of().contains(&sought());
@@ -192,7 +192,7 @@ pub(super) fn lack(statement: &Statement, letters: &Letters<'_, '_>, probe: &Pro
     normal(value, &motion.hypotheses).ok().map(|form| form.to_sym())
 }
 
-/// The letters of the paper, and the one that is sought.
+/// The letters of the paper, and the sought letter.
 struct Sought<'a, 't, 'm>(&'a Letters<'t, 'm>);
 
 impl Meaning for Sought<'_, '_, '_> {

@@ -5,7 +5,7 @@
 //! * [`exchanges`], [`factors`], [`terms`], [`lost`]: the edits, by their size;
 //! * [`ground`]: letters, points and judge of a formula: for a claim over its model ([`text_claim`], with [`probe`]), or for a recorded
 //!   equation compared with the derived one ([`recorded_equation`]);
-//! * [`search`]: the edits of the first size at which one is proved.
+//! * [`search`]: the edits of the smallest size that are proved.
 
 mod combinations;
 mod comparison;
@@ -44,7 +44,7 @@ use latex::Statement;
 use search::{MOST_TOLD, Search};
 use text_claim::TextClaim;
 
-/// Corrections of a refuted claim, all of one size; none where no edit is proved.
+/// Corrections of a refuted claim, all of one size; empty if no edit is proved.
 pub(crate) fn corrections(
     claim: &ClaimText,
     statement: &Statement,
@@ -74,7 +74,7 @@ fn under(ground: &TextClaim<'_, '_, '_>, candidates: Vec<String>) -> Vec<Correct
         if found.len() >= MOST_TOLD || !ground.goes_on() {
             break;
         }
-        // a hypothesis on the sign of a letter makes that of its zero superfluous
+        // a hypothesis on the sign of a letter makes the one that it is zero superfluous
         let letter = hypothesis.split(' ').next();
         if hypothesis.ends_with("= 0") && found.iter().any(|one| one.changes[0].after.split(' ').next() == letter) {
             continue;
@@ -99,7 +99,7 @@ fn under(ground: &TextClaim<'_, '_, '_>, candidates: Vec<String>) -> Vec<Correct
     found
 }
 
-/// The right digits of a printed number, as many as are printed.
+/// The correct digits of a printed number, as many as are printed.
 fn digits(claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>, assumed: &[Hypothesis]) -> Option<Edit> {
     let Right { span, digits } = right(claim, statement, letters, assumed)?;
     let words = format!("the number `{digits}` for `{}`", &claim.formula.text[span.clone()]);

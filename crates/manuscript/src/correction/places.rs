@@ -15,7 +15,7 @@ pub(super) struct Summand {
     pub count: usize,
     /// The place of its sum among all sums.
     pub sum: usize,
-    /// The side whose term it is; none where the sum stands in a group.
+    /// The side whose term it is; none if the sum is inside a group.
     pub side: Option<usize>,
     /// Its factors, each with its brackets.
     pub factors: Vec<Range<usize>>,
@@ -33,7 +33,7 @@ pub(super) struct Atom {
 pub(super) struct Call {
     pub command: Range<usize>,
     pub function: Function,
-    /// The argument as it stands behind the function.
+    /// The argument after the function.
     pub argument: Range<usize>,
     pub is_powered: bool,
 }
@@ -52,7 +52,7 @@ pub(super) struct Places {
     pub calls: Vec<Call>,
     pub powers: Vec<Raised>,
     pub numbers: Vec<(Range<usize>, Rational)>,
-    /// Sides, contents of groups, numerators, denominators: a term may be added behind them.
+    /// Sides, contents of groups, numerators, denominators: a term may be added at their ends.
     pub sums: Vec<Range<usize>>,
 }
 
@@ -110,7 +110,7 @@ impl Finder<'_> {
                     let sign = between.char_indices().find(|(_, letter)| matches!(letter, '+' | '-'));
                     parts.push((sign.map(|(at, sign)| (left.span.end + at, sign)), &**right));
                     if left.span.start != rest.span.start {
-                        // a group: its signs are its own
+                        // a group has signs of its own
                         parts.push((None, &**left));
                         break;
                     }

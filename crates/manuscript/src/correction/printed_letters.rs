@@ -1,4 +1,4 @@
-//! Letters of a recorded equation, as its print has them.
+//! Letters of a recorded equation, as they are printed.
 
 use super::lost::SOUGHT;
 use latex::letter_name;
@@ -10,11 +10,11 @@ pub(super) struct Letter {
     pub order: u32,
     pub latex: String,
     pub symbol: Sym,
-    /// Whether the page has it; else it stands between a letter and its second rate.
+    /// Whether the page contains it; otherwise it is the first rate between a letter and its second rate.
     pub is_recorded: bool,
 }
 
-/// The left side where it is a name alone: it stands for what was derived.
+/// The left side if it is a single name, which denotes the derived expression.
 pub(super) const DERIVED: &str = r"\aleph_{0}";
 
 /// Letters for symbols: those of the page where its LaTeX is that of a letter, or of its rate.

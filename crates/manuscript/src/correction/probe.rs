@@ -1,4 +1,4 @@
-//! Test points of the motion at which a claim must hold: most candidates fail there, before any exact decision.
+//! Test points of the motion at which a claim must hold: they exclude most candidates before an exact decision.
 
 use super::ground::Look;
 use super::samples::Samples;
@@ -17,21 +17,21 @@ use symbolic::{Hypotheses, Identity, Sym, decide, identified};
 /// The motion of a claim with the point at which its print fails.
 pub(super) struct Probe<'t, 'm> {
     motion: Motion<'t, 'm>,
-    /// The point, with what follows from it: accelerations, multipliers, what constraints give.
+    /// The point, with the accelerations, multipliers and dependent values that follow from it.
     at: Option<Refutation>,
     kind: Kind,
-    /// Lines that say nothing in the print itself.
+    /// The number of lines that are already empty in the print.
     empty: usize,
-    /// Letters for sums and products of others that the print does not have, with what they stand for.
+    /// Letters for sums and products of others that do not occur in the print, with their meanings.
     foreign: Vec<(Sym, Sym)>,
     samples: Option<Samples>,
     linear: Option<Linearisation<'t, 'm>>,
-    /// The hypotheses alone.
+    /// The motion under the hypotheses only.
     assumed: Motion<'t, 'm>,
 }
 
 impl<'t, 'm> Probe<'t, 'm> {
-    /// The probe of a refuted claim; none where it is not refuted by equalities.
+    /// The probe of a refuted claim; none if the claim is not refuted by equalities.
     pub fn of(
         claim: &ClaimText,
         statement: &Statement,
@@ -115,24 +115,24 @@ impl<'t, 'm> Probe<'t, 'm> {
         self.samples.as_ref()?.values(&zeros)
     }
 
-    /// The verdict of points on an edited claim.
+    /// The result of the test points for an edited claim.
     pub fn look(&self, claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>) -> Look {
         let Some(lines) = self.lines(claim, statement, letters) else { return Look::Fails };
         let zeros: Vec<Sym> = lines.iter().map(|line| line.model[0] - line.model[1]).collect();
         let at = |zero: &Sym| self.at.as_ref().and_then(|at| at.value(*zero));
         let values: Vec<Option<Sym>> = zeros.iter().map(at).collect();
         let fails = values.iter().flatten().any(|value| *value != Sym::ZERO);
-        // a letter of the paper that stands for others says nothing new by itself
+        // a letter of the paper that abbreviates others is replaced, since its definition is no statement
         let plain = |line: &Line| Line { model: line.model, own: line.own.map(|own| own.substitute(&self.foreign)) };
         if fails || lines.iter().filter(|line| says_nothing(&plain(line))).count() > self.empty {
             return Look::Fails;
         }
-        // a constant of the letters alone is no integral, and no equation of motion holds without the equations
+        // an expression that is constant without the equations is no integral; an identity is no equation of motion
         let is_empty = |zero: &Sym| decide(*zero, &Hypotheses::none()).is_zero();
         if matches!(self.kind, Kind::IntegralOfMotion | Kind::EquationOfMotion) && zeros.iter().any(is_empty) {
             return Look::Fails;
         }
-        // two sides that vanish by the hypotheses say nothing
+        // two sides that are zero by the hypotheses make an empty formula
         let vanishes = |side: Sym| decide(self.assumed.reduced(side), &self.assumed.hypotheses).is_zero();
         if self.linear.is_none()
             && !self.assumed.held.is_empty()
@@ -142,7 +142,7 @@ impl<'t, 'm> Probe<'t, 'm> {
         }
         let reduced: Vec<Sym> = zeros.iter().map(|zero| self.motion.reduced(*zero)).collect();
         match identified(&reduced) {
-            // rules of hypotheses hold in no prime field
+            // rules of hypotheses cannot be used in prime fields
             Identity::NotZero if self.motion.hypotheses.statements().is_empty() => Look::Fails,
             Identity::Identified { .. } => Look::Holds,
             _ if values.iter().all(Option::is_some) => Look::Holds,
@@ -151,12 +151,12 @@ impl<'t, 'm> Probe<'t, 'm> {
     }
 }
 
-/// Both sides are one expression of the letters.
+/// Whether both sides are equal as expressions of the letters.
 pub(super) fn says_nothing(line: &Line) -> bool {
     decide(line.own[0] - line.own[1], &Hypotheses::none()).is_zero()
 }
 
-/// The difference of the sides in the paper's letters, of a formula with one equality; zero where two equivalent conditions are one.
+/// The difference of the sides in the paper's letters, for a formula with one equality; zero if two equivalent conditions are identical.
 pub(super) fn own_difference(statement: &Statement, letters: &Letters<'_, '_>) -> Option<Sym> {
     match &statement.chains[..] {
         [chain] => sides_apart(chain, letters),

@@ -24,7 +24,7 @@ pub struct LineCorrection {
     pub line: Line,
 }
 
-/// The reason for which a recorded equation has no print that can be edited.
+/// The reason why the print of a recorded equation cannot be edited.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NotRead(pub String);
 
@@ -56,7 +56,7 @@ pub(super) fn conclusion_corrections(
 
 struct Recorded<'a> {
     stand_for: &'a [(Sym, Sym)],
-    /// Whether nothing was derived and nothing is assumed: the print can be an identity of its letters alone.
+    /// Whether nothing was derived and nothing is assumed, so that the formula may be an identity of its letters.
     is_identity: bool,
     line: &'a Line,
     hypotheses: &'a Hypotheses,
@@ -65,7 +65,7 @@ struct Recorded<'a> {
     letters: Vec<Letter>,
     rates: Vec<LetterRate>,
     text: String,
-    /// A point at which the equation as printed is not what was derived.
+    /// A point at which the printed equation differs from the derived one.
     at: Option<Refutation>,
     samples: Option<Samples>,
 }
@@ -154,7 +154,7 @@ impl<'a> Recorded<'a> {
         }
     }
 
-    /// An edited equation in the letters of the page; none where its name is edited.
+    /// An edited equation in the letters of the page; none if its name is edited.
     fn sides(&self, statement: &Statement) -> Option<Line> {
         let [left, right] = self.values(statement)?;
         match self.line.names {
@@ -163,7 +163,7 @@ impl<'a> Recorded<'a> {
         }
     }
 
-    /// An expression in its normal form, and by each letter that stands for another expression, solved for one of the symbols there.
+    /// An expression in its normal form, and in the forms that use a letter for another expression, solved for one of the symbols there.
     fn ways_to_tell(&self, expression: Sym) -> Vec<Sym> {
         let form = |expression: Sym| normal(expression, &Hypotheses::none()).map(|form| form.to_sym());
         let Ok(plain) = normal(expression, self.hypotheses).map(|form| form.to_sym()) else { return Vec::new() };
@@ -196,12 +196,12 @@ impl<'a> Recorded<'a> {
 
     fn difference(&self, statement: &Statement) -> Option<Sym> {
         let [left, right] = self.values(statement)?;
-        // a name stands for what was derived
+        // a name denotes the derived expression
         Some(if self.line.names { right - left } else { left - right - self.line.derived })
     }
 }
 
-/// A point with the values of the letters that hypotheses give.
+/// A point completed with the values of letters that hypotheses determine.
 fn completed(point: Vec<(Sym, Sym)>, symbols: &[Sym], hypotheses: &Hypotheses) -> Refutation {
     let mut at = Refutation { point, is_formal: false };
     for &symbol in symbols {
@@ -214,7 +214,7 @@ fn completed(point: Vec<(Sym, Sym)>, symbols: &[Sym], hypotheses: &Hypotheses) -
     at
 }
 
-/// Hypotheses without those that set a letter to a number; none where there are others than letters that stand for expressions.
+/// Hypotheses without those that set a letter to a number; none if there are other hypotheses than definitions of letters.
 fn with_letters(hypotheses: &Hypotheses) -> Option<Hypotheses> {
     hypotheses.statements().iter().try_fold(Hypotheses::none(), |known, &(letter, value)| match value.as_constant() {
         Some(_) => Some(known),
@@ -248,7 +248,7 @@ impl Ground for Recorded<'_> {
 
     fn look(&self, _: &str, statement: &Statement) -> Look {
         let (Some(line), Some(zero)) = (self.sides(statement), self.difference(statement)) else { return Look::Fails };
-        // beside zero an identity of the letters says nothing where it is not asked for, and neither do sides that both vanish
+        // an identity of the letters is empty unless the claim is an identity, and so is a formula with both sides zero
         let is_zero = |side: Sym, hypotheses: &Hypotheses| decide(side, hypotheses).is_zero();
         let is_told_twice = !self.is_identity || weight(line.left) == weight(line.right);
         let is_empty = is_told_twice && is_zero(line.printed(), &Hypotheses::none())
@@ -285,7 +285,7 @@ impl Ground for Recorded<'_> {
     }
 
     fn sought(&self, statement: &Statement) -> Vec<Sym> {
-        // a term that is sought makes an identity of anything
+        // with a sought term every equation can be made an identity
         let zero = self.difference(statement).filter(|_| !self.is_identity);
         let Some(value) = zero.and_then(solved) else { return Vec::new() };
         let own = in_print(&self.letters);

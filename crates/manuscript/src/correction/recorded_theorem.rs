@@ -6,10 +6,10 @@ use crate::change::{Change, Correction, EditKind};
 use claims::{Condition, Line, Page, Theorem, Verdict};
 use symbolic::{Dimension, Hypotheses, Node, Sym, decide, normal};
 
-/// The smallest edits by which the conclusion of a theorem, one equality, follows from the equalities that are given.
+/// The smallest edits with which the conclusion of a theorem, one equality, follows from the given equalities.
 ///
 /// # Errors
-/// The conclusion is no equality, or its LaTeX is not read back.
+/// The conclusion is not an equality, or its LaTeX cannot be read back.
 pub fn theorem_corrections(
     theorem: &Theorem,
     dimension: fn(&str) -> Option<Dimension>,
@@ -23,7 +23,7 @@ pub fn theorem_corrections(
     let given: Vec<Condition> = theorem.given.iter().map(|one| one.mapped(of)).collect();
     let (left, right) = (of(left), of(right));
     let Premises { hypotheses, divisors } = Premises::of(&theorem.rules, &given, left);
-    // a side that was derived is no print
+    // a derived side is not printed
     let is_derived = |side: Sym| side.symbol_name().is_none() && theorem.given.is_empty();
     let line = match (is_derived(left), left.symbol_name()) {
         (true, _) => Line::formula(left, left, right),
@@ -34,7 +34,7 @@ pub fn theorem_corrections(
     }
     let back: Vec<(Sym, Sym)> = circles.iter().map(|&(leaf, letter)| (letter, leaf)).collect();
     let mut found = conclusion_corrections(&back, &line, &hypotheses, dimension, goes_on)?;
-    // where a divisor of the premises vanishes the corrected equation has no value
+    // the corrected equation has no value where a divisor of the premises is zero
     found.retain(|found| divisors.iter().all(|&divisor| is_divided_by(&found.line, divisor)));
     for LineCorrection { line, .. } in &mut found {
         (line.left, line.right) = (line.left.substitute(&back), line.right.substitute(&back));
@@ -42,7 +42,7 @@ pub fn theorem_corrections(
     Ok(found)
 }
 
-/// Letters for cosines and sines of the conclusion, where one of them is asked for: an equality can be solved for a letter.
+/// Letters for cosines and sines of the conclusion, if one of them is the unknown: an equality can be solved for a letter.
 fn letters_for_circles(asked: Sym, right: Sym) -> Vec<(Sym, Sym)> {
     let is_circle = |leaf: &Sym| matches!(leaf.node(), Node::Cos(_) | Node::Sin(_));
     if !is_circle(&asked) {
@@ -58,7 +58,7 @@ fn is_divided_by(line: &Line, divisor: Sym) -> bool {
     rest.is_some_and(|rest| rest.denominator().as_constant().is_some())
 }
 
-/// The conclusion as it is printed, under the hypothesis that what was divided by does not vanish.
+/// The conclusion as printed, under the hypothesis that the divisors are not zero.
 fn apart(
     line: &Line,
     hypotheses: &Hypotheses,

@@ -1,11 +1,11 @@
-//! Letters of one side that have lost their dots, or have too many, wherever they stand there.
+//! Letters of one side that have lost dots, or have too many, at all their places in that side.
 
 use super::edit::Edit;
 use super::letter_rates::LetterRate;
 use super::places::{Atom, Places};
 use crate::change::EditKind;
 
-/// Choices of orders that are tried.
+/// The largest number of choices of orders.
 const MOST: usize = 400;
 
 /// Each choice of other orders for the letters of a side, the fewest letters first.

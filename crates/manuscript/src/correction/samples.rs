@@ -1,26 +1,26 @@
-//! Points in double precision at which the residual of a formula is measured: they sort edits out, and prove nothing.
+//! Points in double precision at which the residual of a formula is evaluated, to exclude edits; they prove nothing.
 
 use std::collections::HashMap;
 use symbolic::{Hypotheses, Node, Sym};
 
-/// Points of one formula.
+/// The number of points for one formula.
 pub(super) const POINTS: usize = 3;
 
 /// Draws of a point until the hypotheses hold.
 const DRAWS: u64 = 40;
 
-/// Points at which hypotheses hold, each with the values that these give; what they do not speak of follows from its name.
+/// Points at which hypotheses hold, each with the values that these determine; the value of any other letter is drawn from its name.
 pub(super) struct Samples(Vec<(u64, HashMap<String, f64>)>);
 
 impl Samples {
-    /// None where no such points were found.
+    /// None if no such points were found.
     pub fn of(hypotheses: &Hypotheses) -> Option<Self> {
         let points: Vec<_> =
             (0..DRAWS).filter_map(|seed| Some((seed, given(hypotheses, seed)?))).take(POINTS).collect();
         (points.len() == POINTS).then_some(Samples(points))
     }
 
-    /// The values of expressions, point after point; none where one of them has no value.
+    /// The values of expressions, point after point; none if one of them has no value.
     pub fn values(&self, expressions: &[Sym]) -> Option<Vec<f64>> {
         let mut all = Vec::with_capacity(expressions.len() * POINTS);
         for expression in expressions {
@@ -38,7 +38,7 @@ fn at(expression: Sym, seed: u64, known: &HashMap<String, f64>) -> Option<f64> {
     expression.evaluate_analytic(&value).ok().filter(|value| value.is_finite())
 }
 
-/// A number between 0.2 and 1.7 that follows from a name; every second point is a small one, for vectors of length one.
+/// A number between 0.2 and 1.7 drawn from a name; every second point has small numbers, for vectors of length one.
 fn drawn(name: &str, seed: u64) -> f64 {
     let mut hash = 0xcbf2_9ce4_8422_2325_u64 ^ seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
     for byte in name.bytes() {
@@ -50,10 +50,10 @@ fn drawn(name: &str, seed: u64) -> f64 {
     if seed.is_multiple_of(2) { 0.2 + 1.5 * part } else { 0.1 + 0.45 * part }
 }
 
-/// The values that hypotheses give at a point; none where they do not hold there.
+/// The values that hypotheses determine at a point; none if they do not hold there.
 fn given(hypotheses: &Hypotheses, seed: u64) -> Option<HashMap<String, f64>> {
     let mut known = HashMap::new();
-    // a value may rest on one that is given later
+    // a value may depend on one that is determined later
     for _ in 0..3 {
         for &(left, right) in hypotheses.statements() {
             let value = at(right, seed, &known)?;

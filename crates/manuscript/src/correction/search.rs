@@ -15,32 +15,32 @@ use std::collections::HashSet;
 use std::ops::Range;
 use symbolic::{Hypotheses, Sym, decide, normal};
 
-/// Corrections of one size that are told.
+/// The largest number of reported corrections of one size.
 pub(super) const MOST_TOLD: usize = 3;
 
-/// Edits that pass the points and are decided exactly, for each size.
+/// The largest number of edits that pass the test points and are decided exactly, for each size.
 const MOST_DECIDED: usize = 24;
 
-/// Edits of formulas that no point can test, which are all decided exactly.
+/// The largest number of edits of formulas without test points, which are all decided exactly.
 const MOST_UNTESTED: usize = 160;
 
-/// Pairs of edits that are looked at.
+/// The largest number of pairs of edits.
 const MOST_PAIRS: usize = 20_000;
 
-/// Letters, numbers and functions of a formula in which two edits of any kind are looked for, and three.
+/// The least number of letters, numbers and functions of a formula for two edits of any kind, and for three.
 const LEAST_FOR_TWO: usize = 5;
 const LEAST_FOR_THREE: usize = 9;
 
-/// Edits that are measured, to be combined with others.
+/// The largest number of edits whose effect is computed, for combinations.
 const MOST_MEASURED: usize = 6_000;
 
-/// Effects of edits, and of pairs of edits of one term.
+/// The largest number of effects of edits, and of pairs of edits of one term.
 const MOST_EFFECTS: usize = 300_000;
 
-/// Terms that a print may have lost together.
+/// The largest number of terms lost together.
 const MOST_LOST: usize = 6;
 
-/// Edits beside which a term is looked for that is lost too.
+/// The largest number of edits that are combined with a lost term.
 const MOST_BESIDE: usize = 120;
 
 /// Edits of one formula.
@@ -50,7 +50,7 @@ pub(super) struct Search<'a, G> {
     exchanges: Vec<Edit>,
     residual: Option<Vec<f64>>,
     known: Vec<String>,
-    /// Whether the sides of the print differ by a number.
+    /// Whether the sides of the printed formula differ by a number.
     is_number: bool,
 }
 
@@ -63,7 +63,7 @@ impl<'a, G: Ground> Search<'a, G> {
         Search { ground, places, exchanges, residual, known: ground.known(), is_number }
     }
 
-    /// Edits of a relation, one sign, one factor or one term, the first of these sizes at which one is proved; then two signs.
+    /// Edits of a relation, one symbol, one factor or one term: the first of these sizes with a proved edit; then two signs.
     pub fn small(&self) -> Vec<Correction> {
         let (text, places) = (self.ground.text(), &self.places);
         let sizes: [&dyn Fn() -> Vec<Edit>; 4] = [
@@ -93,7 +93,7 @@ impl<'a, G: Ground> Search<'a, G> {
         let is_short = |edit: &&Edit| !matches!(edit.kind, EditKind::Number | EditKind::Letter);
         let short: Vec<&Edit> = self.exchanges.iter().filter(is_short).collect();
         let (text, places) = (self.ground.text(), &self.places);
-        // a few letters become a true formula by as many edits, which tells a reader nothing
+        // a short formula could be turned into any true one by as many edits as it has letters
         let size = places.atoms.len() + places.numbers.len() + places.calls.len();
         let found = if size < LEAST_FOR_TWO { Vec::new() } else { self.proved(pairs(&short)) };
         if !found.is_empty() {
@@ -107,7 +107,7 @@ impl<'a, G: Ground> Search<'a, G> {
         let most = (places.summands.len() + 1).min(MOST_LOST);
         let kept = OnceCell::new();
         let compared = || kept.get_or_init(|| comparison::compared(self.ground, places));
-        // several lost terms that stand for as many wrong ones tell a reader less than these
+        // several added terms that only compensate wrong ones are less useful than edits of these
         let adds = |edit: &Edit| edit.kind == EditKind::LostTerm;
         let changes_some = |edits: &&Vec<Edit>| !edits.iter().all(adds);
         let fewest = || {
@@ -147,7 +147,7 @@ impl<'a, G: Ground> Search<'a, G> {
         going.flat_map(with).collect()
     }
 
-    /// Edits that can be measured with the change that each makes, the smallest first; behind them pairs of edits of one term.
+    /// Edits with their change of the residual, the smallest first; then pairs of edits of one term.
     fn effects(&self, edits: &[Edit], residual: &[f64]) -> Vec<Effect> {
         let mut tried = HashSet::new();
         let mut ordered: Vec<&Edit> = edits.iter().collect();
@@ -171,7 +171,7 @@ impl<'a, G: Ground> Search<'a, G> {
         all
     }
 
-    /// The change of the residual by one edit; none where it was tried, or has no value.
+    /// The change of the residual by one edit; none if the edit was tried before, or has no value.
     fn change(&self, edit: &Edit, residual: &[f64], tried: &mut HashSet<String>) -> Option<Vec<f64>> {
         let text = edited(self.ground.text(), std::slice::from_ref(edit)).0;
         if !is_whole(&text) || !tried.insert(text.clone()) {
@@ -182,7 +182,7 @@ impl<'a, G: Ground> Search<'a, G> {
         Some(after.iter().zip(residual).map(|(after, before)| after - before).collect())
     }
 
-    /// The first corrections that are proved, no two of which are one formula. Those that hold at points are decided first.
+    /// The first proved corrections, all with different formulas. Candidates that hold at test points are decided first.
     pub fn proved(&self, candidates: impl Iterator<Item = Vec<Edit>>) -> Vec<Correction> {
         let (mut found, mut open): (Vec<(Correction, Option<Sym>)>, Vec<Candidate>) = (Vec::new(), Vec::new());
         let mut tried = HashSet::<String>::new();
@@ -205,7 +205,7 @@ impl<'a, G: Ground> Search<'a, G> {
             match self.ground.has_points().then(|| self.ground.look(&candidate.text, &statement)) {
                 Some(Look::Fails) => {}
                 Some(Look::Open) => open.push(candidate),
-                // an identity of the letters says nothing, and neither does a number above another
+                // an identity of the letters is empty, and so is an inequality between numbers
                 None if is_empty() => {}
                 None | Some(Look::Holds) => {
                     decided += 1;
@@ -223,14 +223,14 @@ impl<'a, G: Ground> Search<'a, G> {
         found.into_iter().map(|(correction, _)| correction).collect()
     }
 
-    /// Whether an edited formula is measured not to hold.
+    /// Whether the residual shows that an edited formula does not hold.
     fn is_apart(&self, statement: &Statement) -> bool {
         let Some(before) = &self.residual else { return false };
         let after = self.ground.residual(statement);
         after.is_some_and(|after| after.len() == before.len() && !is_small(&after, before))
     }
 
-    /// Keeps a candidate that is proved and differs from those before it by more than its sign.
+    /// Adds a candidate if it is proved and differs from the previous ones by more than its sign.
     fn decide(&self, candidate: Candidate, found: &mut Vec<(Correction, Option<Sym>)>) {
         let Candidate { text, edits, parts, own } = candidate;
         let is_one =
@@ -252,7 +252,7 @@ impl<'a, G: Ground> Search<'a, G> {
         let Proof { judged, certificate } = proof;
         let mut changes: Vec<Change> = Vec::new();
         for change in edits.iter().map(change) {
-            // an edit of every place of a letter is told once
+            // an edit of all places of a letter is reported once
             if !changes.contains(&change) {
                 changes.push(change);
             }
@@ -271,11 +271,11 @@ struct Candidate {
     text: String,
     edits: Vec<Edit>,
     parts: Vec<Range<usize>>,
-    /// The difference of its sides in the letters of the print.
+    /// The difference of its sides in the printed letters.
     own: Option<Sym>,
 }
 
-/// Two edits together that stand apart.
+/// Pairs of edits at separate places.
 fn pairs<'a>(edits: &'a [&Edit]) -> impl Iterator<Item = Vec<Edit>> + 'a {
     let each = edits.iter().enumerate().flat_map(|(place, first)| {
         edits[place + 1..]
@@ -286,7 +286,7 @@ fn pairs<'a>(edits: &'a [&Edit]) -> impl Iterator<Item = Vec<Edit>> + 'a {
     each.take(MOST_PAIRS)
 }
 
-/// The formula after its edits, and where they stand in it.
+/// The formula after its edits, and the places of the edits in it.
 pub(super) fn edited(formula: &str, edits: &[Edit]) -> (String, Vec<Range<usize>>) {
     let mut ordered: Vec<&Edit> = edits.iter().collect();
     // a sign before a part is inserted after the part itself is edited
@@ -294,14 +294,14 @@ pub(super) fn edited(formula: &str, edits: &[Edit]) -> (String, Vec<Range<usize>
     let (mut text, mut parts) = (formula.to_owned(), Vec::<Range<usize>>::new());
     for edit in ordered {
         let (next, mut part) = edit.applied(&text);
-        // the context of an edit is marked with it, where it overlaps no other edit
+        // the context of an edit is marked too, unless it overlaps another edit
         let around = &edit.around;
         let stands_there =
             |other: &&Edit| *other != edit && around.start <= other.span.end && other.span.start <= around.end;
         if !edits.iter().any(|other| stands_there(&other)) {
             part = part.start - (edit.span.start - around.start)..part.end + (around.end - edit.span.end);
         }
-        // spans behind the edit are shifted by the change of length
+        // later spans are shifted by the change of length
         for behind in &mut parts {
             *behind = behind.start + next.len() - text.len()..behind.end + next.len() - text.len();
         }

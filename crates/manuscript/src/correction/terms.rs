@@ -1,16 +1,16 @@
-//! Edits of one term that is superfluous.
+//! Edits that remove a superfluous term.
 
 use super::edit::Edit;
 use super::exchanges::told;
 use super::places::{Places, Summand};
 use crate::change::EditKind;
 
-/// Each term away that is not alone in its sum.
+/// Removes each term that is not alone in its sum.
 pub(super) fn superfluous(places: &Places, text: &str) -> Vec<Edit> {
     away(places, text, |_, _| true)
 }
 
-/// Each term away that stands in its sum twice.
+/// Removes each term that occurs twice in its sum.
 pub(super) fn repeated(places: &Places, text: &str) -> Vec<Edit> {
     away(places, text, |place, summand| {
         let before = places.summands[..place].iter().filter(|other| other.sum == summand.sum);
@@ -18,7 +18,7 @@ pub(super) fn repeated(places: &Places, text: &str) -> Vec<Edit> {
     })
 }
 
-/// Each chosen term away, by its place among all terms.
+/// Removes each chosen term, by its place among all terms.
 pub(super) fn away(places: &Places, text: &str, chosen: impl Fn(usize, &Summand) -> bool) -> Vec<Edit> {
     let mut all = Vec::new();
     for (place, summand) in places.summands.iter().enumerate() {
@@ -28,7 +28,7 @@ pub(super) fn away(places: &Places, text: &str, chosen: impl Fn(usize, &Summand)
         let start = summand.sign.map_or(summand.span.start, |(at, _)| at);
         let start = if summand.number > 1 { text[..start].trim_end().len() } else { start };
         let mut span = start..summand.span.end;
-        // the sign behind the first term goes with it, where it is a plus
+        // a plus sign after the first term is removed with it
         let next =
             places.summands.iter().find(|next| next.number == 2 && next.sign.is_some_and(|(at, _)| at >= span.end));
         if let (1, Some((at, '+'))) = (summand.number, next.and_then(|next| next.sign)) {

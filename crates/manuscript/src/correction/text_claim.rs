@@ -1,4 +1,4 @@
-//! A refuted claim of a paper as the ground of edits: it is judged over its model.
+//! A refuted claim of a paper as context of edits: it is judged over its model.
 
 use super::edit::Edit;
 use super::ground::{Ground, Look, Proof, cleared};
@@ -17,9 +17,9 @@ use claims::Verdict;
 use latex::Statement;
 use symbolic::{Sym, normal};
 
-/// Everything that a claim is judged with.
+/// Everything needed to judge an edited claim.
 pub(crate) struct Judge<'a> {
-    /// Reads and decides an edited claim; none where it cannot be read.
+    /// Reads and decides an edited claim; none if it cannot be read.
     pub decide: &'a dyn Fn(&ClaimText) -> Option<Finding>,
     /// Whether there is time left.
     pub goes_on: &'a dyn Fn() -> bool,
@@ -46,7 +46,7 @@ impl<'a, 't, 'm> TextClaim<'a, 't, 'm> {
             Kind::Number => None,
             _ => Probe::of(claim, statement, letters, assumed),
         };
-        // a rate that vanishes on a steady motion says nothing of it
+        // a rate that is zero on a steady motion cannot correct its condition
         let resting = match claim.kind {
             Kind::SteadyMotion | Kind::Stability => Resting::of(claim, letters).map(|rests| rests.rates(letters)),
             _ => Ok(Vec::new()),
@@ -72,7 +72,7 @@ impl<'a, 't, 'm> TextClaim<'a, 't, 'm> {
         claim
     }
 
-    /// The verdict of its judge, where that is a proof.
+    /// The proof of a claim by the judge, if it is proved.
     pub fn proof(&self, claim: &ClaimText) -> Option<Proof> {
         let found = (self.judge.decide)(claim).filter(|finding| is_sound(finding, claim));
         found.map(|Finding { judged, certificate, .. }| Proof { judged, certificate })
@@ -106,7 +106,7 @@ impl Ground for TextClaim<'_, '_, '_> {
 
     fn residual(&self, statement: &Statement) -> Option<Vec<f64>> {
         let probe = self.probe.as_ref()?;
-        // the rate of an integral is not that of its numerator
+        // the rate of a quotient is not the rate of its numerator
         let cleared = cleared(statement).filter(|_| self.claim.kind != Kind::IntegralOfMotion);
         let of = |statement: &Statement| probe.residual(self.claim, statement, self.letters);
         cleared.as_ref().map_or_else(|| of(statement), |(cleared, _)| of(cleared))
@@ -134,7 +134,8 @@ impl Ground for TextClaim<'_, '_, '_> {
     }
 }
 
-/// Proved without an objection, at more than the edges of what its parts ask for; of printed numbers by enclosures.
+/// Whether a claim is proved without objection, and its formula has values inside its domain and not only at its boundary; for printed numbers by
+/// enclosures.
 fn is_sound(finding: &Finding, claim: &ClaimText) -> bool {
     let verdict = finding.judged.verdict;
     let is_shown =

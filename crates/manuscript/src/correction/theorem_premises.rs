@@ -6,12 +6,12 @@ use symbolic::{Hypotheses, Node, Sym, coefficients, normal};
 /// The premises, as values of letters.
 pub(super) struct Premises {
     pub hypotheses: Hypotheses,
-    /// Factors by which was divided, and which are not given as other than zero.
+    /// Divisors that no premise excludes from being zero.
     pub divisors: Vec<Sym>,
 }
 
 impl Premises {
-    /// The rules of a theorem with its equalities, each solved for a symbol in which it is linear: for the one that is asked for where it can be.
+    /// The rules of a theorem with its equalities, each solved for a symbol in which it is linear, preferably for the unknown.
     pub fn of(rules: &Hypotheses, given: &[Condition], asked: Sym) -> Self {
         let (mut hypotheses, mut divisors) = (rules.clone(), Vec::new());
         let together = together(given, asked);
@@ -26,7 +26,7 @@ impl Premises {
                 continue;
             }
             let rooted = rooted(*condition, given);
-            // a square that is given
+            // a given square
             if let (Condition::Equal(square, value), None) = (condition, rooted)
                 && let Node::Power(lead, power) = square.node()
                 && lead.symbol_name().is_some()
@@ -61,13 +61,13 @@ impl Premises {
     }
 }
 
-/// The letter that is asked for, where several relations are linear in it: each times its own factor, so that their sum has the sum of
-/// the squares of these before the letter.
+/// The unknown from several relations that are linear in it: each is multiplied by its own factor, so that the coefficient of the unknown in
+/// their sum is a sum of squares.
 fn together(given: &[Condition], asked: Sym) -> Option<Solution> {
     asked.symbol_name()?;
     let zeros = given.iter().filter(|one| matches!(one, Condition::Zero(_) | Condition::Equal(..)));
     let linear = zeros.filter_map(|one| solution(one.expression(), asked)).collect::<Vec<_>>();
-    // one of them that can be solved is enough
+    // a single relation with a nonzero factor is enough
     if linear.len() < 2 || linear.iter().any(|one| is_apart(one.divisor, given)) {
         return None;
     }
@@ -76,7 +76,7 @@ fn together(given: &[Condition], asked: Sym) -> Option<Solution> {
     Some(Solution { value: sum(&|one| one.divisor * one.divisor * one.value) / divisor, divisor })
 }
 
-/// The difference that vanishes where two squares are equal and the signs of their roots are given.
+/// The difference that is zero if two squares are equal and the signs of their roots are given.
 fn rooted(condition: Condition, given: &[Condition]) -> Option<Sym> {
     let Condition::Equal(left, right) = condition else { return None };
     let (left, right) = (root(left)?, root(right)?);
@@ -94,7 +94,7 @@ fn root(square: Sym) -> Option<Sym> {
     }
 }
 
-/// The sign of a product of what is given as positive or as negative.
+/// The sign of a product of quantities with given signs.
 fn sign(of: Sym, given: &[Condition]) -> Option<i32> {
     let stated = given.iter().find_map(|condition| match condition {
         Condition::Positive(positive) => {
@@ -115,7 +115,7 @@ struct Solution {
     divisor: Sym,
 }
 
-/// The value of a symbol where an expression that is linear in it vanishes.
+/// The value of a symbol for which an expression that is linear in it is zero.
 fn solution(zero: Sym, symbol: Sym) -> Option<Solution> {
     let terms = coefficients(zero, &[symbol]).ok()?;
     let of = |power: u32| terms.iter().find(|(exponents, _)| exponents[0] == power).map(|(_, value)| *value);
@@ -123,7 +123,7 @@ fn solution(zero: Sym, symbol: Sym) -> Option<Solution> {
     Some(Solution { value: -of(0).unwrap_or(Sym::ZERO) / divisor, divisor })
 }
 
-/// Whether a factor vanishes nowhere: a number, by signs, or a product of what does not vanish.
+/// Whether a factor is never zero: a number, by signs, or a product of such factors.
 fn is_apart(factor: Sym, given: &[Condition]) -> bool {
     if factor.as_constant().is_some() {
         return true;

@@ -1,4 +1,4 @@
-//! The value that a part of a formula must have, in place of the printed one: a factor, a number, one to three terms of a sum.
+//! The value that a part of a formula must have instead of the printed one: a factor, a number, one to three terms of a sum.
 
 use super::comparison::letters;
 use super::edit::Edit;
@@ -10,30 +10,30 @@ use latex::read;
 use std::ops::Range;
 use symbolic::{Node, Sym};
 
-/// Terms that are exchanged together.
+/// The largest number of terms that are replaced together.
 const MOST_TERMS: usize = 3;
 
-/// Letters, numbers and signs that a value may have.
+/// The largest number of letters, numbers and signs of a value.
 const MOST_WEIGHT: usize = 64;
 
-/// Letters, numbers and signs, and terms, that a value in place of a printed zero may have.
+/// The largest number of letters, numbers and signs, and of terms, of a value that replaces a printed zero.
 const MOST_WEIGHT_FOR_ZERO: usize = 120;
 const MOST_TERMS_FOR_ZERO: usize = 8;
 
-/// Terms that the value of a whole side may have: they are what it lacks exactly.
+/// The largest number of terms of the value of a whole side.
 const MOST_OF_SIDE: usize = 6;
 
 /// A part of the print.
 struct Part {
-    /// The value stands here.
+    /// The place of the value.
     span: Range<usize>,
-    /// Other terms of its sum, which go.
+    /// Other terms of its sum, which are removed.
     away: Vec<Range<usize>>,
-    /// Terms that its value may have.
+    /// The largest number of terms of its value.
     most: usize,
 }
 
-/// Each part by the value that it must have, where that is short; the shortest first.
+/// Edits that replace each part by the value that it must have, if this is short; the shortest first.
 pub(super) fn values(ground: &impl Ground, places: &Places) -> Vec<Vec<Edit>> {
     let (text, mut known) = (ground.text(), ground.known());
     if known.iter().any(|name| name == SOUGHT) {
@@ -64,7 +64,7 @@ pub(super) fn values(ground: &impl Ground, places: &Places) -> Vec<Vec<Edit>> {
         let Ok(statement) = read(&asked, &known) else { continue };
         for value in ground.sought(&statement) {
             let weight = weight(value);
-            // a sum in the place of several terms that is much longer than the print is a formula of its own
+            // a sum that replaces several terms and is much longer than the print would be a new formula
             let is_new = !part.away.is_empty() && 2 * letters(value) > 3 * printed;
             if weight > most.0 || terms(value) > most.1 || is_new {
                 continue;
@@ -83,7 +83,7 @@ pub(super) fn weight(expression: Sym) -> usize {
     1 + expression.node().children().map(weight).sum::<usize>()
 }
 
-/// The number of terms of a sum, or of what stands above a divisor.
+/// The number of terms of a sum, or of the numerator of a quotient.
 fn terms(expression: Sym) -> usize {
     match expression.node() {
         Node::Sum(a, b) | Node::Difference(a, b) => terms(a) + terms(b),
@@ -133,7 +133,7 @@ fn whole(summand: &Summand) -> Range<usize> {
 fn sums(places: &Places) -> Vec<Vec<&Summand>> {
     let of = |sum: usize| places.summands.iter().filter(|summand| summand.sum == sum).collect::<Vec<_>>();
     let all = (0..places.sums.len()).map(of);
-    // a group at the beginning has signs of its own
+    // a leading group has signs of its own
     all.filter(|sum| sum.iter().skip(1).all(|summand| summand.sign.is_some())).collect()
 }
 
