@@ -1,6 +1,6 @@
 //! The quadratic part of the energy about a steady motion of a conservative system with constant speeds, by Routh's reduction.
 //!
-//! With the coordinates q that rest and the constant speeds v, the linear equations
+//! With the coordinates q that are constant on the motion and the constant speeds v, the linear equations
 //!
 //!   M q'' + G q' + K q + N v' + H v = 0 ,   d/dt (N^T q' + P q + J v) = 0
 //!
@@ -8,10 +8,10 @@
 //!
 //!   (M - N J^-1 N^T) q'' + (G - N J^-1 P - H J^-1 N^T) q' + (K - H J^-1 P) q = 0 .
 //!
-//! Where the matrix of q'' is positive, that of q' antisymmetric and that of q symmetric, the last one is the Hessian of the potential energy, to which
-//! the kinetic energy of the momenta is added. The motion is stable where that energy has a minimum (J. L. Lagrange; P. G. Lejeune Dirichlet, J. reine
-//! angew. Math. 32 (1846), 85-88; E. J. Routh); without gyroscopic terms a negative value of the quadratic form gives a root with a positive real
-//! part, so that it is unstable (A. M. Lyapunov).
+//! Let the matrix of q'' be positive definite, that of q' antisymmetric and that of q symmetric. Then the matrix of q is the Hessian of the amended
+//! potential energy, which includes the kinetic energy of the momenta. The motion is stable if that energy has a minimum (J. L. Lagrange; P. G.
+//! Lejeune Dirichlet, J. reine angew. Math. 32 (1846), 85-88; E. J. Routh). Without gyroscopic terms a negative value of the quadratic form gives a
+//! root with a positive real part, so that the motion is unstable (A. M. Lyapunov).
 
 use crate::linear_motion::{LinearMotion, determinant};
 use crate::motion::Motion;
@@ -25,17 +25,17 @@ pub(crate) struct EnergyForm {
     pub inertia: Vec<Sym>,
     /// Leading principal minors of the Hessian of the potential energy.
     pub potential: Vec<Sym>,
-    /// All principal minors of that.
+    /// All principal minors of this Hessian.
     pub principal: Vec<Sym>,
     pub is_gyroscopic: bool,
-    /// Whether speeds stay as they are, by their momenta.
+    /// Whether there are constant speeds with conserved momenta.
     pub has_momenta: bool,
-    /// Whether the equations of motion are Lagrange's for energies that do not know the time: then the energy is kept beyond the linear equations.
+    /// Whether the equations of motion are Lagrange's equations for energies that do not depend on the time: the energy is then conserved exactly.
     pub is_lagrangian: bool,
 }
 
 impl EnergyForm {
-    /// None where the linear equations are those of no conservative system.
+    /// None if the linear equations do not belong to a conservative system.
     pub fn of(linear: &LinearMotion, motion: &Motion<'_, '_>) -> Option<Self> {
         let LinearMotion { resting, inertia, damping, stiffness, equations } = linear;
         let turning: Vec<usize> = (0..equations.len()).filter(|place| !resting.contains(place)).collect();
@@ -47,7 +47,7 @@ impl EnergyForm {
             return None;
         }
         let own: Vec<Vec<Sym>> = turning.iter().map(|&c| turning.iter().map(|&d| inertia[c][d]).collect()).collect();
-        // the speeds that momenta of this size give
+        // the speeds for these momenta
         let speeds = |rows: &[Vec<Sym>], j: usize| -> Option<Vec<Sym>> {
             let right: Vec<Sym> = turning.iter().map(|&c| rows[c][j]).collect();
             if turning.is_empty() { Some(right) } else { Some(solve(&own, &right, &Hypotheses::none()).ok()?.values()) }
@@ -99,7 +99,7 @@ impl EnergyForm {
     }
 }
 
-/// Whether equations of motion are Lagrange's for energies that hold neither the time nor these coordinates.
+/// Whether equations of motion are Lagrange's equations for energies that depend neither on the time nor on these coordinates.
 fn is_lagrangian(trace: &Trace<'_>, equations: &[Sym], turning: &[usize]) -> bool {
     let lagrangian = trace.kinetic_and_coenergy() - trace.potential_energy();
     let is_zero = |expression: Sym| decide(expression, &Hypotheses::none()).is_zero();

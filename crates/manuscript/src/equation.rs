@@ -7,23 +7,23 @@ use claims::Condition;
 use model::equations::constraints_of;
 use symbolic::{Decision, Identity, Sym, Witness, decide, identified};
 
-/// The finding on an expression that should vanish.
+/// The finding on an expression that should be zero.
 pub(crate) enum Outcome {
-    /// For all values; these divisors must not vanish.
+    /// Zero for all values for which these divisors are not zero.
     Zero(Vec<Sym>),
     /// At an exact point the expression has another value.
     NonZero(Refutation),
-    /// This denominator vanishes everywhere.
+    /// This denominator is zero everywhere.
     Undefined(Sym),
-    /// It vanishes at random points of prime fields, and no normal form was reached.
+    /// It is zero at random points of prime fields, and no normal form was reached.
     Identified(String),
     Undecided(String),
 }
 
-/// Longer expressions are looked at in prime fields and at exact points before their normal form is formed.
+/// Longer expressions are evaluated in prime fields and at exact points before their normal form is computed.
 const MOST_EXPANDED: usize = 4_000;
 
-/// Whether an expression vanishes where the motion is and the conditions hold.
+/// Whether an expression is zero along the motion where the conditions hold.
 pub(crate) fn vanishes(motion: &Motion<'_, '_>, expression: Sym, conditions: &[Condition]) -> Outcome {
     match found(motion, expression, conditions) {
         Outcome::NonZero(refutation) if !refutation.is_confirmed(expression, motion) => {
@@ -59,7 +59,7 @@ fn of_identity(points: usize, error: f64) -> Outcome {
     ))
 }
 
-/// A long expression without its normal form; none where points do not tell.
+/// The outcome for a long expression by points, without its normal form; none if points do not decide.
 fn at_points(motion: &Motion<'_, '_>, reduced: Sym, conditions: &[Condition]) -> Option<Outcome> {
     match identified(&[reduced]) {
         Identity::Identified { points, error, .. } => Some(of_identity(points, error)),
@@ -74,7 +74,7 @@ fn at_points(motion: &Motion<'_, '_>, reduced: Sym, conditions: &[Condition]) ->
     }
 }
 
-/// A witness counts where it satisfies everything.
+/// A witness counts if it satisfies all conditions.
 fn refuted(motion: &Motion<'_, '_>, reduced: Sym, witness: Witness, conditions: &[Condition]) -> Outcome {
     if let Some(letter) = motion.undetermined(reduced) {
         return Outcome::Undecided(format!(
@@ -91,7 +91,7 @@ fn refuted(motion: &Motion<'_, '_>, reduced: Sym, witness: Witness, conditions: 
     if let Some(refutation) = completed(found(witness), conditions) {
         return Outcome::NonZero(refutation);
     }
-    // letters that are positive are squares
+    // positive letters are replaced by squares
     let positive = conditions.iter().filter_map(|condition| match condition {
         Condition::Positive(e) if e.symbol_name().is_some() => Some((*e, Sym::symbol(&format!("root of {e}")))),
         _ => None,
@@ -117,7 +117,7 @@ fn refuted(motion: &Motion<'_, '_>, reduced: Sym, witness: Witness, conditions: 
     }
 }
 
-/// A symbol as a reader knows it.
+/// The name of a symbol for readers.
 fn named(symbol: Sym, motion: &Motion<'_, '_>) -> String {
     let constraints = constraints_of(motion.trace);
     let place = constraints.iter().position(|one| one.multiplier == symbol);

@@ -16,17 +16,17 @@ pub(crate) struct Demand {
     pub told: (String, String),
     /// Over the model.
     pub condition: Condition,
-    /// Whether hypotheses and constants show it.
+    /// Whether it follows from hypotheses and constants.
     pub is_shown: bool,
 }
 
-/// Hypotheses and demands, by their places, that exclude each other.
+/// Contradictory hypotheses and demands, by their places.
 pub(crate) struct Contradiction {
     pub hypotheses: Vec<usize>,
     pub demands: Vec<usize>,
 }
 
-/// Hypotheses and demands that no point of a motion satisfies together: if one of them is left out, a contradiction of the others is not shown.
+/// A minimal set of hypotheses and demands that no point of a motion satisfies together.
 pub(crate) fn contradiction(
     base: &Motion<'_, '_>,
     assumed: &[Hypothesis],
@@ -56,7 +56,7 @@ pub(crate) fn contradiction(
     Some(found)
 }
 
-/// The conditions where the equalities hold; none where one of these is not solved.
+/// The conditions with the equalities inserted; none if one of these cannot be solved.
 fn conditions_there(
     base: &Motion<'_, '_>,
     assumed: &[Hypothesis],
@@ -70,8 +70,8 @@ fn conditions_there(
     Some(conditions(&motion, assumed).into_iter().chain(demanded).chain(divisors).collect())
 }
 
-/// Whether it is shown that no point satisfies all conditions: in one unknown by real roots, else by the sign that the others give the expression of
-/// one, or by products of them.
+/// Whether it can be shown that no point satisfies all conditions: in one unknown by real roots; otherwise by the sign of one condition that
+/// follows from the others, or by products of conditions.
 pub(crate) fn exclude_each_other(conditions: &[Condition]) -> bool {
     let expressions: Vec<Sym> = conditions.iter().map(|condition| condition.expression()).collect();
     let all = [conditions, &natural_domain(&expressions)].concat();
@@ -94,7 +94,7 @@ pub(crate) fn is_met(conditions: &[Condition]) -> bool {
     completed(Refutation { point: Vec::new(), is_formal: false }, conditions).is_some()
 }
 
-/// Whether an exact point satisfies the hypotheses and, at none of their edges, what the parts of a formula ask for.
+/// Whether an exact point satisfies the hypotheses and lies inside the domain of the formula, not on its boundary.
 pub(crate) fn has_inside(motion: &Motion<'_, '_>, there: &[Condition], demands: &[Demand]) -> bool {
     let inside = demands.iter().map(|demand| match demand.condition.mapped(|e| motion.reduced(e)) {
         Condition::NotNegative(e) if e.as_constant().is_none() => Condition::Positive(e),

@@ -9,14 +9,14 @@ use std::fmt::Write;
 /// A claim with its verdict, as text only.
 #[derive(Clone, Debug)]
 pub struct Finding {
-    /// As ledgers and pages have it. The first correction stands there.
+    /// The entry for ledgers and pages, with the first correction.
     pub judged: Judged,
     pub kind: Kind,
     /// The formula in LaTeX, as printed.
     pub printed: String,
     /// Hypotheses of the file, in LaTeX as written.
     pub given: Vec<String>,
-    /// The verdict that the file expects; none where it expects nothing.
+    /// The verdict that the file expects, if any.
     pub expected: Option<Verdict>,
     /// The steps that were allowed to the equations of the model: combinations, constraints, hypotheses.
     pub allowed: String,
@@ -25,9 +25,9 @@ pub struct Finding {
     /// The smallest edits of a refuted claim that are proved, all of one size.
     pub corrections: Vec<Correction>,
     pub search: Search,
-    /// Whether an exact point was found inside everything that a proved claim presupposes.
+    /// Whether an exact point was found inside the presuppositions of a proved claim.
     pub(crate) has_inside: bool,
-    /// Where it was asked for.
+    /// Present if it was requested.
     pub certificate: Option<Certificate>,
 }
 

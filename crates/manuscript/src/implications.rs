@@ -58,7 +58,7 @@ pub(crate) fn equivalence(
         record.step(&motion, assumed, [zero, then], &step);
         step
     });
-    // an exact point says more than a step that was not shown
+    // an exact point is more informative than a step without proof
     steps.sort_by_key(|step| !matches!(step, Step::Fails(_)));
     let own = [own[0] - own[1], other_own[0] - other_own[1]];
     for step in steps {

@@ -25,7 +25,7 @@ use symbolic::{Sym, normal};
 
 /// The sides of an inequality.
 pub(crate) struct Sides {
-    /// The side that is said to be greater, less the other.
+    /// The side that is claimed to be greater, less the other.
     pub greater: Sym,
     pub is_strict: bool,
     /// Over the model.
@@ -40,7 +40,7 @@ pub(crate) struct Sides {
 /// Reads an inequality.
 ///
 /// # Errors
-/// The formula is none.
+/// The formula is not an inequality.
 pub(crate) fn sides(claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>) -> Result<Sides, Issue> {
     let refused = |title: &str| {
         Issue::at(claim.formula.span.clone(), title.to_owned(), "here")
@@ -164,7 +164,7 @@ pub(crate) fn inequality(
     Ok(())
 }
 
-/// A point at which an expression in one unknown has a sign that fails: a fraction, or by a square root of one.
+/// A point at which an expression in one unknown has a wrong sign: a fraction, or a number with a square root.
 fn failing_point(
     [greater, reduced]: [Sym; 2],
     conditions: &[Condition],

@@ -15,10 +15,10 @@ use latex::{Form, Relation, Statement, Term};
 use reader::Issue;
 use symbolic::Sym;
 
-/// Letters of a constant whose value nobody gives.
+/// Letters of a constant without a value.
 pub(crate) const CONSTANTS: [&str; 3] = [r"\mathrm{const}", r"\text{const}", r"\mathit{const}"];
 
-/// The letters that a formula of this kind may have: a constant without a value stands in integrals alone.
+/// The letters that a formula of this kind may have: only integrals may have a constant without a value.
 pub(crate) fn known(kind: Kind, letters: &Letters<'_, '_>) -> Vec<String> {
     let mut known = letters.spelt();
     if kind == Kind::IntegralOfMotion {
@@ -31,10 +31,10 @@ fn is_constant(term: &Term) -> bool {
     matches!(&term.form, Form::Letter(name) if CONSTANTS.contains(&name.as_str()))
 }
 
-/// The expression that is said to be constant, over the model and in the paper's letters.
+/// The expression that is claimed to be constant, over the model and in the paper's letters.
 ///
 /// # Errors
-/// The formula is no integral.
+/// The formula is not an integral.
 pub(crate) fn difference(
     claim: &ClaimText,
     statement: &Statement,
@@ -110,10 +110,10 @@ pub(crate) fn integral(
     Ok(())
 }
 
-/// The divisors that serve to show that hypotheses on the state persist: the rate of each vanishes where all of them hold.
+/// The divisors in the proof that hypotheses on the state persist: the rate of each is zero where all of them hold.
 ///
 /// # Errors
-/// One of them holds at an instant alone.
+/// One of them holds at an instant only.
 fn persistence(assumed: &[Hypothesis], free: &Motion<'_, '_>, motion: &Motion<'_, '_>) -> Result<Vec<Sym>, Issue> {
     let trace = motion.trace;
     let mut divided = Vec::new();

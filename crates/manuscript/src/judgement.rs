@@ -40,8 +40,8 @@ impl PaperText {
         self.judge_each(|_| (), || true)
     }
 
-    /// Judges every claim, and hands all findings so far to `told` whenever one is new. Corrections are searched for when every claim has its
-    /// verdict, as long as `goes_on` allows.
+    /// Judges every claim, and calls `told` with all findings so far after each new one. When every claim has a verdict, corrections are searched for
+    /// while `goes_on` returns true.
     ///
     /// # Errors
     /// As those of [`PaperText::judge`].
@@ -132,7 +132,7 @@ fn correct(
     finding.search = if goes_on() { Search::Whole } else { Search::Cut };
     let values = finding.judged.counterexample.iter().map(|(name, value)| format!("{name} = {value}"));
     let at = values.collect::<Vec<_>>().join(", ");
-    // where the sides are in the right order, the point at which the print fails is one of equality
+    // if the direction of the relation is right, the print fails at a point of equality
     let loose = finding.corrections.iter_mut().flat_map(|one| &mut one.changes);
     for change in loose.filter(|change| change.kind == EditKind::Strictness && !at.is_empty()) {
         change.words += &format!(" (both sides are equal at {at})");
@@ -263,7 +263,7 @@ fn equalities(
                 (vanishes(motion, difference, &conditions(motion, assumed)), motion)
             }
         };
-        // a divisor that vanishes along every motion leaves the formula undefined
+        // with a divisor that is zero along every motion the formula is undefined
         let outcome = match (outcome, &along) {
             (Outcome::Zero(divisors), Some(Ok(along))) => {
                 let is_zero = |divisor: &&Sym| decide(along.reduced(**divisor), &along.hypotheses).is_zero();
@@ -300,7 +300,7 @@ fn equalities(
                 break;
             }
             other => {
-                // a divisor may vanish along motions alone
+                // a divisor may be zero along motions only
                 let dynamic = along.as_ref().and_then(|along| along.as_ref().ok()).unwrap_or(motion);
                 let where_undefined = if matches!(other, Outcome::Undefined(_)) { dynamic } else { motion };
                 record.undecided(where_undefined, assumed, equal, &other);

@@ -4,7 +4,7 @@ use crate::letters::Letters;
 use crate::position_letters::by_position_letters;
 use symbolic::{Hypotheses, Sym};
 
-/// A letter for a sum: the symbol that it replaces, the value of that by the letter, the letter as the paper has it.
+/// A letter for a sum: the symbol that it replaces, the value of this symbol by the letter, and the paper's own letter.
 struct ForSum {
     symbol: Sym,
     value: Sym,
@@ -12,14 +12,14 @@ struct ForSum {
     own: Sym,
 }
 
-/// An expression of the model in the paper's letters: as it is; by letters for sums, each solved for one of its symbols, one of them or all;
-/// and each of these by letters that are functions of the position.
+/// The forms of an expression of the model in the paper's letters: unchanged; with one or all letters for sums, each solved for one of its
+/// symbols; and each of these with letters that are functions of the position.
 pub(crate) fn ways_to_tell(letters: &Letters<'_, '_>, expression: Sym, hypotheses: &Hypotheses) -> Vec<Sym> {
     let for_sums = letters_for_sums(letters, expression);
     let by_all = (for_sums.len() > 1).then(|| {
         let mut replaced: Vec<Sym> = Vec::new();
         for_sums.iter().fold(expression, |known, one| {
-            // two letters for one symbol would come back to it
+            // with two letters for one symbol the replacement would not end
             let is_new = !replaced.contains(&one.symbol) && known.symbols_of().contains(&one.symbol);
             replaced.extend(is_new.then_some(one.symbol));
             if is_new { known.substitute(&[(one.symbol, one.value)]) } else { known }

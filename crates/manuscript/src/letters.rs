@@ -7,8 +7,8 @@ use model::{Entry, Model, Text, Trace};
 use reader::{Issue, SceneError};
 use symbolic::{Dimension, Sym};
 
-/// The outputs of a model that stand for the letters of a paper, in their order, components of vectors one by one. Places
-/// are counted behind the text of the system where that is another file.
+/// The letters of a paper as outputs of a model, in their order, components of vectors one by one. If the system is another file, places in the
+/// paper are counted after the text of the system.
 pub(crate) fn outputs(paper: &PaperText) -> Vec<Entry> {
     let offset = if paper.has_own_system() { 0 } else { paper.system.text.len() + 1 };
     let mut entries = Vec::new();
@@ -59,7 +59,7 @@ pub(crate) fn model(paper: &PaperText) -> Result<Model, SceneError> {
     })
 }
 
-/// A letter with what it stands for.
+/// A letter with its meaning.
 struct Letter {
     name: String,
     /// Over the symbols of the model.
@@ -83,7 +83,7 @@ impl<'t, 'm> Letters<'t, 'm> {
         let mut letters: Vec<Letter> = Vec::new();
         for text in &paper.letters {
             let plain = plain_name(&text.name);
-            // two letters whose plain names agree, as r and \mathbf{r} do
+            // two letters with equal plain names, such as r and \mathbf{r}
             let is_taken = plain.is_empty() || letters.iter().any(|letter| plain_name(&letter.name) == plain);
             let plain = if is_taken { text.name.clone() } else { plain };
             let found = (0..text.meaning.len()).filter_map(|component| {
@@ -120,7 +120,7 @@ impl<'t, 'm> Letters<'t, 'm> {
         self.letters.iter().map(|letter| letter.name.clone()).collect()
     }
 
-    /// Every letter that is a scalar: its name, what it stands for, its own symbol, its dimension.
+    /// Every scalar letter: its name, its meaning, its own symbol, its dimension.
     pub fn scalars(&self) -> impl Iterator<Item = (&str, Sym, Sym, Dimension)> {
         self.letters.iter().filter_map(|letter| match (&letter.value, &letter.own) {
             (Value::Scalar(value), Value::Scalar(own)) => Some((letter.name.as_str(), *value, *own, letter.dimension)),
@@ -128,7 +128,7 @@ impl<'t, 'm> Letters<'t, 'm> {
         })
     }
 
-    /// The model's symbols by the paper's letters: where a letter, or its rate, is one symbol or a multiple of it.
+    /// Finds the paper's names for symbols of the model: letters, or rates of letters, that are a symbol or a multiple of it.
     fn name_symbols(&mut self) {
         let pairs: Vec<(Sym, Sym, Dimension)> = self
             .letters
@@ -178,10 +178,10 @@ impl<'t, 'm> Letters<'t, 'm> {
         self.names = names;
     }
 
-    /// An expression of the model in the paper's letters; a symbol that has none keeps the model's name.
+    /// An expression of the model in the paper's letters; a symbol without a letter keeps the name of the model.
     pub fn told(&self, expression: Sym) -> Sym {
         let mut names = self.names.clone();
-        // a name of the model that is a letter of the paper for something else
+        // a name of the model that is a letter of the paper with another meaning
         for symbol in expression.symbols_of() {
             let is_named = names.iter().any(|(known, _)| *known == symbol);
             let is_letter = self.letters.iter().any(|letter| letter.own.entries().contains(&symbol));
@@ -205,7 +205,7 @@ impl<'t, 'm> Letters<'t, 'm> {
             .or_else(|| (name == "pi").then(Dimension::none))
     }
 
-    /// The paper's own letters with what they stand for, rates among them, as far as an expression in them has any.
+    /// The paper's letters in an expression, rates included, with their meanings.
     pub fn meanings(&self, printed: Sym) -> Vec<(Sym, Sym)> {
         let known = printed.symbols_of();
         let mut found = Vec::new();
@@ -258,7 +258,7 @@ fn dotted(own: Sym, order: usize) -> Sym {
 /// The rate along the motion.
 ///
 /// # Errors
-/// The expression holds what has no rate that is known.
+/// The expression contains a quantity without a known rate.
 pub(crate) fn rate(trace: &Trace<'_>, of: Sym) -> Result<Sym, String> {
     let symbols = of.symbols_of();
     if let Some(third) = trace.accelerations.iter().find(|symbol| symbols.contains(symbol)) {

@@ -6,17 +6,17 @@ use claims::Condition;
 use field::Rational;
 use symbolic::{Hypotheses, Node, Sym, normal, univariate};
 
-/// The least sign of an expression where the conditions on its unknown hold, and the points that have it.
+/// The least sign of an expression where the conditions on its unknown hold, and the points with this sign.
 pub(crate) struct Least {
     pub sign: i32,
-    /// Numbers with few digits before roots of polynomials.
+    /// Numbers with few digits come before roots of polynomials.
     pub points: Vec<Refutation>,
 }
 
 /// The unknown, and its substitution in polynomials.
 enum Unknown {
     Letter(Sym),
-    /// An angle by the tangent of its half, which has no value at half a turn.
+    /// An angle by the tangent of half of it, which has no value at half a turn.
     Angle {
         angle: Sym,
         tangent: Sym,
@@ -26,7 +26,7 @@ enum Unknown {
 /// Numerator and denominator.
 type Fraction = [Polynomial; 2];
 
-/// The least sign; `None` where there are more unknowns, or the conditions leave no point.
+/// The least sign; `None` if there are more unknowns, or if no point satisfies the conditions.
 pub(crate) fn least(expression: Sym, conditions: &[Condition]) -> Option<Least> {
     let found = signs(expression, conditions)?;
     let sign = found.iter().map(|(sign, _)| *sign).min()?;
@@ -34,14 +34,14 @@ pub(crate) fn least(expression: Sym, conditions: &[Condition]) -> Option<Least> 
     Some(Least { sign, points: points.collect() })
 }
 
-/// Whether the conditions on one unknown leave it no value.
+/// Whether no value of the only unknown satisfies the conditions.
 pub(crate) fn exclude_each_other(conditions: &[Condition]) -> bool {
     let leaves_none = |of: &Condition| signs(of.expression(), conditions).is_some_and(|found| found.is_empty());
     conditions.iter().any(leaves_none)
 }
 
-/// The signs of an expression where the conditions on its unknown hold, each with a point that is a number with few digits or a root; none where
-/// there are more unknowns.
+/// The signs of an expression where the conditions on its unknown hold, each with a point, a number with few digits or a root; none if there are
+/// more unknowns.
 fn signs(expression: Sym, conditions: &[Condition]) -> Option<Vec<(i32, Option<Refutation>)>> {
     let unknown = Unknown::of(expression)?;
     let own = unknown.fraction(expression)?;
@@ -186,7 +186,7 @@ pub(crate) fn number_between(low: f64, high: f64) -> Option<Rational> {
     })
 }
 
-/// A root as a fraction, or by a square root of one.
+/// A root as a fraction, or by a square root of a fraction.
 fn exact(root: &Root, polynomial: &Polynomial) -> Option<Sym> {
     let fraction = root.enclosure(256).simplest();
     if Root::rational(fraction).is_some_and(|same| same.compare(root).is_eq()) {

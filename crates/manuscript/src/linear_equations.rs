@@ -4,15 +4,15 @@ use crate::linear_motion::{Characteristic, LinearMotion};
 use crate::refutation::Refutation;
 use symbolic::Sym;
 
-/// The theorem that is cited on the roots of a polynomial.
+/// The cited theorem on the roots of a polynomial.
 pub(crate) const HURWITZ: &str = "A. Hurwitz, Math. Ann. 46 (1895), 273-284: all roots have negative real parts where, and only where, all principal minors \
     of the matrix of coefficients are positive; with even powers alone the squares of the roots must be negative numbers, each of its own";
 
 /// The equations about a steady motion, and their characteristic polynomial.
 pub(crate) struct LinearEquations {
-    /// Expressions that vanish along every motion.
+    /// Expressions that are zero along every motion.
     pub equations: Vec<Sym>,
-    /// The coordinates that rest, by their places.
+    /// The coordinates that are constant, by their places.
     pub resting: Vec<usize>,
     /// The unknown of the polynomial.
     pub root: Sym,
@@ -32,7 +32,7 @@ impl LinearEquations {
     }
 }
 
-/// A positive multiple: by this ratio, and the power of a known condition by its place.
+/// A positive multiple: the ratio, times the power of a known condition, given by its place.
 pub(crate) struct Multiple {
     pub ratio: Sym,
     pub square: Option<(usize, i32)>,
@@ -40,8 +40,8 @@ pub(crate) struct Multiple {
 
 /// The comparison of the condition on the roots with the printed one.
 pub(crate) enum Comparison {
-    /// It is a positive multiple of the printed one.
+    /// The condition is a positive multiple of the printed one.
     Same(Multiple),
-    /// At this point they differ.
+    /// The conditions differ at this point.
     Other(Refutation),
 }

@@ -11,13 +11,13 @@ const MOST_SPEEDS: usize = 4;
 
 /// The coefficients of the linear equations, row by row.
 pub(crate) struct LinearMotion {
-    /// Expressions that vanish along every motion.
+    /// Expressions that are zero along every motion.
     pub equations: Vec<Sym>,
-    /// The coordinates that rest, by their places; the speeds of the others are constant.
+    /// The coordinates that are constant, by their places; the others have constant speeds.
     pub resting: Vec<usize>,
     pub inertia: Vec<Vec<Sym>>,
     pub damping: Vec<Vec<Sym>>,
-    /// The stiffness matrix; its columns for coordinates that do not rest vanish.
+    /// The stiffness matrix; its columns for coordinates with constant speeds are zero.
     pub stiffness: Vec<Vec<Sym>>,
 }
 
@@ -34,7 +34,7 @@ pub(crate) struct Characteristic {
 }
 
 impl LinearMotion {
-    /// Linearises about the motion on which the letters of a claim rest.
+    /// Linearises about the motion on which the letters of a claim are constant.
     ///
     /// # Errors
     /// There are no such equations, or they change with the time.
@@ -89,7 +89,7 @@ impl LinearMotion {
     /// The characteristic polynomial.
     ///
     /// # Errors
-    /// The polynomial has roots at zero besides those of constant speeds, or the determinant is no polynomial.
+    /// The polynomial has more zero roots than constant speeds explain, or the determinant is not a polynomial.
     pub fn characteristic(&self, motion: &Motion<'_, '_>) -> Result<Characteristic, String> {
         let n = self.equations.len();
         let s = Sym::symbol("root of the linear equations");
@@ -104,7 +104,7 @@ impl LinearMotion {
         let mut powers: Vec<(u32, Sym)> = terms.into_iter().map(|(exponents, value)| (exponents[0], value)).collect();
         powers.sort_by_key(|(power, _)| *power);
         let neutral = powers.first().map_or(0, |(power, _)| *power);
-        // each such speed leaves a root zero: a neighbouring motion with other constants
+        // each constant speed causes a zero root, since there are neighbouring motions with other speeds
         if neutral as usize > n - self.resting.len() {
             return Err("the linear equations have a root zero beside those of speeds that stay as they are".to_owned());
         }

@@ -1,4 +1,4 @@
-//! Linearised equations of motion: the printed equation holds up to terms of the second order about a motion on which letters rest.
+//! Linearised equations of motion: the printed equation holds up to terms of the second order about a motion on which letters are constant.
 
 use crate::certificate::Record;
 use crate::claim_text::ClaimText;
@@ -25,7 +25,7 @@ pub(crate) struct Linearisation<'t, 'm> {
 }
 
 impl<'t, 'm> Linearisation<'t, 'm> {
-    /// Linearises about the motion on which letters rest. An input is small where no hypothesis gives it a value.
+    /// Linearises about the motion on which letters are constant. An input is small unless a hypothesis gives its value.
     ///
     /// # Errors
     /// All faults of the file; inside, the reason for which there are no linear equations.
@@ -77,8 +77,8 @@ impl<'t, 'm> Linearisation<'t, 'm> {
         all
     }
 
-    /// The letters by which is differentiated; none where a free frame has other deviations than its coordinates, or where a point would have to give
-    /// the letter pi a value.
+    /// The letters for differentiation; none if the deviations of a free frame are not those of its coordinates, or if a point would have to give
+    /// a value to the letter pi.
     fn letters(&self, is_refuted: bool) -> Option<Vec<Sym>> {
         let trace = self.base.trace;
         let values = self.base.rounds.iter().flat_map(|round| &round.values);
@@ -104,7 +104,7 @@ impl<'t, 'm> Linearisation<'t, 'm> {
     }
 }
 
-/// An equation that holds up to terms of the second order in the deviations from a motion on which the letters of `resting` rest.
+/// An equation that holds up to terms of the second order in the deviations from a motion on which the letters of `resting` are constant.
 pub(crate) fn linearised(
     claim: &ClaimText,
     statement: &Statement,

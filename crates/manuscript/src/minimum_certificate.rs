@@ -23,7 +23,8 @@ struct Sign<'a> {
     is_strict: bool,
 }
 
-/// Records that a printed condition is that of the minimum; where a sign is shown by no rule that the second checker has, that there is no certificate.
+/// Records the proof that a printed condition is that of the minimum. If a sign needs a rule that the second checker does not have, records that
+/// there is no certificate.
 pub(crate) fn minimum(
     record: &mut Record,
     (motion, assumed, known): (&Motion<'_, '_>, &[Hypothesis], &[Condition]),
@@ -62,7 +63,7 @@ pub(crate) fn minimum(
     });
 }
 
-/// A sign with the rule that shows it: by its terms as they are written, or by products of conditions.
+/// A sign with the rule that shows it: by the terms as written, or by products of conditions.
 fn implied(
     record: &mut Record,
     (motion, assumed, known): (&Motion<'_, '_>, &[Hypothesis], &[Condition]),
@@ -75,7 +76,7 @@ fn implied(
         true => None,
         false => {
             let (list, products) = condition_products::proof(sign.expression, sign.is_strict, &all)?;
-            // a denominator with letters, which the theorem does not know
+            // the theorem does not cover a denominator with letters
             (list.len() == all.len() + 1).then_some(())?;
             Some(products)
         }

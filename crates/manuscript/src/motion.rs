@@ -10,11 +10,11 @@ use symbolic::{Hypotheses, Node, Sym, coefficients, decide, normal, substitute_a
 #[derive(Clone)]
 pub(crate) struct Round {
     pub values: Vec<(Sym, Sym)>,
-    /// Expressions that vanish, linear in the symbols: they leave them these values. None of the equations of motion.
+    /// Expressions that are zero and linear in the symbols, and that determine these values; none for values by the equations of motion.
     pub by: Option<Vec<Sym>>,
 }
 
-/// Replacements that hold, one round after the other, and rules.
+/// The equations of a motion as rounds of replacements, applied one after the other, and rewriting rules.
 #[derive(Clone)]
 pub(crate) struct Motion<'t, 'm> {
     pub trace: &'t Trace<'m>,
@@ -22,18 +22,18 @@ pub(crate) struct Motion<'t, 'm> {
     pub rounds: Vec<Round>,
     /// Squares of coordinates that are rewritten, with the constraints that give them.
     pub squares: Vec<(Sym, Sym)>,
-    /// Constraints that were not solved: a point that is found may not lie on them.
+    /// Constraints that were not solved; a point may violate them.
     pub open: Vec<String>,
     /// The divisors in hypotheses.
     pub divisors: Vec<Sym>,
-    /// The expressions that vanish on it, as constraints and hypotheses state it.
+    /// The expressions that constraints and hypotheses state to be zero.
     pub held: Vec<Sym>,
     /// Constraints of positions.
     positions: Vec<Sym>,
 }
 
 impl<'t, 'm> Motion<'t, 'm> {
-    /// All that constraints allow: accelerations are free.
+    /// All motions that constraints allow, with free accelerations.
     pub fn by_constraints(trace: &'t Trace<'m>) -> Self {
         let mut motion = Motion::without_anything(trace);
         motion.keep(&constraints_of(trace));
@@ -41,7 +41,7 @@ impl<'t, 'm> Motion<'t, 'm> {
         motion
     }
 
-    /// The motion for vanishing rates, for which dependent rates may need no divisor.
+    /// The motion with some rates zero; dependent rates may then need no divisor.
     pub fn at_rest(trace: &'t Trace<'m>, rates: &[(Sym, Sym)]) -> Self {
         let mut motion = Motion::without_anything(trace);
         motion.set(rates.to_vec());
@@ -52,10 +52,10 @@ impl<'t, 'm> Motion<'t, 'm> {
         motion
     }
 
-    /// The letters that the equations of motion leave: positions and speeds that the constraints allow.
+    /// The motions by the equations of motion, with the positions and speeds that the constraints allow.
     ///
     /// # Errors
-    /// The equations of motion are not solved, and why.
+    /// The equations of motion cannot be solved, with the reason.
     pub fn by_equations(trace: &'t Trace<'m>) -> Result<Self, String> {
         let constraints = constraints_of(trace);
         let mut motion = Motion::without_anything(trace);
@@ -74,7 +74,7 @@ impl<'t, 'm> Motion<'t, 'm> {
         Ok(motion)
     }
 
-    /// No law, no constraint.
+    /// Without equations of motion and constraints.
     pub fn without_anything(trace: &'t Trace<'m>) -> Self {
         Motion {
             trace,
@@ -93,7 +93,7 @@ impl<'t, 'm> Motion<'t, 'm> {
         self.hypotheses = self.with_free_frames(self.hypotheses.clone());
     }
 
-    /// Hypotheses beside which the quaternions of free frames have length one.
+    /// Hypotheses with the rule that the quaternions of free frames have length one.
     pub fn with_free_frames(&self, hypotheses: Hypotheses) -> Hypotheses {
         let plain = self.trace.model.coordinates.len();
         let quaternions = self.trace.coordinates[plain..].chunks_exact(4);
@@ -112,7 +112,7 @@ impl<'t, 'm> Motion<'t, 'm> {
             Ok(known) => {
                 let rates = constraints.iter().map(|one| one.rate).collect();
                 let accelerated = constraints.iter().map(|one| accelerated(self.trace, one)).collect();
-                // the accelerations hold no speed that the others determine
+                // the accelerations contain no dependent speed
                 self.rounds.push(Round { values: known.speeds, by: Some(rates) });
                 self.rounds.push(Round { values: known.accelerations, by: Some(accelerated) });
             }
@@ -128,7 +128,7 @@ impl<'t, 'm> Motion<'t, 'm> {
         }
     }
 
-    /// A coordinate by the others, or its square; else a parameter: where the positions are free, it has the value that they ask for.
+    /// Solves a constraint for a coordinate, or for its square; otherwise for a parameter, which then depends on the free positions.
     fn solve_position(&mut self, zero: Sym) -> bool {
         let zero = self.reduced(zero);
         for &coordinate in &self.trace.coordinates {
@@ -156,12 +156,12 @@ impl<'t, 'm> Motion<'t, 'm> {
         true
     }
 
-    /// A symbol by an expression that vanishes.
+    /// Sets a symbol to a value that follows from an expression that is zero.
     fn give(&mut self, known: (Sym, Sym), zero: Sym) {
         self.rounds.push(Round { values: vec![known], by: Some(vec![zero]) });
     }
 
-    /// The square of a symbol by the others, where it alone stands there and its factor is a number.
+    /// Solves for the square of a symbol, if the symbol occurs only as this square with a numeric factor.
     fn solve_square(&mut self, zero: Sym, symbol: Sym) -> bool {
         let Ok(terms) = coefficients(zero, &[symbol]) else { return false };
         let of = |power: u32| terms.iter().find(|(exponents, _)| exponents[0] == power).map(|(_, value)| *value);
@@ -184,13 +184,13 @@ impl<'t, 'm> Motion<'t, 'm> {
         all.filter(|symbol| known.iter().any(|list| list.contains(symbol))).collect()
     }
 
-    /// An expression where all of this holds.
+    /// An expression with all replacements and rules applied.
     pub fn reduced(&self, expression: Sym) -> Sym {
         let found = self.rounds.iter().fold(expression, |now, round| substitute_all(&[now], &round.values)[0]);
         self.with_circles(found)
     }
 
-    /// Cosines and sines of what became a part of pi have their values.
+    /// Cosines and sines of angles that became fractions of pi get their values.
     fn with_circles(&self, expression: Sym) -> Sym {
         let pi = self.trace.pi;
         let of = |leaf: Sym| match leaf.node() {
@@ -202,10 +202,10 @@ impl<'t, 'm> Motion<'t, 'm> {
         if known.is_empty() { expression } else { expression.substitute(&known) }
     }
 
-    /// A hypothesis: an expression that vanishes, solved for a symbol; for the one that is named first where it can be.
+    /// Assumes that an expression is zero and solves it for a symbol, preferably for `first`.
     ///
     /// # Errors
-    /// No symbol solves it, or nothing satisfies it.
+    /// It cannot be solved for any symbol, or no point satisfies it.
     pub fn assume(&mut self, zero: Sym, first: Option<Sym>) -> Result<(), String> {
         self.held.push(zero);
         let zero = self.reduced(zero);
@@ -229,7 +229,7 @@ impl<'t, 'm> Motion<'t, 'm> {
         }
     }
 
-    /// Constraints of positions are solved once more where a hypothesis took the letter by which they were solved.
+    /// Solves constraints of positions once more after a hypothesis has determined the letter for which they were solved.
     fn keep_positions(&mut self) -> Result<(), String> {
         self.hypotheses = Hypotheses::none();
         self.squares.clear();
@@ -246,13 +246,13 @@ impl<'t, 'm> Motion<'t, 'm> {
         Ok(())
     }
 
-    /// Lets symbols have these values from here on.
+    /// Sets symbols to these values in a new round.
     pub fn set(&mut self, values: Vec<(Sym, Sym)>) {
         let by = values.iter().map(|&(symbol, value)| symbol - value).collect();
         self.rounds.push(Round { values, by: Some(by) });
     }
 
-    /// Whether an expression holds what no motion determines: reactions of contacts, conditions.
+    /// A symbol in an expression that no motion determines: a reaction of a contact, or a condition.
     pub fn undetermined(&self, expression: Sym) -> Option<Sym> {
         let trace = self.trace;
         let known = [&trace.parameters, &trace.coordinates, &trace.speeds, &trace.accelerations];
@@ -272,7 +272,7 @@ fn accelerated(trace: &Trace<'_>, one: &Equation) -> Sym {
     one.row.iter().zip(&trace.accelerations).fold(one.bias, |sum, (&slope, &rate)| sum + slope * rate)
 }
 
-/// The equations of motion with the reactions of constraints, then the constraints between accelerations: expressions that vanish.
+/// The equations of motion with the reactions of constraints, then the constraints between accelerations: expressions that are zero.
 pub(crate) fn equations_of_motion(trace: &Trace<'_>) -> Vec<Sym> {
     let Equations { mass, bias, constraints } = Equations::of(trace);
     let of_row = |(k, row): (usize, &Vec<Sym>)| {
@@ -291,7 +291,7 @@ pub(crate) struct Solution {
     pub divisor: Sym,
 }
 
-/// A symbol by the others, where an expression that is linear in it vanishes.
+/// The solution of an equation for a symbol in which it is linear.
 fn linear(zero: Sym, symbol: Sym) -> Option<Solution> {
     let terms = coefficients(zero, &[symbol]).ok()?;
     let of = |power: u32| terms.iter().find(|(exponents, _)| exponents[0] == power).map(|(_, value)| *value);
@@ -300,10 +300,10 @@ fn linear(zero: Sym, symbol: Sym) -> Option<Solution> {
     (!vanishes).then(|| Solution { symbol, value: -of(0).unwrap_or(Sym::ZERO) / divisor, divisor })
 }
 
-/// A symbol in which an expression is linear, where it vanishes: the first one if it is linear in it, then one whose factor is a number,
-/// then one whose factor does not move.
+/// The solution of an equation for a symbol in which it is linear: preferably `first`, then a symbol with a numeric factor, then one with a
+/// constant factor.
 pub(crate) fn solution(trace: &Trace<'_>, zero: Sym, first: Option<Sym>) -> Option<Solution> {
-    // over one denominator: it vanishes where what stands above does
+    // over one denominator: the expression is zero where its numerator is
     let zero = normal(zero, &Hypotheses::none()).map_or(zero, |form| form.numerator());
     let by = |symbol: Sym| linear(zero, symbol);
     if let Some(found) = first.filter(|symbol| symbol.symbol_name().is_some()).and_then(by) {

@@ -1,4 +1,4 @@
-//! The domain of an expression: divisors that do not vanish, radicands that are not negative.
+//! The domain of an expression: nonzero divisors, nonnegative radicands.
 
 use claims::Condition;
 use symbolic::{Node, Sym};

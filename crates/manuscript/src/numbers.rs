@@ -1,4 +1,4 @@
-//! Printed numbers: the value of a quantity for given data, enclosed, beside the digits of the print.
+//! Printed numbers: the enclosed value of a quantity for given data is compared with the printed digits.
 
 use crate::certificate::Record;
 use crate::claim_text::ClaimText;
@@ -15,7 +15,7 @@ use latex::{Form, Relation, Statement, Term};
 use reader::Issue;
 use symbolic::{Hypotheses, Sym, normal};
 
-/// `\ddot{\theta} = -12.98`: the value agrees with every printed digit, where `given` determines it. Numbers are in SI units.
+/// `\ddot{\theta} = -12.98`: the value, determined by `given`, agrees with every printed digit. Numbers are in SI units.
 pub(crate) fn number(
     claim: &ClaimText,
     statement: &Statement,
@@ -101,7 +101,7 @@ pub(crate) struct Right {
     pub digits: String,
 }
 
-/// As many decimals as are printed; none where the value is not determined.
+/// The correct decimals, as many as are printed; none if the value is not determined.
 pub(crate) fn right(
     claim: &ClaimText,
     statement: &Statement,
@@ -141,7 +141,7 @@ fn exactly(expression: Sym) -> Option<Rational> {
     normal(expression, &Hypotheses::none()).ok()?.to_sym().as_constant().filter(|value| value.is_defined())
 }
 
-/// Half a unit of the last digit that is printed: exactly, and rounded.
+/// Half a unit of the last printed digit: exactly, and rounded.
 fn half_of_last_digit(term: &Term, formula: &str) -> Option<(Rational, f64)> {
     match &term.form {
         Form::Negation(of) => half_of_last_digit(of, formula),

@@ -28,7 +28,7 @@ pub fn is_paper(text: &str) -> bool {
 /// A paper as a file.
 #[derive(Clone, Debug)]
 pub struct PaperText {
-    /// As messages call the file.
+    /// The name of the file in messages.
     pub path: String,
     pub text: String,
     /// The beginning of the ids of its claims: the file's name.
@@ -56,7 +56,7 @@ impl PaperText {
         Self::parse(path, read_text(path)?)
     }
 
-    /// Reads a text as that of a file, which messages name and beside which the file of its system lies.
+    /// Reads a text as the content of a file; messages name this file, and the file of the system is searched for in its folder.
     ///
     /// # Errors
     /// As those of [`PaperText::read`].

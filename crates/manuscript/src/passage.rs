@@ -9,7 +9,7 @@ pub struct Passage {
     pub text: String,
     /// The value with its quotes.
     pub span: Range<usize>,
-    /// Where the text begins; none where it is written with escapes, so that its parts have no places.
+    /// The beginning of the text; none if the text has escapes, so that its parts have no places.
     start: Option<usize>,
 }
 
@@ -21,12 +21,12 @@ impl Passage {
         Passage { text: value.value.clone(), span: value.span.clone(), start: is_plain.then_some(start) }
     }
 
-    /// A part of the text that begins at this byte of it, in which places are kept.
+    /// A part of the text that begins at this byte; its parts keep their places.
     pub(crate) fn from(&self, text: String, start: usize) -> Self {
         Passage { text, span: self.span.clone(), start: self.start.map(|own| own + start) }
     }
 
-    /// Another text in its stead: it stands in no file.
+    /// Another text instead, which is in no file.
     pub(crate) fn with_text(&self, text: String) -> Self {
         Passage { text, span: self.span.clone(), start: None }
     }

@@ -9,10 +9,10 @@ use claims::Condition;
 use field::Rational;
 use symbolic::{Hypotheses, Node, Sym, coefficients, normal, univariate};
 
-/// Squares that are completed within each other.
+/// The largest depth of nested completions of the square.
 const DEPTH: usize = 4;
 
-/// Larger polynomials are not looked at.
+/// The largest number of terms of a polynomial.
 const MOST_TERMS: usize = 200;
 
 /// Signs of letters that are known.
@@ -24,7 +24,7 @@ struct Known {
 }
 
 impl Known {
-    /// Whether odd powers of a letter have no negative value.
+    /// Whether odd powers of a letter are nonnegative.
     fn is_up(&self, letter: &Sym) -> bool {
         self.positive.contains(letter) || self.not_negative.contains(letter)
     }
@@ -34,7 +34,7 @@ impl Known {
     }
 }
 
-/// Whether a quotient of polynomials is never negative wherever the conditions hold: none where that is not shown, else whether zero is excluded.
+/// Whether a quotient of polynomials is shown to be nonnegative where the conditions hold: none if not, otherwise whether zero is excluded.
 pub(crate) fn shows(expression: Sym, conditions: &[Condition]) -> Option<bool> {
     let (expression, is_turned) = by_half_angles(expression);
     let (expression, known) = by_slacks(expression, conditions);
@@ -45,11 +45,11 @@ pub(crate) fn shows(expression: Sym, conditions: &[Condition]) -> Option<bool> {
         _ if of(-form.denominator()) == Some(true) => of(-form.numerator())?,
         _ => return None,
     };
-    // the half of a straight angle has no tangent: there the value is a limit
+    // the tangent of half an angle has no value for half a turn: there the value is a limit
     Some(is_strict && !is_turned)
 }
 
-/// Cosines and sines by the tangent of half the angle, which may have any value; and whether there were any.
+/// Cosines and sines replaced by the tangent of half the angle, which may have any value; and whether there were any.
 fn by_half_angles(expression: Sym) -> (Sym, bool) {
     let mut known: Vec<(Sym, Sym)> = Vec::new();
     for leaf in expression.leaves_of() {
@@ -65,7 +65,7 @@ fn by_half_angles(expression: Sym) -> (Sym, bool) {
     (expression.substitute(&known), !known.is_empty())
 }
 
-/// Letters with signs; of a condition that is linear in a letter the distance from its edge, which has a sign, in the letter's place.
+/// Replaces a letter in which a condition is linear by the distance from the boundary of the condition, which has a sign.
 fn by_slacks(mut expression: Sym, conditions: &[Condition]) -> (Sym, Known) {
     let mut signs = Known::default();
     let mut known: Vec<(Sym, Sym)> = Vec::new();
@@ -84,7 +84,7 @@ fn by_slacks(mut expression: Sym, conditions: &[Condition]) -> (Sym, Known) {
         let of = of.substitute(&known);
         let free = |symbol: &Sym| !signs.is_up(symbol);
         let mut symbols = of.symbols_of();
-        // a letter whose own sign is known keeps it, where there is another one
+        // a letter with a known sign is replaced only if there is no other
         symbols.sort_by_key(|symbol| !free(symbol));
         let solved = symbols.into_iter().filter(|symbol| free(symbol)).find_map(|symbol| {
             let terms = coefficients(of, &[symbol]).ok()?;
@@ -103,7 +103,7 @@ fn by_slacks(mut expression: Sym, conditions: &[Condition]) -> (Sym, Known) {
     (expression, signs)
 }
 
-/// Whether a polynomial is never negative where letters have signs: none where that is not shown, else whether zero is excluded.
+/// Whether a polynomial is shown to be nonnegative for letters with given signs: none if not, otherwise whether zero is excluded.
 fn is_at_least_zero(polynomial: Sym, known: &Known, depth: usize) -> Option<bool> {
     let form = normal(polynomial, &Hypotheses::none()).ok()?;
     let polynomial = form.to_sym();
@@ -150,7 +150,7 @@ fn by_square(polynomial: Sym, symbol: Sym, known: &Known, depth: usize) -> Optio
     shown(four * of(2) * of(0) - of(1) * of(1))
 }
 
-/// A polynomial in one unknown, or of one degree in two, by its real roots.
+/// A polynomial in one unknown, or a homogeneous one in two, by its real roots.
 fn by_roots(polynomial: Sym, symbols: &[Sym], known: &Known) -> Option<bool> {
     let is_up = |symbol: &Sym| known.is_up(symbol);
     match symbols {
@@ -162,7 +162,7 @@ fn by_roots(polynomial: Sym, symbols: &[Sym], known: &Known) -> Option<bool> {
         }
         &[first, second] => {
             let degree = homogeneous(polynomial, symbols)?;
-            // by the ratio of both: the other sign of the second changes nothing where the degree is even
+            // by the ratio of both: for an even degree the sign of the second does not matter
             let (first, second) = if is_up(&second) { (first, second) } else { (second, first) };
             if !is_up(&second) && degree % 2 == 1 {
                 return None;
@@ -177,7 +177,7 @@ fn by_roots(polynomial: Sym, symbols: &[Sym], known: &Known) -> Option<bool> {
     }
 }
 
-/// The degree of a polynomial all of whose terms have it.
+/// The degree of a homogeneous polynomial.
 fn homogeneous(polynomial: Sym, symbols: &[Sym]) -> Option<u32> {
     let terms = coefficients(polynomial, symbols).ok()?;
     let mut degrees = terms.iter().map(|(exponents, _)| exponents.iter().sum::<u32>());
@@ -185,7 +185,7 @@ fn homogeneous(polynomial: Sym, symbols: &[Sym]) -> Option<u32> {
     degrees.all(|degree| degree == first).then_some(first)
 }
 
-/// The signs of a polynomial in one unknown, over all numbers or over those above zero.
+/// The signs of a polynomial in one unknown, over all numbers or over the positive ones.
 struct Signs {
     /// A number at which it is negative.
     negative: Option<Rational>,
@@ -195,7 +195,7 @@ struct Signs {
 impl Signs {
     fn of(dense: &[Rational], is_positive: bool) -> Option<Self> {
         let zero = Rational::new(0, 1);
-        // zero is no value above zero
+        // zero is not a positive value
         let skipped = if is_positive { dense.iter().take_while(|c| **c == zero).count() } else { 0 };
         let dense = &dense[skipped..];
         let roots: Vec<Root> = Polynomial::from_rationals(dense)?.square_free().real_roots();
@@ -227,7 +227,7 @@ impl Signs {
     }
 }
 
-/// An exact point at which a polynomial in one letter, or of one degree in two, is negative within the conditions.
+/// An exact point at which a polynomial in one letter, or a homogeneous one in two, is negative and the conditions hold.
 pub(crate) fn negative_point(expression: Sym, conditions: &[Condition], motion: &Motion<'_, '_>) -> Option<Refutation> {
     let is_closed = motion.open.is_empty() && motion.hypotheses.statements().is_empty();
     if !is_closed || motion.undetermined(expression).is_some() {

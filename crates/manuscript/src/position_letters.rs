@@ -1,5 +1,5 @@
-//! Expressions of positions by the letters that a paper has for them: direction cosines in the place of the four coordinates of a frame that
-//! turns freely, or of products of sines and cosines.
+//! Expressions of positions by the paper's letters: direction cosines instead of the four coordinates of a free frame, or of
+//! products of sines and cosines.
 
 use crate::letters::Letters;
 use algebra::linear::nonnegative_combination;
@@ -7,21 +7,21 @@ use field::Rational;
 use std::collections::{BTreeMap, BTreeSet};
 use symbolic::{Hypotheses, Sym, coefficients, normal};
 
-/// More letters, and longer expressions, are left as the model has them.
+/// With more letters, and for longer expressions, the form of the model is kept.
 const MOST_LETTERS: usize = 9;
 const MOST_TERMS: usize = 200;
 
 /// A polynomial in the leaves of positions: the factor of each product of these, by its exponents.
 type Terms = BTreeMap<Vec<u32>, Rational>;
 
-/// A product of letters, as the paper has it and over the positions.
+/// A product of letters, in the paper's symbols and over the positions.
 struct Product {
     own: Sym,
     terms: Terms,
 }
 
-/// An expression of the model in the paper's letters: a polynomial of the second degree at most in letters that are functions of the position.
-/// None where it is none under the hypotheses.
+/// An expression of the model as a polynomial of at most the second degree in the paper's letters for functions of the position. None if there
+/// is no such polynomial under the hypotheses.
 pub(crate) fn by_position_letters(letters: &Letters<'_, '_>, expression: Sym, hypotheses: &Hypotheses) -> Option<Sym> {
     let coordinates = &letters.trace.coordinates;
     let varies = |leaf: &Sym| leaf.as_constant().is_none();
@@ -46,7 +46,7 @@ pub(crate) fn by_position_letters(letters: &Letters<'_, '_>, expression: Sym, hy
     if below.leaves_of().iter().any(|leaf| leaves.contains(leaf)) {
         return None;
     }
-    // for each product of all other letters the polynomial that it is multiplied by
+    // for each product of all other letters its coefficient, a polynomial
     let mut wanted: BTreeMap<Vec<u32>, Terms> = BTreeMap::new();
     for (mut exponents, value) in terms(above, &[&leaves[..], &others].concat())? {
         let of_others = exponents.split_off(leaves.len());
@@ -66,7 +66,7 @@ pub(crate) fn by_position_letters(letters: &Letters<'_, '_>, expression: Sym, hy
         }
         combinations(&wanted, &products)
     })?;
-    // names of the paper may be those of the model for something else
+    // names of the paper may be names of the model with another meaning
     let kept: Vec<(Sym, Sym)> = products
         .iter()
         .enumerate()
@@ -85,7 +85,7 @@ pub(crate) fn by_position_letters(letters: &Letters<'_, '_>, expression: Sym, hy
     Some(letters.told(sum / below).substitute(&kept))
 }
 
-/// Factors of the products whose sum is each of the polynomials; none where one of them is no such sum.
+/// Coefficients of the products whose sum is each of the polynomials; none if one of them is not such a sum.
 fn combinations(wanted: &BTreeMap<Vec<u32>, Terms>, products: &[Product]) -> Option<Vec<Vec<Rational>>> {
     let zero = Rational::new(0, 1);
     wanted
@@ -96,7 +96,7 @@ fn combinations(wanted: &BTreeMap<Vec<u32>, Terms>, products: &[Product]) -> Opt
             let column = |terms: &Terms| -> Vec<Rational> {
                 rows.iter().map(|exponents| terms.get(*exponents).copied().unwrap_or(zero)).collect()
             };
-            // a factor of either sign is the difference of two that are not negative
+            // a coefficient of either sign is the difference of two nonnegative ones
             let columns: Vec<Vec<Rational>> = products.iter().map(|product| column(&product.terms)).collect();
             let opposite = columns.iter().map(|own| own.iter().map(|entry| -*entry).collect());
             let both: Vec<Vec<Rational>> = columns.iter().cloned().chain(opposite).collect();
@@ -107,7 +107,7 @@ fn combinations(wanted: &BTreeMap<Vec<u32>, Terms>, products: &[Product]) -> Opt
         .collect()
 }
 
-/// A polynomial in leaves by its exponents; none where it is long, or no polynomial.
+/// A polynomial in leaves by its exponents; none if it is too long, or not a polynomial.
 fn terms(polynomial: Sym, leaves: &[Sym]) -> Option<Terms> {
     let found = coefficients(polynomial, leaves).ok().filter(|found| found.len() <= MOST_TERMS)?;
     let number = |value: Sym| normal(value, &Hypotheses::none()).ok()?.as_constant();

@@ -27,7 +27,7 @@ pub(crate) fn premises(
             }
         };
         let by = zeros.into_iter().map(|zero| place(zero, relations)).collect();
-        // a symbol that was replaced before stands nowhere any more
+        // a symbol that was replaced before no longer occurs
         let new: Vec<(Sym, Sym)> = round.values.iter().copied().filter(|(symbol, _)| !known.contains(symbol)).collect();
         known.extend(new.iter().map(|&(symbol, _)| symbol));
         if !new.is_empty() {

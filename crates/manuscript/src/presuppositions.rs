@@ -1,4 +1,4 @@
-//! Presuppositions of a claim: its hypotheses, and the domain of its formula. Where these leave no point, the claim is vacuous.
+//! Presuppositions of a claim: its hypotheses, and the domain of its formula. If no point satisfies these, the claim is vacuous.
 
 use crate::claim_text::{ClaimText, Kind};
 use crate::conditions::{Hypothesis, assume, conditions};
@@ -15,7 +15,7 @@ use latex::Statement;
 use reader::Issue;
 use symbolic::Sym;
 
-/// Signs and what must not vanish, where the equalities hold.
+/// The conditions on signs and nonzero expressions, with the equalities inserted.
 ///
 /// # Errors
 /// They contradict each other.
@@ -35,7 +35,7 @@ pub(crate) fn where_they_hold(
         _ => constrained(),
     };
     let mut motion = base.clone();
-    // a kind of claim that cannot assume one says so itself
+    // the code for kinds of claims that cannot assume one reports this itself
     let is_assumed = assume(&mut motion, assumed).is_ok();
     let there = match is_assumed {
         true => conditions(&motion, assumed),
@@ -61,7 +61,7 @@ fn of_line(paper: &PaperText, hypothesis: &Hypothesis) -> String {
     format!("`{}` (line {})", hypothesis.told.0, paper.line_of(&hypothesis.at))
 }
 
-/// Presuppositions of a formula beside its hypotheses: they are listed, and a formula that has a value nowhere within them says nothing.
+/// Presuppositions of a formula in addition to its hypotheses: they are listed, and a formula without a value anywhere within them is undefined.
 pub(crate) fn presupposed(
     paper: &PaperText,
     claim: &ClaimText,
@@ -76,7 +76,7 @@ pub(crate) fn presupposed(
         _ => Motion::by_equations(letters.trace).unwrap_or_else(|_| constrained()),
     };
     let mut motion = base.clone();
-    // a kind of claim that cannot assume one has said so itself
+    // the code for kinds of claims that cannot assume one has reported this itself
     if assume(&mut motion, assumed).is_err() {
         return;
     }

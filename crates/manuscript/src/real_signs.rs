@@ -1,5 +1,5 @@
-//! Signs of expressions over real letters: in one unknown by roots of polynomials, of roots by squares, by conditions that are factors, and by
-//! squares and discriminants.
+//! Signs of expressions over real letters: in one unknown by roots of polynomials; for square roots by squares; by conditions that are factors; and
+//! by squares and discriminants.
 
 use crate::line_signs::least;
 use crate::motion::Motion;
@@ -9,13 +9,13 @@ use crate::signs::{Shown, is_written_as_positive};
 use claims::Condition;
 use symbolic::{Hypotheses, Node, Sym, coefficients, decide, normal};
 
-/// Rules that are used within each other.
+/// The largest depth of nested rules.
 const DEPTH: usize = 2;
 
-/// Letters, numbers and signs of an expression, as it is written; longer ones are not looked at.
+/// The largest number of letters, numbers and signs of an expression as written.
 const LONGEST: usize = 600;
 
-/// Whether an expression is positive, or not negative, wherever it has a value and the conditions hold.
+/// Whether an expression is positive, or nonnegative, wherever it has a value and the conditions hold.
 pub(crate) fn shows(expression: Sym, conditions: &[Condition]) -> Option<Shown> {
     if length(expression) > LONGEST {
         return None;
@@ -29,7 +29,7 @@ pub(crate) fn shows(expression: Sym, conditions: &[Condition]) -> Option<Shown> 
     Some(Shown { is_strict, evidence, is_of_normal_form: true })
 }
 
-/// Conditions with those of their factors: none of these vanishes where their product does not.
+/// Conditions, and conditions for their factors: a factor is not zero if the product is not.
 fn with_factors(conditions: &[Condition]) -> Vec<Condition> {
     let mut all = conditions.to_vec();
     for condition in conditions {
@@ -42,7 +42,7 @@ fn with_factors(conditions: &[Condition]) -> Vec<Condition> {
     all
 }
 
-/// The length of an expression as it is written, up to a little more than the longest that is looked at.
+/// The length of an expression as written, counted up to a little more than the largest accepted length.
 fn length(expression: Sym) -> usize {
     let (mut open, mut length) = (vec![expression], 0);
     while let Some(part) = open.pop().filter(|_| length <= LONGEST) {
@@ -52,7 +52,7 @@ fn length(expression: Sym) -> usize {
     length
 }
 
-/// None where that is not shown, else whether zero is excluded.
+/// None if it is not shown to be nonnegative, otherwise whether zero is excluded.
 fn is_at_least_zero(expression: Sym, known: &[Condition], depth: usize) -> Option<bool> {
     if length(expression) > LONGEST {
         return None;
@@ -108,7 +108,7 @@ fn by_root(expression: Sym, root: Sym, known: &[Condition], depth: usize) -> Opt
     by_larger(factor_sign.is_some(), difference).or_else(|| by_larger(plain_sign.is_some(), -difference))
 }
 
-/// A condition, or the square of what does not vanish, times an expression whose sign is shown.
+/// A condition, or the square of a nonzero expression, times an expression whose sign is shown.
 fn by_factor(expression: Sym, known: &[Condition], depth: usize) -> Option<bool> {
     if depth == 0 {
         return None;
@@ -125,7 +125,7 @@ fn by_factor(expression: Sym, known: &[Condition], depth: usize) -> Option<bool>
         if by.symbols_of().iter().any(|symbol| !expression.symbols_of().contains(symbol)) {
             return None;
         }
-        // a quotient that is longer has not that factor
+        // if the quotient is longer, the expression does not contain this factor
         let rest = divided(by).filter(|rest| length(*rest) <= longest)?;
         is_at_least_zero(rest, known, depth - 1).map(|rest| rest && is_strict)
     })

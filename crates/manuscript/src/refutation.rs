@@ -5,7 +5,7 @@ use claims::{Condition, Point};
 use field::Interval;
 use symbolic::{Hypotheses, Node, Sym, decide, normal};
 
-/// An exact point at which an expression does not vanish, or has a wrong sign.
+/// An exact point at which an expression is not zero, or has a wrong sign.
 pub(crate) struct Refutation {
     /// Symbols of the model, cosines and sines of its angles, with their values.
     pub point: Vec<(Sym, Sym)>,
@@ -14,22 +14,22 @@ pub(crate) struct Refutation {
 }
 
 impl Refutation {
-    /// The value of an expression there, where the point gives it one.
+    /// The value of an expression at the point, if the point determines it.
     pub fn value(&self, expression: Sym) -> Option<Sym> {
         let at = |expression: Sym| {
             let form = normal(expression.substitute(&self.point), &Hypotheses::none()).ok()?.to_sym();
             form.symbols_of().is_empty().then_some(form)
         };
-        // multiples of angles are told by those of the point
+        // multiples of angles are expressed by the angles of the point
         at(expression).or_else(|| at(normal(expression, &Hypotheses::none()).ok()?.to_sym()))
     }
 
-    /// Whether an expression has a value there other than zero, and all that the motion holds vanishes there.
+    /// Whether an expression has a nonzero value there, and all constraints and hypotheses of the motion hold.
     pub fn is_confirmed(&self, expression: Sym, motion: &Motion<'_, '_>) -> bool {
         self.value(motion.reduced(expression)).is_some_and(is_apart) && self.is_on(motion)
     }
 
-    /// Whether constraints and hypotheses hold there as they are stated, with values for the symbols that the point leaves open.
+    /// Whether constraints and hypotheses hold there as stated, for some values of the symbols that the point leaves open.
     pub fn is_on(&self, motion: &Motion<'_, '_>) -> bool {
         let mut point = self.point.clone();
         for symbol in motion.replaced() {
@@ -45,7 +45,7 @@ impl Refutation {
             if left == Sym::ZERO || decide(motion.reduced(zero), &motion.hypotheses).is_zero() {
                 return true;
             }
-            // a symbol that the point leaves open has the value that is asked for
+            // a symbol that the point leaves open gets the required value
             match solution(motion.trace, left, None).filter(|found| found.divisor.as_constant().is_some()) {
                 Some(found) => {
                     let taken = [(found.symbol, found.value)];
@@ -58,7 +58,7 @@ impl Refutation {
         })
     }
 
-    /// Whether a condition holds there; none where the point leaves it open.
+    /// Whether a condition holds there; none if the point does not decide it.
     pub fn satisfies(&self, condition: Condition) -> Option<bool> {
         let of = condition.expression();
         let has_root = || of.leaves_of().iter().any(|leaf| matches!(leaf.node(), Node::Root(_)));
@@ -75,7 +75,7 @@ fn enclosed(value: Sym) -> Option<Interval> {
     value.evaluate_analytic(&|_: &str| None::<Interval>).ok()
 }
 
-/// The sign of a number: of a fraction exactly, of others where an enclosure shows it.
+/// The sign of a number: exactly for a fraction, otherwise by an enclosure if it excludes zero.
 pub(crate) fn sign(value: Sym) -> Option<i32> {
     let exactly = value.as_constant().map(|value| value.sign());
     exactly.unwrap_or_else(|| enclosed(value)?.sign().filter(|sign| *sign != 0))

@@ -1,4 +1,4 @@
-//! The equations of motion where letters rest: the conditions of such a motion, without reactions and accelerations.
+//! The equations of motions on which letters are constant: the conditions of such a motion, without reactions and accelerations.
 
 use crate::claim_text::ClaimText;
 use crate::conditions::{Hypothesis, assume, conditions};
@@ -14,7 +14,7 @@ use model::equations::{Characteristics, Equation, Equations, constraints_of, sol
 use reader::Issue;
 use symbolic::Sym;
 
-/// Motions on which letters rest: what the equations of motion ask of them.
+/// Motions on which letters are constant, with the conditions that follow from the equations of motion.
 pub(crate) struct SteadyMotion<'t, 'm> {
     pub motion: Motion<'t, 'm>,
     /// With the coordinates of their equations.
@@ -26,10 +26,10 @@ pub(crate) struct SteadyMotion<'t, 'm> {
 }
 
 impl<'t, 'm> SteadyMotion<'t, 'm> {
-    /// The equations that hold no reaction and no acceleration. What was divided by is listed in the finding.
+    /// The equations without reactions and accelerations. Divisors are listed in the finding.
     ///
     /// # Errors
-    /// All that is wrong in the file; else, inside, why there are no such equations.
+    /// All faults of the file; the inner error is the reason why there are no such equations.
     pub fn of(
         claim: &ClaimText,
         printed: &[Sym],
@@ -57,7 +57,7 @@ impl<'t, 'm> SteadyMotion<'t, 'm> {
         let mut printed: Vec<Sym> = printed.iter().map(|&one| motion.reduced(one)).collect();
         let moving: Vec<Sym> =
             trace.accelerations.iter().copied().filter(|one| rates.iter().all(|(rate, _)| rate != one)).collect();
-        // as many equations as such accelerations give these, and state nothing else
+        // equations with such accelerations, as many as these, only determine the accelerations
         let holds_one = |equation: Sym| moving.iter().any(|one| equation.symbols_of().contains(one));
         let is_held = |one: &&Sym| equations.iter().any(|(equation, _)| equation.symbols_of().contains(one));
         let held = moving.iter().filter(is_held).count();
@@ -88,11 +88,11 @@ impl<'t, 'm> SteadyMotion<'t, 'm> {
     }
 }
 
-/// Combinations of more equations divide.
+/// For more equations the combinations need divisions.
 const MOST_SPEEDS: usize = 7;
 
-/// Equations of motion without the reactions of constraints: determinants of the rows of constraints with the equations below them, which
-/// divide by nothing; where those are many, the combinations along the speeds that stay free.
+/// Equations of motion without the reactions of constraints: determinants of the rows of constraints and the equations, which
+/// need no division; for many constraints, the combinations along the free speeds.
 fn without_reactions(
     trace: &Trace<'_>,
     constraints: &[Equation],
@@ -118,7 +118,7 @@ fn without_reactions(
         .collect()
 }
 
-/// Determinants of more rows are not expanded.
+/// The largest number of rows of an expanded determinant.
 const MOST_CONSTRAINTS: usize = 3;
 
 /// Every choice of so many places from here on.
@@ -131,10 +131,10 @@ fn chosen(from: usize, end: usize, count: usize) -> Vec<Vec<usize>> {
     (from..end).flat_map(after).collect()
 }
 
-/// Accelerations that do not rest are given by equations of motion, which state nothing else then. What was divided by.
+/// The divisors with which equations of motion determine the accelerations that are not zero; these equations state nothing else.
 ///
 /// # Errors
-/// One of them is given by no equation without a divisor that may vanish.
+/// One of them is only determined with a divisor that may be zero.
 fn determined(
     moving: &[Sym],
     equations: &mut Vec<(Sym, String)>,
@@ -162,7 +162,7 @@ fn determined(
     Ok(divided)
 }
 
-/// Directions that inertia or a constraint connects with one that rests, from one to the next.
+/// Speeds that are connected with a constant one by inertia or constraints, directly or through others.
 fn connected(all: &Equations, rests: impl Fn(usize) -> bool) -> Vec<usize> {
     let n = all.mass.len();
     let mut is_in: Vec<bool> = (0..n).map(rests).collect();

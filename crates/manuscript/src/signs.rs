@@ -1,4 +1,4 @@
-//! Signs of expressions, and exact points at which signs are as required.
+//! Signs of expressions, and exact points with required signs.
 
 use crate::motion::Motion;
 use crate::refutation::{Refutation, exact};
@@ -15,7 +15,7 @@ pub(crate) struct Shown {
     pub evidence: String,
 }
 
-/// Whether an expression is positive, or not negative, where the conditions hold: by its normal form, or as it is written.
+/// Whether an expression is positive, or nonnegative, where the conditions hold: by its normal form, or as written.
 pub(crate) fn shows(expression: Sym, motion: &Motion<'_, '_>, conditions: &[Condition]) -> Option<Shown> {
     let mut page = Page::of("paper", |_| None);
     let draft = page.claim("", "", "").given(conditions.iter().copied()).under(&motion.hypotheses);
@@ -23,13 +23,13 @@ pub(crate) fn shows(expression: Sym, motion: &Motion<'_, '_>, conditions: &[Cond
     if let Some(judged) = page.judge().into_iter().find(|judged| judged.verdict == Verdict::Proved) {
         return Some(Shown { is_strict: true, is_of_normal_form: true, evidence: judged.evidence });
     }
-    // a normal form may mix signs that the print keeps apart
+    // a normal form may mix signs that are separate in the printed form
     let evidence = "every term as written has this sign: squares, and letters that are positive".to_owned();
     let is_strict = is_written_as_positive(expression, conditions)?;
     Some(Shown { is_strict, is_of_normal_form: false, evidence })
 }
 
-/// Whether an expression is never negative as it is written: none where that is not seen, else whether zero is excluded.
+/// Whether the terms of an expression as written show that it is nonnegative: none if not, otherwise whether zero is excluded.
 pub(crate) fn is_written_as_positive(expression: Sym, conditions: &[Condition]) -> Option<bool> {
     sign(expression, conditions).and_then(|sign| match sign {
         Sign::Positive => Some(true),
@@ -82,7 +82,7 @@ impl Sign {
     }
 }
 
-/// The sign of an expression as it is written, by those of its letters.
+/// The sign of an expression as written, by the signs of its letters.
 fn sign(expression: Sym, conditions: &[Condition]) -> Option<Sign> {
     let of = |part: Sym| sign(part, conditions);
     if conditions.contains(&Condition::Positive(expression)) {
@@ -133,7 +133,7 @@ fn sign(expression: Sym, conditions: &[Condition]) -> Option<Sign> {
     }
 }
 
-/// A part of an expression that is the root of what is negative for all values.
+/// A part of an expression that is the square root of a quantity that is always negative.
 pub(crate) fn without_real_value(expression: Sym, motion: &Motion<'_, '_>, conditions: &[Condition]) -> Option<Sym> {
     if let Node::Root(below) = expression.node() {
         let below = motion.reduced(below);
@@ -146,11 +146,11 @@ pub(crate) fn without_real_value(expression: Sym, motion: &Motion<'_, '_>, condi
     expression.node().children().find_map(|part| without_real_value(part, motion, conditions))
 }
 
-/// Points that are tried, and those of roots, whose values take longer.
+/// The numbers of trial points, without and with roots, whose evaluation takes longer.
 const POINTS: u32 = 4_000;
 const POINTS_OF_ROOTS: u32 = 600;
 
-/// An exact point at which the conditions hold and the signs of expressions are as asked.
+/// An exact point at which the conditions hold and expressions have the required signs.
 pub(crate) fn search(
     expressions: &[Sym],
     conditions: &[Condition],
@@ -158,7 +158,7 @@ pub(crate) fn search(
     asked: impl Fn(&[i8]) -> bool,
 ) -> Option<Refutation> {
     let is_open = |expression: &Sym| motion.undetermined(*expression).is_some();
-    // rules beside squares of coordinates are those of free frames
+    // further rules besides squares of coordinates belong to free frames
     let has_rules = motion.hypotheses.statements().len() != motion.squares.len();
     if !motion.open.is_empty() || expressions.iter().any(is_open) || has_rules {
         return None;
@@ -190,7 +190,7 @@ pub(crate) fn search(
     )
 }
 
-/// A point with the coordinates whose squares constraints give; none where these are no fractions.
+/// A point with the coordinates whose squares are given by constraints; none if they are not fractions.
 fn with_squares(point: Vec<(Sym, Sym)>, squares: &[(Sym, Sym)]) -> Option<Vec<(Sym, Sym)>> {
     squares.iter().try_fold(point, |mut point, &(of, zero)| {
         let left = normal(zero.substitute(&point), &Hypotheses::none()).ok()?.numerator();
@@ -204,7 +204,7 @@ fn with_squares(point: Vec<(Sym, Sym)>, squares: &[(Sym, Sym)]) -> Option<Vec<(S
     })
 }
 
-/// A point with values for the letters that conditions alone have, so that all of them hold; none where it has none.
+/// A point completed with values for letters that occur only in conditions, so that all conditions hold; none if there are no such values.
 pub(crate) fn completed(found: Refutation, conditions: &[Condition]) -> Option<Refutation> {
     if !may_be_real(&found.point, conditions)
         || conditions.iter().any(|condition| found.satisfies(*condition) == Some(false))
@@ -226,9 +226,9 @@ pub(crate) fn completed(found: Refutation, conditions: &[Condition]) -> Option<R
     Some(Refutation { point: whole(&more.point), is_formal: found.is_formal })
 }
 
-/// Whether a point can be one of real numbers where the conditions hold. To refute an equation an angle, its sine and its cosine may have
-/// independent values, as may pi: an expression that does not vanish there does not vanish for all angles. A condition that contains the
-/// angle, or pi, ties them together.
+/// Whether a point may represent real numbers that satisfy the conditions. To refute an equation, an angle, its sine and its cosine may have
+/// independent values, and so may pi: an expression that is not zero there is not zero for all angles. A condition that contains the
+/// angle, or pi, makes them dependent.
 fn may_be_real(point: &[(Sym, Sym)], conditions: &[Condition]) -> bool {
     let asked = |letter: Sym| conditions.iter().any(|condition| condition.expression().leaves_of().contains(&letter));
     point.iter().all(|(letter, _)| match letter.node() {
@@ -237,7 +237,7 @@ fn may_be_real(point: &[(Sym, Sym)], conditions: &[Condition]) -> bool {
     })
 }
 
-/// Whether a symbol is the half turn, which no point gives another value.
+/// Whether a symbol is the half turn, whose value no point may change.
 pub(crate) fn is_half_turn(symbol: Sym) -> bool {
     symbol.symbol_name().is_some_and(|name| name == "pi")
 }
@@ -245,7 +245,7 @@ pub(crate) fn is_half_turn(symbol: Sym) -> bool {
 /// Small numbers for letters, in a fixed order.
 struct Draw<'a> {
     leaves: Vec<Sym>,
-    /// Whether roots are asked for, which squares have.
+    /// Whether roots are evaluated, for which squares are drawn.
     has_roots: bool,
     conditions: &'a [Condition],
 }
@@ -272,7 +272,7 @@ impl<'a> Draw<'a> {
         leaves.iter().all(is_plain).then_some(Draw { leaves, has_roots, conditions })
     }
 
-    /// The first point, completed, that is as asked.
+    /// The first suitable point, completed.
     fn find(
         &self,
         points: u32,

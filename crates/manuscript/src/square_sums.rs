@@ -1,4 +1,4 @@
-//! Expressions as sums of squares and of products of given conditions, which show their signs without a search.
+//! Expressions as sums of squares and of products of given conditions: the form shows the sign.
 
 use crate::line_signs::number;
 use crate::natural_domain::natural_domain;
@@ -6,16 +6,16 @@ use crate::signs::is_written_as_positive;
 use claims::Condition;
 use symbolic::{Hypotheses, Sym, coefficients, normal};
 
-/// Squares that are completed within each other.
+/// The largest depth of nested completions of the square.
 const DEPTH: usize = 4;
 
-/// The expression in another form, whose sign is seen as it is written, and the conditions by which it is.
+/// The expression in a form whose terms show its sign, and the conditions that this uses.
 pub(crate) struct SquareSum {
     pub written: Sym,
     pub known: Vec<Condition>,
 }
 
-/// None where no such form was found.
+/// None if no such form was found.
 pub(crate) fn square_sum(expression: Sym, is_strict: bool, conditions: &[Condition]) -> Option<SquareSum> {
     let known = [conditions, &natural_domain(&[expression])].concat();
     let form = normal(expression, &Hypotheses::none()).ok()?;
@@ -46,7 +46,7 @@ fn sum(polynomial: Sym, known: &[Condition], depth: usize) -> Option<Sym> {
         .or_else(|| known.iter().find_map(|condition| by_edge(polynomial, *condition, known, depth)))
 }
 
-/// Powers of a letter that are not negative, with coefficients that are not.
+/// A sum of nonnegative powers of a letter with nonnegative coefficients.
 fn by_powers(polynomial: Sym, letter: Sym, known: &[Condition], depth: usize) -> Option<Sym> {
     let terms = coefficients(polynomial, &[letter]).ok().filter(|terms| terms.len() > 1)?;
     let term = |(exponents, value): (Vec<u32>, Sym)| {
@@ -74,7 +74,7 @@ fn by_square(polynomial: Sym, letter: Sym, known: &[Condition], depth: usize) ->
     Some(lead * square + rest / (number(4) * lead))
 }
 
-/// A condition, or the square of what does not vanish, times another sum.
+/// A condition, or the square of a nonzero expression, times another sum.
 fn by_factor(polynomial: Sym, condition: Condition, known: &[Condition], depth: usize) -> Option<Sym> {
     let by = match condition {
         Condition::Positive(of) | Condition::NotNegative(of) => of,
@@ -85,7 +85,7 @@ fn by_factor(polynomial: Sym, condition: Condition, known: &[Condition], depth: 
     Some(by * sum(rest.to_sym(), known, depth - 1)?)
 }
 
-/// A letter in which a condition is linear by the distance from the edge of the condition.
+/// A letter in which a condition is linear, replaced by the distance from the boundary of the condition.
 fn by_edge(polynomial: Sym, condition: Condition, known: &[Condition], depth: usize) -> Option<Sym> {
     let (Condition::Positive(of) | Condition::NotNegative(of)) = condition else { return None };
     if of.symbol_name().is_some() {

@@ -26,7 +26,7 @@ use latex::Statement;
 use reader::Issue;
 use symbolic::{Hypotheses, Sym, coefficients, normal};
 
-/// `a > b` where, and only where, the motion on which the letters of `resting` are constant is stable.
+/// `a > b` if and only if the motion on which the letters of `resting` are constant is stable.
 pub(crate) fn stability(
     claim: &ClaimText,
     statement: &Statement,
@@ -82,7 +82,7 @@ pub(crate) fn stability(
     Ok(())
 }
 
-/// A printed condition beside the region of stability.
+/// A printed condition compared with the region of stability.
 struct Compared<'a, 't, 'm> {
     region: &'a Region,
     printed: Sym,
@@ -92,7 +92,7 @@ struct Compared<'a, 't, 'm> {
 }
 
 impl Compared<'_, '_, '_> {
-    /// The verdict; what the second checker can repeat of it.
+    /// The verdict, with the part of its proof that the second checker can repeat.
     fn judged(&self, letters: &Letters<'_, '_>, finding: &mut Finding) -> Option<Comparison> {
         let told = Told(letters);
         if let Some((criterion, multiple)) = self.multiple() {
@@ -135,18 +135,18 @@ impl Compared<'_, '_, '_> {
         by_roots.then_some(Comparison::Other(refutation))
     }
 
-    /// The conditions of a criterion that are not positive within the hypotheses alone.
+    /// The conditions of a criterion that the hypotheses alone do not show to be positive.
     fn open(&self, criterion: &Criterion) -> Vec<Sym> {
         let is_positive = |of: &Sym| shows(*of, self.motion, self.known).is_some_and(|shown| shown.is_strict);
         criterion.conditions.iter().copied().filter(|condition| !is_positive(condition)).collect()
     }
 
-    /// The criterion by roots, whose one condition that hypotheses leave open is a positive multiple of the printed one.
+    /// The criterion by roots, if its only open condition is a positive multiple of the printed one.
     fn multiple(&self) -> Option<(&Criterion, Multiple)> {
         let criterion = self.region.criteria.iter().find(|one| one.theorem.is_of_roots())?;
         let [condition] = self.open(criterion)[..] else { return None };
         let ratio = condition / self.printed;
-        // squares of what does not vanish have no sign of their own
+        // squares of nonzero expressions are positive
         let apart = self.known.iter().enumerate().filter_map(|(place, condition)| match condition {
             Condition::NonZero(e) | Condition::Positive(e) => Some((place, *e)),
             _ => None,
@@ -160,7 +160,7 @@ impl Compared<'_, '_, '_> {
         multiple.map(|multiple| (criterion, multiple))
     }
 
-    /// The energy says more than roots on the imaginary axis; without it these say little.
+    /// A sentence about roots on the imaginary axis, which do not suffice for stability without an energy.
     fn beyond_roots(&self) -> String {
         let is_minimum = |one: &&Criterion| one.theorem == Theorem::Minimum && self.shows_all(&one.conditions);
         let is_asymptotic = self.region.criteria.iter().any(|one| one.theorem == Theorem::Hurwitz);
@@ -180,7 +180,7 @@ impl Compared<'_, '_, '_> {
         conditions.iter().all(|&condition| has_sign(condition, true, self.motion, &there))
     }
 
-    /// The evidence where the conditions of a criterion follow from the printed one, and the printed one from what no stable motion lacks.
+    /// The evidence that the conditions of a criterion follow from the printed one, and the printed one from the necessary conditions.
     fn by_signs(&self) -> Option<String> {
         let criterion = self.region.criteria.iter().find(|one| self.shows_all(&one.conditions))?;
         let stable =
@@ -201,7 +201,7 @@ impl Compared<'_, '_, '_> {
         })
     }
 
-    /// A point at which the printed inequality and stability differ, whether it holds there, and whether roots alone tell both apart.
+    /// A point at which the printed inequality and stability differ, whether the inequality holds there, and whether roots alone show the difference.
     fn refutation(&self) -> Option<(Refutation, bool, bool)> {
         let of_roots = |one: &&Criterion| one.theorem.is_of_roots();
         let roots: Vec<&Criterion> = self.region.criteria.iter().filter(of_roots).collect();
@@ -232,7 +232,7 @@ impl Compared<'_, '_, '_> {
     }
 }
 
-/// Whether an expression is positive, or not negative, where conditions hold: by itself, or by the signs of its factors.
+/// Whether an expression is positive, or nonnegative, where conditions hold: as a whole, or by the signs of its factors.
 fn has_sign(expression: Sym, is_strict: bool, motion: &Motion<'_, '_>, known: &[Condition]) -> bool {
     let shown = |of: Sym| {
         let is_enough = |found: Shown| found.is_strict || !is_strict;
@@ -244,7 +244,7 @@ fn has_sign(expression: Sym, is_strict: bool, motion: &Motion<'_, '_>, known: &[
     shown(left) || left != expression && shown(expression)
 }
 
-/// An expression without the powers of letters that are positive.
+/// An expression without powers of positive letters.
 fn without_positive(expression: Sym, motion: &Motion<'_, '_>, known: &[Condition]) -> Sym {
     let is_positive = |of: Sym| {
         shows(of, motion, known).is_some_and(|shown| shown.is_strict) || condition_products::show(of, true, known)

@@ -1,4 +1,4 @@
-//! Conditions under which a steady motion is stable, and those without which it is unstable: by the roots of its linear equations, and by the energy of a
+//! Sufficient and necessary conditions for the stability of a steady motion: by the roots of its linear equations, and by the energy of a
 //! conservative system.
 
 use crate::condition_products;
@@ -10,12 +10,12 @@ use claims::Condition;
 use field::Rational;
 use symbolic::Sym;
 
-/// The theorem by which conditions suffice.
+/// The theorem of a sufficient criterion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Theorem {
     /// All roots are left of the imaginary axis.
     Hurwitz,
-    /// All roots are on the imaginary axis, each of its own.
+    /// All roots are simple and on the imaginary axis.
     EvenPowers,
     /// The potential energy has a minimum.
     Minimum,
@@ -26,13 +26,13 @@ impl Theorem {
         self != Theorem::Minimum
     }
 
-    /// The stability that it gives.
+    /// The kind of stability that it proves.
     pub fn kind(self) -> &'static str {
         if self == Theorem::Hurwitz { "asymptotically stable" } else { "stable" }
     }
 }
 
-/// Expressions that suffice for stability where all of them are positive.
+/// Expressions that are sufficient for stability if all of them are positive.
 pub(crate) struct Criterion {
     pub theorem: Theorem,
     pub conditions: Vec<Sym>,
@@ -41,13 +41,13 @@ pub(crate) struct Criterion {
 /// The values of parameters for which a steady motion is stable.
 pub(crate) struct Region {
     pub criteria: Vec<Criterion>,
-    /// Where one of these is negative a root has a positive real part.
+    /// If one of these is negative, a root has a positive real part.
     pub necessary: Vec<Sym>,
     pub is_gyroscopic: bool,
-    /// Whether the energy is kept beyond the linear equations.
+    /// Whether the energy is conserved by the nonlinear equations.
     pub is_lagrangian: bool,
     has_momenta: bool,
-    /// The characteristic polynomial, where conditions on its roots are available.
+    /// The characteristic polynomial, if there are conditions on its roots.
     pub roots: Option<Characteristic>,
     /// Present for a conservative system.
     pub energy: Option<EnergyForm>,
@@ -57,7 +57,7 @@ impl Region {
     /// The region of the linear equations about a motion.
     ///
     /// # Errors
-    /// Neither the roots nor an energy give conditions.
+    /// Neither the roots nor the energy give conditions.
     pub fn of(linear: &LinearMotion, motion: &Motion<'_, '_>, known: &[Condition]) -> Result<Self, String> {
         let is_positive = |of: &Sym| {
             shows(*of, motion, known).is_some_and(|shown| shown.is_strict) || condition_products::show(*of, true, known)
@@ -84,7 +84,7 @@ impl Region {
             Err(why) => Some(why),
         };
         if let Some(EnergyForm { potential, principal, is_gyroscopic, .. }) = &energy {
-            // the energy says more than roots on the imaginary axis
+            // a minimum of the energy proves more than roots on the imaginary axis
             region.criteria.insert(0, Criterion { theorem: Theorem::Minimum, conditions: potential.clone() });
             if !is_gyroscopic {
                 region.necessary.clone_from(principal);
@@ -97,7 +97,7 @@ impl Region {
         }
     }
 
-    /// The sentence on stability where the conditions of a theorem hold.
+    /// The sentence on stability if the conditions of a theorem hold.
     pub fn told(&self, theorem: Theorem) -> String {
         match theorem {
             Theorem::Hurwitz => "all roots have negative real parts, so that the motion is asymptotically stable".to_owned(),
@@ -131,7 +131,7 @@ impl Region {
     }
 }
 
-/// The conditions of a polynomial by rising powers: with even powers alone its squares are negative numbers, each of their own; else Hurwitz's.
+/// The conditions on a polynomial by rising powers. With even powers only: the squares of its roots are negative and simple. Otherwise Hurwitz's.
 fn conditions_of(all: &[Sym]) -> Result<Criterion, String> {
     let number = |value: i64| Sym::constant(Rational::new(value, 1));
     let is_even = all.iter().skip(1).step_by(2).all(|odd| *odd == Sym::ZERO);

@@ -19,7 +19,7 @@ use model::Trace;
 use reader::Issue;
 use symbolic::{Hypotheses, Sym, decide};
 
-/// The condition of the motions on which the letters of `resting` are constant: alone, or together with those of `beside`, which name the same motion.
+/// The condition of the motions on which the letters of `resting` are constant: alone, or together with the claims `beside` about this motion.
 pub(crate) fn steady_motion(
     claim: &ClaimText,
     beside: &[&ClaimText],
@@ -57,13 +57,13 @@ pub(crate) fn steady_motion(
     let names: Vec<&str> = beside.iter().map(|(_, name)| name.as_str()).collect();
     if let Ok(mut steady) = SteadyMotion::of(claim, &all, letters, assumed, &mut trial)? {
         let written: Vec<Sym> = all.iter().copied().flat_map(written_divisors).collect();
-        // a line says nothing where it has no value
+        // a line states nothing where it has no value
         let have_values = written.iter().map(|&divisor| Condition::NonZero(steady.motion.reduced(divisor)));
         let have_values: Vec<Condition> = have_values.collect();
         let given = steady.conditions.len();
         steady.conditions.extend(have_values);
         match together(&steady, &names, assumed, record) {
-            // no partner makes it right
+            // it is wrong with any other claims
             Some(Joint::Other) => return Ok(()),
             Some(found) => {
                 // the conditions added above are dropped, so that their divisors are listed as required
@@ -76,7 +76,7 @@ pub(crate) fn steady_motion(
         }
     }
     if is_too_little {
-        // the point at which it alone fails need not satisfy the others
+        // the point at which this claim fails alone need not satisfy the others
         record.restart();
         finding.judged.counterexample.clear();
         finding.judged.difference = None;
@@ -100,8 +100,8 @@ fn of_statement(claim: &ClaimText, statement: &Statement, letters: &Letters<'_, 
     }
 }
 
-/// The verdict on the first of the printed conditions by itself; `is` is that over the model, as it was read. Whether it was refuted since it asks for
-/// too little.
+/// The verdict on the first printed condition alone; `is` is this condition over the model, as it was read. Returns whether it was refuted since
+/// it is too weak.
 fn alone(
     steady: &SteadyMotion<'_, '_>,
     is: Sym,
@@ -145,7 +145,7 @@ fn alone(
         }
     }
     if of_print.is_empty() {
-        // a motion on which all of it rests satisfies every equation
+        // a motion on which all letters are constant satisfies every equation
         let is_steady = |found: &Refutation| {
             equations.iter().all(|(equation, _)| {
                 let left = motion.reduced(*equation);
@@ -177,7 +177,7 @@ fn alone(
     false
 }
 
-/// Whether an expression stays as it is where these rates vanish.
+/// Whether an expression is constant if these rates are zero.
 fn lasts(expression: Sym, rates: &[(Sym, Sym)], trace: &Trace<'_>) -> bool {
     crate::letters::rate(trace, expression)
         .is_ok_and(|rate| decide(rate.substitute(rates), &Hypotheses::none()).is_zero())

@@ -1,4 +1,4 @@
-//! Several printed conditions of one steady motion: each holds wherever the equations of motion do, and together they ask for all of these.
+//! Several printed conditions of one steady motion: each follows from the equations of motion, and together they imply all of these.
 
 use crate::certificate::Record;
 use crate::conditions::Hypothesis;
@@ -14,17 +14,17 @@ use crate::verdict::neither;
 use claims::{Condition, Verdict};
 use symbolic::{Sym, decide, normal};
 
-/// The first of several conditions beside the others.
+/// The first of several conditions in relation to the others.
 pub(crate) enum Joint {
-    /// With these others it is the condition of the motion; what was divided by.
+    /// Together with these others it is the condition of the motion; with the divisors.
     Whole { others: Vec<String>, divided: Vec<Sym> },
-    /// It holds on every such motion, and these others were not shown to.
+    /// It holds on every such motion, but these others were not shown to hold.
     Part { failing: Vec<String> },
     /// It does not hold on every such motion.
     Other,
 }
 
-/// The first printed condition together with those of the others that hold on every such motion; none where that shows nothing.
+/// The first printed condition together with those of the others that hold on every such motion; none if this decides nothing.
 pub(crate) fn together(
     steady: &SteadyMotion<'_, '_>,
     names: &[&str],
@@ -64,15 +64,15 @@ pub(crate) fn together(
     }
 }
 
-/// A motion on which expressions vanish.
+/// A motion on which expressions are zero.
 struct Solved<'t, 'm> {
     motion: Motion<'t, 'm>,
-    /// None of these vanishes.
+    /// Divisors, none of which is zero.
     divided: Vec<Sym>,
 }
 
 impl<'t, 'm> Solved<'t, 'm> {
-    /// None where one of them is not solved, or by a division by what may vanish.
+    /// None if one of them cannot be solved, or only with a divisor that may be zero.
     fn of(motion: &Motion<'t, 'm>, zeros: &[Sym], conditions: &[Condition]) -> Option<Self> {
         let mut solved = Solved { motion: motion.clone(), divided: Vec::new() };
         let is_apart = |factor: Sym| is_apart(factor, motion, conditions) || is_pole(factor, motion);
@@ -104,7 +104,7 @@ impl<'t, 'm> Solved<'t, 'm> {
         Some(solved)
     }
 
-    /// Whether an exact point satisfies the conditions there, where nothing is divided by zero.
+    /// Whether an exact point satisfies the conditions on the motion, with nonzero divisors.
     fn is_somewhere(&self, conditions: &[Condition]) -> bool {
         let apart = self.divided.iter().map(|&divisor| Condition::NonZero(divisor));
         let all = conditions.iter().copied().chain(apart);
@@ -119,7 +119,7 @@ impl<'t, 'm> Solved<'t, 'm> {
 }
 
 impl Joint {
-    /// Tells the verdict.
+    /// Writes the verdict into the finding.
     pub fn told(
         self,
         steady: &SteadyMotion<'_, '_>,

@@ -1,4 +1,4 @@
-//! The letters that rest on a steady motion: coordinates, and speeds.
+//! The letters that are constant on a steady motion: coordinates, and speeds.
 
 use crate::claim_text::ClaimText;
 use crate::conditions::{placed, scalar};
@@ -7,7 +7,7 @@ use latex::{Form, read};
 use reader::Issue;
 use symbolic::Sym;
 
-/// The places of coordinates that rest, and of speeds that stay as they are.
+/// The places of constant coordinates, and of constant speeds.
 pub(crate) struct Resting {
     pub coordinates: Vec<usize>,
     pub speeds: Vec<usize>,
@@ -44,7 +44,7 @@ impl Resting {
         Ok(found)
     }
 
-    /// The rates that vanish.
+    /// The rates that are zero.
     pub fn rates(&self, letters: &Letters<'_, '_>) -> Vec<(Sym, Sym)> {
         let trace = letters.trace;
         let of_coordinates =

@@ -32,7 +32,7 @@ pub(crate) fn neither(outcome: Outcome, letters: &Letters<'_, '_>, finding: &mut
     (finding.judged.verdict, finding.judged.evidence) = (verdict, evidence);
 }
 
-/// The hypotheses that were used beside the formula.
+/// The hypotheses that were used in addition to the formula.
 pub(crate) fn allowed(trace: &Trace<'_>, is_dynamic: bool) -> String {
     let constraints = constraints_of(trace).len();
     let held = match constraints {
@@ -76,7 +76,7 @@ pub(crate) fn refute(
     finding.judged.counterexample = point(line.own, refutation, motion, told);
 }
 
-/// Hypotheses that mix dimensions are an objection to whatever rests on them.
+/// Adds an objection if hypotheses have mixed dimensions.
 pub(crate) fn mixed_hypotheses(assumed: &[Hypothesis], letters: &Letters<'_, '_>, finding: &mut Finding) {
     let of = |name: &str| letters.dimension(name);
     for hypothesis in assumed {
@@ -87,11 +87,11 @@ pub(crate) fn mixed_hypotheses(assumed: &[Hypothesis], letters: &Letters<'_, '_>
     }
 }
 
-/// Sides of mixed dimensions speak against what is false, and are an objection to whatever is said to hold.
+/// Sides of mixed dimensions: a reason for a refutation, and an objection to a proof.
 pub(crate) fn mixed(lines: &[Line], letters: &Letters<'_, '_>, finding: &mut Finding) {
     let of = |name: &str| letters.dimension(name);
     let mismatch = lines.iter().find_map(|line| dimension(line.own[0] - line.own[1], &of).err());
-    // a name of a derivative has no dimension of its own
+    // the name of a derivative has no dimension of its own
     let Some(mismatch) = mismatch.filter(|mismatch| !matches!(mismatch, Mismatch::Unknown(_))) else {
         return;
     };

@@ -10,7 +10,7 @@ use symbolic::{Decision, Hypotheses, Sym, decide};
 /// A term that differs, each side in text and LaTeX.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TermDifference {
-    /// The acceleration whose coefficient differs; none of the terms without accelerations.
+    /// The acceleration whose coefficient differs; none for the terms without accelerations.
     pub of: Option<String>,
     /// The other program's.
     pub theirs: Option<(String, String)>,
@@ -26,20 +26,20 @@ pub(super) struct Projected<'a, 't, 'm> {
     /// On the constraints, with free accelerations.
     pub held: &'a Motion<'t, 'm>,
     pub free: &'a Characteristics,
-    /// The other program's speeds by the model's independent ones.
+    /// The derivatives of the other program's speeds by the model's independent ones.
     pub slopes: &'a [Vec<Sym>],
 }
 
 impl Projected<'_, '_, '_> {
-    /// An equation at a place, and the model's along the speed at this place, all other speeds at rest: on the constraints, with free
-    /// accelerations. None where that direction has no meaning.
+    /// An equation of the other program, and the model's equation along the speed at the same place with all other speeds zero: on the constraints,
+    /// with free accelerations. None if this direction is not defined.
     pub fn sides(&self, row: Sym, place: usize) -> Option<[Sym; 2]> {
         let square = self.slopes.get(..self.free.independent.len())?;
         Some(self.beside(row, &self.free.along(&self.equations()), direction(square, place)?))
     }
 
-    /// The same without the reactions of either, where all speeds are independent to the other program: equal where the equations are,
-    /// and no ground for a verdict.
+    /// As `sides`, without the reactions on both sides, if all speeds are independent in the other program. The sides are equal if the
+    /// equations are; they do not decide a verdict.
     pub fn sides_without_reactions(&self, row: Sym, place: usize, speeds: &[Sym]) -> Option<[Sym; 2]> {
         let Projected { trace, held, .. } = self;
         let by_speeds =
@@ -63,7 +63,7 @@ impl Projected<'_, '_, '_> {
         mass.iter().zip(&bias).map(inertia).collect()
     }
 
-    /// Their difference where no acceleration stands in it, with the divisors that must not vanish for that.
+    /// Their difference if it contains no acceleration, with the divisors that must not be zero.
     pub fn without_accelerations(&self, [theirs, ours]: [Sym; 2], requires: &mut Vec<Sym>) -> Option<Sym> {
         let difference = theirs - ours;
         for &k in &self.free.independent {
@@ -105,7 +105,7 @@ fn at_rest(trace: &Trace<'_>, expression: Sym) -> Sym {
     expression.substitute(&rest)
 }
 
-/// The speeds along which the one at a place alone moves; none where the matrix determines none.
+/// The model's speeds for which only the speed at this place is not zero; none if the matrix does not determine them.
 fn direction(square: &[Vec<Sym>], place: usize) -> Option<Vec<Sym>> {
     let size = square.len();
     let unit = |place: usize| (0..size).map(|r| if r == place { Sym::ONE } else { Sym::ZERO }).collect::<Vec<Sym>>();

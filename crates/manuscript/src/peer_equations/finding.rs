@@ -19,26 +19,26 @@ pub struct PeerEquation {
     pub sentence: String,
     /// The terms by which it differs from the model's equation along the same direction.
     pub terms: Vec<TermDifference>,
-    /// The value of its left side with the model's accelerations put in, text and LaTeX, where it can be read.
+    /// The value of its left side with the model's accelerations inserted, text and LaTeX, if it is short enough to read.
     pub left: Option<(String, String)>,
     /// An exact point at which it does not hold.
     pub point: Vec<(String, String)>,
 }
 
-/// The finding on all of them.
+/// The finding on all equations.
 #[derive(Clone, Debug)]
 pub struct PeerFinding {
     pub verdict: Verdict,
     pub sentence: String,
     pub equations: Vec<PeerEquation>,
-    /// Divisors that must not vanish, text and LaTeX.
+    /// Divisors that must not be zero, text and LaTeX.
     pub requires: Vec<(String, String)>,
 }
 
-/// A longer expression is not written out.
+/// The largest length of a printed expression.
 const READABLE: usize = 600;
 
-/// An expression that should vanish where the motion is, in words too; `along` has the accelerations.
+/// The finding on an expression that should be zero along the motion; `along` has the accelerations.
 pub(super) fn judged(
     name: String,
     zero: Sym,
@@ -126,7 +126,7 @@ pub(super) fn whole(found: &[PeerEquation], determined: bool, [theirs, ours]: [u
     }
 }
 
-/// Speeds of the model that the other program's leave open.
+/// Speeds of the model that the other program's speeds do not determine.
 pub(super) fn untold(trace: &Trace<'_>, free: &Characteristics, slopes: &[Vec<Sym>]) -> String {
     let is_told = |column: usize| slopes.iter().any(|row| row[column] != Sym::ZERO);
     let open: Vec<String> = free
@@ -140,7 +140,7 @@ pub(super) fn untold(trace: &Trace<'_>, free: &Characteristics, slopes: &[Vec<Sy
     format!("the coordinates of the other program do not determine {what}")
 }
 
-/// An expression as it is read; none where it is too long.
+/// An expression for readers; none if it is too long.
 pub(super) fn readable(expression: Sym, motion: &Motion<'_, '_>) -> Option<(String, String)> {
     let form = normal(expression, &motion.hypotheses).ok()?.to_sym();
     let text = form.to_string();

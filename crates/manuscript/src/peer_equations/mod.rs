@@ -1,8 +1,8 @@
-//! Equations of motion that another program has derived, beside those of a model.
+//! Equations of motion that another program has derived, compared with those of a model.
 //!
-//! The letters of the other program have meanings in the model. Its equations are those of the model where each of them vanishes with
-//! the model's accelerations put in, its constraints hold wherever the model's do, it determines all accelerations, and both have as
-//! many degrees of freedom. The choice of its speeds, and of combinations of its equations, does not matter.
+//! The letters of the other program have meanings in the model. Its equations are equivalent to those of the model if each of them holds with
+//! the model's accelerations inserted, its constraints hold wherever the model's do, it determines all accelerations, and both have
+//! equally many degrees of freedom. The choice of its speeds, and of combinations of its equations, does not matter.
 
 mod differences;
 mod finding;
@@ -29,18 +29,18 @@ use symbolic::{Sym, decide};
 pub struct PeerEquations {
     /// Letters with their meanings in the model: coordinates, parameters, inputs. Rates of a letter carry primes.
     pub letters: Vec<(String, String)>,
-    /// Speeds that are no rates of coordinates: the kinematic equations determine them.
+    /// Speeds that are not rates of coordinates; the kinematic equations determine them.
     pub speeds: Vec<String>,
     /// The accelerations in the equations, `q''` or `u'`.
     pub accelerations: Vec<String>,
     pub multipliers: Vec<String>,
     /// Abbreviations, each over letters and those before it.
     pub abbreviations: Vec<(String, String)>,
-    /// Expressions that vanish, linear in the speeds: rates of coordinates by speeds.
+    /// Expressions that are zero, linear in the speeds: rates of coordinates by speeds.
     pub kinematics: Vec<String>,
-    /// Expressions that vanish: constraints between speeds, or between coordinates.
+    /// Expressions that are zero: constraints between speeds, or between coordinates.
     pub constraints: Vec<String>,
-    /// Expressions that vanish, linear in accelerations and multipliers, each with its name.
+    /// Expressions that are zero, linear in accelerations and multipliers, each with its name.
     pub equations: Vec<(String, String)>,
 }
 
@@ -54,7 +54,7 @@ impl PeerEquations {
     /// # Errors
     /// The system or the meaning of a letter is wrong, or the equations cannot be compared.
     pub fn compared(&self, system: &SystemText) -> Result<PeerFinding, SceneError> {
-        // faults of the system are told as such, and not as those of the letters
+        // faults of the system are reported as such, not as faults of the letters
         system.for_judgement()?;
         let offset = system.text.len() + 1;
         let (mut written, mut outputs) = (String::new(), Vec::new());
@@ -137,7 +137,7 @@ impl PeerEquations {
         }
         let idle: Vec<(Sym, Sym)> = rates.multipliers.iter().map(|&z| (z, Sym::ZERO)).collect();
         let names: Vec<&String> = self.equations.iter().map(|(name, _)| name).collect();
-        // without reactions an equation is told by its terms, and one that differs is not to give a multiplier
+        // equations are compared without reactions, and an equation that differs should not be used to find a multiplier
         let of_rows: Vec<Vec<TermDifference>> = match rates.multipliers.is_empty() {
             true => Vec::new(),
             false => {
@@ -152,7 +152,7 @@ impl PeerEquations {
         let (left, used) = without_multipliers(&rows, &rates.multipliers, &along, differs)?;
         for (place, row) in left.iter().enumerate().filter(|(place, _)| !used.contains(place)) {
             let sides = rates.multipliers.is_empty().then(|| projected.sides(*row, place)).flatten();
-            // along every motion the model's side vanishes; without accelerations less has to be put in
+            // along every motion the model's side is zero; without accelerations fewer symbols have to be replaced
             let rest = sides.and_then(|sides| projected.without_accelerations(sides, &mut requires));
             let (zero, motion, is) = match (rest, sides) {
                 (Some(rest), _) => (rest, &held, BESIDE_OURS),

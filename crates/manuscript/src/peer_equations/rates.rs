@@ -9,7 +9,7 @@ use model::equations::{generic_pivots, generic_rank};
 use symbolic::linear::solve;
 use symbolic::{Hypotheses, Sym, decide};
 
-/// Why equations cannot be compared, and what is accepted.
+/// The reason why equations cannot be compared, and the accepted form.
 type Refusal = (String, &'static str);
 
 const LINEAR: &str = "kinematic equations that are linear in the speeds and determine them";
@@ -20,7 +20,7 @@ const MOST_CHOICES: usize = 64;
 /// The equations of another program, over the symbols of the model and letters for its unknowns.
 pub(super) struct PeerRates {
     pub equations: Vec<Sym>,
-    /// Over the model alone.
+    /// Constraints over the symbols of the model.
     pub constraints: Vec<Sym>,
     /// The letters of accelerations, and those of multipliers.
     pub accelerations: Vec<Sym>,
@@ -51,7 +51,7 @@ impl PeerRates {
         }
         let speeds: Vec<Sym> = peer.speeds.iter().map(|name| unknown(name)).collect();
         peer.speeds.iter().zip(&speeds).for_each(|(name, &letter)| words.add(name, letter));
-        // abbreviations that hold speeds are read again once these are known
+        // abbreviations that contain speeds are read again when these are known
         let mut of_kinematics = words.clone();
         for (name, text) in &peer.abbreviations {
             if let Ok(value) = of_kinematics.read(text) {
@@ -97,7 +97,7 @@ impl PeerRates {
     }
 }
 
-/// The speeds by the kinematic equations, and those of the equations that were not needed.
+/// The speeds by the kinematic equations, and the equations that were not needed for them.
 fn solved_speeds(kinematics: &[Sym], speeds: &[Sym]) -> Result<(Vec<Sym>, Vec<Sym>), Refusal> {
     if speeds.is_empty() {
         return Ok((Vec::new(), kinematics.to_vec()));
@@ -121,8 +121,8 @@ fn solved_speeds(kinematics: &[Sym], speeds: &[Sym]) -> Result<(Vec<Sym>, Vec<Sy
     Ok((solution.values(), others))
 }
 
-/// The equations with the multipliers put in that some of them give, and the places of these: those that leave the fewest of the others
-/// wrong, and of these such that do not differ from the model's if there are any.
+/// The equations with the multipliers inserted that some of them determine, and the places of these equations. They are chosen such that the
+/// fewest of the others fail, and preferably do not differ from the model's equations.
 pub(super) fn without_multipliers(
     rows: &[Sym],
     multipliers: &[Sym],
@@ -136,7 +136,7 @@ pub(super) fn without_multipliers(
         rows.iter().map(|row| multipliers.iter().map(|&z| along.reduced(row.diff(z))).collect()).collect();
     let order: Vec<usize> = (0..multipliers.len()).collect();
     let columns: Vec<usize> = generic_pivots(&slopes, &order).into_iter().map(|(_, column)| column).collect();
-    // those that the others leave free are zero
+    // multipliers that remain free are zero
     let idle: Vec<(Sym, Sym)> = multipliers
         .iter()
         .enumerate()
@@ -182,7 +182,7 @@ pub(super) fn without_multipliers(
     Ok((left, taken))
 }
 
-/// All choices of so many places, from the last ones on: first come those that spare the first equations.
+/// All choices of `count` places, beginning with the last places, so that the first equations are used last.
 fn choices(of: usize, count: usize) -> Vec<Vec<usize>> {
     if count == 0 {
         return vec![Vec::new()];

@@ -31,7 +31,7 @@ impl Vocabulary {
     /// An expression.
     ///
     /// # Errors
-    /// It cannot be read, or holds what is not known.
+    /// It cannot be read, or contains unknown names.
     pub fn read(&self, text: &str) -> Result<Sym, String> {
         let expression = read(text).map_err(|fault| format!("`{}`: {}", shortened(text), fault.reason))?;
         let mut values: Vec<Sym> = Vec::with_capacity(expression.parts.len());
@@ -90,7 +90,7 @@ impl Vocabulary {
     }
 }
 
-/// Roots of roots are taken as often as the denominator is a power of two.
+/// Square roots are repeated for denominators that are powers of two.
 fn power(base: Sym, Exponent { numerator, denominator }: Exponent) -> Result<Sym, String> {
     let (mut root, mut left) = (base, denominator);
     while left > 1 && left % 2 == 0 {
