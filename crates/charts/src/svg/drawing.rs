@@ -86,13 +86,13 @@ impl Drawing {
         }
     }
 
-    /// A path with more attributes, and with what moves it.
+    /// A path with more attributes, and with its animation.
     pub fn path_with(&mut self, d: &str, class: &str, attributes: &str, moved: &str) {
         let d = d.replace(" -", "-");
         let _ = write!(self.body, "<path class=\"{class}\" d=\"{d}\"{attributes}>{moved}</path>");
     }
 
-    /// A text with more attributes, and with what moves it.
+    /// A text with more attributes, and with its animation.
     pub fn text_with(&mut self, (x, y): (f64, f64), class: &str, text: &str, attributes: &str, moved: &str) {
         let (x, y, text) = (coordinate(x), coordinate(y), html!((text)).0);
         let _ = write!(self.body, "<text class=\"{class}\" x=\"{x}\" y=\"{y}\"{attributes}>{text}{moved}</text>");
@@ -187,7 +187,7 @@ impl Drawing {
     }
 }
 
-/// Breaks a text into lines of at most so many characters; a longer word has a line of its own.
+/// Breaks a text into lines of at most `limit` characters; a longer word has a line of its own.
 pub(crate) fn wrap(text: &str, limit: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
@@ -202,7 +202,7 @@ pub(crate) fn wrap(text: &str, limit: usize) -> Vec<String> {
     lines
 }
 
-/// A text cut to so many characters, with an ellipsis where something is lost.
+/// A text cut to `limit` characters, with an ellipsis if it is longer.
 pub(crate) fn shorten(text: &str, limit: usize) -> String {
     if text.chars().count() <= limit {
         return text.to_owned();

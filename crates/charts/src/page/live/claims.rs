@@ -1,4 +1,4 @@
-//! The claims of a paper as they are decided: the source of each formula beside the formula as it was read.
+//! The claims of a paper as they are decided: the source of each formula next to the formula as it was read.
 
 use super::super::cards::chip;
 use super::super::{conditions, statement};

@@ -1,4 +1,4 @@
-//! A page that follows a file while it is written, and the same page saved.
+//! A page that is updated when its file is saved, and this page as a file.
 //!
 //! The page has a fixed list of parts. Each part has content and a fault, both HTML in which every text is escaped, and a
 //! [`Freshness`]. A live page has one script, allowed by a nonce, which replaces parts sent by a server; a saved page has none.

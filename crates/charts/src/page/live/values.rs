@@ -13,7 +13,7 @@ pub struct Slider {
     pub range: [f64; 2],
 }
 
-/// A slider for each number, and a button that takes all changes back.
+/// A slider for each number, and a button that undoes all changes.
 pub fn sliders(all: &[Slider], about: &str) -> String {
     html! {
         @if !all.is_empty() {

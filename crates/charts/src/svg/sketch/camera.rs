@@ -7,9 +7,9 @@ use crate::svg::drawing::WIDTH;
 /// A direction of view.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// From the mechanism to the eye; of any length.
+    /// The direction from the mechanism to the viewer; of any length.
     pub towards: [f64; 3],
-    /// The direction that is up on the paper, as far as it can be.
+    /// The direction that is drawn upwards, up to the projection.
     pub up: [f64; 3],
 }
 
@@ -28,14 +28,14 @@ pub(super) struct Camera {
     towards: [f64; 3],
     /// Pixels in a metre.
     pub scale: f64,
-    /// The metres, to the right and up, that stand in the middle.
+    /// The coordinates of the middle of the picture, to the right and up, in metres.
     middle: (f64, f64),
     pub height: f64,
 }
 
-/// Pixels that the mechanism has at most, to the right and down.
+/// The largest size of the mechanism, to the right and down, in pixels.
 const ROOM: (f64, f64) = (WIDTH - 130.0, 300.0);
-/// Pictures that are not to scale take so much of it.
+/// The fraction of this size for pictures that are not to scale.
 const SCHEMATIC: f64 = 0.55;
 /// The margin above and below.
 const MARGIN: f64 = 48.0;
@@ -60,35 +60,35 @@ impl Camera {
         camera
     }
 
-    /// In metres to the right and up.
+    /// The projection of a point, in metres to the right and up.
     fn flat(&self, place: [f64; 3]) -> (f64, f64) {
         (dot(self.right, place), dot(self.up, place))
     }
 
-    /// A place on the paper, in pixels.
+    /// The projection of a point, in pixels.
     pub fn place(&self, place: [f64; 3]) -> (f64, f64) {
         let (x, y) = self.flat(place);
         (0.5 * WIDTH + self.scale * (x - self.middle.0), 0.5 * self.height - self.scale * (y - self.middle.1))
     }
 
-    /// A length along a direction, in pixels.
+    /// The projection of a vector, in pixels.
     pub fn along(&self, direction: [f64; 3]) -> (f64, f64) {
         let (x, y) = self.flat(direction);
         (self.scale * x, -self.scale * y)
     }
 
-    /// A direction as a part of its length, to the right and down.
+    /// The projection of a direction relative to its length, to the right and down.
     pub fn share(&self, direction: [f64; 3]) -> (f64, f64) {
         let (x, y) = self.flat(unit(direction).unwrap_or_default());
         (x, -y)
     }
 
-    /// From the mechanism to the eye.
+    /// The direction from the mechanism to the viewer, of length one.
     pub fn towards(&self) -> [f64; 3] {
         self.towards
     }
 
-    /// The part of a direction that points to the eye.
+    /// The component of a direction towards the viewer.
     pub fn depth(&self, direction: [f64; 3]) -> f64 {
         dot(self.towards, unit(direction).unwrap_or_default())
     }
@@ -117,7 +117,7 @@ pub(super) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// A direction of length one; none of no direction.
+/// A direction scaled to length one; none for zero.
 pub(super) fn unit(direction: [f64; 3]) -> Option<[f64; 3]> {
     let length = dot(direction, direction).sqrt();
     (length > 1e-9 && length.is_finite()).then(|| direction.map(|part| part / length))

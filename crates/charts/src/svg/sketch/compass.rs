@@ -7,12 +7,12 @@ use crate::svg::number::{coordinate, significant};
 /// Lengths of the axes and of the arrow of free fall, in pixels.
 const AXIS: f64 = 24.0;
 const FALL: f64 = 26.0;
-/// The height of the strip, and where the axes and the arrow stand in it.
+/// The height of the strip, and the places of the axes and the arrow in it.
 const HEIGHT: f64 = 84.0;
 const AXES_AT: f64 = 46.0;
 const FALL_AT: f64 = 118.0;
 
-/// Draws the strip below everything that is drawn.
+/// Draws the strip below the drawing.
 pub(super) fn compass(
     drawing: &mut Drawing,
     camera: &Camera,
@@ -27,7 +27,7 @@ pub(super) fn compass(
         let (along, down) = camera.share(direction);
         let length = along.hypot(down);
         if length < 0.1 {
-            // one that points to the eye, or away from it
+            // an axis that points to the viewer, or away
             drawing.circle((AXES_AT, middle), 2.6, "axis-end");
             continue;
         }
@@ -50,7 +50,7 @@ pub(super) fn compass(
     drawing.height += HEIGHT;
 }
 
-/// A bar whose length is a round number of metres.
+/// Draws a bar whose length is a round number of metres.
 fn scale(drawing: &mut Drawing, camera: &Camera, y: f64) {
     let most = 90.0 / camera.scale;
     let power = 10_f64.powf(most.log10().floor());
@@ -63,7 +63,7 @@ fn scale(drawing: &mut Drawing, camera: &Camera, y: f64) {
     drawing.text((0.5 * (left + right), y - 8.0), Anchor::Middle, "small", &metres(length));
 }
 
-/// A length as people write it.
+/// A length with its usual unit.
 fn metres(length: f64) -> String {
     let units = [(1e3, "km"), (1.0, "m"), (1e-3, "mm"), (1e-6, "µm")];
     // centimetres are read more easily than tens of millimetres

@@ -1,4 +1,4 @@
-//! Names beside what they name: each at the first of its sides where it covers nothing, left out where every side is taken.
+//! Labels: each name is placed on the first side of its point where it covers nothing, and left out if there is no such side.
 
 use super::camera::Camera;
 use super::pose::Flat;
@@ -11,10 +11,10 @@ use crate::svg::number::coordinate;
 /// The width of a letter, and the height of a line, in pixels.
 const LETTER: f64 = 7.4;
 const HEIGHT: f64 = 14.0;
-/// Where there are more names, so many of them stand there.
+/// The largest number of names.
 const MOST: usize = 40;
 const FEW: usize = 16;
-/// Letters of a name.
+/// The largest number of letters of a name.
 const LONGEST: usize = 24;
 
 /// A box on the paper: left, top, right, bottom.
@@ -27,13 +27,13 @@ pub(super) struct Labels {
 
 struct Label {
     text: String,
-    /// From its place to the left end of its base line.
+    /// The vector from its point to the left end of its base line.
     beside: Flat,
     places: Vec<Flat>,
 }
 
 impl Labels {
-    /// Sides are chosen at the first instant.
+    /// The labels of a sketch; their sides are chosen at the first instant.
     pub fn of(sketch: &Sketch, camera: &Camera, first: &Instant) -> Self {
         let at = |instant: &Instant, place: usize| instant.places.get(place).map(|place| camera.place(*place));
         let ink = ink(sketch, first, camera);
@@ -87,7 +87,7 @@ impl Labels {
     }
 }
 
-/// Sides, to the right and down from a place, the best first.
+/// Sides, to the right and down from a point, the best first.
 const SIDES: [(f64, f64); 12] = [
     (10.0, 0.0),
     (9.0, -11.0),

@@ -1,4 +1,4 @@
-//! Marks at one place, as paths about it.
+//! Marks at one point, as paths about it.
 
 use super::pose::Flat;
 use crate::svg::number::coordinate as n;

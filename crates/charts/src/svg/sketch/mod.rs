@@ -1,6 +1,6 @@
 //! A mechanism as a mechanician sketches it: bodies, joints, springs, supports, at one instant or along a run.
 //!
-//! Every part refers to places and directions by their numbers, and an [`Instant`] gives their coordinates. One instant gives a still
+//! Every part refers to points ("places") and directions by their numbers, and an [`Instant`] gives their coordinates. One instant gives a still
 //! picture; several give an animated one, in a page and as an image, without a script: rigid parts are moved, parts that change
 //! their shape have a path for each instant.
 
@@ -32,14 +32,14 @@ pub struct Sketch {
     pub parts: Vec<SketchPart>,
     /// Names at places, plain text; those of greater weight come first.
     pub names: Vec<(usize, String)>,
-    /// At least one; times are even along a run.
+    /// At least one; the times of several are equally spaced.
     pub instants: Vec<Instant>,
     pub view: View,
     /// The names of the axes x, y and z of the ground.
     pub axes: [String; 3],
-    /// The acceleration of free fall, of which the direction is drawn; zero where there is none.
+    /// The acceleration of free fall, whose direction is drawn; zero without gravity.
     pub gravity: [f64; 3],
-    /// Whether lengths are those of the model, so that a scale is drawn.
+    /// Whether the sketch has the lengths of the model, so that a scale is drawn.
     pub has_scale: bool,
     /// Text below the picture.
     pub note: String,
@@ -52,27 +52,27 @@ pub struct Instant {
     pub time: f64,
     /// In metres, along the axes of the ground.
     pub places: Vec<[f64; 3]>,
-    /// Along the axes of the ground; of those that are lengths in metres.
+    /// Vectors along the axes of the ground; those that are lengths are in metres.
     pub directions: Vec<[f64; 3]>,
 }
 
 /// A part, at places and along directions by their numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SketchPart {
-    /// A rigid body through places that are fixed in it, in a colour by its number.
+    /// A rigid body through points that are fixed in it, with the number of its colour.
     Plate {
         corners: Vec<usize>,
         colour: usize,
     },
     /// A rigid rod without a mass.
     Rod([usize; 2]),
-    /// A line on which one place moves beside another.
+    /// A line along which one point moves relative to another.
     Telescope([usize; 2]),
     Spring([usize; 2]),
     Dashpot([usize; 2]),
-    /// A force between two places that is neither of a spring nor of a dashpot.
+    /// A force between two points that is neither that of a spring nor that of a dashpot.
     Actuator([usize; 2]),
-    /// An attraction or a repulsion from afar.
+    /// An attraction or a repulsion at a distance.
     Field([usize; 2]),
     /// A body that is a point with a mass.
     Particle {
@@ -83,7 +83,7 @@ pub enum SketchPart {
     Centre(usize),
     /// A joint.
     Pin(usize),
-    /// A place that is fixed in the ground, with something held there.
+    /// A point fixed in the ground at which something is held.
     Support(usize),
     /// A block that slides along a line.
     Block {
@@ -91,12 +91,12 @@ pub enum SketchPart {
         along: usize,
         colour: usize,
     },
-    /// The line that it slides on, through a place of the first instant.
+    /// The line on which a block slides, through its position at the first instant.
     Guide {
         at: usize,
         along: usize,
     },
-    /// A closed curve about a place: an ellipse by its two half axes, lengths among the directions.
+    /// A closed curve about a point: an ellipse given by its two half axes, which are lengths among the directions.
     Ring {
         at: usize,
         axes: [usize; 2],
@@ -109,13 +109,13 @@ pub enum SketchPart {
         axes: [usize; 3],
         colour: usize,
     },
-    /// A surface that is touched at a place, with its normal towards the body.
+    /// A surface that is touched at a point, with its normal towards the body.
     Surface {
         at: usize,
         normal: usize,
         of_ground: bool,
     },
-    /// A force on a place, whose size is not drawn.
+    /// A force on a point; its magnitude is not drawn.
     Arrow {
         at: usize,
         along: usize,

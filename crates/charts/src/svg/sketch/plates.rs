@@ -1,11 +1,11 @@
-//! Rigid bodies through the places that are fixed in them: a bar through two, a plate about several in a plane, a frame of bars in space.
+//! Rigid bodies through the points that are fixed in them: a bar through two points, a plate about several points in a plane, a frame of bars in space.
 
 use super::Instant;
 use super::marks::polygon;
 use super::pose::{Flat, Pose, distance};
 use super::shapes::{Scene, Shape, segments_between};
 
-/// A triangle whose height is below this part of its base is a bar.
+/// A triangle whose height is below this fraction of its base is drawn as a bar.
 const THIN: f64 = 0.02;
 
 pub(super) fn plate(scene: Scene<'_>, corners: &[usize], colour: &str) -> Vec<Shape> {
@@ -23,7 +23,7 @@ pub(super) fn plate(scene: Scene<'_>, corners: &[usize], colour: &str) -> Vec<Sh
     vec![Shape::new(3, format!("bar{colour}"), segments_between(scene, &bars))]
 }
 
-/// Whether the corners stay at one distance from the eye, so that their outline does not change.
+/// Whether the corners stay at one distance from the viewer, so that their outline does not change.
 fn is_flat(scene: Scene<'_>, corners: &[usize]) -> bool {
     let mut deepest: f64 = 0.0;
     let mut widest: f64 = 0.0;
@@ -65,7 +65,7 @@ fn hull(points: &[Flat]) -> Vec<usize> {
     [lower, upper].concat()
 }
 
-/// Twice the area over the square of the perimeter's half: zero of a line.
+/// Twice the area divided by the square of half the perimeter: zero for a line.
 fn width(corners: &[Flat]) -> f64 {
     let next = |k: usize| corners[(k + 1) % corners.len()];
     let area: f64 = corners.iter().enumerate().map(|(k, a)| a.0 * next(k).1 - next(k).0 * a.1).sum();

@@ -1,4 +1,4 @@
-//! One stroke over all instants: at rest, moved as a rigid thing, stretched between two places, or with a path for each instant.
+//! One stroke over all instants: at rest, moved rigidly, stretched between two points, or with a path for each instant.
 
 use super::timeline::Timeline;
 use crate::svg::drawing::Drawing;
@@ -10,7 +10,7 @@ pub(super) type Flat = (f64, f64);
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Pose {
     Still(String),
-    /// A path about its own origin, with the place of that, its turn in degrees, and its stretch along its own first axis.
+    /// A path about its own origin, with the position of this origin, its rotation in degrees, and its stretch along its own first axis.
     Moved {
         path: String,
         places: Vec<Flat>,
@@ -20,14 +20,14 @@ pub(super) enum Pose {
     Bent(Vec<String>),
 }
 
-/// Points that are off by less, in pixels, are where they should be.
+/// The largest accepted deviation of points, in pixels.
 const NEAR: f64 = 0.35;
 
 /// The length of a stretched path.
 pub(super) const LENGTH: f64 = 100.0;
 
 impl Pose {
-    /// A path through points: rigid where these keep their distances.
+    /// A path through points: rigid if the points keep their distances.
     pub fn through(points: &[Vec<Flat>], path: impl Fn(&[Flat]) -> String) -> Self {
         let Some(first) = points.first().filter(|points| !points.is_empty()) else { return Pose::Still(String::new()) };
         let rests = |points: &Vec<Flat>| points.iter().zip(first).all(|(now, then)| near(*now, *then));
@@ -61,7 +61,7 @@ impl Pose {
         Pose::Moved { path: path(&own), places, angles: turning(angles), stretches: Vec::new() }
     }
 
-    /// A path of [`LENGTH`] along its first axis, stretched between two places.
+    /// A path of [`LENGTH`] along its first axis, stretched between two points.
     pub fn between(ends: &[[Flat; 2]], path: &str) -> Self {
         let places = ends.iter().map(|[from, _]| *from).collect();
         let angles = ends.iter().map(|[from, to]| (to.1 - from.1).atan2(to.0 - from.0).to_degrees());
@@ -105,7 +105,7 @@ fn unwound(angles: impl Iterator<Item = f64>) -> Vec<f64> {
     all
 }
 
-/// No angles where nothing turns.
+/// The angles, or none if nothing turns.
 fn turning(angles: Vec<f64>) -> Vec<f64> {
     if angles.iter().all(|angle| angle.abs() < 0.005) { Vec::new() } else { angles }
 }

@@ -16,7 +16,7 @@ const COLOURS: usize = 6;
 const MASS: f64 = 6.5;
 const PIN: f64 = 3.6;
 const CENTRE: f64 = 5.5;
-/// Parts from which on marks are smaller, and the least size of these.
+/// The number of parts above which marks are smaller, and their least relative size.
 const MANY: f64 = 60.0;
 const LEAST: f64 = 0.3;
 /// The length of an arrow.
@@ -40,7 +40,7 @@ impl Shape {
     }
 }
 
-/// The sketch and its places on the paper, for all parts.
+/// The sketch and its projection, for all parts.
 #[derive(Clone, Copy)]
 pub(super) struct Scene<'a> {
     pub sketch: &'a Sketch,
@@ -48,22 +48,22 @@ pub(super) struct Scene<'a> {
 }
 
 impl Scene<'_> {
-    /// A place at an instant, on the paper.
+    /// The projection of a point at an instant.
     pub fn at(&self, instant: &Instant, place: usize) -> Flat {
         instant.places.get(place).map_or((0.0, 0.0), |place| self.camera.place(*place))
     }
 
-    /// Something of every instant.
+    /// A value for every instant.
     pub fn each<T>(&self, of: impl Fn(&Instant) -> T) -> Vec<T> {
         self.sketch.instants.iter().map(of).collect()
     }
 
-    /// A direction at an instant; none of a number that there is not.
+    /// A direction at an instant; zero for an unknown number.
     pub fn direction(instant: &Instant, number: usize) -> [f64; 3] {
         instant.directions.get(number).copied().unwrap_or_default()
     }
 
-    /// The size of marks: smaller where there are many.
+    /// The size of marks: smaller if there are many.
     fn mark_size(&self) -> f64 {
         (MANY / self.sketch.parts.len().max(1) as f64).clamp(LEAST, 1.0)
     }
@@ -80,7 +80,7 @@ impl Scene<'_> {
         Pose::between(&self.each(|instant| ends.map(|end| self.at(instant, end))), path)
     }
 
-    /// A path that begins at a place and has the direction of another point.
+    /// A path that begins at a point and has a given direction.
     fn towards(&self, place: usize, along: usize, path: impl Fn(Flat, Flat) -> String) -> Pose {
         let points = self.each(|instant| {
             let (from, way) = (self.at(instant, place), self.camera.share(Scene::direction(instant, along)));

@@ -1,22 +1,22 @@
-//! Surfaces that are touched, and the lines that blocks slide on: as long as the places of all instants need.
+//! Surfaces that are touched, and the lines on which blocks slide: long enough for the positions at all instants.
 
 use super::camera::{cross, dot, unit};
 use super::marks::{polygon, segments};
 use super::pose::{Flat, Pose};
 use super::shapes::{Scene, Shape};
 
-/// Beyond the places that are touched, in pixels.
+/// The length beyond the touched points, in pixels.
 pub(super) const BEYOND: f64 = 42.0;
-/// Strokes of the hatching, and how far apart they are.
+/// The length of the strokes of hatching, which is also their distance.
 const HATCH: f64 = 8.0;
 
-/// A surface at a place: a hatched line where it is seen from its edge, else a patch.
+/// A surface at a point: a hatched line if it is seen from its edge, otherwise a patch.
 pub(super) fn surface(scene: Scene<'_>, at: usize, normal: usize, of_ground: bool) -> Vec<Shape> {
     let normals = scene.each(|instant| unit(Scene::direction(instant, normal)).unwrap_or([0.0, 1.0, 0.0]));
     let Some(first) = normals.first().copied() else { return Vec::new() };
     let rests = of_ground && normals.iter().all(|normal| dot(*normal, first) > 1.0 - 1e-9);
     let places = scene.each(|instant| instant.places.get(at).copied().unwrap_or_default());
-    // along a resting surface the places of all instants are one after the other
+    // the touched points of all instants lie along a surface at rest
     let reach = |along: [f64; 3], here: [f64; 3]| -> (f64, f64) {
         if !rests {
             return (0.0, 0.0);
@@ -35,7 +35,7 @@ pub(super) fn surface(scene: Scene<'_>, at: usize, normal: usize, of_ground: boo
     if is_edge {
         let points: Vec<Vec<Flat>> = frames
             .map(|(place, normal)| {
-                // with the free side on its left, so that the strokes are in the solid
+                // with the free side on its left, so that the hatching is inside the solid
                 let along = unit(cross(*normal, scene.camera.towards())).unwrap_or([1.0, 0.0, 0.0]);
                 let (low, high) = reach(along, *place);
                 [low - beyond, high + beyond].map(|length| corner(*place, &[(along, length)])).to_vec()
@@ -59,7 +59,7 @@ pub(super) fn surface(scene: Scene<'_>, at: usize, normal: usize, of_ground: boo
     vec![Shape::new(0, "patch", Pose::through(&points, polygon))]
 }
 
-/// A line with strokes on its right, as it goes from its first end to its second.
+/// A line from its first to its second end, with hatching on its right.
 fn hatched([from, to]: [Flat; 2], of_ground: bool) -> String {
     let mut ends = vec![from, to];
     let length = (to.0 - from.0).hypot(to.1 - from.1);
@@ -74,7 +74,7 @@ fn hatched([from, to]: [Flat; 2], of_ground: bool) -> String {
     segments(&ends)
 }
 
-/// The line that a block slides on, through all its places.
+/// The line on which a block slides, through all its positions.
 pub(super) fn guide(scene: Scene<'_>, at: usize, along: usize) -> Pose {
     let beyond = BEYOND / scene.camera.scale;
     let Some(first) = scene.sketch.instants.first() else { return Pose::Still(String::new()) };

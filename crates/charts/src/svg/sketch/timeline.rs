@@ -1,20 +1,20 @@
-//! The time of a moving picture: real, slowed or quickened by a round factor, and always the same way from its first to its last instant.
+//! The time of an animated picture: real time, slowed down or sped up by a round factor.
 
 use super::Instant;
 use crate::svg::drawing::{Anchor, Drawing, LINE, WIDTH};
 use crate::svg::number::{coordinate, significant};
 
-/// A motion takes at least and at most so many seconds to be seen.
+/// The least and the largest duration of an animation, in seconds.
 const SEEN: (f64, f64) = (2.0, 20.0);
 
 /// From the first instant to the last.
 pub(super) struct Timeline {
     span: (f64, f64),
-    /// Seconds of the picture.
+    /// The duration of the animation, in seconds.
     seconds: f64,
-    /// The factor by which it is slower than the motion.
+    /// The factor by which the animation is slower than the motion.
     slowed: f64,
-    /// The factor by which it is quicker.
+    /// The factor by which the animation is faster than the motion.
     quickened: f64,
 }
 
@@ -49,7 +49,7 @@ impl Timeline {
         }
     }
 
-    /// The values of a part of a transformation, after those before it.
+    /// The values of a part of a transformation, appended to the parts before it.
     pub fn transform(&self, kind: &str, values: &[String]) -> String {
         if !self.moves() {
             return String::new();
@@ -63,7 +63,7 @@ impl Timeline {
         format!(" dur=\"{}s\" repeatCount=\"indefinite\"", significant(self.seconds, 4))
     }
 
-    /// A bar on which the time goes along, with its ends and its pace.
+    /// Draws a bar that shows the progress of time, with its ends and the factor of speed.
     pub fn draw(&self, drawing: &mut Drawing) {
         if !self.moves() {
             return;
@@ -89,7 +89,7 @@ impl Timeline {
     }
 }
 
-/// The least of 1, 2, 5, 10, 20, ... that is not below a number.
+/// The least of 1, 2, 5, 10, 20, ... that is at least a number.
 fn round(least: f64) -> f64 {
     let power = 10_f64.powf(least.log10().floor());
     [1.0, 2.0, 5.0, 10.0].into_iter().map(|digit| digit * power).find(|factor| *factor >= least).unwrap_or(least)

@@ -57,7 +57,7 @@ impl Scale {
         self.usual * (low + share * (high - low)).sinh()
     }
 
-    /// Which of the colours a value has.
+    /// The number of the colour of a value.
     pub fn level(&self, value: f64) -> usize {
         let (low, high) = (self.bent(self.low), self.bent(self.high));
         let share = if high > low { (self.bent(value) - low) / (high - low) } else { 0.5 };

@@ -1,4 +1,4 @@
-//! The band of failures above the plot: a row for each method, whatever its formulations.
+//! The band of failures above the plot: a row for each method, with all its formulations.
 
 use super::super::{
     axis::Axis,
@@ -31,7 +31,7 @@ pub(super) fn families(series: &[Method]) -> Vec<Family<'_>> {
     families
 }
 
-/// The markers of a method's failures, those of unknown work at the left, and beside them whose they are.
+/// The markers of a method's failures, those of unknown work at the left, with the name of the method.
 pub(super) fn draw(drawing: &mut Drawing, family: &Family, looks: &Looks, work: Work, x: &Axis, height: f64) {
     let (mut taken, mut unknown) = (vec![LEFT, RIGHT], 0);
     for (at, method) in &family.series {
@@ -64,7 +64,7 @@ pub(super) fn draw(drawing: &mut Drawing, family: &Family, looks: &Looks, work: 
     drawing.text((start, height + 4.5), anchor, "small said", &label);
 }
 
-/// Where a label of so much width stands beside marks in a row: behind the last, before the first, or in the widest gap.
+/// The place of a label of this width in a row of marks: after the last, before the first, or in the widest gap.
 fn free(mut marks: Vec<f64>, width: f64) -> (Anchor, f64) {
     marks.sort_by(f64::total_cmp);
     let gaps: Vec<(f64, f64)> = marks.windows(2).map(|pair| (pair[0], pair[1])).collect();
