@@ -1,7 +1,7 @@
 //! The distribution of friction among redundant sticking contacts.
 //!
 //! One consistent set of cases determines the motion. Conditions at zero that follow from held ones then share their forces: the switches are
-//! s = 1/2 + B^T l, limited to [0, 1], which is a convex problem with one solution (see the parts of an expansion). Criss-cross pivots
+//! s = 1/2 + B^T l, cut at 0 and 1, which is a convex problem with one solution (see the parts of an expansion). Criss-cross pivots
 //! find the switches at their limits.
 
 use super::decision::{TERMS, rests};

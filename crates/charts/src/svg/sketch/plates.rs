@@ -1,4 +1,5 @@
-//! Rigid bodies through the points that are fixed in them: a bar through two points, a plate about several points in a plane, a frame of bars in space.
+//! Rigid bodies through the points that are fixed in them: a bar through two points, a plate about several in a plane, a frame of bars in
+//! space.
 
 use super::Instant;
 use super::marks::polygon;

@@ -2,7 +2,7 @@
 //!
 //! The motion of a block that sticks between two walls does not determine the load of each wall: with more contacts than speeds
 //! g' = a + B s = 0 has many solutions s, all with the same motion. The solution with the least sum of (s - 1/2)^2 is chosen, which has the
-//! least sum of squares of `sign`: s = 1/2 + B^T l, limited to [0, 1]. It is unique and continuous in a.
+//! least sum of squares of `sign`: s = 1/2 + B^T l, cut at 0 and 1. It is unique and continuous in a.
 
 use super::super::jet::Jet;
 use super::super::mode::Case;
