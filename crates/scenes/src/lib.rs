@@ -22,7 +22,7 @@
 //! "#;
 //! let (title, model) = parse_titled("pendulum.toml", text, Task::Vary).expect("it is a system");
 //! assert_eq!((title.as_str(), model.speeds()), ("A pendulum", 1));
-//! // a slip is told with its place
+//! // an error is reported with its place
 //! let error = parse_titled("pendulum.toml", &text.replace("m/s^2", "m/s"), Task::Vary).expect_err("no acceleration");
 //! assert!(error.to_string().contains("pendulum.toml:3"));
 //! ```

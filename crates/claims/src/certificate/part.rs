@@ -70,7 +70,7 @@ pub struct Stability {
     pub coordinates: Vec<usize>,
     pub speeds: Vec<usize>,
     pub accelerations: Vec<usize>,
-    /// Which of the coordinates rest, by their places in the list; of the others the speeds are constant.
+    /// The coordinates that are constant, by their places in the list; the others have constant speeds.
     pub resting: Vec<usize>,
     /// The letter of the roots.
     pub root: usize,

@@ -1,4 +1,4 @@
-//! Speeds without inertia for which no expression stands in a mode: the roots of their laws, by Newton's method from their last values.
+//! Speeds without inertia that a mode does not give by an expression: roots of their laws, by Newton's method from their last values.
 
 use crate::compiled_system::NotCompiled;
 use crate::letters::Letters;

@@ -1,4 +1,4 @@
-//! Scalars that a run shows beside the state: the outputs of a model, and its energies.
+//! Scalars that a run shows in addition to the state: the outputs of a model, and its energies.
 
 use crate::implicit::unknown_letters;
 use crate::letters::Letters;

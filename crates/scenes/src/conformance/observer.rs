@@ -1,7 +1,7 @@
 //! Check that loads between bodies are objective: a common displacement or velocity of all bodies does not change them.
 //!
-//! Where the coordinates let all bodies move alike, along an axis or about it, speeds d give that motion. A load between two of them must be
-//! the same at the speeds u + d, and at positions displaced along d, the speeds with them.
+//! If the coordinates allow a common motion of all bodies along an axis or about it, let d be its speeds. A load between two bodies must not
+//! change if d is added to the speeds, or if positions and speeds are displaced along d.
 
 use super::states::{Expressions, States};
 use crate::layout::Layout;

@@ -2,9 +2,9 @@
 //!
 //!   M u = 0    or    [ M  J^T ; J  0 ] (u, lambda) = 0    with u that is not zero
 //!
-//! The mass matrix of a point mass ahead of a knife edge is singular everywhere by cos^2 + sin^2 = 1, and no entry of it shows that.
-//! Ranks are found in double-double, with the values of the parameters, at a few places beside the start: a pivot of rounding there is
-//! one in every run.
+//! The mass matrix of a point mass ahead of a knife edge is singular everywhere because of cos^2 + sin^2 = 1, which no single entry shows.
+//! Ranks are computed in double-double, with the values of the parameters, at a few states near the start: a pivot that is only rounding there
+//! is so in every run.
 
 use super::linear_equations;
 use crate::elimination::MOST_WRITTEN;

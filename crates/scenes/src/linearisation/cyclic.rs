@@ -1,4 +1,4 @@
-//! Directions of coordinates for which no equation asks, such as the charges of windings, and points at which equations are asked.
+//! Directions of coordinates on which no equation depends, such as the charges of windings, and the points at which this is tested.
 
 use super::{At, Point, VariedEquations};
 use crate::kernel::Rows;

@@ -1,8 +1,8 @@
 //! The states of a regulator: variations on which the linear equations or the cost depend.
 //!
-//! Along a direction v of displacements with A v = 0, Q v = 0 and N^T v = 0 nothing changes but the place itself: the charge of a motor, a
-//! cart without a place in the cost. The regulator knows z = T x, from which such directions have gone, and x' = A x + B u becomes an
-//! equation of z alone.
+//! A displacement along a direction v with A v = 0, Q v = 0 and N^T v = 0 changes neither the linear equations nor the cost, such as the charge of
+//! a motor, or the position of a cart that does not occur in the cost. The regulator uses states z = T x without such directions, for which
+//! x' = A x + B u becomes a closed equation.
 
 use super::riccati::Stage;
 use crate::kernel::Rows;

@@ -1,8 +1,8 @@
 //! Gimbal lock: quasi-velocities of a start that are impossible in its position.
 //!
-//! Where the first and the last of three turns have one axis, two of the three rates turn the body alike, and one direction of its
-//! angular velocity belongs to no rates at all. There a quasi-velocity depends on others of the start, and in positions beside it it
-//! does not.
+//! If the first and the last of three turns have one axis, their rates turn the body in the same way, and no rates give an angular velocity
+//! in a certain direction. A quasi-velocity of the start then depends on others in this position, but is independent of them in neighbouring
+//! positions.
 
 use super::RANK;
 use super::constraints::Constraints;

@@ -1,7 +1,7 @@
 //! The positions that motions can reach under constraints of speeds: leaves of integrable constraints.
 //!
-//! Displacements d with J d = 0, one after the other, are all that constraints J u = 0 leave. Where these can be integrated they keep
-//! their constants along any such way, a ball in a bowl its distance from the centre; where they cannot, the way leads everywhere.
+//! The constraints J u = 0 allow sequences of displacements d with J d = 0. If the constraints can be integrated, their constants do not
+//! change along any such path, such as the distance of a ball from the centre of its bowl; otherwise paths lead to all positions.
 
 use super::constraints::Constraints;
 use super::{RANK, start_speeds};

@@ -96,7 +96,7 @@ pub(crate) fn start_speeds(model: &Model) -> Vec<f64> {
     model.start_speeds.iter().map(|start| start.value).collect()
 }
 
-/// Which coordinates and speeds, in the order of a state, the file gives, so that they are not moved.
+/// For each coordinate and speed, in the order of a state, whether the file gives it, so that it is not changed.
 pub(crate) fn given(model: &Model) -> Vec<bool> {
     let mut given = vec![false; model.positions() + model.speeds()];
     for value in model.start.iter().filter(|value| !value.is_guess) {

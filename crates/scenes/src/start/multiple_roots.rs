@@ -1,7 +1,8 @@
 //! Constraints with multiple roots: the gradient vanishes where they hold, as 2 g grad g of f = g^2, and no reaction can enforce them.
 //!
-//! A start meets f up to rounding, and leaves of the gradient what the root of that is: a small number, and not zero. Newton's method on
-//! f alone, from displaced states, tells such a constraint from one at a singular position. It halves g in each step, and
+//! A start satisfies f up to rounding, so the gradient there is of the order of the root of a rounding error: small, but not zero. To
+//! distinguish such a constraint from one at a singular position, Newton's method is applied to f alone, from displaced states. It halves g in
+//! each step, and
 //!
 //!   |grad f| / |grad f0| = (f / f0)^(1/2)    of a double root, and less of a higher one,
 //!

@@ -1,10 +1,10 @@
 //! The end of a run at a singular position, where the constraints become dependent; beyond it there may be several motions, or none.
 //!
-//! With rows of J whose lengths are of the order of one, s = 1/|J^+|, the norm being that of Frobenius, is zero where they depend on
-//! each other, and only there; s^2 is one by the trace of (J J^T)^-1. It falls to zero like the distance from such a position, and
-//! along a motion its rate is at most |J'|. A row may vanish by itself, so its length is not taken where the motion is, but as the
-//! largest at the start and where the angles are others. A motion that has come off its constraints by d passes such a position with
-//! s^2 of the order of d.
+//! Let the rows of J be scaled to lengths of the order of one. Then s = 1/|J^+|, with the norm of Frobenius, is zero if and only if the
+//! rows are linearly dependent; s^-2 is the trace of (J J^T)^-1. Near a singular position s is proportional to the distance from it, and
+//! along a motion its rate is at most |J'|. A row may be zero at some positions, so it is scaled by its largest length at the start and at
+//! other angles, not by its length along the motion. A motion that violates its constraints by d passes a singular position with s^2 of the
+//! order of d.
 
 use super::constraints::Constraints;
 use super::start_speeds;
@@ -43,7 +43,7 @@ const SAFETY: f64 = 2.0;
 /// By so much angles differ from the start, where the lengths of the rows are looked at: no part of a turn.
 const ASIDE: [f64; 3] = [0.37, -0.61, 1.93];
 
-/// The independence of the constraints of a model.
+/// A measure of the linear independence of the constraints of a model.
 #[derive(Debug)]
 pub(crate) struct SingularPositions {
     program: Arc<Program>,
@@ -62,7 +62,7 @@ pub(crate) struct SingularPositions {
     knows_time: bool,
     /// The value of s^2 below which a position is singular.
     least: f64,
-    /// At a state, and beside it.
+    /// Buffers for a state and for a neighbouring state.
     looks: Mutex<[Look; 2]>,
     /// The independence of all constraints, where redundant ones were left out.
     whole: Option<Box<SingularPositions>>,

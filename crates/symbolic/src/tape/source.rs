@@ -90,7 +90,7 @@ impl Source<'_> {
         }
     }
 
-    /// Which results are operands or outputs: of a circle point often one coordinate alone.
+    /// Whether each result is an operand or an output: often only one coordinate of a circle point is.
     fn used(&self) -> Vec<bool> {
         let Tape { inputs, constants, operations, outputs, registers, .. } = self.tape;
         let first = inputs + constants.len();
