@@ -3,9 +3,9 @@
 //! T = -mu |N| v/|v| turns with v, and has no limit as v goes to zero. Since the speed |v| does not change its sign there, three signals
 //! observe it from an instant at which it was w in the direction d:
 //!
-//! |v| - w/10,    negative when the contact has slowed down by a factor of ten,
-//! 1000 w - |v|,  negative when it has become so fast that w/10 is no longer a useful threshold,
-//! v . d,         negative when v has turned by a right angle, or has passed zero within one step.
+//!   |v| - w/10,    negative when the contact has slowed down by a factor of ten,
+//!   1000 w - |v|,  negative when it has become so fast that w/10 is no longer a useful threshold,
+//!   v . d,         negative when v has turned by a right angle, or has passed zero within one step.
 //!
 //! When a signal becomes negative, the observation starts again with new w and d, until the remaining speed is small enough to be set to zero: the
 //! error of the reactions is then the square of the remaining relative speed.
