@@ -111,12 +111,17 @@ impl ConstraintProjection {
         }
         let speeds = model.speeds();
         let corrections = Corrections::over(model, inputs, &letters);
-        let residuals = Program::of(inputs, |time, inputs| {
+        // where corrections are written down, a factorisation at a state is rare
+        let program = |function: &mut (dyn FnMut(Sym, &[Sym]) -> Vec<Sym> + Send)| match corrections {
+            Some(_) => Program::for_few(inputs, function),
+            None => Program::of(inputs, function),
+        };
+        let residuals = program(&mut |time, inputs| {
             let trace = Trace::of(model);
             letters(time, inputs).put_into(&trace, &Kept::of(&trace).residuals())
         });
         let (mut positions, mut rates, mut entries) = (Vec::new(), 0, Vec::new());
-        let all = Program::of(inputs, |time, inputs| {
+        let all = program(&mut |time, inputs| {
             let trace = Trace::of(model);
             let kept = Kept::of(&trace);
             (positions, rates) = (kept.places_of_positions(), kept.count());

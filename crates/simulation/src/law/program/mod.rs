@@ -33,11 +33,12 @@ const MANY: usize = 1024;
 impl Program {
     /// The program of a function of a state of `n` components and the time; `None` where an expression has no value.
     pub fn of(n: usize, function: impl FnOnce(Sym, &[Sym]) -> Vec<Sym> + Send) -> Option<Self> {
-        apart(|| {
-            let (state, time) = symbols(n);
-            let values = function(time, &state);
-            Program::recorded(Tape::record(&[&state[..], &[time]].concat(), &values).ok()?.arranged())
-        })
+        Program::recorded(tape(n, function)?)
+    }
+
+    /// As [`Program::of`] without machine code, which takes longer to write than a few evaluations to follow.
+    pub fn for_few(n: usize, function: impl FnOnce(Sym, &[Sym]) -> Vec<Sym> + Send) -> Option<Self> {
+        Some(Program::without_code(tape(n, function)?))
     }
 
     /// The program of a tape whose last input is the time.
@@ -122,6 +123,15 @@ impl Program {
             }
         }
     }
+}
+
+/// The operations of a function of a state of `n` components and the time.
+fn tape(n: usize, function: impl FnOnce(Sym, &[Sym]) -> Vec<Sym> + Send) -> Option<Tape> {
+    apart(|| {
+        let (state, time) = symbols(n);
+        let values = function(time, &state);
+        Some(Tape::record(&[&state[..], &[time]].concat(), &values).ok()?.arranged())
+    })
 }
 
 /// A field in which programs run.
