@@ -19,6 +19,8 @@ pub(crate) struct Pair {
     /// The step size is proportional to error^-exponent and to the previous error^`damping` (Gustafsson's control).
     pub exponent: f64,
     pub damping: f64,
+    /// Whether the error is taken to grow over the next step as over the last one (Gustafsson's predictive control), in the place of damping.
+    pub predicts: bool,
     /// The least and the greatest ratio of a step to that before.
     pub shortest: f64,
     pub longest: f64,
@@ -58,6 +60,7 @@ pub(crate) static FIVE: Pair = Pair {
     error_needs_end: true,
     exponent: 0.17,
     damping: 0.04,
+    predicts: false,
     shortest: 0.2,
     longest: 10.0,
     stretching: 3.25,
@@ -167,6 +170,7 @@ pub(crate) static EIGHT: Pair = Pair {
     error_needs_end: false,
     exponent: 0.125,
     damping: 0.0,
+    predicts: true,
     shortest: 0.333,
     longest: 6.0,
     stretching: 6.1,
