@@ -46,9 +46,9 @@ pub struct Knowledge {
     pub diagnosis: fn(&Ended<'_>) -> Option<Diagnosis>,
     /// Columns at a time, s, in closed form, where they are known.
     pub closed_form: fn(&dyn Modelled, f64) -> Option<ClosedForm>,
-    /// The distance of a state from the end of the law, where its equations do not give it; the second argument has the names of the
-    /// states in their order. A run that comes there has stopped, while one that an event of its file ends has reached its end. Must not
-    /// ask the scene for its problem, whose margins these are.
+    /// The distance of a state from a boundary beyond which the law does not hold and which its equations do not show; the second argument
+    /// has the names of the states in their order. A run that comes there has stopped, while one that an event of its file ends has reached
+    /// its end. Must not call [`IvpScene::problem`](crate::IvpScene::problem) on the scene, which calls this function.
     pub margins: fn(&dyn Modelled, &[String]) -> Option<Box<Margins>>,
 }
 

@@ -28,8 +28,8 @@
 //!
 //! # Limits
 //! Exponents up to 127, 160 generators, a million terms; beyond them a decision is [`Decision::GaveUp`], never a guess.
-//! Parts of one angle are related to each other (x/2 and x/3), other relations between transcendental numbers are not
-//! known. Rules rewrite powers of single symbols; other relations enter a proof through cofactors ([`decide_modulo`]).
+//! Sines and cosines of fractions of one angle (x/2 and x/3) are reduced to those of a common part; no other relation between transcendental
+//! functions is known. Rules rewrite powers of single symbols; any other relation is given to [`decide_modulo`], with its cofactor.
 
 mod analytic;
 mod angles;

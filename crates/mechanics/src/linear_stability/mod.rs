@@ -10,9 +10,9 @@
 //! * [`resultant`]: decides whether polynomials over a ring have a common root.
 //!
 //! # Key results
-//! Numbers are [`Ordered`](algebra::real::Ordered): fractions know their signs, enclosures know them unless zero lies among their values. A count is
-//! given only where every sign that it rests on is known; with enclosures it is a proof for all numbers in them. Where a count fails, finer
-//! enclosures may succeed, and where a quantity is zero none will: the answer is `None`, never a guess.
+//! Numbers are [`Ordered`](algebra::real::Ordered): fractions know their signs, enclosures know them unless zero lies among their values. A number of
+//! roots or of signs is returned only if every sign that it depends on is known; with enclosures it is proved for all numbers in them. Otherwise the
+//! answer is `None`. Finer enclosures may then succeed, unless a deciding quantity is exactly zero.
 //!
 //! # References
 //! Berkowitz 1984 (the polynomial); Routh 1877, Gantmacher 1959 chapter XV (the count, singular cases included).

@@ -1,5 +1,6 @@
-//! Eigenvalues k whose eigenvector is not orthogonal to h or to G: b = s h + s^2 G is orthogonal to it for s = -h.u/G.u
-//! alone, and then v = a + z, where (M - k) a = -b with a across the eigenspace and z in it.
+//! Steady rotations (M - k) v = -b, b = s h + s^2 G, at eigenvalues k of M whose eigenvector u is not orthogonal to h or to G. With a
+//! speed s that is not zero, b is orthogonal to u for s = -h.u/G.u alone, and then v = a + z, where (M - k) a = -b with a across the
+//! eigenspace and z in it.
 //!
 //! With P a multiple of the projection onto the eigenspace (adj(M - k), M - tr M + 2 k, 1 for a simple, double, threefold k)
 //! and u = P G, g = G.u, c = h.u, the momentum gives the part of z along u, and |v| = 1 the rest:
