@@ -37,19 +37,32 @@ pub(crate) struct Letters<'a> {
     time: Sym,
     /// Coordinates, then speeds.
     state: &'a [Sym],
-    /// The inputs for parameters; `None` where their values are constants.
-    parameters: Option<&'a [Sym]>,
+    parameters: Parameters<'a>,
+}
+
+#[derive(Clone, Copy)]
+enum Parameters<'a> {
+    Inputs(&'a [Sym]),
+    /// Constants: floats as they are.
+    Floats,
+    /// Constants: the decimals with the fewest digits that read as the floats.
+    Decimals,
 }
 
 impl<'a> Letters<'a> {
     /// Time and state as inputs, parameters as constants: for runs.
     pub fn with_data(time: Sym, state: &'a [Sym]) -> Self {
-        Letters { time, state, parameters: None }
+        Letters { time, state, parameters: Parameters::Floats }
+    }
+
+    /// Time and state as inputs, parameters as the decimals that were written: for exact decisions.
+    pub fn with_decimals(time: Sym, state: &'a [Sym]) -> Self {
+        Letters { time, state, parameters: Parameters::Decimals }
     }
 
     /// Time, state and parameters as inputs.
     pub fn with_parameters(time: Sym, state: &'a [Sym], parameters: &'a [Sym]) -> Self {
-        Letters { time, state, parameters: Some(parameters) }
+        Letters { time, state, parameters: Parameters::Inputs(parameters) }
     }
 
     /// Expressions of a trace over these letters.
@@ -61,14 +74,16 @@ impl<'a> Letters<'a> {
     pub fn known(&self, trace: &Trace<'_>) -> Vec<(Sym, Sym)> {
         let mut known: Vec<(Sym, Sym)> = vec![(trace.time, self.time), (trace.pi, half_turn())];
         known.extend(trace.coordinates.iter().chain(&trace.speeds).copied().zip(self.state.iter().copied()));
+        let constants = |exact: fn(f64) -> Rational| {
+            let values = trace.model.parameters.iter().map(move |parameter| parameter.value.map(exact));
+            trace.parameters.iter().zip(values).filter_map(|(&letter, value)| Some((letter, Sym::lift(value?))))
+        };
         match self.parameters {
-            Some(parameters) => known.extend(trace.parameters.iter().copied().zip(parameters.iter().copied())),
-            None => {
-                known.extend(trace.parameters.iter().zip(&trace.model.parameters).filter_map(|(&letter, parameter)| {
-                    let value = Rational::exactly(parameter.value?);
-                    Some((letter, Sym::lift(value)))
-                }))
+            Parameters::Inputs(inputs) => {
+                known.extend(trace.parameters.iter().copied().zip(inputs.iter().copied()));
             }
+            Parameters::Floats => known.extend(constants(Rational::exactly)),
+            Parameters::Decimals => known.extend(constants(Rational::decimal)),
         }
         // masses that depend on the state or the time
         let (letters, solid): (Vec<Sym>, Vec<Sym>) = trace.solid().into_iter().unzip();

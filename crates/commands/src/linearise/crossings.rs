@@ -39,9 +39,13 @@ pub(super) fn show(asked: &Asked, model: &Model, name: &str, range: [f64; 2]) ->
     Ok(if found.open.is_empty() { Exit::Done } else { Exit::Stopped })
 }
 
-fn word(verdict: EnclosedVerdict) -> String {
-    match verdict {
-        EnclosedVerdict::Asymptotic => "every eigenvalue but zeros with reasons left of the imaginary axis".to_owned(),
+fn word(Judged { verdict, zeros, .. }: &Judged) -> String {
+    match *verdict {
+        EnclosedVerdict::Asymptotic => match zeros {
+            0 => "asymptotically stable, every eigenvalue left of the imaginary axis".to_owned(),
+            1 => "every eigenvalue but one zero with a reason left of the imaginary axis".to_owned(),
+            count => format!("every eigenvalue but {count} zeros with reasons left of the imaginary axis"),
+        },
         EnclosedVerdict::Unstable(1) => "unstable, one eigenvalue right of the imaginary axis".to_owned(),
         EnclosedVerdict::Unstable(count) => format!("unstable, {count} eigenvalues right of the imaginary axis"),
         EnclosedVerdict::Undecided { .. } => "not decided".to_owned(),
@@ -52,16 +56,17 @@ fn text(found: &Crossings, name: &str, unit: &str) -> String {
     let unit = if unit.is_empty() || unit == "1" { String::new() } else { format!(" {unit}") };
     let mut out = format!("eigenvalues by enclosures, along {name}{unit}\n");
     // writing to a String cannot fail
-    for Judged { value, verdict, foremost: [re, im] } in &found.samples {
+    for judged in &found.samples {
+        let Judged { value, foremost: [re, im], .. } = judged;
         let foremost = match re.is_finite() {
             true => format!("the largest real part is {re:.6e} 1/s, of {:.6} rad/s", im.abs()),
             false => "every eigenvalue is a zero with a reason".to_owned(),
         };
-        let _ = writeln!(out, "  {name} = {value:?}: {}; {foremost}", word(*verdict));
+        let _ = writeln!(out, "  {name} = {value:?}: {}; {foremost}", word(judged));
     }
     for [before, after] in &found.changes {
         let _ = writeln!(out, "between {name} = {:?} and {:?}", before.value, after.value);
-        let _ = writeln!(out, "  {}, then {}", word(before.verdict), word(after.verdict));
+        let _ = writeln!(out, "  {}, then {}", word(before), word(after));
         let is_decided = |judged: &Judged| !matches!(judged.verdict, EnclosedVerdict::Undecided { .. });
         let kind = if !is_decided(before) && !is_decided(after) {
             "eigenvalues come to the axis, or leave it".to_owned()
@@ -88,7 +93,7 @@ fn text(found: &Crossings, name: &str, unit: &str) -> String {
 fn object(found: &Crossings, name: &str, unit: &str) -> Value {
     let one = |judged: &Judged| {
         let foremost = Some(judged.foremost).filter(|[re, _]| re.is_finite());
-        json!({ "value": judged.value, "stability": word(judged.verdict), "largest_real_part": foremost })
+        json!({ "value": judged.value, "stability": word(judged), "largest_real_part": foremost })
     };
     json!({
         "along": name,
@@ -101,9 +106,10 @@ fn object(found: &Crossings, name: &str, unit: &str) -> Value {
 
 fn csv(found: &Crossings, name: &str) -> String {
     let mut text = format!("{},real part,imaginary part,stability\n", crate::csv::line(&[name]));
-    for Judged { value, verdict, foremost: [re, im] } in found.samples.iter().chain(found.changes.iter().flatten()) {
+    for judged in found.samples.iter().chain(found.changes.iter().flatten()) {
+        let Judged { value, foremost: [re, im], .. } = judged;
         let parts = if re.is_finite() { format!("{re:?},{im:?}") } else { ",".to_owned() };
-        let _ = writeln!(text, "{value:?},{parts},{}", crate::csv::line(&[&word(*verdict)]));
+        let _ = writeln!(text, "{value:?},{parts},{}", crate::csv::line(&[&word(judged)]));
     }
     text
 }

@@ -4,7 +4,7 @@ use super::{Asked, method};
 use crate::arguments::Format;
 use crate::exit::{Exit, print, warn};
 use crate::stationary::combinations::{Combination, Combinations};
-use crate::stationary::steady_box::Found;
+use crate::stationary::steady_box::{Found, system_in};
 use ::scenes::linearisation::VariedEquations;
 use ::scenes::steady_motions::SteadyMotion;
 use mechanics::one_step_stability::Mode;
@@ -38,8 +38,9 @@ pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
             "{option} is about the built-in machines; of a system that is written in its file --range NAME=FROM..TO says where motions are sought"
         )));
     }
-    let Some(parts) = Combinations::of(&asked.steady, &asked.scene)? else {
-        let found = asked.steady.find(&asked.scene)?;
+    let system = system_in(&asked.scene)?;
+    let Some(parts) = Combinations::of(&asked.steady, &asked.scene, &system)? else {
+        let found = asked.steady.find(&asked.scene, system)?;
         let all = judged(asked, &found, false);
         print(&match asked.format {
             Format::Text => format!("{}\n{}", found.title, text(&found, &all)),
@@ -56,7 +57,8 @@ pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
     for Combination { held, is_at_condition, found } in filled {
         let all = judged(asked, &found, is_at_condition);
         // writing to a String cannot fail
-        let _ = write!(out, "\nwhere {}\n{}", held.join(", "), text(&found, &all));
+        let heading = if held.is_empty() { String::new() } else { format!("where {}\n", held.join(", ")) };
+        let _ = write!(out, "\n{heading}{}", text(&found, &all));
         let mut own = object(&found, &all);
         own.insert("where".to_owned(), json!(held));
         objects.push(own);

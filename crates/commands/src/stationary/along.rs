@@ -2,7 +2,8 @@
 
 use super::Asked;
 use super::branches;
-use super::model::{motion, verdict};
+use super::model::motion;
+use super::verdict::verdict;
 use super::steady_box::{AlongFound, number};
 use crate::arguments::Format;
 use crate::exit::{Exit, print, warn};

@@ -1,6 +1,6 @@
 //! `dalembert stationary --along NAME=FROM..TO --out FILE.svg`: branches of steady motions.
 
-use super::model::verdict;
+use super::verdict::verdict;
 use super::steady_box::AlongFound;
 use ::scenes::steady_motions::{Bifurcation, Change, Range, Sample, SteadyMotion, SteadyMotions};
 use charts::{BranchPanel, BranchPiece, Branches, Standing};

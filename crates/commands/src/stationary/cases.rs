@@ -31,7 +31,8 @@ pub(super) fn told(parts: &Combinations) -> (String, Value) {
     let empty = count - filled.len();
     for Combination { held, found, .. } in filled {
         // writing to a String cannot fail
-        let _ = write!(out, "\nwhere {}\n{}", held.join(", "), body(found));
+        let heading = if held.is_empty() { String::new() } else { format!("where {}\n", held.join(", ")) };
+        let _ = write!(out, "\n{heading}{}", body(found));
         let mut object = object(found);
         object["where"] = json!(held);
         objects.push(object);

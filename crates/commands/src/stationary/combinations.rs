@@ -1,6 +1,6 @@
 //! Steady motions by parts: each combination of the cases of a law's conditions, and each set of angles of freely turning frames.
 
-use super::steady_box::{Found, SoughtSystem, SteadyBox, read_with_text, reason, unsought};
+use super::steady_box::{Found, SoughtSystem, SteadyBox, reason, unsought};
 use crate::clock::has_time;
 use crate::exit::Exit;
 use crate::progress::Progress;
@@ -30,12 +30,11 @@ pub struct Combination {
 }
 
 impl Combinations {
-    /// The parts for the system in a file; `None` where its law has no conditions and no frame turns freely.
-    pub fn of(steady: &SteadyBox, path: &Path) -> Result<Option<Self>, Exit> {
+    /// The parts for the system that was read from a file; `None` where its law has no conditions and no frame turns freely.
+    pub fn of(steady: &SteadyBox, path: &Path, system: &SoughtSystem) -> Result<Option<Self>, Exit> {
         steady.checked()?;
-        let system = read_with_text(path)?;
         let _progress = Progress::new("steady motions");
-        Combinations::of_system(&system, &steady.wanted(), has_time).map_err(|issue| unsought(path, issue))
+        Combinations::of_system(system, &steady.wanted(), has_time).map_err(|issue| unsought(path, issue))
     }
 
     /// The parts for a system that was read already.
@@ -76,19 +75,20 @@ impl Combinations {
         let is_told = |found: &SteadyMotions| conditions.is_empty() || !is_empty(found);
         let filled = cases.into_iter().filter(|(_, found)| is_told(found));
         self.filled.extend(filled.map(|(own, motions)| Combination {
-            held: angles.iter().cloned().chain(own.iter().zip(&conditions).map(told)).collect(),
-            is_at_condition: own.iter().any(|case| !matches!(case, Case::Holds | Case::Fails)),
+            held: angles.iter().cloned().chain(own.iter().zip(&conditions).filter_map(told)).collect(),
+            is_at_condition: own.iter().any(|case| !matches!(case, Case::Holds | Case::Fails | Case::Either)),
             found: Found { title: self.title.clone(), model: model.clone(), motions },
         }));
     }
 }
 
-fn told((case, text): (&Case, &String)) -> String {
-    match case {
+fn told((case, text): (&Case, &String)) -> Option<String> {
+    Some(match case {
         Case::Holds => format!("{text} > 0"),
         Case::Fails => format!("{text} < 0"),
         Case::Between | Case::Meeting => format!("{text} = 0"),
         Case::Forward => format!("{text} = 0, sliding along its tangent"),
         Case::Backward => format!("{text} = 0, sliding against its tangent"),
-    }
+        Case::Either => return None,
+    })
 }

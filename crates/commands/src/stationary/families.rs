@@ -53,9 +53,15 @@ pub(super) fn family_lines(all: &Found, place: usize, family: &Family, members: 
         let runs = family.pieces.iter().all(|(parameters, _)| parameters.contains(&place));
         let word = if runs { "from" } else { "within" };
         let middle = 0.5 * (at[0] + at[1]);
+        let unit = all.unit(&unknown.name);
+        let open = match family.reached[place].map(ends) {
+            Some(reached) if reached == [low.clone(), high.clone()] => String::new(),
+            Some([from, to]) => format!(" (known to come to {from}{unit} and {to}{unit})"),
+            None => " (no motion of it is shown to fulfil the conditions)".to_owned(),
+        };
         match at[1] - at[0] <= NARROW * (1.0 + middle.abs()) {
-            true => format!("{} = {}{}", unknown.name, number(middle), all.unit(&unknown.name)),
-            false => format!("{} {word} {low} to {high}{}", unknown.name, all.unit(&unknown.name)),
+            true => format!("{} = {}{unit}", unknown.name, number(middle)),
+            false => format!("{} {word} {low} to {high}{unit}{open}", unknown.name),
         }
     });
     let is_placed = is_one_place(found, family);
@@ -137,6 +143,7 @@ pub(super) fn family_object(found: &SteadyMotions, family: &Family, members: &[M
     json!({
         "dimension": family.dimension,
         "hull": family.hull,
+        "reached": family.reached,
         "along": family.along,
         "parameters": running(found, family),
         "pieces": family.pieces.iter().map(|(parameters, at)| json!({

@@ -13,6 +13,7 @@ mod motor;
 mod plane;
 pub mod steady_box;
 mod text;
+pub mod verdict;
 
 use self::steady_box::{SteadyBox, named_range};
 use crate::arguments::{Format, finite};

@@ -2,16 +2,13 @@
 
 use super::combinations::Combinations;
 use super::families::{count, ends, family_lines, family_object, is_one_place};
-use super::steady_box::{Found, number, reason, sought};
+use super::steady_box::{Found, number, reason, sought, system_in};
+use super::verdict::{stability, verdict};
 use super::{Asked, cases};
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
 use crate::spectrum;
-use ::scenes::linearisation::{Linear, Stability, Standing};
-use ::scenes::steady_motions::{
-    Asked as Sought, Eigenvalues, EnclosedSpectrum, EnclosedVerdict, Near, Region, SteadyMotion, SteadyMotions,
-    SteadyStability,
-};
+use ::scenes::steady_motions::{Asked as Sought, Near, Region, SteadyMotion, SteadyMotions, SteadyStability};
 use ::scenes::{SystemText, unit_of};
 use reader::{Issue, SceneError};
 use serde_json::{Value, json};
@@ -22,10 +19,11 @@ const MOST_LISTED: usize = 6;
 
 /// Prints all steady motions.
 pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
-    if let Some(parts) = Combinations::of(&asked.steady, &asked.scene)? {
+    let system = system_in(&asked.scene)?;
+    if let Some(parts) = Combinations::of(&asked.steady, &asked.scene, &system)? {
         return cases::show(asked, &parts);
     }
-    let found = asked.steady.find(&asked.scene)?;
+    let found = asked.steady.find(&asked.scene, system)?;
     print(&match asked.format {
         Format::Text => text(&found),
         Format::Json => format!("{:#}\n", object(&found)),
@@ -126,7 +124,7 @@ pub(super) fn body(all: &Found) -> String {
         let values = all.values(&motion.enclosure);
         let values = if values.is_empty() { "as given".to_owned() } else { values };
         let _ = writeln!(out, "  {}  {values}", place + 1);
-        let _ = writeln!(out, "     {}", stability(motion, &found.cyclic));
+        let _ = writeln!(out, "     {}", stability(motion, found));
     }
     if !found.motions.is_empty() && !found.free_speeds.is_empty() {
         let _ = writeln!(
@@ -175,94 +173,6 @@ fn near(region: &Region) -> String {
     }
 }
 
-pub(super) fn stability(motion: &SteadyMotion, cyclic: &[String]) -> String {
-    match &motion.stability {
-        SteadyStability::Minimum if cyclic.is_empty() => {
-            "stable, by enclosures: the potential energy has a strict minimum (Lagrange, Dirichlet)".to_owned()
-        }
-        SteadyStability::Minimum => format!(
-            "stable but for {}, by enclosures: the potential energy, amended by the kinetic energy at given momenta, has a strict minimum in the others \
-             (Routh)",
-            cyclic.join(", ")
-        ),
-        SteadyStability::Falls(1) => "unstable, by enclosures: the potential energy falls in one direction".to_owned(),
-        SteadyStability::Falls(count) => {
-            format!("unstable, by enclosures: the potential energy falls in {count} directions")
-        }
-        SteadyStability::FallsOdd(count) => format!(
-            "unstable, by enclosures: the amended potential energy falls in an odd number of directions, {count} (Thomson, Tait)"
-        ),
-        SteadyStability::Linear(found) if decides(found).is_some() => {
-            decides(found).map(spectrum::verdict).unwrap_or_default()
-        }
-        // linear equations at one instant of a moving state decide nothing, but without cyclic coordinates they are constant
-        SteadyStability::Linear(found) if found.linear.standing == Standing::Moving && found.enclosed.is_ok() => {
-            found.enclosed.as_ref().map(spectrum::verdict).unwrap_or_default()
-        }
-        SteadyStability::Linear(found) if fades(&found.linear, cyclic.len()) => format!(
-            "every eigenvalue has a negative real part but for zeros, which cyclic coordinates and their momenta have: asymptotically stable but for \
-             {}, by numbers",
-            cyclic.join(", ")
-        ),
-        SteadyStability::Linear(found) => {
-            let linear = &found.linear;
-            let largest = linear.eigenvalues.iter().map(|value| value[0]).fold(f64::NEG_INFINITY, f64::max);
-            match linear.eigenvalues.is_empty() {
-                true => linear.stability.to_string(),
-                false => format!("{}; the largest real part is {largest:.6e} 1/s, by numbers", linear.stability),
-            }
-        }
-        SteadyStability::AtCondition { .. } => {
-            "stability is not known: a condition of the law is zero there".to_owned()
-        }
-        SteadyStability::MinimumOnSides => {
-            "stable, by enclosures: the potential energy has a strict minimum on both sides of the condition that is \
-             zero there (Lagrange, Dirichlet)"
-                .to_owned()
-        }
-        SteadyStability::Unknown(why) => format!("stability is not known: {why}"),
-    }
-}
-
-/// The enclosed eigenvalues, where these decide the stability, or show that the linear equations do not.
-fn decides(found: &Eigenvalues) -> Option<&EnclosedSpectrum> {
-    let is_known = |found: &&EnclosedSpectrum| !matches!(found.verdict(), EnclosedVerdict::Undecided { touching, .. } if touching > 0);
-    found.enclosed.as_ref().ok().filter(is_known)
-}
-
-/// Eigenvalues below this part of the largest one are zero.
-const ROUNDING: f64 = 1e-9;
-
-/// Whether all eigenvalues have negative real parts, except zeros, at most two for each cyclic coordinate.
-fn fades(linear: &Linear, cyclic: usize) -> bool {
-    let size = |[re, im]: &[f64; 2]| re.hypot(*im);
-    let largest = linear.eigenvalues.iter().map(size).fold(0.0, f64::max);
-    let (zeros, others): (Vec<[f64; 2]>, Vec<[f64; 2]>) =
-        linear.eigenvalues.iter().partition(|value| size(value) <= ROUNDING * largest);
-    let negative = others.iter().all(|[re, _]| *re < -ROUNDING * largest);
-    linear.standing != Standing::Moving && !others.is_empty() && negative && (1..=2 * cyclic).contains(&zeros.len())
-}
-
-/// The stability of a motion in a word, and whether enclosures show it.
-pub fn verdict(motion: &SteadyMotion, cyclic: &[String]) -> (&'static str, bool) {
-    match &motion.stability {
-        SteadyStability::Minimum | SteadyStability::MinimumOnSides => ("stable", true),
-        SteadyStability::Falls(_) | SteadyStability::FallsOdd(_) => ("unstable", true),
-        SteadyStability::Linear(found) if decides(found).is_some() => {
-            let word = decides(found).map_or("not decided", spectrum::word);
-            (word, word != "not decided")
-        }
-        SteadyStability::Linear(found) => match found.linear.stability {
-            _ if found.linear.standing == Standing::Moving => ("not decided", false),
-            _ if fades(&found.linear, cyclic.len()) => ("asymptotically stable", false),
-            Stability::Unstable(_) => ("unstable", false),
-            Stability::Asymptotic { .. } => ("asymptotically stable", false),
-            _ => ("not decided", false),
-        },
-        SteadyStability::AtCondition { .. } | SteadyStability::Unknown(_) => ("not known", false),
-    }
-}
-
 /// A motion as JSON.
 pub(super) fn motion(found: &SteadyMotions, motion: &SteadyMotion) -> Value {
     let values = found.unknowns.iter().zip(&motion.enclosure).map(|(unknown, at)| (unknown.name.clone(), json!(at)));
@@ -281,7 +191,7 @@ pub(super) fn motion(found: &SteadyMotions, motion: &SteadyMotion) -> Value {
         "quasi_velocities": motion.quasi_velocities.iter().map(|(name, value)| (name.clone(), json!(value))).collect::<serde_json::Map<_, _>>(),
         "stability": verdict,
         "enclosed": enclosed,
-        "reason": stability(motion, &found.cyclic),
+        "reason": stability(motion, found),
         "eigenvalues": eigenvalues,
         "enclosed_eigenvalues": discs,
     })

@@ -68,18 +68,13 @@ pub struct AlongFound {
     pub along: Along,
 }
 
-/// Reads the system of a file, prepared for the search.
-fn read(path: &Path) -> Result<(String, Model), Exit> {
-    read_with_text(path).map(|(title, model, _)| (title, model))
-}
-
 /// Reads the system of a file, prepared for the search, with its source.
-pub(super) fn read_with_text(path: &Path) -> Result<SoughtSystem, Exit> {
+pub fn system_in(path: &Path) -> Result<SoughtSystem, Exit> {
     Ok(sought(&SystemText::read(path)?)?)
 }
 
 /// The title, the model and the source of a system.
-pub(super) type SoughtSystem = (String, Model, Source);
+pub type SoughtSystem = (String, Model, Source);
 
 /// Reads the system of a text, prepared for the search.
 pub(super) fn sought(text: &SystemText) -> Result<SoughtSystem, SceneError> {
@@ -100,10 +95,9 @@ pub fn unit(model: &Model, name: &str) -> String {
 }
 
 impl SteadyBox {
-    /// All steady motions of the system in a file.
-    pub fn find(&self, path: &Path) -> Result<Found, Exit> {
+    /// All steady motions of the system that was read from a file.
+    pub fn find(&self, path: &Path, (title, model, _): SoughtSystem) -> Result<Found, Exit> {
         self.checked()?;
-        let (title, model) = read(path)?;
         let _progress = Progress::new("steady motions");
         let motions = SteadyMotions::of(&model, &self.wanted(), has_time).map_err(|why| refused(path, &model, why))?;
         Ok(Found { title, model, motions })
@@ -125,7 +119,7 @@ impl SteadyBox {
     /// The system of a file, prepared to take other values for parameters or speeds of cyclic coordinates with these names.
     pub fn along(&self, path: &Path, names: &[&String]) -> Result<(String, Model, Asked), Exit> {
         self.checked()?;
-        let (title, model, source) = read_with_text(path)?;
+        let (title, model, source) = system_in(path)?;
         names.iter().try_for_each(|name| self.must_vary(path, &model, name))?;
         Ok((title, model, Asked { text: Some(Arc::new(source)), ..self.wanted() }))
     }

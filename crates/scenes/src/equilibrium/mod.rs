@@ -128,7 +128,7 @@ pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibriu
     if system.unmet().is_none() {
         let there = chosen(&equations, &point);
         let changed = (0..point.switches.len()).find(|&switch| there.switches[switch] != point.switches[switch]);
-        if let Some(switch) = equations.undecided_switch(&point).or(changed) {
+        if let Some(switch) = equations.kinked_switch(&point).or(changed) {
             return Err(NoEquilibrium::AtCondition { switch });
         }
     }

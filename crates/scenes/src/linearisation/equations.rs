@@ -66,7 +66,7 @@ impl Known {
 }
 
 /// Values of equations and their derivatives; rows are equations.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Values {
     pub values: DVector<f64>,
     /// By a displacement along each speed: of its coordinate, or by a small turn about an axis of a free frame.
@@ -79,7 +79,7 @@ pub struct Values {
 }
 
 /// Everything at a point.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct At {
     /// M z + h - Q - J^T lambda.
     pub motion: Values,
@@ -241,22 +241,21 @@ impl VariedEquations {
     /// Inputs and switches as a point has them.
     pub fn choose(&self, point: &mut Point) {
         let [_, _, k, _, s] = self.sizes;
-        let mut numbers = vec![f64::NAN; k + s];
         // inputs may ask for conditions, and conditions for others before them
         for _ in 0..=s + 1 {
-            self.outside.run(point.time, &flat(point), &mut numbers);
+            let numbers = self.conditions(point);
             point.inputs = DVector::from_column_slice(&numbers[..k]);
             let chosen = numbers[k..].iter().map(|value| if *value > 0.0 { 1.0 } else { 0.0 });
             point.switches = DVector::from_iterator(s, chosen);
         }
     }
 
-    /// The switch whose condition is zero at a point: the equations have no derivative there.
-    pub fn undecided_switch(&self, point: &Point) -> Option<usize> {
+    /// The inputs at a point, then the values of conditions.
+    pub(super) fn conditions(&self, point: &Point) -> Vec<f64> {
         let [_, _, k, _, s] = self.sizes;
         let mut numbers = vec![f64::NAN; k + s];
         self.outside.run(point.time, &flat(point), &mut numbers);
-        numbers[k..].iter().position(|value| *value == 0.0)
+        numbers
     }
 
     /// Everything at a point.

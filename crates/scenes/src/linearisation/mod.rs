@@ -11,6 +11,7 @@ mod cyclic;
 mod displacement;
 mod equations;
 mod independence;
+mod kinks;
 mod multipliers;
 mod names;
 mod over_fields;
@@ -131,7 +132,7 @@ impl VariedEquations {
     /// The reason for which there is no linearisation.
     pub fn linearised(&self, point: Point) -> Result<Linearisation, NotLinear> {
         let point = self.with_accelerations(point).map_err(NotLinear::Undetermined)?;
-        if let Some(switch) = self.undecided_switch(&point) {
+        if let Some(switch) = self.kinked_switch(&point) {
             return Err(NotLinear::AtCondition { switch });
         }
         let at = self.at(&point);

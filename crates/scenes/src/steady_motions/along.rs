@@ -198,8 +198,10 @@ pub(super) fn kinds(found: &SteadyMotions) -> (Vec<usize>, usize) {
 
 fn unstable(motion: &SteadyMotion) -> usize {
     match &motion.stability {
-        SteadyStability::Falls(count) | SteadyStability::FallsOdd(count) => *count,
-        // the linear equations without cyclic coordinates do not depend on the instant; those with cyclic coordinates may
+        SteadyStability::Falls(count) | SteadyStability::FallsOdd(count) | SteadyStability::FallsOnSide(count) => {
+            *count
+        }
+        // the linear equations without cyclic coordinates are the same at all times, those of an instant need not be
         SteadyStability::Linear(found) => {
             match (found.enclosed.as_ref().map(EnclosedSpectrum::verdict), found.linear.stability) {
                 (Ok(EnclosedVerdict::Unstable(count)), _) => count,
@@ -212,7 +214,7 @@ fn unstable(motion: &SteadyMotion) -> usize {
             }
         }
         SteadyStability::Minimum
-        | SteadyStability::AtCondition { .. }
+        | SteadyStability::AtCondition(_)
         | SteadyStability::MinimumOnSides
         | SteadyStability::Unknown(_) => 0,
     }

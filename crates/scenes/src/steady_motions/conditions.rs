@@ -7,7 +7,7 @@
 use super::rows::{Rows, Touching};
 use super::{NoSteadyMotions, Range, Unknown};
 use model::equations::vanishes;
-use model::{Model, Trace};
+use model::{Model, Trace, conditions_by_name};
 use symbolic::{Sym, substitute_all};
 
 /// The case of a condition, or of the gap of a contact.
@@ -22,6 +22,8 @@ pub enum Case {
     Backward,
     /// The value is zero, and the searches on both sides found the same motion there.
     Meeting,
+    /// Any value: the law does not depend on the condition where the others have their cases.
+    Either,
 }
 
 /// More combinations of cases are not tried.
@@ -78,7 +80,7 @@ impl Case {
 /// The conditions of a law, and the gaps of its contacts, as texts.
 pub fn conditions_of(model: &Model) -> Vec<String> {
     let own = |trace: Trace<'_>| -> Vec<String> {
-        let conditions = model.switches.iter().map(|&own| trace.scalar(own).to_string());
+        let conditions = conditions_by_name(&trace).into_iter().map(|own| own.to_string());
         let gaps = model.contacts.iter().enumerate().map(|(place, one)| format!("the gap of {}", one.title(place)));
         conditions.chain(gaps).collect()
     };

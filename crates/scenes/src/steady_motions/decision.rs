@@ -83,8 +83,8 @@ impl Decision {
     }
 }
 
-/// The share of some boxes in a box that contains them.
-fn part(boxes: &[Vec<Interval>], whole: &[Interval]) -> f64 {
+/// The part of a box that some boxes in it take.
+pub(super) fn part(boxes: &[Vec<Interval>], whole: &[Interval]) -> f64 {
     let volume =
         |at: &Vec<Interval>| at.iter().zip(whole).map(|(at, whole)| at.width() / whole.width()).product::<f64>();
     boxes.iter().map(volume).sum::<f64>().clamp(0.0, 1.0) + 0.0

@@ -6,11 +6,13 @@
 use super::angle_sums::AngleSums;
 use super::circles::is_periodic;
 use super::conditions::{self, Case, Laws};
-use super::determinacy::Wanted;
+use super::degenerate::derivatives;
+use super::determinacy::{Data, Wanted};
 use super::energy_row::implied;
 use super::families::Identity;
 use super::momenta::momenta;
 use super::orientations::steep;
+use super::potential::EnergyIntegral;
 use super::quasi_velocities::{is_integral, state_names};
 use super::rows::{Rows, Touching};
 use super::surplus::Selection;
@@ -50,9 +52,9 @@ pub(super) struct SteadyEquations {
     pub state: Vec<f64>,
     /// The number of reactions that the positions determine.
     pub reactions: usize,
-    /// Whether the loads have a potential energy.
-    pub have_potential: bool,
-    /// Whether an equation has no unknowns and does not hold.
+    /// The energy that is kept where the loads have a potential energy.
+    pub energy_integral: Option<EnergyIntegral>,
+    /// Whether an equation has no unknowns, and is not met.
     pub is_unbalanced: bool,
     /// Coordinates that are unknowns.
     pub coordinates: usize,
@@ -62,6 +64,8 @@ pub(super) struct SteadyEquations {
     pub holds: Vec<bool>,
     /// The case of each of these, by its place in the combination.
     pub side_places: Vec<usize>,
+    /// The combination.
+    pub cases: Vec<Case>,
     /// Whether a condition is zero.
     pub is_at_condition: bool,
     /// For each condition of the law 1 where it holds, else 0.
@@ -77,7 +81,9 @@ pub(super) struct SteadyEquations {
     pub masses: Option<Tape>,
     /// The programs of the search.
     pub tapes: Tapes,
-    /// The programs with sums of angles as unknowns, if the equations are simpler in them.
+    /// The one equation of one unknown with its derivatives, with data as decimals.
+    pub derivatives: Option<Tape>,
+    /// The same by sums of angles, where these occur more simply.
     pub by_sums: Option<(AngleSums, Tapes)>,
     /// Places in the state of speeds that constraints of speeds determine, and these by the unknowns.
     pub determined: (Vec<usize>, Tape),
@@ -86,12 +92,12 @@ pub(super) struct SteadyEquations {
 impl SteadyEquations {
     pub fn of(model: &Model, asked: &Asked) -> Result<Self, NoSteadyMotions> {
         Self::checked(model)?;
-        symbolic::apart(|| Self::written(model, asked, None, false, &[]))
+        symbolic::apart(|| Self::with_data(model, asked, &[], Data::Floats))
     }
 
     /// In one combination of cases of the conditions of a law that changes.
     pub fn in_cases(model: &Model, asked: &Asked, cases: &[Case]) -> Result<Self, NoSteadyMotions> {
-        symbolic::apart(|| Self::written(model, asked, None, false, cases))
+        symbolic::apart(|| Self::with_data(model, asked, cases, Data::Floats))
     }
 
     /// The combinations of cases of the conditions of a law.
@@ -106,8 +112,8 @@ impl SteadyEquations {
             let start = model.start_state();
             let (names, n) = (state_names(model), trace.speeds.len());
             let free = (0..n).filter(|&k| asked.range(&names[n + k]).is_some()).collect();
-            let rows = Rows::of(model, &trace, &Wanted { free, state: &start, is_near: false })?;
-            // the reaction of a gap that no coordinate changes is not determined by positions
+            let rows = Rows::of(model, &trace, &Wanted { free, state: &start, is_near: false, data: Data::Floats })?;
+            // a gap that no coordinate opens has a reaction that no position determines
             let gaps = &rows.conditions[rows.condition_letters.len()..];
             if let Some(place) = gaps.iter().position(|gap| vanishes(*gap)) {
                 return Err(NoSteadyMotions::Contacts { at: model.contacts[place].at.clone() });
@@ -125,7 +131,7 @@ impl SteadyEquations {
     /// cyclic coordinates are those of the state unless an equation determines them.
     pub fn near(model: &Model, state: &[f64]) -> Result<Self, NoSteadyMotions> {
         Self::checked(model)?;
-        let written = |is_pinned| Self::written(model, &Asked::default(), Some(state), is_pinned, &[]);
+        let written = |is_pinned| Self::written(model, &Asked::default(), (Some(state), is_pinned), &[], Data::Floats);
         let is_square = |own: &Self| {
             own.is_unbalanced || own.rows == own.unknowns.len() + own.reactions && own.tapes.surplus.outputs() == 0
         };
@@ -155,12 +161,17 @@ impl SteadyEquations {
         Ok(())
     }
 
+    /// In the graph of the thread, with the data as floats or as decimals.
+    pub fn with_data(model: &Model, asked: &Asked, cases: &[Case], data: Data) -> Result<Self, NoSteadyMotions> {
+        Self::written(model, asked, (None, false), cases, data)
+    }
+
     fn written(
         model: &Model,
         asked: &Asked,
-        near: Option<&[f64]>,
-        is_pinned: bool,
+        (near, is_pinned): (Option<&[f64]>, bool),
         cases: &[Case],
+        data: Data,
     ) -> Result<Self, NoSteadyMotions> {
         let trace = Trace::of(model);
         let n = trace.speeds.len();
@@ -169,7 +180,7 @@ impl SteadyEquations {
             |k: &usize| is_integral(model, *k) || asked.ranges.iter().any(|(name, _)| *name == names[n + *k]);
         let start = model.start_state();
         let free = (0..n).filter(is_asked).collect();
-        let wanted = Wanted { free, state: near.unwrap_or(&start), is_near: near.is_some() };
+        let wanted = Wanted { free, state: near.unwrap_or(&start), is_near: near.is_some(), data };
         let mut rows = Rows::of(model, &trace, &wanted)?;
         // a frame that is turned steadily leaves no time in the equations, however they are written
         let at_any_time = |row: &mut Sym| {
@@ -225,7 +236,7 @@ impl SteadyEquations {
                 Some(range) if range.is_point() => {
                     state[place] = range.from;
                     valued.push((symbol, name.clone(), range.from));
-                    known.push((symbol, Sym::constant(field::Rational::exactly(range.from))));
+                    known.push((symbol, data.number(range.from)));
                     given.push((name, range.from));
                 }
                 // a range above a turn would contain positions twice
@@ -238,7 +249,7 @@ impl SteadyEquations {
                 }
                 None if is_sought => without_range.push(name),
                 _ => {
-                    known.push((symbol, Sym::constant(field::Rational::exactly(state[place]))));
+                    known.push((symbol, data.number(state[place])));
                     given.push((name, state[place]));
                 }
             }
@@ -328,8 +339,10 @@ impl SteadyEquations {
         let kept_momenta = rows.kept_momenta.iter().map(|&k| (k, names[k].clone())).collect();
         Ok(SteadyEquations {
             rows: expressions.values.len(),
+            derivatives: (data == Data::Decimals).then(|| derivatives(&letters, &expressions.values)).flatten(),
             holds,
             side_places,
+            cases: cases.to_vec(),
             is_at_condition: cases.contains(&Case::Between),
             switches: cases
                 .iter()
@@ -347,7 +360,7 @@ impl SteadyEquations {
             state,
             reactions: multipliers.len(),
             is_unbalanced,
-            have_potential: rows.have_potential,
+            energy_integral: rows.energy_integral,
             tapes,
             by_sums,
             momenta,

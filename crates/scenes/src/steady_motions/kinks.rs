@@ -1,8 +1,10 @@
 //! Motions at the zero of a condition: the searches on both sides find them, and they are counted once.
 
 use super::conditions::Case;
-use super::stability::SteadyStability;
-use super::{Family, SteadyMotion, SteadyMotions};
+use super::idle_conditions::join_families;
+use super::stability::{OnSide, SteadyStability};
+use super::{Family, Member, SteadyMotion, SteadyMotions};
+use model::Model;
 
 /// The relative error allowed for the end of a family.
 const NEAR: f64 = 1e-9;
@@ -12,8 +14,8 @@ type Place = (usize, usize);
 
 type Combination = (Vec<Case>, SteadyMotions);
 
-/// The combinations with each such motion once: in the case between both sides if it was tried, otherwise as a combination of its own.
-pub(super) fn joined(mut all: Vec<Combination>) -> Vec<Combination> {
+/// The combinations with each such motion once: where the law lies between its sides, else at a combination of its own.
+pub(super) fn joined(model: &Model, mut all: Vec<Combination>) -> Vec<Combination> {
     // where no such case was tried, the law is the same on both sides of the zero
     let jumps: Vec<bool> = (0..all.first().map_or(0, |(cases, _)| cases.len()))
         .map(|place| all.iter().any(|(cases, _)| !matches!(cases[place], Case::Holds | Case::Fails)))
@@ -29,20 +31,19 @@ pub(super) fn joined(mut all: Vec<Combination>) -> Vec<Combination> {
                 false => cases[place] == cases_there[place],
             })
         };
-        let is_minimum = members.len() == all.iter().filter(|(cases, _)| is_around(cases)).count()
-            && places.iter().all(|&place| !jumps[place])
-            && members.iter().all(|&(at, own)| {
-                matches!(all[at].1.motions[own].stability, SteadyStability::AtCondition { is_minimum: true })
-            });
+        let around = all.iter().filter(|(cases, _)| is_around(cases)).count();
+        let each: Vec<&SteadyMotion> = members.iter().map(|&(at, own)| &all[at].1.motions[own]).collect();
+        let is_whole = members.len() == around && places.iter().all(|&place| !jumps[place]);
+        let stability = if is_whole { on_sides(&each) } else { SteadyStability::AtCondition(None) };
+        let is_one_law = !matches!(stability, SteadyStability::AtCondition(_)) && !is_kink(&each);
         let examined = members.iter().map(|&(at, _)| all[at].1.examined).sum();
         let (first, own) = members[0];
         let mut cases = all[first].0.clone();
-        places.iter().for_each(|&place| cases[place] = Case::Meeting);
+        let place_of = if is_one_law { Case::Either } else { Case::Meeting };
+        places.iter().for_each(|&place| cases[place] = place_of);
         let mut motion = all[first].1.motions[own].clone();
         motion.at_conditions.clear();
-        if is_minimum {
-            motion.stability = SteadyStability::MinimumOnSides;
-        }
+        motion.stability = stability;
         let alone = all[first].1.alone(motion.clone(), examined);
         for &(at, own) in members.iter().rev() {
             match kept == Some((at, own)) {
@@ -57,15 +58,51 @@ pub(super) fn joined(mut all: Vec<Combination>) -> Vec<Combination> {
             }
         }
     }
+    for motion in all.iter_mut().flat_map(|(_, found)| &mut found.motions) {
+        // of the other side of a condition nothing is known
+        if !motion.at_conditions.is_empty() {
+            motion.stability = SteadyStability::AtCondition(None);
+        }
+    }
     let ends: Vec<Vec<bool>> = all.iter().map(|(cases, found)| ends_of_families(&all, (cases, found))).collect();
     for ((_, found), ends) in all.iter_mut().zip(ends) {
         let mut ends = ends.into_iter();
         found.motions.retain(|_| !ends.next().unwrap_or(false));
     }
+    join_families(model, &mut all);
     all
 }
 
-/// Whether each motion of a combination, at the zero of a condition, is the end of a family of another combination, where it is printed.
+/// Whether the law of two sides differs at a motion that both have.
+fn is_kink(each: &[&SteadyMotion]) -> bool {
+    each.iter().any(|motion| matches!(motion.stability, SteadyStability::AtCondition(_)))
+}
+
+/// The stability of a motion at the zero of conditions at which the law does not jump, by that of each side.
+fn on_sides(each: &[&SteadyMotion]) -> SteadyStability {
+    if !is_kink(each) {
+        let is_alike = each.iter().all(|motion| motion.at_conditions == each[0].at_conditions);
+        return if is_alike { each[0].stability.clone() } else { SteadyStability::AtCondition(None) };
+    }
+    let side = |motion: &&SteadyMotion| match &motion.stability {
+        SteadyStability::AtCondition(Some(side)) => Some(*side),
+        _ => None,
+    };
+    let Some(sides) = each.iter().map(side).collect::<Option<Vec<OnSide>>>() else {
+        return SteadyStability::AtCondition(None);
+    };
+    let falls = sides.iter().find(|side| side.falls > 0);
+    match falls {
+        None => SteadyStability::MinimumOnSides,
+        // two sides of one smooth surface
+        Some(side) if sides.len() == 2 && sides.iter().all(|side| side.is_regular) => {
+            SteadyStability::FallsOnSide(side.falls)
+        }
+        Some(_) => SteadyStability::AtCondition(None),
+    }
+}
+
+/// Whether each motion of a combination, at the zero of a condition, is the end of a family of another combination: it is told there.
 fn ends_of_families(all: &[Combination], (cases, found): (&Vec<Case>, &SteadyMotions)) -> Vec<bool> {
     let is_end = |motion: &SteadyMotion| {
         !motion.at_conditions.is_empty()
@@ -166,7 +203,11 @@ impl SteadyMotions {
             ends.retain(|_| keep.next().unwrap_or(false));
         };
         self.motions.iter_mut().for_each(|motion| kept(&mut motion.enclosure));
-        self.families.iter_mut().for_each(|(family, _)| kept(&mut family.hull));
+        self.families.iter_mut().for_each(|(family, _)| {
+            kept(&mut family.hull);
+            let mut keep = is_state.iter().copied();
+            family.reached.retain(|_| keep.next().unwrap_or(false));
+        });
         self.undecided.iter_mut().for_each(kept);
         self.regions.iter_mut().for_each(|region| kept(&mut region.hull));
         self.unknowns.retain(|unknown| unknown.place < self.state_size);
@@ -175,14 +216,20 @@ impl SteadyMotions {
 
     /// One motion of the same search, and nothing else.
     fn alone(&self, motion: SteadyMotion, examined: usize) -> Self {
+        SteadyMotions { motions: vec![motion], ..self.with_families(Vec::new(), examined) }
+    }
+
+    /// Families of the same search, and nothing else.
+    pub(super) fn with_families(&self, families: Vec<(Family, Vec<Member>)>, examined: usize) -> Self {
         SteadyMotions {
             unknowns: self.unknowns.clone(),
             state_size: self.state_size,
             given: self.given.clone(),
             cyclic: self.cyclic.clone(),
-            motions: vec![motion],
+            motions: Vec::new(),
             have_potential: self.have_potential,
-            families: Vec::new(),
+            are_in_turning_frames: self.are_in_turning_frames,
+            families,
             free_speeds: self.free_speeds.clone(),
             undecided: Vec::new(),
             regions: Vec::new(),

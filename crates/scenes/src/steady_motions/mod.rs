@@ -7,11 +7,13 @@ mod circles;
 mod conditions;
 mod decision;
 mod definiteness;
+mod degenerate;
 mod determinacy;
 mod energy_row;
 mod equations;
 mod families;
 mod frame_angles;
+mod idle_conditions;
 mod kinks;
 mod momenta;
 mod orientations;
@@ -37,13 +39,14 @@ pub use spectrum::{
     Boundary, Crossings, EigenvalueDisc, EnclosedSpectrum, EnclosedVerdict, ExactAlong, Judged, NotEnclosed, Routh,
     Side, ZeroReason,
 };
-pub use stability::{Eigenvalues, SteadyStability};
+pub use stability::{Eigenvalues, OnSide, SteadyStability};
 
 use crate::compiled_system::NotCompiled;
 use crate::linearisation::{Linear, VariedEquations};
 use algebra::boxes::Zero;
 use circles::{is_same, turns_to_zero};
-use decision::{Decision, is_in_range};
+use decision::{Decision, is_in_range, part};
+use degenerate::Degenerate;
 use equations::SteadyEquations;
 use field::Interval;
 use model::{Model, Source};
@@ -208,7 +211,9 @@ pub struct SteadyMotions {
     pub motions: Vec<SteadyMotion>,
     /// Whether the loads have a potential energy, however they are written.
     pub have_potential: bool,
-    /// Families of motions, with the stability of some members of each.
+    /// Whether frames that turn at a given rate give kinetic energy to what rests in them: Jacobi's integral is kept.
+    pub are_in_turning_frames: bool,
+    /// Motions side by side, with the stability of some of each family.
     pub families: Vec<(Family, Vec<Member>)>,
     /// Given speeds that may have any other value: there are motions for each value.
     pub free_speeds: Vec<String>,
@@ -235,7 +240,7 @@ impl SteadyMotions {
         let extended = Extended::of(model, &names, None);
         let model = extended.as_ref().map_or(model, |extended| &extended.model);
         let equations = SteadyEquations::of(model, asked)?;
-        Ok(Self::found(model, (equations, extended.as_ref()), asked.boxes, &mut goes_on))
+        Ok(Self::found(model, (equations, extended.as_ref()), asked, &mut goes_on))
     }
 
     /// Steady motions in each combination of cases of the conditions of a law.
@@ -250,21 +255,21 @@ impl SteadyMotions {
         let combinations = SteadyEquations::combinations(model, asked)?;
         let each = combinations.into_iter().map(|cases| {
             let equations = SteadyEquations::in_cases(model, asked, &cases)?;
-            Ok((cases, Self::found(model, (equations, None), asked.boxes, &mut goes_on)))
+            Ok((cases, Self::found(model, (equations, None), asked, &mut goes_on)))
         });
-        Ok(kinks::joined(each.collect::<Result<_, NoSteadyMotions>>()?))
+        Ok(kinks::joined(model, each.collect::<Result<_, NoSteadyMotions>>()?))
     }
 
     fn found(
         model: &Model,
         (equations, extended): (SteadyEquations, Option<&Extended>),
-        most: usize,
+        asked: &Asked,
         goes_on: &mut dyn FnMut() -> bool,
     ) -> Self {
         let domain: Vec<Interval> = equations.unknowns.iter().map(|unknown| unknown.range.interval()).collect();
         let mut boxes = Boxes::of(&equations, &equations.tapes);
-        let Decision { mut found, families, undecided_part } =
-            Decision::of(&equations, &mut boxes, &domain, most, &mut *goes_on);
+        let Decision { mut found, families, mut undecided_part } =
+            Decision::of(&equations, &mut boxes, &domain, asked.boxes, &mut *goes_on);
         let mut zeros = Vec::new();
         for zero in std::mem::take(&mut found.zeros) {
             match boxes.fulfils_all(&zero.enclosure) {
@@ -273,12 +278,21 @@ impl SteadyMotions {
                 None => found.undecided.push(zero.enclosure[..domain.len()].to_vec()),
             }
         }
-        let regions = region::regions(&equations, &zeros, &found.undecided);
-        let mut inside: Vec<Zero> = Vec::new();
+        let mut regions = region::regions(&equations, &zeros, &found.undecided);
+        let mut zeros: Vec<(Zero, Option<Degenerate>)> = zeros.into_iter().map(|zero| (zero, None)).collect();
+        regions.retain(|region| {
+            let Some(own) = Degenerate::of(model, asked, &equations, region) else { return true };
+            let alone: Vec<Interval> = region.hull.iter().map(|&[low, high]| Interval::new(low, high)).collect();
+            found.undecided.retain(|at| !at.iter().zip(&alone).all(|(at, alone)| at.is_part_of(*alone)));
+            undecided_part = part(&found.undecided, &domain);
+            zeros.push((Zero { enclosure: vec![Interval::point(own.at)], alone }, Some(own)));
+            false
+        });
+        let mut inside: Vec<(Zero, Option<Degenerate>)> = Vec::new();
         for zero in zeros {
-            if is_in_range(&equations.unknowns, &zero)
-                && boxes.lies_aside(&zero.enclosure) != Some(false)
-                && inside.iter().all(|known| !is_same(&equations.unknowns, known, &zero))
+            if is_in_range(&equations.unknowns, &zero.0)
+                && boxes.lies_aside(&zero.0.enclosure) != Some(false)
+                && inside.iter().all(|(known, _)| !is_same(&equations.unknowns, known, &zero.0))
             {
                 inside.push(zero);
             }
@@ -289,14 +303,14 @@ impl SteadyMotions {
         };
         let mut motions: Vec<SteadyMotion> = inside
             .into_iter()
-            .map(|zero| {
+            .map(|(zero, degenerate)| {
                 let mut enclosure = Vec::new();
                 for (unknown, at) in equations.unknowns.iter().zip(&zero.enclosure) {
                     let turns = if unknown.is_circle { turns_to_zero(at.middle()) } else { 0.0 };
                     enclosure.push([at.low() + turns, at.high() + turns]);
                 }
                 let state = equations.state_at(enclosure.iter().map(|[low, high]| 0.5 * (low + high)));
-                let stability = judged(model, &equations, &mut boxes, (&zero.enclosure, &state));
+                let stability = judged(model, &equations, &mut boxes, (&zero.enclosure, &state), degenerate.as_ref());
                 let (state, quasi_velocities) = original(state);
                 let mut at_conditions: Vec<usize> =
                     boxes.open_sides(&zero.enclosure).into_iter().map(|side| equations.side_places[side]).collect();
@@ -331,13 +345,14 @@ impl SteadyMotions {
             })
             .collect();
         let ends = |at: Vec<Interval>| at.into_iter().map(|at| [at.low(), at.high()]).collect();
-        let SteadyEquations { unknowns, state, given, cyclic, have_potential, free_speeds, .. } = equations;
+        let SteadyEquations { unknowns, state, given, cyclic, energy_integral, free_speeds, .. } = equations;
         SteadyMotions {
             unknowns,
             state_size: state.len(),
             given,
             cyclic,
-            have_potential,
+            have_potential: energy_integral.is_some(),
+            are_in_turning_frames: energy_integral.is_some_and(|own| own.is_of_jacobi),
             motions,
             families,
             free_speeds,

@@ -4,7 +4,8 @@
 //!
 //!   dQ_i/dq_j = dQ_j/dq_i ,
 //!
-//! Q is the gradient of an energy about every position.
+//! Q is the gradient of an energy about every position, -V_q. In frames that turn at a given rate T = T2 + T1 + T0 by powers of the speeds:
+//! Jacobi's integral T2 + V - T0 is kept, and T1 gives gyroscopic forces, which do no work.
 
 use model::Trace;
 use model::equations::{Equation, vanishes};
@@ -13,25 +14,37 @@ use symbolic::{Sym, substitute_all};
 /// The largest number of speeds for which this is tested: the work grows with its square.
 const MOST_ASKED: usize = 10;
 
-/// Whether the loads behind residuals without accelerations have a potential energy, T over the same letters.
-pub(super) fn have_potential(trace: &Trace<'_>, residuals: &[Sym], energy: Sym, constraints: &[Equation]) -> bool {
+/// An integral of a system whose loads have a potential energy.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct EnergyIntegral {
+    /// Whether frames that turn at a given rate give kinetic energy to a system that rests in them: Jacobi's integral.
+    pub is_of_jacobi: bool,
+    /// Whether gyroscopic forces act on small motions about rest.
+    pub is_gyroscopic: bool,
+}
+
+/// The integral where the loads behind residuals without accelerations have a potential energy, T over the same letters.
+pub(super) fn energy_integral(
+    trace: &Trace<'_>,
+    residuals: &[Sym],
+    energy: Sym,
+    constraints: &[Equation],
+) -> Option<EnergyIntegral> {
     let (coordinates, speeds) = (&trace.coordinates, &trace.speeds);
     let n = speeds.len();
-    if n > MOST_ASKED || !trace.solid().is_empty() {
-        return false;
+    if n > MOST_ASKED || !trace.solid().is_empty() || !vanishes(energy.diff(trace.time)) {
+        return None;
     }
     let without_reactions: Vec<(Sym, Sym)> = constraints.iter().map(|one| (one.multiplier, Sym::ZERO)).collect();
     let at_rest: Vec<(Sym, Sym)> = speeds.iter().map(|speed| (*speed, Sym::ZERO)).collect();
-    // energies that are not quadratic in the speeds exert forces on a system at rest
     let is_quadratic = (0..n).all(|i| {
         (0..n).all(|j| {
             let second = energy.diff(speeds[i]).diff(speeds[j]);
             second.symbols_of().iter().all(|symbol| !speeds.contains(symbol))
         })
-    }) && vanishes(energy.substitute(&at_rest))
-        && speeds.iter().all(|&speed| vanishes(energy.diff(speed).substitute(&at_rest)));
+    });
     if !is_quadratic {
-        return false;
+        return None;
     }
     let loads: Vec<Sym> = substitute_all(residuals, &without_reactions)
         .into_iter()
@@ -45,9 +58,19 @@ pub(super) fn have_potential(trace: &Trace<'_>, residuals: &[Sym], energy: Sym, 
         .collect();
     let resting = substitute_all(&loads, &at_rest);
     let holds_no_speeds = loads.iter().zip(&resting).all(|(load, resting)| vanishes(*load - *resting));
-    let is_gradient =
-        || (0..n).all(|i| (0..i).all(|j| vanishes(resting[i].diff(coordinates[j]) - resting[j].diff(coordinates[i]))));
-    holds_no_speeds && is_gradient()
+    if !(holds_no_speeds && is_gradient(&resting, coordinates)) {
+        return None;
+    }
+    let linear: Vec<Sym> = speeds.iter().map(|&speed| energy.diff(speed).substitute(&at_rest)).collect();
+    Some(EnergyIntegral {
+        is_of_jacobi: !vanishes(energy.substitute(&at_rest)),
+        is_gyroscopic: !is_gradient(&linear, coordinates),
+    })
+}
+
+/// Whether expressions are the derivatives of one by coordinates.
+fn is_gradient(all: &[Sym], by: &[Sym]) -> bool {
+    (0..all.len()).all(|i| (0..i).all(|j| vanishes(all[i].diff(by[j]) - all[j].diff(by[i]))))
 }
 
 /// Coordinates with conserved momenta: T does not depend on them, and no load and no reaction occurs in their equations,

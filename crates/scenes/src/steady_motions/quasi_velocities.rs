@@ -6,7 +6,7 @@
 //! coordinates only.
 
 use super::NoSteadyMotions;
-use super::determinacy::Wanted;
+use super::determinacy::{Data, Wanted};
 use super::rows::Rows;
 use crate::changing_laws::changes;
 use crate::letters::Letters;
@@ -160,7 +160,7 @@ pub(super) fn is_integral(model: &Model, place: usize) -> bool {
 pub(super) fn without_part(model: &Model) -> Result<Vec<bool>, NoSteadyMotions> {
     let trace = Trace::of(model);
     let start = model.start_state();
-    let wanted = Wanted { free: Vec::new(), state: &start, is_near: false };
+    let wanted = Wanted { free: Vec::new(), state: &start, is_near: false, data: Data::Floats };
     Rows::of(model, &trace, &wanted).map(|rows| rows.is_cyclic)
 }
 
@@ -170,7 +170,7 @@ fn score(model: &Model, asked: &[&str], state: Option<&[f64]>) -> Option<(usize,
     let names = state_names(model);
     let free = (0..n).filter(|&k| asked.contains(&names[n + k].as_str()) || is_integral(model, k)).collect();
     let start = model.start_state();
-    let wanted = Wanted { free, state: state.unwrap_or(&start), is_near: state.is_some() };
+    let wanted = Wanted { free, state: state.unwrap_or(&start), is_near: state.is_some(), data: Data::Floats };
     let rows = Rows::of(model, &trace, &wanted).ok()?;
     Some((rows.cyclic_count(), rows.is_regular, rows.most_cyclic))
 }

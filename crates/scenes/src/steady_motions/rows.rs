@@ -9,8 +9,8 @@
 //! rolls in a circle moves steadily.
 
 use super::NoSteadyMotions;
-use super::determinacy::{Solution, Wanted, solutions};
-use super::potential::{have_potential, momenta_kept};
+use super::determinacy::{Data, Solution, Wanted, solutions};
+use super::potential::{EnergyIntegral, energy_integral, momenta_kept};
 use crate::letters::Letters;
 use model::equations::{Equation, Level, Residuals, constraints_of, vanishes};
 use model::{Contact, Model, Sides, Trace};
@@ -33,9 +33,9 @@ pub(super) struct Rows {
     pub determined: Vec<(usize, Sym)>,
     /// Coordinates on which nothing depends.
     pub is_cyclic: Vec<bool>,
-    /// Whether the loads have a potential energy, and no constraint holds speeds.
-    pub have_potential: bool,
-    /// Coordinates with conserved momenta, if there are no constraints of speeds.
+    /// The energy that is kept where the loads have a potential energy, and no constraint holds speeds.
+    pub energy_integral: Option<EnergyIntegral>,
+    /// Coordinates whose momenta are kept, where no constraint holds speeds.
     pub kept_momenta: Vec<usize>,
     /// Whether the constraints determine these speeds at the state of the request.
     pub is_regular: bool,
@@ -71,7 +71,10 @@ impl Rows {
         let equations = Residuals::of(trace).into_iter().next().ok_or(NoSteadyMotions::Singular)?;
         let state = [&trace.coordinates[..], &trace.speeds].concat();
         // letters for everything that moves
-        let letters = Letters::with_data(trace.time, &state);
+        let letters = match wanted.data {
+            Data::Floats => Letters::with_data(trace.time, &state),
+            Data::Decimals => Letters::with_decimals(trace.time, &state),
+        };
         let put = |all: &[Sym]| letters.put_into(trace, all);
         let residuals = put(&equations.residuals[..model.speeds()]);
         let zeros = put(&constraints.iter().map(|one| one.zero).collect::<Vec<_>>());
@@ -106,7 +109,7 @@ impl Rows {
                     .collect(),
                 determined,
                 is_cyclic: vec![true; model.speeds()],
-                have_potential: false,
+                energy_integral: None,
                 kept_momenta: Vec::new(),
                 is_regular,
                 most_cyclic,
@@ -116,9 +119,9 @@ impl Rows {
         };
         if of_speeds.is_empty() {
             let resting = at_rest(trace, residuals, &[]);
-            let have_potential = have_potential(trace, &resting, energy, &constraints);
+            let energy_integral = energy_integral(trace, &resting, energy, &constraints);
             let kept_momenta = momenta_kept(trace, &resting, energy);
-            return Ok(Rows { have_potential, kept_momenta, ..with(resting, Vec::new(), true) });
+            return Ok(Rows { energy_integral, kept_momenta, ..with(resting, Vec::new(), true) });
         }
         let solved = solutions(trace, (&of_speeds, &residuals, &zeros), wanted, put)
             .ok_or_else(|| NoSteadyMotions::OfSpeeds { at: of_speeds[0].at.clone() })?;

@@ -22,6 +22,7 @@ pub(super) struct Boxes<'a> {
     loads: Program<'a, Interval>,
     /// Conditions, and whether each must be positive; otherwise it must be negative.
     sides: Program<'a, Interval>,
+    side_slopes: Program<'a, Interval>,
     holds: &'a [bool],
     side: Vec<Interval>,
     /// Shares of friction and of laws between two cases, by their places, with the ranges outside of which there is no motion.
@@ -34,7 +35,7 @@ impl<'a> Boxes<'a> {
     /// The programs of equations, by their unknowns or by others.
     pub fn of(equations: &'a SteadyEquations, tapes: &'a Tapes) -> Self {
         let SteadyEquations { reactions, unknowns, holds, .. } = equations;
-        let Tapes { values, slopes, loads, surplus, implied, sides } = tapes;
+        let Tapes { values, slopes, loads, surplus, implied, sides, side_slopes } = tapes;
         Boxes {
             divided: unknowns.len(),
             reactions: *reactions,
@@ -48,6 +49,7 @@ impl<'a> Boxes<'a> {
             slopes: slopes.over(),
             loads: loads.over(),
             sides: sides.over(),
+            side_slopes: side_slopes.over(),
             holds,
             side: vec![Interval::EVERYTHING; holds.len()],
             shares: (unknowns.iter().enumerate())
@@ -63,6 +65,11 @@ impl Boxes<'_> {
     /// Whether every condition has its sign in the whole box; `None` if this is not decided. A violated constraint that was left out also
     /// excludes motions of the system.
     pub fn lies_aside(&mut self, at: &[Interval]) -> Option<bool> {
+        self.lies_aside_but_for(at, &[])
+    }
+
+    /// The same for all conditions but some, by their numbers.
+    pub fn lies_aside_but_for(&mut self, at: &[Interval], open: &[usize]) -> Option<bool> {
         self.implied.evaluate(at, &mut self.implies);
         if self.implies.iter().any(|value| !value.contains(0.0)) {
             return Some(false);
@@ -75,7 +82,8 @@ impl Boxes<'_> {
             return are_within.then_some(true);
         }
         self.sides.evaluate(at, &mut self.side);
-        let sides = || self.side.iter().zip(self.holds);
+        let closed = |(own, _): &(usize, _)| !open.contains(own);
+        let sides = || self.side.iter().zip(self.holds).enumerate().filter(closed).map(|(_, side)| side);
         if sides().any(|(value, holds)| if *holds { value.high() < 0.0 } else { value.low() > 0.0 }) {
             return Some(false);
         }
@@ -91,7 +99,20 @@ impl Boxes<'_> {
         (0..self.side.len()).filter(|&k| self.side[k].contains(0.0)).collect()
     }
 
-    /// Whether a zero in a box satisfies the surplus equations, which were not solved; `None` if this is not decided.
+    /// Whether each condition that may be zero in a box has a slope there that is not zero.
+    pub fn has_regular_sides(&mut self, at: &[Interval]) -> bool {
+        let open = self.open_sides(at);
+        open.into_iter().all(|side| self.side_slope(at, side).iter().any(|slope| !slope.contains(0.0)))
+    }
+
+    /// The derivatives of a condition by the unknowns.
+    pub fn side_slope(&mut self, at: &[Interval], side: usize) -> Vec<Interval> {
+        let mut slopes = vec![Interval::EVERYTHING; self.side.len() * at.len()];
+        self.side_slopes.evaluate(at, &mut slopes);
+        slopes[side * at.len()..][..self.divided].to_vec()
+    }
+
+    /// Whether a zero in a box fulfils the equations beyond the number of unknowns; none where that is open.
     pub fn fulfils_all(&mut self, at: &[Interval]) -> Option<bool> {
         self.surplus.evaluate(at, &mut self.left);
         match self.left.iter().all(|value| value.contains(0.0)) {

@@ -1,7 +1,9 @@
 //! Stability of a steady motion: by the energy where it is conserved, else by the linear equations.
 
 use super::definiteness::signs;
+use super::degenerate::Degenerate;
 use super::equations::SteadyEquations;
+use super::idle_conditions;
 use super::search::Boxes;
 use super::spectrum::{EnclosedSpectrum, NotEnclosed};
 use crate::conservation::keeps_energy;
@@ -13,18 +15,26 @@ use model::Model;
 /// The stability of a steady motion, as far as it is known.
 #[derive(Clone, Debug)]
 pub enum SteadyStability {
-    /// The amended potential energy, with the kinetic energy of cyclic coordinates at their momenta, has a strict minimum in
-    /// every direction that constraints allow: stable in all but cyclic coordinates (Lagrange and Dirichlet, Routh).
+    /// The potential energy, in frames that turn at a given rate less the kinetic energy at rest in them (Jacobi), and amended by the kinetic energy of cyclic coordinates at the momenta that they have there, has a strict minimum in
+    /// every direction that constraints leave: stable in all but cyclic coordinates (Lagrange and Dirichlet, Routh).
     Minimum,
-    /// An equilibrium at which the potential energy decreases in this number of directions: unstable, since frequencies there are imaginary.
+    /// At rest without gyroscopic forces, and the potential energy falls in so many directions: unstable, since frequencies there are
+    /// imaginary.
     Falls(usize),
     /// The amended potential energy decreases in an odd number of directions: unstable with any gyroscopic forces (Thomson and Tait).
     FallsOdd(usize),
-    /// A condition of the law is zero there, and of this side of it alone is known whether the potential energy has a strict minimum.
-    AtCondition { is_minimum: bool },
+    /// A condition of the law is zero there, and so much is known of the side of it that was searched.
+    AtCondition(Option<OnSide>),
     /// The law has a kink there, and the potential energy has a strict minimum on each of its sides: a strict minimum, since its slope does
     /// not jump (Lagrange and Dirichlet).
     MinimumOnSides,
+    /// The law has a kink there, at rest, and on one of its two sides the potential energy falls in so many directions: unstable.
+    ///
+    /// An eigenvector v of M^-1 V'' of that side with a negative eigenvalue, along which energy falls, or -v, leads into the side, unless it
+    /// is tangent to the kink; motions that leave the equilibrium along it (its unstable manifold) stay on the side, whose law alone acts.
+    /// If all of them are tangent, V'' of the other side, which differs by a multiple of n n^T with the normal n, has the same ones, so that
+    /// motions grow along them on both.
+    FallsOnSide(usize),
     /// By eigenvalues of the linear equations.
     Linear(Box<Eigenvalues>),
     /// There are no linear equations.
@@ -38,27 +48,43 @@ pub struct Eigenvalues {
     pub enclosed: Result<EnclosedSpectrum, NotEnclosed>,
 }
 
-/// The stability at an enclosure of unknowns and reactions; `state` is a state within it.
+/// The potential energy of one side of a kink.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OnSide {
+    /// The number of directions in which it falls at rest.
+    pub falls: usize,
+    /// Whether the condition is zero on a smooth surface through the motion.
+    pub is_regular: bool,
+}
+
+/// At an enclosure of unknowns and reactions, and the state about it.
 pub(super) fn judged(
     model: &Model,
     equations: &SteadyEquations,
     boxes: &mut Boxes<'_>,
     (enclosure, state): (&[Interval], &[f64]),
+    degenerate: Option<&Degenerate>,
 ) -> SteadyStability {
     let n = model.speeds();
     if equations.is_at_condition {
-        return SteadyStability::AtCondition { is_minimum: false };
+        return SteadyStability::AtCondition(None);
     }
-    let is_open = boxes.lies_aside(enclosure) != Some(true);
+    let is_open = boxes.lies_aside(enclosure) != Some(true) && !is_one_law(model, equations, boxes, enclosure);
     // a coordinate held fixed by the user may move: then the energy test decides nothing
     let is_whole =
         equations.coordinates == equations.unknowns.len() && equations.coordinates + equations.cyclic.len() == n;
-    let keeps_energy = equations.have_potential || keeps_energy(model);
+    let keeps_energy = equations.energy_integral.is_some() || keeps_energy(model);
     if is_whole && keeps_energy && has_inertia(equations, boxes, enclosure, n) {
-        let rests = state[n..].iter().all(|speed| *speed == 0.0);
-        let falls = falls(equations, boxes, enclosure);
+        let is_gyroscopic = equations.energy_integral.is_some_and(|integral| integral.is_gyroscopic);
+        let rests = state[n..].iter().all(|speed| *speed == 0.0) && !is_gyroscopic;
+        let falls = match degenerate {
+            Some(own) => own.falls(equations, boxes).filter(|_| rests),
+            None => falls(equations, boxes, enclosure),
+        };
         if is_open {
-            return SteadyStability::AtCondition { is_minimum: falls == Some(0) };
+            let is_regular = equations.reactions == 0 && boxes.has_regular_sides(enclosure);
+            let side = falls.filter(|falls| *falls == 0 || rests).map(|falls| OnSide { falls, is_regular });
+            return SteadyStability::AtCondition(side);
         }
         match falls {
             Some(0) => return SteadyStability::Minimum,
@@ -68,7 +94,7 @@ pub(super) fn judged(
         }
     }
     if is_open {
-        return SteadyStability::AtCondition { is_minimum: false };
+        return SteadyStability::AtCondition(None);
     }
     // inputs have their values, with all derivatives of these
     let varied = match VariedEquations::with_inputs(model, &[], &[]) {
@@ -84,8 +110,17 @@ pub(super) fn judged(
     }
 }
 
-/// Whether the kinetic energy is positive in every direction that constraints allow, for all enclosed numbers. Bodies without mass are allowed
-/// between others. The matrix
+/// Whether the law does not depend on the conditions that may be zero in an enclosure, and everything else lies aside.
+fn is_one_law(model: &Model, equations: &SteadyEquations, boxes: &mut Boxes<'_>, enclosure: &[Interval]) -> bool {
+    let sides = boxes.open_sides(enclosure);
+    let places: Vec<usize> = sides.iter().map(|&side| equations.side_places[side]).collect();
+    boxes.lies_aside_but_for(enclosure, &sides) == Some(true)
+        && !places.is_empty()
+        && idle_conditions::is_one_law(model, &equations.cases, &places)
+}
+
+/// Whether the kinetic energy is positive in every direction that constraints leave, of everything that is enclosed: bodies without mass may
+/// hang between those that have one. With as many constraints as f has rows the matrix
 ///
 ///   | M   f'^T |
 ///   | f'   0   |

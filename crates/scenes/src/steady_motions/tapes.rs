@@ -31,6 +31,8 @@ pub(super) struct Tapes {
     pub implied: Tape,
     /// Conditions.
     pub sides: Tape,
+    /// Their derivatives, row after row.
+    pub side_slopes: Tape,
 }
 
 impl Expressions {
@@ -74,14 +76,17 @@ impl Expressions {
     /// An expression without values.
     pub fn recorded(&self, letters: &[Sym], multipliers: &[Sym]) -> Result<Tapes, NoSteadyMotions> {
         let inputs = [letters, multipliers].concat();
-        let slopes: Vec<Sym> = self.values.iter().flat_map(|row| inputs.iter().map(|&by| row.diff(by))).collect();
+        let slopes_of = |rows: &[Sym]| -> Vec<Sym> {
+            rows.iter().flat_map(|row| inputs.iter().map(|&by| row.diff(by))).collect()
+        };
         Ok(Tapes {
             values: recorded(&inputs, &self.values)?,
-            slopes: recorded(&inputs, &slopes)?,
+            slopes: recorded(&inputs, &slopes_of(&self.values))?,
             loads: recorded(letters, &self.loads)?,
             surplus: recorded(&inputs, &self.surplus)?,
             implied: recorded(&inputs, &self.implied)?,
             sides: recorded(&inputs, &self.sides)?,
+            side_slopes: recorded(&inputs, &slopes_of(&self.sides))?,
         })
     }
 }

@@ -4,6 +4,7 @@
 //! A family is enclosed in pieces, in each of which there is one motion, and no other, for every value of its parameters.
 
 mod columns;
+mod ends;
 mod identities;
 mod pieces;
 
@@ -13,6 +14,7 @@ use super::equations::SteadyEquations;
 use super::search::Boxes;
 use super::turns_to_zero;
 use algebra::boxes::Equations;
+use ends::{Ends, Extent};
 use field::Interval;
 use pieces::{Limits, Piece, Pieces, Underdetermined};
 use std::f64::consts::PI;
@@ -24,12 +26,45 @@ pub struct Family {
     pub dimension: usize,
     /// Pieces, each with one motion for every value of some unknowns: the places of these unknowns, and the box of the motions.
     pub pieces: Vec<(Vec<usize>, Vec<[f64; 2]>)>,
-    /// The smallest box that contains the pieces.
+    /// For each unknown a range beyond which there is none of them.
     pub hull: Vec<[f64; 2]>,
-    /// Displacements along which nothing acts, one for each identity, if identities cause the family.
+    /// For each unknown values at both of which one of them is shown to be; none where that is not shown of any.
+    pub reached: Vec<Option<[f64; 2]>>,
+    /// Displacements along which nothing acts, where these are the cause: one for each identity.
     pub along: Vec<String>,
     /// Some of the motions: unknowns with reactions.
     pub(super) members: Vec<Vec<f64>>,
+}
+
+impl Family {
+    /// Whether pieces of two families have a place in common.
+    pub(super) fn touches(&self, other: &Self) -> bool {
+        let near = |[low, high]: &[f64; 2]| JOINT * (1.0 + low.abs().max(high.abs()));
+        let meet = |one: &[[f64; 2]], other: &[[f64; 2]]| {
+            let at = |(own, other): (&[f64; 2], &[f64; 2])| {
+                own[0] <= other[1] + near(other) && other[0] <= own[1] + near(own)
+            };
+            one.iter().zip(other).all(at)
+        };
+        self.dimension == other.dimension
+            && meet(&self.hull, &other.hull)
+            && self.pieces.iter().any(|(_, one)| other.pieces.iter().any(|(_, other)| meet(one, other)))
+    }
+
+    /// Both as one family; they touch.
+    pub(super) fn joined(mut self, other: Self) -> Self {
+        let both = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a.min(c), b.max(d)];
+        self.hull.iter_mut().zip(other.hull).for_each(|(own, other)| *own = both(*own, other));
+        for (own, other) in self.reached.iter_mut().zip(other.reached) {
+            *own = own.zip(other).map(|(own, other)| both(own, other)).or(*own).or(other);
+        }
+        self.pieces.extend(other.pieces);
+        self.members.extend(other.members);
+        self.along.extend(other.along);
+        self.along.sort();
+        self.along.dedup();
+        self
+    }
 }
 
 /// More pieces than these are taken for one family.
@@ -124,21 +159,35 @@ pub(super) fn families(
             None => of_rows.push(OfRows { rows, along, open: vec![at] }),
         }
     }
-    let mut all: Vec<(Piece, Vec<String>)> = Vec::new();
+    let mut all: Vec<OwnPiece> = Vec::new();
+    let mut fewer = Fewer { boxes, rows: Vec::new(), all: equations.rows, values: Vec::new(), slopes: Vec::new() };
     for OfRows { rows, along, open } in of_rows {
         let limits = Limits { boxes: most.saturating_sub(enclosed.examined), smallest: SMALLEST };
-        let mut fewer = Fewer { boxes, rows, all: equations.rows, values: Vec::new(), slopes: Vec::new() };
+        fewer.rows.clone_from(&rows);
         let Pieces { pieces, undecided, examined } = pieces::pieces(&mut fewer, domain, open, limits, &mut goes_on);
         enclosed.examined += examined;
         enclosed.undecided.extend(undecided);
-        all.extend(pieces.into_iter().map(|piece| (piece, along.clone())));
+        let own = |piece: Piece| OwnPiece { piece, rows: rows.clone(), along: along.clone() };
+        all.extend(pieces.into_iter().map(own));
     }
-    enclosed.families = joined(equations, all);
+    enclosed.families = joined(equations, all, &mut fewer, &mut goes_on);
     enclosed
 }
 
+/// A piece, the equations that determine it, and the displacements along which nothing acts.
+struct OwnPiece {
+    piece: Piece,
+    rows: Vec<usize>,
+    along: Vec<String>,
+}
+
 /// Pieces that touch one another as one family.
-fn joined(equations: &SteadyEquations, all: Vec<(Piece, Vec<String>)>) -> Vec<Family> {
+fn joined(
+    equations: &SteadyEquations,
+    all: Vec<OwnPiece>,
+    fewer: &mut Fewer<'_, '_>,
+    goes_on: &mut dyn FnMut() -> bool,
+) -> Vec<Family> {
     let mut of: Vec<usize> = (0..all.len()).collect();
     if all.len() > MOST_JOINED {
         of.fill(0);
@@ -146,8 +195,8 @@ fn joined(equations: &SteadyEquations, all: Vec<(Piece, Vec<String>)>) -> Vec<Fa
         for i in 0..all.len() {
             for j in 0..i {
                 let (one, other) = (of[i], of[j]);
-                let is_alike = all[i].0.parameters.len() == all[j].0.parameters.len();
-                if one != other && is_alike && touch(equations, &all[i].0, &all[j].0) {
+                let is_alike = all[i].piece.parameters.len() == all[j].piece.parameters.len();
+                if one != other && is_alike && touch(equations, &all[i].piece, &all[j].piece) {
                     of.iter_mut().filter(|group| **group == one).for_each(|group| *group = other);
                 }
             }
@@ -157,9 +206,9 @@ fn joined(equations: &SteadyEquations, all: Vec<(Piece, Vec<String>)>) -> Vec<Fa
     groups.sort_unstable();
     groups.dedup();
     let of_group = |group: usize| {
-        let own: Vec<&(Piece, Vec<String>)> =
+        let own: Vec<&OwnPiece> =
             all.iter().zip(&of).filter(|(_, own)| **own == group).map(|(piece, _)| piece).collect();
-        family(equations, &own)
+        family(equations, &own, fewer, goes_on)
     };
     let mut found: Vec<Family> = groups.into_iter().map(of_group).collect();
     found.sort_by(|a, b| {
@@ -189,7 +238,12 @@ fn touch(equations: &SteadyEquations, one: &Piece, other: &Piece) -> bool {
     })
 }
 
-fn family(equations: &SteadyEquations, pieces: &[&(Piece, Vec<String>)]) -> Family {
+fn family(
+    equations: &SteadyEquations,
+    pieces: &[&OwnPiece],
+    fewer: &mut Fewer<'_, '_>,
+    goes_on: &mut dyn FnMut() -> bool,
+) -> Family {
     let positions = equations.unknowns.len();
     let ends = |piece: &Piece| -> Vec<[f64; 2]> {
         let ranges = equations.unknowns.iter().map(|unknown| unknown.range);
@@ -198,24 +252,32 @@ fn family(equations: &SteadyEquations, pieces: &[&(Piece, Vec<String>)]) -> Fami
         own.map(|(own, range)| [own.low().max(range.from), own.high().min(range.to)]).collect()
     };
     let all: Vec<(Vec<usize>, Vec<[f64; 2]>)> =
-        pieces.iter().map(|(piece, _)| (piece.parameters.clone(), ends(piece))).collect();
-    let hull = (0..positions).map(|k| {
+        pieces.iter().map(|own| (own.piece.parameters.clone(), ends(&own.piece))).collect();
+    let of_piece = pieces.iter().map(|own| (&own.piece, &own.rows[..])).collect();
+    let extents = Ends { pieces: of_piece, unknowns: &equations.unknowns };
+    let mut extent = |k: usize| {
         let ends = all.iter().map(|(_, at)| at[k]);
-        if equations.unknowns[k].is_circle { arc(ends.collect()) } else { around(ends) }
-    });
-    let hull = hull.collect();
-    let mut along: Vec<String> = pieces.iter().flat_map(|(_, along)| along.iter().cloned()).collect();
+        let is_circle = equations.unknowns[k].is_circle;
+        let within = if is_circle { arc(ends.collect()) } else { around(ends) };
+        match is_circle && within[1] - within[0] >= 2.0 * PI - JOINT {
+            true => Extent { within, reached: Some(within) },
+            false => extents.along((k, within), fewer, &mut *goes_on),
+        }
+    };
+    let (hull, reached) = (0..positions).map(|k| extent(k)).map(|own| (own.within, own.reached)).unzip();
+    let mut along: Vec<String> = pieces.iter().flat_map(|own| own.along.iter().cloned()).collect();
     along.sort();
     along.dedup();
     let between = pieces.len().div_ceil(MEMBERS).max(1);
-    let members = pieces.iter().step_by(between).map(|(piece, _)| {
-        let mut middle = piece.middle.clone();
+    let members = pieces.iter().step_by(between).map(|own| {
+        let mut middle = own.piece.middle.clone();
         for (value, unknown) in middle.iter_mut().zip(&equations.unknowns).filter(|(_, unknown)| unknown.is_circle) {
             *value += if unknown.is_circle { turns_to_zero(*value) } else { 0.0 };
         }
         middle
     });
-    Family { dimension: pieces[0].0.parameters.len(), members: members.collect(), pieces: all, hull, along }
+    let (dimension, members) = (pieces[0].piece.parameters.len(), members.collect());
+    Family { dimension, members, pieces: all, hull, reached, along }
 }
 
 /// A gap between pieces that counts as rounding.

@@ -46,6 +46,8 @@ pub(in crate::steady_motions) struct Piece {
     alone: Vec<Interval>,
     /// An approximate solution at the middle of the parameters.
     pub middle: Vec<f64>,
+    /// Whether everything else holds for all of its solutions; else that is open.
+    pub holds: bool,
 }
 
 /// Every solution lies in a piece or in an undecided box.
@@ -160,7 +162,7 @@ fn examined(
             let holds = if meets { equations.holds(&piece.enclosure) } else { Some(false) };
             match holds {
                 Some(holds) if is_covered => {
-                    pieces.extend(holds.then_some(piece));
+                    pieces.extend(holds.then_some(Piece { holds, ..piece }));
                     return None;
                 }
                 None if is_covered => end = Some(piece),
@@ -226,14 +228,14 @@ fn shown(equations: &mut dyn Underdetermined, local: &Local, at: &[Interval]) ->
         is_inside.then(|| {
             let mut enclosure = alone.clone();
             local.dependent.iter().zip(&inside).for_each(|(&place, inside)| enclosure[place] = *inside);
-            Piece { parameters: local.parameters.clone(), enclosure, alone, middle: middle.clone() }
+            Piece { parameters: local.parameters.clone(), enclosure, alone, middle: middle.clone(), holds: false }
         })
     })
 }
 
 /// A box seen from its middle, with some unknowns as parameters.
-struct Local {
-    dependent: Vec<usize>,
+pub(super) struct Local {
+    pub dependent: Vec<usize>,
     parameters: Vec<usize>,
     middle: Vec<f64>,
     /// C f(m)
@@ -248,7 +250,7 @@ impl Local {
         Self::made(equations, at, None)
     }
 
-    fn with(equations: &mut dyn Underdetermined, at: &[Interval], parameters: &[usize]) -> Option<Self> {
+    pub fn with(equations: &mut dyn Underdetermined, at: &[Interval], parameters: &[usize]) -> Option<Self> {
         Self::made(equations, at, Some(parameters))
     }
 
@@ -317,7 +319,7 @@ impl Local {
     }
 
     /// Krawczyk's operator for the dependent unknowns.
-    fn krawczyk(&self, at: &[Interval]) -> Vec<Interval> {
+    pub fn krawczyk(&self, at: &[Interval]) -> Vec<Interval> {
         let each = |(row, &place): (usize, &usize)| {
             let about = Interval::point(self.middle[place]) - self.step[row];
             (0..self.wide).fold(about, |sum, column| {

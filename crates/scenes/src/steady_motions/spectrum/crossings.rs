@@ -16,7 +16,9 @@ const ROUNDINGS: f64 = 4.0;
 pub struct Judged {
     pub value: f64,
     pub verdict: EnclosedVerdict,
-    /// The eigenvalue with the largest real part.
+    /// The number of zeros that have reasons.
+    pub zeros: usize,
+    /// The largest real part, with its imaginary part.
     pub foremost: [f64; 2],
 }
 
@@ -46,7 +48,7 @@ impl Crossings {
             let none = [f64::NEG_INFINITY, 0.0];
             let foremost =
                 found.discs.iter().map(|disc| disc.centre).fold(none, |a, b| if b[0] > a[0] { b } else { a });
-            Ok(Judged { value, verdict: found.verdict(), foremost })
+            Ok(Judged { value, verdict: found.verdict(), zeros: found.zeros.len(), foremost })
         };
         let (mut samples, mut open, mut changes) = (Vec::new(), Vec::new(), Vec::new());
         for k in 0..=INTERVALS {

@@ -38,7 +38,7 @@ impl EnclosedSpectrum {
         if !moves_as(&equations, &zero.enclosure, state) {
             return Err(NotEnclosed::NoMotion);
         }
-        let keeps_energy = equations.have_potential || keeps_energy(model);
+        let keeps_energy = equations.energy_integral.is_some() || keeps_energy(model);
         EnclosedSpectrum::of(model, &equations, &varied, (&zero.enclosure, &equations.state), keeps_energy)
     }
 }

@@ -1,0 +1,104 @@
+//! The stability of a steady motion in words.
+
+use crate::spectrum;
+use ::scenes::linearisation::{Linear, Stability, Standing};
+use ::scenes::steady_motions::{
+    Eigenvalues, EnclosedSpectrum, EnclosedVerdict, SteadyMotion, SteadyMotions, SteadyStability,
+};
+
+/// The stability of one of the motions that were found, with the reason.
+pub(super) fn stability(motion: &SteadyMotion, found: &SteadyMotions) -> String {
+    let cyclic = &found.cyclic;
+    let energy = match found.are_in_turning_frames {
+        true => "the potential energy, less the kinetic energy of rest in the frames that turn at given rates (Jacobi's integral),",
+        false => "the potential energy",
+    };
+    let directions = |count: usize| if count == 1 { "one direction".to_owned() } else { format!("{count} directions") };
+    match &motion.stability {
+        SteadyStability::Minimum if cyclic.is_empty() => {
+            format!("stable, by enclosures: {energy} has a strict minimum (Lagrange, Dirichlet)")
+        }
+        SteadyStability::Minimum => format!(
+            "stable but for {}, by enclosures: the potential energy, amended by the kinetic energy at given momenta, has a strict minimum in the others \
+             (Routh)",
+            cyclic.join(", ")
+        ),
+        SteadyStability::Falls(count) => format!("unstable, by enclosures: {energy} falls in {}", directions(*count)),
+        SteadyStability::FallsOdd(count) => format!(
+            "unstable, by enclosures: the amended potential energy falls in an odd number of directions, {count} (Thomson, Tait)"
+        ),
+        SteadyStability::Linear(found) if decides(found).is_some() => {
+            decides(found).map(spectrum::verdict).unwrap_or_default()
+        }
+        // linear equations at one instant of a moving state decide nothing, but without cyclic coordinates they are constant
+        SteadyStability::Linear(found) if found.linear.standing == Standing::Moving && found.enclosed.is_ok() => {
+            found.enclosed.as_ref().map(spectrum::verdict).unwrap_or_default()
+        }
+        SteadyStability::Linear(found) if fades(&found.linear, cyclic.len()) => format!(
+            "every eigenvalue has a negative real part but for zeros, which cyclic coordinates and their momenta have: asymptotically stable but for \
+             {}, by numbers",
+            cyclic.join(", ")
+        ),
+        SteadyStability::Linear(found) => {
+            let linear = &found.linear;
+            let largest = linear.eigenvalues.iter().map(|value| value[0]).fold(f64::NEG_INFINITY, f64::max);
+            match linear.eigenvalues.is_empty() {
+                true => linear.stability.to_string(),
+                false => format!("{}; the largest real part is {largest:.6e} 1/s, by numbers", linear.stability),
+            }
+        }
+        SteadyStability::AtCondition(_) => {
+            "stability is not known: a condition of the law is zero there".to_owned()
+        }
+        SteadyStability::MinimumOnSides => {
+            "stable, by enclosures: the potential energy has a strict minimum on both sides of the condition that is \
+             zero there (Lagrange, Dirichlet)"
+                .to_owned()
+        }
+        SteadyStability::FallsOnSide(count) => format!(
+            "unstable, by enclosures: on one side of the condition that is zero there {energy} falls in {}; motions on that side leave \
+             along it (its unstable manifold)",
+            directions(*count)
+        ),
+        SteadyStability::Unknown(why) => format!("stability is not known: {why}"),
+    }
+}
+
+/// The enclosed eigenvalues, where these decide the stability, or show that the linear equations do not.
+fn decides(found: &Eigenvalues) -> Option<&EnclosedSpectrum> {
+    let is_known = |found: &&EnclosedSpectrum| !matches!(found.verdict(), EnclosedVerdict::Undecided { touching, .. } if touching > 0);
+    found.enclosed.as_ref().ok().filter(is_known)
+}
+
+/// Eigenvalues below this part of the largest one are zero.
+const ROUNDING: f64 = 1e-9;
+
+/// Whether all eigenvalues have negative real parts, except zeros, at most two for each cyclic coordinate.
+fn fades(linear: &Linear, cyclic: usize) -> bool {
+    let size = |[re, im]: &[f64; 2]| re.hypot(*im);
+    let largest = linear.eigenvalues.iter().map(size).fold(0.0, f64::max);
+    let (zeros, others): (Vec<[f64; 2]>, Vec<[f64; 2]>) =
+        linear.eigenvalues.iter().partition(|value| size(value) <= ROUNDING * largest);
+    let negative = others.iter().all(|[re, _]| *re < -ROUNDING * largest);
+    linear.standing != Standing::Moving && !others.is_empty() && negative && (1..=2 * cyclic).contains(&zeros.len())
+}
+
+/// The stability of a motion in a word, and whether enclosures show it.
+pub fn verdict(motion: &SteadyMotion, cyclic: &[String]) -> (&'static str, bool) {
+    match &motion.stability {
+        SteadyStability::Minimum | SteadyStability::MinimumOnSides => ("stable", true),
+        SteadyStability::Falls(_) | SteadyStability::FallsOdd(_) | SteadyStability::FallsOnSide(_) => ("unstable", true),
+        SteadyStability::Linear(found) if decides(found).is_some() => {
+            let word = decides(found).map_or("not decided", spectrum::word);
+            (word, word != "not decided")
+        }
+        SteadyStability::Linear(found) => match found.linear.stability {
+            _ if found.linear.standing == Standing::Moving => ("not decided", false),
+            _ if fades(&found.linear, cyclic.len()) => ("asymptotically stable", false),
+            Stability::Unstable(_) => ("unstable", false),
+            Stability::Asymptotic { .. } => ("asymptotically stable", false),
+            _ => ("not decided", false),
+        },
+        SteadyStability::AtCondition(_) | SteadyStability::Unknown(_) => ("not known", false),
+    }
+}

@@ -1,0 +1,163 @@
+//! Ends of a family along each unknown: values beyond which it has no motion, and values that its motions are shown to reach.
+//!
+//! The part of a family that reaches furthest is halved along its parameters. In each half Krawczyk's operator narrows the unknowns that
+//! depend on these, until a motion is shown within rounding of the furthest bound, or no half is left to gain by.
+
+use super::Fewer;
+use super::pieces::{Local, Piece, Underdetermined};
+use crate::steady_motions::Unknown;
+use field::Interval;
+use std::f64::consts::PI;
+
+/// The values of an unknown over a family.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Extent {
+    /// Beyond these there is none.
+    pub within: [f64; 2],
+    /// At both of these there is one; none where no motion is shown to fulfil everything.
+    pub reached: Option<[f64; 2]>,
+}
+
+/// An end is known where both bounds of it differ by no more, in SI units and relative to the value.
+const KNOWN: f64 = 1e-9;
+
+/// Halvings for each end.
+const HALVINGS: usize = 160;
+
+/// Narrower parameters, relative to their values, are not halved.
+const NARROW: f64 = 1e-15;
+
+/// Steps of Krawczyk's operator in a half.
+const STEPS: usize = 6;
+
+/// A part of a piece.
+#[derive(Clone)]
+struct Part<'a> {
+    piece: &'a Piece,
+    rows: &'a [usize],
+    at: Vec<Interval>,
+    holds: bool,
+}
+
+/// The pieces of a family, each with the numbers of the equations that determine it, and the unknowns with their ranges.
+pub(super) struct Ends<'a> {
+    pub pieces: Vec<(&'a Piece, &'a [usize])>,
+    pub unknowns: &'a [Unknown],
+}
+
+impl<'a> Ends<'a> {
+    /// The extent of an unknown, known to be within a range; the equations are those of some rows.
+    pub fn along(
+        &self,
+        (place, within): (usize, [f64; 2]),
+        equations: &mut Fewer<'_, '_>,
+        goes_on: &mut dyn FnMut() -> bool,
+    ) -> Extent {
+        let begun = self.pieces.iter().map(|&(piece, rows)| {
+            let at = piece.enclosure.clone();
+            Part { piece, rows, holds: piece.holds && self.is_in_ranges(&at), at }
+        });
+        let mut parts: Vec<Part<'_>> = begun.filter(|part| self.meets_ranges(&part.at)).collect();
+        let mut ends = [Bound::default(); 2];
+        for (side, end) in [-1.0, 1.0].into_iter().zip(&mut ends) {
+            let far = |at: &Interval| if side < 0.0 { -at.low() } else { at.high() };
+            let near = |at: &Interval| if side < 0.0 { -at.high() } else { at.low() };
+            for halvings in 0..=HALVINGS {
+                let bounds = |part: &Part<'_>| self.within(part, place, within);
+                let Some((first, outer)) = parts
+                    .iter()
+                    .enumerate()
+                    .map(|(own, part)| (own, far(&bounds(part))))
+                    .max_by(|a, b| a.1.total_cmp(&b.1))
+                else {
+                    break;
+                };
+                let shown = |part: &Part<'_>| match part.piece.parameters.contains(&place) {
+                    true => far(&bounds(part)),
+                    false => near(&bounds(part)),
+                };
+                let reached = parts.iter().filter(|part| part.holds).map(shown).max_by(f64::total_cmp);
+                *end = Bound { outer: side * outer, reached: reached.map(|reached| side * reached) };
+                let is_known = reached.is_some_and(|reached| outer - reached <= KNOWN * (1.0 + outer.abs()));
+                if is_known || halvings == HALVINGS || !goes_on() {
+                    break;
+                }
+                let Some(halves) = self.halves(&parts[first], equations) else { break };
+                parts.swap_remove(first);
+                parts.extend(halves);
+            }
+        }
+        let [low, high] = ends;
+        let reached = low.reached.zip(high.reached).map(|(low, high)| [low, high]);
+        Extent { within: [low.outer.max(within[0]), high.outer.min(within[1])], reached }
+    }
+
+    /// The values of an unknown in a part, an angle within the turn of a range, and others within their own ranges.
+    fn within(&self, part: &Part<'_>, place: usize, within: [f64; 2]) -> Interval {
+        let (unknown, at) = (&self.unknowns[place], part.at[place]);
+        if !unknown.is_circle {
+            return at.and(unknown.range.interval()).unwrap_or(at);
+        }
+        let middle = 0.5 * (within[0] + within[1]);
+        let turns = ((middle - at.middle()) / (2.0 * PI)).round() * 2.0 * PI;
+        at + Interval::new(turns.next_down(), turns.next_up())
+    }
+
+    fn meets_ranges(&self, at: &[Interval]) -> bool {
+        self.unknowns.iter().zip(at).all(|(own, at)| own.is_circle || at.and(own.range.interval()).is_some())
+    }
+
+    fn is_in_ranges(&self, at: &[Interval]) -> bool {
+        self.unknowns.iter().zip(at).all(|(own, at)| own.is_circle || at.is_part_of(own.range.interval()))
+    }
+
+    /// The halves along the widest parameter in which there may be motions; none where all parameters are narrow.
+    fn halves<'p>(
+        &self,
+        part: &Part<'p>,
+        equations: &mut Fewer<'_, '_>,
+    ) -> Option<Vec<Part<'p>>> {
+        let share = |&k: &usize| part.at[k].width() / part.piece.enclosure[k].width();
+        let is_wide = |k: &usize| part.at[*k].width() > NARROW * (1.0 + part.at[*k].size());
+        let widest = part.piece.parameters.iter().copied().filter(is_wide);
+        let widest = widest.max_by(|a, b| share(a).total_cmp(&share(b)))?;
+        let own = part.at[widest];
+        let mut halves = Vec::new();
+        equations.rows = part.rows.to_vec();
+        for half in [Interval::new(own.low(), own.middle()), Interval::new(own.middle(), own.high())] {
+            let mut at = part.at.clone();
+            at[widest] = half;
+            narrow(equations, part.piece, &mut at);
+            let fulfilled = if part.piece.holds { Some(true) } else { equations.holds(&at) };
+            if fulfilled != Some(false) && self.meets_ranges(&at) {
+                let holds = fulfilled == Some(true) && self.is_in_ranges(&at);
+                halves.push(Part { at, holds, ..part.clone() });
+            }
+        }
+        Some(halves)
+    }
+}
+
+/// An end: beyond the outer bound there is no motion.
+#[derive(Clone, Copy, Default)]
+struct Bound {
+    outer: f64,
+    reached: Option<f64>,
+}
+
+/// Narrows the unknowns that depend on the parameters of a piece, one motion of which stands in a box for every value of these.
+fn narrow(equations: &mut Fewer<'_, '_>, piece: &Piece, at: &mut [Interval]) {
+    for _ in 0..STEPS {
+        let Some(local) = Local::with(equations, at, &piece.parameters) else { return };
+        let inside = local.krawczyk(at);
+        let mut gains = false;
+        for (&place, inside) in local.dependent.iter().zip(inside) {
+            let Some(both) = at[place].and(inside) else { return };
+            gains |= both.width() < 0.5 * at[place].width();
+            at[place] = both;
+        }
+        if !gains {
+            return;
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! Conditions on which the law does not depend where other conditions have their cases, as the sign of x within a play |x| < e: their
+//! zeros are no kinks, and the steady motions of both sides belong together.
+
+use super::conditions::Case;
+use super::families::Family;
+use super::{Member, SteadyMotions};
+use crate::letters::Letters;
+use model::equations::{Residuals, constraints_of, vanishes};
+use model::{Model, Trace};
+use symbolic::{Sym, substitute_all};
+
+type Combination = (Vec<Case>, SteadyMotions);
+
+/// Whether the law is the same on both sides of the conditions at some places, all others having their cases.
+pub(super) fn is_one_law(model: &Model, cases: &[Case], places: &[usize]) -> bool {
+    let is_condition = places.iter().all(|&place| place < model.switches.len());
+    is_condition && symbolic::apart(|| does_not_hold(model, cases, places))
+}
+
+fn does_not_hold(model: &Model, cases: &[Case], places: &[usize]) -> bool {
+    let trace = Trace::of(model);
+    let Some(equations) = Residuals::of(&trace).into_iter().next() else { return false };
+    let held = constraints_of(&trace).into_iter().map(|one| one.zero);
+    let reactions = model.contacts.iter().flat_map(|own| own.slides.iter().chain(&own.friction).chain([&own.gap]));
+    let law: Vec<Sym> = equations.residuals.iter().copied().chain(held).collect();
+    let law: Vec<Sym> = law.into_iter().chain(reactions.map(|&own| trace.scalar(own))).collect();
+    let state = [&trace.coordinates[..], &trace.speeds].concat();
+    let law = Letters::with_data(trace.time, &state).put_into(&trace, &law);
+    let known = trace.switches.iter().zip(cases).enumerate().filter(|(place, _)| !places.contains(place));
+    let known: Vec<(Sym, Sym)> = known
+        .filter_map(|(_, (&letter, case))| match case {
+            Case::Holds => Some((letter, Sym::ONE)),
+            Case::Fails => Some((letter, Sym::ZERO)),
+            _ => None,
+        })
+        .collect();
+    let law = substitute_all(&law, &known);
+    places.iter().all(|&place| law.iter().all(|row| vanishes(row.diff(trace.switches[place]))))
+}
+
+/// Joins families that come from both sides to the zero of a condition on which the law does not depend there.
+pub(super) fn join_families(model: &Model, all: &mut Vec<Combination>) {
+    while let Some(Meeting { places, sides: [(first, own), (second, other)] }) = meeting(model, all) {
+        let examined = all[first].1.examined + all[second].1.examined;
+        let beside = all[second].1.families.remove(other);
+        let joined = joined(all[first].1.families.remove(own), beside);
+        let mut cases = all[first].0.clone();
+        places.iter().for_each(|&place| cases[place] = Case::Either);
+        match all.iter_mut().find(|(known, _)| *known == cases) {
+            Some((_, found)) => found.families.push(joined),
+            None => {
+                let alone = all[first].1.with_families(vec![joined], examined);
+                all.push((cases, alone));
+            }
+        }
+    }
+}
+
+/// Two families of different combinations that meet: the conditions that these differ in, and the places of both.
+struct Meeting {
+    places: Vec<usize>,
+    sides: [(usize, usize); 2],
+}
+
+fn meeting(model: &Model, all: &[Combination]) -> Option<Meeting> {
+    for (second, (others, there)) in all.iter().enumerate() {
+        for (first, (cases, found)) in all[..second].iter().enumerate() {
+            let places: Vec<usize> = (0..cases.len()).filter(|&place| cases[place] != others[place]).collect();
+            let are_sides = places.iter().all(|&place| is_side(cases[place]) && is_side(others[place]));
+            if !are_sides || found.unknowns != there.unknowns {
+                continue;
+            }
+            let touching = (0..found.families.len())
+                .flat_map(|own| (0..there.families.len()).map(move |other| (own, other)))
+                .find(|&(own, other)| found.families[own].0.touches(&there.families[other].0));
+            if let Some((own, other)) = touching.filter(|_| is_one_law(model, cases, &places)) {
+                return Some(Meeting { places, sides: [(first, own), (second, other)] });
+            }
+        }
+    }
+    None
+}
+
+fn is_side(case: Case) -> bool {
+    matches!(case, Case::Holds | Case::Fails)
+}
+
+fn joined((family, mut members): (Family, Vec<Member>), (other, more): (Family, Vec<Member>)) -> (Family, Vec<Member>) {
+    members.extend(more);
+    (family.joined(other), members)
+}
