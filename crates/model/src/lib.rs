@@ -63,8 +63,8 @@ pub use parts::{
 };
 pub use presentation::{
     Cosine, DerivedVector, Divisor, HeldEquation, InQuasiVelocities, Lines, MatrixForm, Typeset, axes, casadi, code,
-    code_from, conditions_by_name, constraints, derived_vectors, exchange, latex, left_out, modelica, shorter, sympy, text, titles,
-    typeset, vectors,
+    code_from, conditions_by_name, constraints, derived_vectors, exchange, latex, left_out, modelica, shorter, sympy,
+    text, titles, typeset, vectors,
 };
 pub use quasi_velocities::{Coefficient, INTEGRAL, QuasiPrinciple, QuasiVelocities, quasi_agreement};
 pub use source::{

@@ -3,8 +3,8 @@
 use super::renamed_coordinates::{Renamed, candidates, with_new_names};
 use crate::clock;
 use crate::exit::{Exit, warn};
-use crate::stationary::verdict::verdict;
 use crate::stationary::steady_box::{Found, refused};
+use crate::stationary::verdict::verdict;
 use ::scenes::derivation::{NamedPrinciple, derived};
 use ::scenes::steady_motions::{Asked, Range, SteadyMotions};
 use ::scenes::{ModelScene, SystemText, Task};

@@ -3,8 +3,8 @@
 use super::Asked;
 use super::branches;
 use super::model::motion;
-use super::verdict::verdict;
 use super::steady_box::{AlongFound, number};
+use super::verdict::verdict;
 use crate::arguments::Format;
 use crate::exit::{Exit, print, warn};
 use crate::output::{Form, Writes};

@@ -1,7 +1,7 @@
 //! `dalembert stationary --along NAME=FROM..TO --out FILE.svg`: branches of steady motions.
 
-use super::verdict::verdict;
 use super::steady_box::AlongFound;
+use super::verdict::verdict;
 use ::scenes::steady_motions::{Bifurcation, Change, Range, Sample, SteadyMotion, SteadyMotions};
 use charts::{BranchPanel, BranchPiece, Branches, Standing};
 use std::f64::consts::{PI, TAU};

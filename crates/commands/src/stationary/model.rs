@@ -143,7 +143,9 @@ pub(super) fn body(all: &Found) -> String {
         });
         let _ = writeln!(out, "  ?  {}", ranges.collect::<Vec<_>>().join(", "));
         let shown = if region.holds_one { "by enclosures there is one steady motion at least; " } else { "" };
-        let _ = writeln!(out, "     undecided boxes: {}; {shown}a guess by numbers: {}", region.boxes, near(region));
+        // bounds show where constraints may be dependent, and Newton's method nothing
+        let guess = if region.near == Near::Dependent { "" } else { "a guess by numbers: " };
+        let _ = writeln!(out, "     undecided boxes: {}; {shown}{guess}{}", region.boxes, near(region));
     }
     if found.regions.len() > MOST_LISTED {
         let _ =
@@ -163,6 +165,11 @@ fn near(region: &Region) -> String {
         Near::Nothing => "no other steady motion is found there".to_owned(),
         Near::Undefined => {
             "the equations have no values at some place there, such as a distance of zero, where a force has no direction".to_owned()
+        }
+        Near::Dependent => {
+            "the constraints become dependent at some place there, as where bars lie in one line: reactions have no bounds, and more boxes do not \
+             decide it"
+                .to_owned()
         }
         Near::Regular => "there is one steady motion at least, which more boxes would show".to_owned(),
         Near::Merging(count) => format!(

@@ -1,8 +1,8 @@
 //! `dalembert stationary --along A=FROM..TO --along B=FROM..TO`: the numbers of steady motions and of stable ones over two parameters.
 
 use super::Asked;
-use super::verdict::verdict;
 use super::steady_box::{number, refused, unit};
+use super::verdict::verdict;
 use crate::arguments::Format;
 use crate::clock::has_time;
 use crate::exit::{Exit, print, warn};

@@ -181,14 +181,22 @@ impl SteadyBox {
         if found.is_complete() {
             return Exit::Done;
         }
-        if found.regions.iter().all(|region| matches!(region.near, Near::Merging(_) | Near::Undefined)) {
+        if found
+            .regions
+            .iter()
+            .all(|region| matches!(region.near, Near::Merging(_) | Near::Undefined | Near::Dependent))
+        {
             let (path, boxes) = (path.display(), found.undecided.len());
-            let about = match found.regions.iter().any(|region| region.near == Near::Undefined) {
-                true => "places where the equations have no values, or degenerate steady motions",
-                false => "degenerate steady motions",
-            };
+            let has = |near: fn(&Near) -> bool| found.regions.iter().any(|region| near(&region.near));
+            let about = [
+                (has(|near| *near == Near::Undefined), "places where the equations have no values"),
+                (has(|near| *near == Near::Dependent), "places where constraints become dependent"),
+                (has(|near| matches!(near, Near::Merging(_))), "degenerate steady motions"),
+            ];
+            let about: Vec<&str> = about.into_iter().filter(|(is_there, _)| *is_there).map(|(_, what)| what).collect();
             warn(&format!(
-                "warning: {path}: undecided boxes: {boxes}, about {about}, by numbers: more boxes would not decide them"
+                "warning: {path}: undecided boxes: {boxes}, about {}, by numbers: more boxes would not decide them",
+                about.join(", or ")
             ));
             return Exit::Stopped;
         }

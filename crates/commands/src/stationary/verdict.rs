@@ -10,7 +10,9 @@ use ::scenes::steady_motions::{
 pub(super) fn stability(motion: &SteadyMotion, found: &SteadyMotions) -> String {
     let cyclic = &found.cyclic;
     let energy = match found.are_in_turning_frames {
-        true => "the potential energy, less the kinetic energy of rest in the frames that turn at given rates (Jacobi's integral),",
+        true => {
+            "the potential energy, less the kinetic energy of rest in the frames that turn at given rates (Jacobi's integral),"
+        }
         false => "the potential energy",
     };
     let directions = |count: usize| if count == 1 { "one direction".to_owned() } else { format!("{count} directions") };
@@ -47,9 +49,7 @@ pub(super) fn stability(motion: &SteadyMotion, found: &SteadyMotions) -> String 
                 false => format!("{}; the largest real part is {largest:.6e} 1/s, by numbers", linear.stability),
             }
         }
-        SteadyStability::AtCondition(_) => {
-            "stability is not known: a condition of the law is zero there".to_owned()
-        }
+        SteadyStability::AtCondition(_) => "stability is not known: a condition of the law is zero there".to_owned(),
         SteadyStability::MinimumOnSides => {
             "stable, by enclosures: the potential energy has a strict minimum on both sides of the condition that is \
              zero there (Lagrange, Dirichlet)"
@@ -87,7 +87,9 @@ fn fades(linear: &Linear, cyclic: usize) -> bool {
 pub fn verdict(motion: &SteadyMotion, cyclic: &[String]) -> (&'static str, bool) {
     match &motion.stability {
         SteadyStability::Minimum | SteadyStability::MinimumOnSides => ("stable", true),
-        SteadyStability::Falls(_) | SteadyStability::FallsOdd(_) | SteadyStability::FallsOnSide(_) => ("unstable", true),
+        SteadyStability::Falls(_) | SteadyStability::FallsOdd(_) | SteadyStability::FallsOnSide(_) => {
+            ("unstable", true)
+        }
         SteadyStability::Linear(found) if decides(found).is_some() => {
             let word = decides(found).map_or("not decided", spectrum::word);
             (word, word != "not decided")

@@ -13,16 +13,10 @@ use super::{Asked, Region};
 use field::{Interval, Rational};
 use model::Model;
 use model::equations::vanishes;
-use symbolic::{Sym, Tape};
-
-/// Larger orders are not tried.
-const MOST_ORDER: usize = 8;
+use symbolic::Sym;
 
 /// Decimals with up to so many digits are tried.
 const DIGITS: usize = 9;
-
-/// Longer expressions have no derivatives of such orders.
-const MOST_OPERATIONS: usize = 2_000;
 
 /// The only zero in a region.
 #[derive(Clone, Copy, Debug)]
@@ -46,7 +40,7 @@ impl Degenerate {
             let tape = exact.derivatives?;
             let mut bounds = vec![Interval::EVERYTHING; tape.outputs()];
             tape.over::<Interval>().evaluate(&[Interval::new(low, high)], &mut bounds);
-            let order = (1..=MOST_ORDER).find(|&order| bounds[order].sign().is_some_and(|sign| sign != 0))?;
+            let order = (1..tape.outputs()).find(|&order| bounds[order].sign().is_some_and(|sign| sign != 0))?;
             let sign = bounds[order].sign()?;
             let at = candidates(low, high).into_iter().find(|&at| {
                 let mut values = vec![Sym::ZERO; tape.outputs()];
@@ -80,18 +74,4 @@ fn candidates(low: f64, high: f64) -> Vec<f64> {
     let mut all: Vec<f64> = [0.0].into_iter().chain(decimals).filter(|at| (low..=high).contains(at)).collect();
     all.dedup();
     all
-}
-
-/// The one equation with its derivatives.
-pub(super) fn derivatives(letters: &[Sym], values: &[Sym]) -> Option<Tape> {
-    let ([letter], [value]) = (letters, values) else { return None };
-    let mut all = vec![*value];
-    for _ in 0..MOST_ORDER {
-        let next = all[all.len() - 1].diff(*letter);
-        all.push(next);
-        if Sym::operations_of(&all) > MOST_OPERATIONS {
-            return None;
-        }
-    }
-    Tape::record(letters, &all).ok()
 }

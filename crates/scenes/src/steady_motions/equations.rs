@@ -3,10 +3,10 @@
 //!
 //!   J^T lambda - h(q, w) = 0 ,    f(q) = 0 .
 
+use super::admission::{at_rest, checked};
 use super::angle_sums::AngleSums;
 use super::circles::is_periodic;
-use super::conditions::{self, Case, Laws};
-use super::degenerate::derivatives;
+use super::conditions::{Case, Laws};
 use super::determinacy::{Data, Wanted};
 use super::energy_row::implied;
 use super::families::Identity;
@@ -14,13 +14,13 @@ use super::momenta::momenta;
 use super::orientations::steep;
 use super::potential::EnergyIntegral;
 use super::quasi_velocities::{is_integral, state_names};
-use super::rows::{Rows, Touching};
+use super::rows::Rows;
 use super::surplus::Selection;
 use super::tapes::{self, Expressions, Tapes};
 use super::{Asked, NoSteadyMotions, Range};
-use crate::compiled_system::has_values;
+use field::Interval;
 use model::equations::{implied_constraints, vanishes};
-use model::{Contact, Model, Trace};
+use model::{Model, Trace};
 use std::f64::consts::PI;
 use symbolic::{Sym, Tape, substitute_all};
 
@@ -91,7 +91,7 @@ pub(super) struct SteadyEquations {
 
 impl SteadyEquations {
     pub fn of(model: &Model, asked: &Asked) -> Result<Self, NoSteadyMotions> {
-        Self::checked(model)?;
+        checked(model)?;
         symbolic::apart(|| Self::with_data(model, asked, &[], Data::Floats))
     }
 
@@ -100,37 +100,10 @@ impl SteadyEquations {
         symbolic::apart(|| Self::with_data(model, asked, cases, Data::Floats))
     }
 
-    /// The combinations of cases of the conditions of a law.
-    pub fn combinations(model: &Model, asked: &Asked) -> Result<Vec<Vec<Case>>, NoSteadyMotions> {
-        let is_refused = |one: &&Contact| one.one_way.is_some() || one.guide.is_some();
-        if let Some(contact) = model.contacts.iter().find(is_refused) {
-            return Err(NoSteadyMotions::Contacts { at: contact.at.clone() });
-        }
-        Self::checked_but_for_conditions(model)?;
-        symbolic::apart(|| {
-            let trace = Trace::of(model);
-            let start = model.start_state();
-            let (names, n) = (state_names(model), trace.speeds.len());
-            let free = (0..n).filter(|&k| asked.range(&names[n + k]).is_some()).collect();
-            let rows = Rows::of(model, &trace, &Wanted { free, state: &start, is_near: false, data: Data::Floats })?;
-            // a gap that no coordinate opens has a reaction that no position determines
-            let gaps = &rows.conditions[rows.condition_letters.len()..];
-            if let Some(place) = gaps.iter().position(|gap| vanishes(*gap)) {
-                return Err(NoSteadyMotions::Contacts { at: model.contacts[place].at.clone() });
-            }
-            let rest = at_rest(&trace, &rows.is_cyclic);
-            let is_refused = |own: &Touching| own.may_slide(&rest) && (own.slides.len() > 1 || !own.is_one_sided);
-            if let Some(place) = rows.contacts.iter().position(is_refused) {
-                return Err(NoSteadyMotions::Contacts { at: model.contacts[place].at.clone() });
-            }
-            conditions::combinations(&rows, &at_rest(&trace, &rows.is_cyclic))
-        })
-    }
-
-    /// The equations for the motion of a state, if they hold at it identically except for reactions; otherwise for motions near it. Speeds of
-    /// cyclic coordinates are those of the state unless an equation determines them.
+    /// For the motion of a state where that is one identically, but for reactions; else for motions near it, whose speeds of cyclic
+    /// coordinates are kept where no equation asks for them.
     pub fn near(model: &Model, state: &[f64]) -> Result<Self, NoSteadyMotions> {
-        Self::checked(model)?;
+        checked(model)?;
         let written = |is_pinned| Self::written(model, &Asked::default(), (Some(state), is_pinned), &[], Data::Floats);
         let is_square = |own: &Self| {
             own.is_unbalanced || own.rows == own.unknowns.len() + own.reactions && own.tapes.surplus.outputs() == 0
@@ -141,24 +114,6 @@ impl SteadyEquations {
             let counts = [own.rows + own.tapes.surplus.outputs(), own.unknowns.len() + own.reactions];
             if is_square(&own) { Ok(own) } else { Err(NoSteadyMotions::Unequal { counts, idle: Vec::new() }) }
         })
-    }
-
-    fn checked(model: &Model) -> Result<(), NoSteadyMotions> {
-        Self::checked_but_for_conditions(model)?;
-        // events change only the state: the law between events is smooth
-        let is_one = model.switches.is_empty() && model.contacts.is_empty();
-        if is_one { Ok(()) } else { Err(NoSteadyMotions::Changes) }
-    }
-
-    fn checked_but_for_conditions(model: &Model) -> Result<(), NoSteadyMotions> {
-        has_values(model).map_err(NoSteadyMotions::NotCompiled)?;
-        if !model.algebraic_speeds.is_empty() {
-            return Err(NoSteadyMotions::Changes);
-        }
-        if model.positions() != model.speeds() {
-            return Err(NoSteadyMotions::FreeFrame { why: "no angles place it".to_owned() });
-        }
-        Ok(())
     }
 
     /// In the graph of the thread, with the data as floats or as decimals.
@@ -339,7 +294,7 @@ impl SteadyEquations {
         let kept_momenta = rows.kept_momenta.iter().map(|&k| (k, names[k].clone())).collect();
         Ok(SteadyEquations {
             rows: expressions.values.len(),
-            derivatives: (data == Data::Decimals).then(|| derivatives(&letters, &expressions.values)).flatten(),
+            derivatives: (data == Data::Decimals).then(|| tapes::derivatives(&letters, &expressions.values)).flatten(),
             holds,
             side_places,
             cases: cases.to_vec(),
@@ -371,6 +326,13 @@ impl SteadyEquations {
 }
 
 impl SteadyEquations {
+    /// A box of the unknowns with any reactions.
+    pub fn with_reactions(&self, at: &[Interval]) -> Vec<Interval> {
+        let mut all = at.to_vec();
+        all.resize(self.unknowns.len() + self.reactions, Interval::EVERYTHING);
+        all
+    }
+
     /// The state at values of the unknowns.
     pub fn state_at(&self, values: impl Iterator<Item = f64>) -> Vec<f64> {
         let mut state = self.state.clone();
@@ -389,9 +351,3 @@ impl SteadyEquations {
 
 /// The place of a side that belongs to no case.
 pub(super) const NO_CASE: usize = usize::MAX;
-
-/// Speeds that are zero where only cyclic coordinates move.
-fn at_rest(trace: &Trace<'_>, is_cyclic: &[bool]) -> Vec<(Sym, Sym)> {
-    let rests = trace.speeds.iter().zip(is_cyclic).filter(|(_, cyclic)| !**cyclic);
-    rests.map(|(speed, _)| (*speed, Sym::ZERO)).collect()
-}

@@ -1,6 +1,7 @@
 //! All steady motions of a model in a box: equilibria, and motions in which only cyclic coordinates move, at constant speeds. The search is
 //! complete: [`algebra::boxes`] excludes boxes in which an equation has no zero, proves zeros, and reports the undecided rest.
 
+mod admission;
 mod along;
 mod angle_sums;
 mod circles;
@@ -8,6 +9,7 @@ mod conditions;
 mod decision;
 mod definiteness;
 mod degenerate;
+mod dependence;
 mod determinacy;
 mod energy_row;
 mod equations;
@@ -252,7 +254,7 @@ impl SteadyMotions {
         asked: &Asked,
         mut goes_on: impl FnMut() -> bool,
     ) -> Result<Vec<(Vec<Case>, Self)>, NoSteadyMotions> {
-        let combinations = SteadyEquations::combinations(model, asked)?;
+        let combinations = admission::combinations(model, asked)?;
         let each = combinations.into_iter().map(|cases| {
             let equations = SteadyEquations::in_cases(model, asked, &cases)?;
             Ok((cases, Self::found(model, (equations, None), asked, &mut goes_on)))
@@ -278,6 +280,9 @@ impl SteadyMotions {
                 None => found.undecided.push(zero.enclosure[..domain.len()].to_vec()),
             }
         }
+        // boxes that were not looked at may lie on an excluded side
+        found.undecided.retain(|at| boxes.lies_aside(&equations.with_reactions(at)) != Some(false));
+        undecided_part = undecided_part.min(part(&found.undecided, &domain));
         let mut regions = region::regions(&equations, &zeros, &found.undecided);
         let mut zeros: Vec<(Zero, Option<Degenerate>)> = zeros.into_iter().map(|zero| (zero, None)).collect();
         regions.retain(|region| {

@@ -1,5 +1,6 @@
 //! Undecided regions of boxes, with a numerical diagnosis of each: merging motions, or a family.
 
+use super::dependence::may_be_dependent;
 use super::equations::{SteadyEquations, Unknown};
 use algebra::boxes::Zero;
 use field::Interval;
@@ -25,7 +26,9 @@ pub enum Near {
     Nothing,
     /// The equations have no value somewhere in the region, since a distance or a divisor is zero there.
     Undefined,
-    /// At least one motion with regular equations: a search with more boxes would prove it.
+    /// The constraints become dependent in it, or nearly so: reactions have no bounds there.
+    Dependent,
+    /// To one at least about which the equations are regular: more boxes would show it.
     Regular,
     /// A motion with equations that are singular in this number of directions, and no motion next to it along them: motions merge.
     Merging(usize),
@@ -133,9 +136,10 @@ fn region(equations: &SteadyEquations, known: &[Zero], (boxes, beginnings): (&[&
     }
     let between = boxes.len().div_ceil(beginnings);
     let begun = boxes.iter().skip(boxes.len() / 2 % between).step_by(between);
-    let near = match has_values(equations, &hull) {
-        true => begun.map(|from| near(equations, known, from, &hull)).max().unwrap_or(Near::Nothing),
-        false => Near::Undefined,
+    let near = match (has_values(equations, &hull), may_be_dependent(equations, &hull)) {
+        (false, _) => Near::Undefined,
+        (true, true) => Near::Dependent,
+        (true, false) => begun.map(|from| near(equations, known, from, &hull)).max().unwrap_or(Near::Nothing),
     };
     let holds_one = holds_one(equations, &hull);
     Region { hull: hull.into_iter().map(|at| [at.low(), at.high()]).collect(), boxes: boxes.len(), near, holds_one }

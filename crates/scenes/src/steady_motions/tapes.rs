@@ -4,6 +4,12 @@ use super::angle_sums::AngleSums;
 use super::{NoSteadyMotions, Unknown};
 use symbolic::{Sym, Tape, substitute_in_angles, with_sums_of_angles};
 
+/// The largest order of a derivative.
+const MOST_ORDER: usize = 8;
+
+/// Longer expressions have no derivatives of such orders.
+const MOST_OPERATIONS: usize = 2_000;
+
 /// Equations as expressions.
 #[derive(Clone)]
 pub(super) struct Expressions {
@@ -76,9 +82,8 @@ impl Expressions {
     /// An expression without values.
     pub fn recorded(&self, letters: &[Sym], multipliers: &[Sym]) -> Result<Tapes, NoSteadyMotions> {
         let inputs = [letters, multipliers].concat();
-        let slopes_of = |rows: &[Sym]| -> Vec<Sym> {
-            rows.iter().flat_map(|row| inputs.iter().map(|&by| row.diff(by))).collect()
-        };
+        let slopes_of =
+            |rows: &[Sym]| -> Vec<Sym> { rows.iter().flat_map(|row| inputs.iter().map(|&by| row.diff(by))).collect() };
         Ok(Tapes {
             values: recorded(&inputs, &self.values)?,
             slopes: recorded(&inputs, &slopes_of(&self.values))?,
@@ -97,4 +102,18 @@ impl Expressions {
 /// An expression without values.
 pub(super) fn recorded(inputs: &[Sym], outputs: &[Sym]) -> Result<Tape, NoSteadyMotions> {
     Tape::record(inputs, outputs).map_err(|why| NoSteadyMotions::Undefined { why: why.to_string() })
+}
+
+/// The one equation of one unknown with its derivatives, up to the largest order of zeros that is tried.
+pub(super) fn derivatives(letters: &[Sym], values: &[Sym]) -> Option<Tape> {
+    let ([letter], [value]) = (letters, values) else { return None };
+    let mut all = vec![*value];
+    for _ in 0..MOST_ORDER {
+        let next = all[all.len() - 1].diff(*letter);
+        all.push(next);
+        if Sym::operations_of(&all) > MOST_OPERATIONS {
+            return None;
+        }
+    }
+    Tape::record(letters, &all).ok()
 }

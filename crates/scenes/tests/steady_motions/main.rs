@@ -2,10 +2,13 @@
 
 mod along;
 mod conditions;
+mod ends;
 mod loops;
 mod orientations;
+mod plays;
 mod quasi_velocities;
 mod reactions;
+mod turning_frames;
 
 use dalembert_scenes::steady_motions::{
     Along, Asked, Family, Near, NoSteadyMotions, Range, SteadyMotions, SteadyStability,

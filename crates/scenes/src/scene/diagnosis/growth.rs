@@ -4,7 +4,7 @@
 //! growth, and is t/p for growth as t^p.
 
 use super::samples::Samples;
-use integrators::Ode;
+use integrators::{Failure, Ode};
 use simulation::{FailureKind, RunFailure};
 
 /// The growth of a component over its largest value in the first nine tenths of the run, from which on it is looked at.
@@ -15,6 +15,9 @@ const FAST: f64 = 1e-3;
 
 /// The part of its value in the middle of the run to which the time of growth has come down, where it goes to zero.
 const SHRUNK: f64 = 0.02;
+
+/// A component beyond this size has no bound, whatever ends the run.
+const HUGE: f64 = 1e30;
 
 /// The logarithm of the growth in the last quarter of a run, over that in the quarter before, below which it is slower than an exponential's.
 const SLOWER: f64 = 0.85;
@@ -60,7 +63,15 @@ pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
                 .to_owned(),
         });
     }
-    if !matches!(run.trajectory.outcome.failure(), Some(integrators::Failure::LeftTheNumbers { .. })) {
+    let has_overflown = match run.trajectory.outcome.failure() {
+        Some(Failure::LeftTheNumbers { .. }) => true,
+        // powers of a state, as the terms of a series or the squares of an error, overflow before it does
+        Some(Failure::StepCollapsed { .. } | Failure::NewtonFailed { .. } | Failure::Singular { .. }) => {
+            last[place].abs() > HUGE
+        }
+        _ => false,
+    };
+    if !has_overflown {
         return None;
     }
     // an oscillation grows by its largest values

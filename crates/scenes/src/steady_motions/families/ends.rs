@@ -112,11 +112,7 @@ impl<'a> Ends<'a> {
     }
 
     /// The halves along the widest parameter in which there may be motions; none where all parameters are narrow.
-    fn halves<'p>(
-        &self,
-        part: &Part<'p>,
-        equations: &mut Fewer<'_, '_>,
-    ) -> Option<Vec<Part<'p>>> {
+    fn halves<'p>(&self, part: &Part<'p>, equations: &mut Fewer<'_, '_>) -> Option<Vec<Part<'p>>> {
         let share = |&k: &usize| part.at[k].width() / part.piece.enclosure[k].width();
         let is_wide = |k: &usize| part.at[*k].width() > NARROW * (1.0 + part.at[*k].size());
         let widest = part.piece.parameters.iter().copied().filter(is_wide);

@@ -1,0 +1,119 @@
+//! Motions where conditions of the law are zero: in the middle of a play, where no condition makes a difference, and at kinks.
+
+use super::{asked, model};
+use dalembert_scenes::steady_motions::{
+    Case, EnclosedVerdict, SteadyMotion, SteadyMotions, SteadyStability, conditions_of,
+};
+
+/// A system with one coordinate x, in metres, and loads.
+fn block(loads: &str) -> String {
+    format!(
+        "title = \"Block\"\n[parameters]\nm = \"1 kg\"\ne = \"0.1 m\"\n[coordinates]\nx = \"m\"\n\
+         [bodies]\nb = {{ centre = \"O + x*N.x\", mass = \"m\" }}\n{loads}\n[run]\nspan = \"1 s\"\n"
+    )
+}
+
+/// Combinations of cases with what was found in them.
+type Found = Vec<(Vec<Case>, SteadyMotions)>;
+
+fn found(text: &str) -> Found {
+    let all = SteadyMotions::of_cases(&model(text), &asked(&[("x", -1.3, 1.1)], 2_000), || true);
+    let all = all.unwrap_or_else(|why| panic!("{why:?}"));
+    assert!(all.iter().all(|(_, own)| own.is_complete()), "{all:?}");
+    all
+}
+
+/// The one motion.
+fn only(text: &str) -> SteadyMotion {
+    let all = found(text);
+    assert!(all.iter().all(|(_, own)| own.families.is_empty()), "{all:?}");
+    let mut motions = all.into_iter().flat_map(|(_, own)| own.motions);
+    let (first, second) = (motions.next(), motions.next());
+    first.filter(|_| second.is_none()).unwrap_or_else(|| panic!("not one motion"))
+}
+
+const PLAY: &str = "[energies]\npotential = \"(50 N/m)*max(abs(x) - e, 0)^2/2";
+
+#[test]
+fn a_maximum_in_the_middle_of_a_play_is_unstable() {
+    let all = found(&block(&format!("{PLAY} - (2 N/m)*x^2/2\"")));
+    let middle: Vec<&SteadyMotion> =
+        all.iter().flat_map(|(_, own)| &own.motions).filter(|own| own.state[0].abs() < 1e-9).collect();
+    let [motion] = middle[..] else { panic!("{all:?}") };
+    assert!(matches!(motion.stability, SteadyStability::Falls(1)), "{motion:?}");
+}
+
+#[test]
+fn a_damped_motion_in_the_middle_of_a_play_is_judged_by_linear_equations() {
+    for (slope, verdict) in [("+", EnclosedVerdict::Asymptotic), ("-", EnclosedVerdict::Unstable(1))] {
+        let damper = "[[force]]\nalong = \"x\"\nis = \"-(0.3 N s/m)*x'\"";
+        let all = found(&block(&format!("{PLAY} {slope} (2 N/m)*x^2/2\"\n{damper}")));
+        let middle: Vec<&SteadyMotion> =
+            all.iter().flat_map(|(_, own)| &own.motions).filter(|own| own.state[0].abs() < 1e-9).collect();
+        let [motion] = middle[..] else { panic!("{all:?}") };
+        let SteadyStability::Linear(own) = &motion.stability else { panic!("{motion:?}") };
+        assert_eq!(own.enclosed.as_ref().map(|found| found.verdict()), Ok(verdict), "{own:?}");
+    }
+}
+
+/// Without a load a block rests all over the play: one family, whose heading does not speak of the sign of x.
+#[test]
+fn a_play_without_a_load_is_one_family() {
+    let text = block(&format!("{PLAY}\""));
+    let all = found(&text);
+    let families: Vec<_> =
+        all.iter().flat_map(|(cases, own)| own.families.iter().map(move |(family, _)| (cases, family))).collect();
+    let [(cases, family)] = &families[..] else { panic!("{all:?}") };
+    assert_eq!(cases[..], [Case::Either, Case::Fails]);
+    assert!(family.hull[0].iter().zip([-0.1, 0.1]).all(|(end, wanted)| (end - wanted).abs() < 1e-8), "{family:?}");
+    assert_eq!(conditions_of(&model(&text)), ["x", "abs(x) - e"]);
+}
+
+/// The law of a spring with an edge: a force that repels on one side, and another that pulls back.
+#[test]
+fn a_potential_that_falls_on_one_side_of_a_kink_makes_a_motion_unstable() {
+    let edge = |right: &str, left: &str| {
+        only(&block(&format!("[[force]]\nalong = \"x\"\nis = \"if(x > (0 m), {right}*x, {left}*x)\""))).stability
+    };
+    for (right, left) in [("(4 N/m)", "-(1 N/m)"), ("-(1 N/m)", "(4 N/m)"), ("(1 N/m)", "(4 N/m)")] {
+        let stability = edge(right, left);
+        assert!(matches!(stability, SteadyStability::FallsOnSide(1)), "{right} {left}: {stability:?}");
+    }
+    assert!(matches!(edge("-(4 N/m)", "-(1 N/m)"), SteadyStability::MinimumOnSides));
+}
+
+/// A force that vanishes with the square of the distance: the linear equations are zero, and the order of the zero decides.
+#[test]
+fn a_spring_that_begins_softly_holds_a_motion_and_one_that_repels_does_not() {
+    let soft = |force: &str| only(&block(&format!("[[force]]\nalong = \"x\"\nis = \"{force}\""))).stability;
+    for force in ["-(50 N/m^2)*x*abs(x)", "-(50 N/m^3)*x^2*abs(x)*sign(x)", "-(3 N/m^5)*x^5"] {
+        let stability = match force.contains("abs") {
+            true => soft(force),
+            false => only_smooth(force),
+        };
+        let is_minimum = matches!(stability, SteadyStability::MinimumOnSides | SteadyStability::Minimum);
+        assert!(is_minimum, "{force}: {stability:?}");
+    }
+    assert!(matches!(soft("(50 N/m^2)*x*abs(x)"), SteadyStability::FallsOnSide(1)));
+    for force in ["(3 N/m^5)*x^5", "-(3 N/m^2)*x^2"] {
+        assert!(matches!(only_smooth(force), SteadyStability::Falls(1)), "{force}");
+    }
+}
+
+/// The stability of the one motion under a force without conditions.
+fn only_smooth(force: &str) -> SteadyStability {
+    let text = block(&format!("[[force]]\nalong = \"x\"\nis = \"{force}\""));
+    let all = SteadyMotions::of(&model(&text), &asked(&[("x", -1.3, 1.1)], 2_000), || true);
+    let all = all.unwrap_or_else(|why| panic!("{why:?}"));
+    let [motion] = &all.motions[..] else { panic!("{all:?}") };
+    assert!(all.is_complete(), "{all:?}");
+    motion.stability.clone()
+}
+
+#[test]
+fn conditions_are_told_by_the_functions_that_were_written() {
+    let of = |potential: &str| conditions_of(&model(&block(&format!("[energies]\npotential = \"{potential}\""))));
+    assert_eq!(of("(1 N)*abs(abs(x) - e)"), ["x", "abs(x) - e"]);
+    assert_eq!(of("(1 N)*min(max(x, e), 2*e)"), ["x - e", "2*e - max(x, e)"]);
+    assert_eq!(of("(1 N)*max(x*sign(x - e), 0)"), ["x - e", "x*sign(x - e)"]);
+}
