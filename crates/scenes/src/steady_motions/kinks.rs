@@ -2,6 +2,7 @@
 
 use super::conditions::Case;
 use super::idle_conditions::join_families;
+use super::open_sides::join_regions;
 use super::stability::{OnSide, SteadyStability};
 use super::{Family, Member, SteadyMotion, SteadyMotions};
 use model::Model;
@@ -70,6 +71,7 @@ pub(super) fn joined(model: &Model, mut all: Vec<Combination>) -> Vec<Combinatio
         found.motions.retain(|_| !ends.next().unwrap_or(false));
     }
     join_families(model, &mut all);
+    join_regions(&mut all, &jumps);
     all
 }
 

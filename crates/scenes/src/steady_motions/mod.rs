@@ -18,6 +18,7 @@ mod frame_angles;
 mod idle_conditions;
 mod kinks;
 mod momenta;
+mod open_sides;
 mod orientations;
 mod plane;
 mod potential;

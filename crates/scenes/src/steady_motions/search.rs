@@ -23,6 +23,7 @@ pub(super) struct Boxes<'a> {
     /// Conditions, and whether each must be positive; otherwise it must be negative.
     sides: Program<'a, Interval>,
     side_slopes: Program<'a, Interval>,
+    through_sides: Propagation<'a>,
     holds: &'a [bool],
     side: Vec<Interval>,
     /// Shares of friction and of laws between two cases, by their places, with the ranges outside of which there is no motion.
@@ -35,7 +36,7 @@ impl<'a> Boxes<'a> {
     /// The programs of equations, by their unknowns or by others.
     pub fn of(equations: &'a SteadyEquations, tapes: &'a Tapes) -> Self {
         let SteadyEquations { reactions, unknowns, holds, .. } = equations;
-        let Tapes { values, slopes, loads, surplus, implied, sides, side_slopes } = tapes;
+        let Tapes { values, slopes, loads, surplus, implied, sides, side_slopes, margins } = tapes;
         Boxes {
             divided: unknowns.len(),
             reactions: *reactions,
@@ -50,6 +51,7 @@ impl<'a> Boxes<'a> {
             loads: loads.over(),
             sides: sides.over(),
             side_slopes: side_slopes.over(),
+            through_sides: Propagation::of(margins),
             holds,
             side: vec![Interval::EVERYTHING; holds.len()],
             shares: (unknowns.iter().enumerate())
@@ -82,6 +84,10 @@ impl Boxes<'_> {
             return are_within.then_some(true);
         }
         self.sides.evaluate(at, &mut self.side);
+        // an enclosure without bounds, as of a root whose argument may be negative by rounding, hides where there is a value
+        if self.side.iter().any(|value| !value.size().is_finite()) && !self.may_lie_aside(at) {
+            return Some(false);
+        }
         let closed = |(own, _): &(usize, _)| !open.contains(own);
         let sides = || self.side.iter().zip(self.holds).enumerate().filter(closed).map(|(_, side)| side);
         if sides().any(|(value, holds)| if *holds { value.high() < 0.0 } else { value.low() > 0.0 }) {
@@ -93,6 +99,13 @@ impl Boxes<'_> {
 }
 
 impl Boxes<'_> {
+    /// Whether there may be a place in a box at which every condition has a value on its side.
+    fn may_lie_aside(&mut self, at: &[Interval]) -> bool {
+        let side = |holds: &bool| if *holds { [0.0, f64::INFINITY] } else { [f64::NEG_INFINITY, 0.0] };
+        let margins = self.holds.iter().map(side).map(|[from, to]| Interval::new(from, to));
+        self.through_sides.narrow(&mut at.iter().copied().chain(margins).collect::<Vec<_>>())
+    }
+
     /// The conditions that may be zero in a box, by their numbers.
     pub fn open_sides(&mut self, at: &[Interval]) -> Vec<usize> {
         self.sides.evaluate(at, &mut self.side);

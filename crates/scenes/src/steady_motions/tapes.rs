@@ -39,6 +39,8 @@ pub(super) struct Tapes {
     pub sides: Tape,
     /// Their derivatives, row after row.
     pub side_slopes: Tape,
+    /// Conditions less their margins, which are further inputs.
+    pub margins: Tape,
 }
 
 impl Expressions {
@@ -84,7 +86,10 @@ impl Expressions {
         let inputs = [letters, multipliers].concat();
         let slopes_of =
             |rows: &[Sym]| -> Vec<Sym> { rows.iter().flat_map(|row| inputs.iter().map(|&by| row.diff(by))).collect() };
+        let margins: Vec<Sym> = (0..self.sides.len()).map(|k| Sym::symbol(&format!("margin of side {k}"))).collect();
+        let beyond: Vec<Sym> = self.sides.iter().zip(&margins).map(|(side, margin)| *side - *margin).collect();
         Ok(Tapes {
+            margins: recorded(&[&inputs[..], &margins].concat(), &beyond)?,
             values: recorded(&inputs, &self.values)?,
             slopes: recorded(&inputs, &slopes_of(&self.values))?,
             loads: recorded(letters, &self.loads)?,

@@ -117,3 +117,30 @@ fn conditions_are_told_by_the_functions_that_were_written() {
     assert_eq!(of("(1 N)*min(max(x, e), 2*e)"), ["x - e", "2*e - max(x, e)"]);
     assert_eq!(of("(1 N)*max(x*sign(x - e), 0)"), ["x - e", "x*sign(x - e)"]);
 }
+
+/// Two coordinates at a kink where every slope vanishes: no box is decided, and the place is told once, not from each side.
+#[test]
+fn an_undecided_place_at_a_kink_is_told_once() {
+    let text = "title = \"Soft\"\n[parameters]\nm = \"1 kg\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
+        [bodies]\nb = { centre = \"O + x*N.x + y*N.y\", mass = \"m\" }\n\
+        [[force]]\nalong = \"x\"\nis = \"-(5 N/m^2)*x*abs(x)\"\n[[force]]\nalong = \"y\"\nis = \"-(2 N/m)*y\"\n[run]\nspan = \"1 s\"\n";
+    let all = SteadyMotions::of_cases(&model(text), &asked(&[("x", -1.3, 1.1), ("y", -1.0, 1.2)], 2_000), || true);
+    let all = all.unwrap_or_else(|why| panic!("{why:?}"));
+    let open: Vec<_> = all.iter().filter(|(_, own)| !own.is_complete()).collect();
+    let [(cases, own)] = open[..] else { panic!("{all:?}") };
+    assert_eq!((&cases[..], own.regions.len()), (&[Case::Either][..], 1), "{own:?}");
+    assert!(own.regions[0].hull[0][0] <= 0.0 && own.regions[0].hull[0][1] >= 0.0, "{:?}", own.regions);
+}
+
+/// Two ropes hold a load; in the middle of each eyelet, where a distance is zero, its rope is slack, and taut ropes have no motion there.
+#[test]
+fn places_without_values_on_an_excluded_side_are_not_told() {
+    let text = "title = \"Ropes\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[parameters]\nm = \"1 kg\"\nl = \"0.5 m\"\nk = \"200 N/m\"\n\
+        [coordinates]\nx = \"m\"\ny = \"m\"\n[points]\nP = \"O + x*N.x + y*N.y\"\nA = \"O + (0.6 m)*N.x\"\n[bodies]\nb = { centre = \"P\", mass = \"m\" }\n\
+        [energies]\npotential = \"k*max(distance(O, P) - l, 0)^2/2 + k*max(distance(A, P) - l, 0)^2/2\"\n[run]\nspan = \"1 s\"\n";
+    let all = SteadyMotions::of_cases(&model(text), &asked(&[("x", -1.0, 1.5), ("y", -1.0, 1.2)], 2_000), || true);
+    let all = all.unwrap_or_else(|why| panic!("{why:?}"));
+    let regions: Vec<_> = all.iter().flat_map(|(_, own)| &own.regions).collect();
+    assert!(regions.is_empty(), "{regions:?}");
+    assert_eq!(all.iter().map(|(_, own)| own.motions.len()).sum::<usize>(), 1, "{all:?}");
+}

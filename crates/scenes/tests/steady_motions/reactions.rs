@@ -1,6 +1,8 @@
 //! Reactions of either sign, equations beyond the number of unknowns, events.
 
 use super::{all, assert_are, values};
+use dalembert_scenes::steady_motions::Near;
+use std::f64::consts::FRAC_PI_2;
 
 /// Rods in a row hang or stand: with each at its lowest or highest, and no other, although each reaction may have either sign.
 #[test]
@@ -51,4 +53,22 @@ fn events_leave_the_equations_between_them_as_they_are() {
         [energies]\nkinetic = \"m/2*x'^2\"\npotential = \"k/2*(x - a)^2\"\n[[event]]\nwhen = \"x\"\ndirection = \"down\"\nset = { \"x'\" = \"-x'\" }\n\
         [run]\nspan = \"1 s\"\n";
     assert_are(&all(bead, &[("x", -2.0, 2.0)]), &[(&[0.5], Some(true))]);
+}
+
+/// A crank and a rod of one length: where the crank stands upright the slider is under its axis, the rod may turn on with the crank, and
+/// the gradient of its constraint vanishes along the crank. No equation bounds the reaction there.
+#[test]
+fn a_dead_centre_is_told_as_a_place_where_constraints_become_dependent() {
+    let text = "title = \"Dead centre\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[parameters]\nr = \"0.3 m\"\n[coordinates]\na = \"rad\"\nx = \"m\"\n\
+        [points]\nP = \"O + r*(cos(a)*N.x + sin(a)*N.y)\"\nS = \"O + x*N.x\"\n\
+        [bodies]\ncrank = { centre = \"P\", mass = \"1 kg\" }\nslider = { centre = \"S\", mass = \"0.5 kg\" }\n\
+        [[constraint]]\nname = \"rod\"\nzero = \"distance(P, S)^2 - r^2\"\n[run]\nspan = \"1 s\"\n";
+    let found = all(text, &[("x", -1.0, 1.1)]);
+    assert!(!found.is_complete() && found.motions.is_empty(), "{found:?}");
+    assert!(found.regions.iter().all(|region| region.near == Near::Dependent), "{:?}", found.regions);
+    for side in [-1.0, 1.0] {
+        let holds = |at: &[f64; 2], value: f64| at[0] <= value && value <= at[1];
+        let is_there = found.regions.iter().any(|region| holds(&region.hull[0], side * FRAC_PI_2));
+        assert!(is_there, "{:?}", found.regions);
+    }
 }
