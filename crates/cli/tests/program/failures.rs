@@ -176,6 +176,11 @@ fn a_stiffness_of_the_wrong_sign_and_a_power_of_time_grow_without_bound_and_do_n
     let (found, code, _) = ran("growth", &text, &[]);
     assert_eq!((failure(&found).0.as_str(), code), ("growth without bound", Some(1)), "{found}");
     assert!(failure(&found).2.contains("as it did before"), "{found}");
+    // terms of a series and matrices overflow before the state does
+    for method in ["taylor", "dormand_prince_8", "radau_5", "kvaerno_5"] {
+        let (found, code, _) = ran("growth_by_methods", &text, &["--method", method]);
+        assert_eq!((failure(&found).0.as_str(), code), ("growth without bound", Some(1)), "{method}: {found}");
+    }
     // t^66
     let text = format!("{MASS}[[force]]\non = \"mass\"\nis = \"(1 N)*(t/(1 s))^64*N.x\"\n[run]\nspan = \"400 s\"\n");
     let (found, ..) = ran("power", &text, &[]);

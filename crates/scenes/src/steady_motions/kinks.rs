@@ -87,20 +87,16 @@ fn on_sides(each: &[&SteadyMotion]) -> SteadyStability {
         return if is_alike { each[0].stability.clone() } else { SteadyStability::AtCondition(None) };
     }
     let side = |motion: &&SteadyMotion| match &motion.stability {
-        SteadyStability::AtCondition(Some(side)) => Some(*side),
+        SteadyStability::AtCondition(side) => *side,
         _ => None,
     };
-    let Some(sides) = each.iter().map(side).collect::<Option<Vec<OnSide>>>() else {
-        return SteadyStability::AtCondition(None);
-    };
-    let falls = sides.iter().find(|side| side.falls > 0);
+    let sides: Vec<Option<OnSide>> = each.iter().map(side).collect();
+    let falls = sides.iter().flatten().find(|side| side.falls > 0);
     match falls {
-        None => SteadyStability::MinimumOnSides,
+        None if sides.iter().all(Option::is_some) => SteadyStability::MinimumOnSides,
         // two sides of one smooth surface
-        Some(side) if sides.len() == 2 && sides.iter().all(|side| side.is_regular) => {
-            SteadyStability::FallsOnSide(side.falls)
-        }
-        Some(_) => SteadyStability::AtCondition(None),
+        Some(side) if sides.len() == 2 && side.is_regular => SteadyStability::FallsOnSide(side.falls),
+        _ => SteadyStability::AtCondition(None),
     }
 }
 

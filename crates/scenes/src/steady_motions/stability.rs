@@ -28,7 +28,8 @@ pub enum SteadyStability {
     /// The law has a kink there, and the potential energy has a strict minimum on each of its sides: a strict minimum, since its slope does
     /// not jump (Lagrange and Dirichlet).
     MinimumOnSides,
-    /// The law has a kink there, at rest, and on one of its two sides the potential energy falls in so many directions: unstable.
+    /// The law has a kink there, at rest, and on one of its two sides the potential energy falls in so many directions: unstable. With one
+    /// coordinate it is that of the force at rest, and dampers may act.
     ///
     /// An eigenvector v of M^-1 V'' of that side with a negative eigenvalue, along which energy falls, or -v, leads into the side, unless it
     /// is tangent to the kink; motions that leave the equilibrium along it (its unstable manifold) stay on the side, whose law alone acts.
@@ -94,7 +95,7 @@ pub(super) fn judged(
         }
     }
     if is_open {
-        return SteadyStability::AtCondition(None);
+        return SteadyStability::AtCondition(drives_away(equations, boxes, enclosure, n));
     }
     // inputs have their values, with all derivatives of these
     let varied = match VariedEquations::with_inputs(model, &[], &[]) {
@@ -108,6 +109,19 @@ pub(super) fn judged(
         }
         Err(why) => SteadyStability::Unknown(why.to_string()),
     }
+}
+
+/// The side of a kink of a system with one coordinate, damped or fed, where the force at rest drives away: M p^2 + d p - dR/dq = 0 has one
+/// positive root p then, whatever d is.
+fn drives_away(equations: &SteadyEquations, boxes: &mut Boxes<'_>, enclosure: &[Interval], n: usize) -> Option<OnSide> {
+    let is_one = n == 1 && equations.coordinates == 1 && enclosure.len() == 1;
+    if !is_one || !has_inertia(equations, boxes, enclosure, n) {
+        return None;
+    }
+    let mut slope = [Interval::EVERYTHING];
+    boxes.slopes(enclosure, &mut slope);
+    let is_regular = boxes.has_regular_sides(enclosure);
+    (slope[0].low() > 0.0).then_some(OnSide { falls: 1, is_regular })
 }
 
 /// Whether the law does not depend on the conditions that may be zero in an enclosure, and everything else lies aside.

@@ -80,6 +80,14 @@ fn a_potential_that_falls_on_one_side_of_a_kink_makes_a_motion_unstable() {
         assert!(matches!(stability, SteadyStability::FallsOnSide(1)), "{right} {left}: {stability:?}");
     }
     assert!(matches!(edge("-(4 N/m)", "-(1 N/m)"), SteadyStability::MinimumOnSides));
+    // a damper slows the growth and does not end it
+    let damper = "[[force]]\nalong = \"x\"\nis = \"-(9 N s/m)*x'\"";
+    let damped = |force: &str| {
+        only(&block(&format!("[[force]]\nalong = \"x\"\nis = \"if(x > (0 m), {force}, -(1 N/m)*x)\"\n{damper}")))
+            .stability
+    };
+    assert!(matches!(damped("(4 N/m)*x"), SteadyStability::FallsOnSide(1)));
+    assert!(matches!(damped("-(4 N/m)*x"), SteadyStability::AtCondition(None)));
 }
 
 /// A force that vanishes with the square of the distance: the linear equations are zero, and the order of the zero decides.

@@ -16,8 +16,9 @@ const FAST: f64 = 1e-3;
 /// The part of its value in the middle of the run to which the time of growth has come down, where it goes to zero.
 const SHRUNK: f64 = 0.02;
 
-/// A component beyond this size has no bound, whatever ends the run.
-const HUGE: f64 = 1e30;
+/// A component that has grown so many times beyond one in SI units, and beyond its size in the first tenth of the run, has no bound, whatever
+/// ends the run.
+const HUGE: f64 = 1e12;
 
 /// The logarithm of the growth in the last quarter of a run, over that in the quarter before, below which it is slower than an exponential's.
 const SLOWER: f64 = 0.85;
@@ -67,7 +68,8 @@ pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
         Some(Failure::LeftTheNumbers { .. }) => true,
         // powers of a state, as the terms of a series or the squares of an error, overflow before it does
         Some(Failure::StepCollapsed { .. } | Failure::NewtonFailed { .. } | Failure::Singular { .. }) => {
-            last[place].abs() > HUGE
+            let first = run.states.iter().take_while(|(time, _)| *time <= 0.1 * at);
+            last[place].abs() > HUGE * first.fold(1.0, |size: f64, (_, state)| size.max(state[place].abs()))
         }
         _ => false,
     };
