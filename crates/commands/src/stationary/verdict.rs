@@ -10,9 +10,7 @@ use ::scenes::steady_motions::{
 pub(super) fn stability(motion: &SteadyMotion, found: &SteadyMotions) -> String {
     let cyclic = &found.cyclic;
     let energy = match found.are_in_turning_frames {
-        true => {
-            "the potential energy, less the kinetic energy of rest in the frames that turn at given rates (Jacobi's integral),"
-        }
+        true => "the potential energy less the kinetic energy of rest in the turning frames (Jacobi's integral)",
         false => "the potential energy",
     };
     let directions = |count: usize| if count == 1 { "one direction".to_owned() } else { format!("{count} directions") };
@@ -21,7 +19,7 @@ pub(super) fn stability(motion: &SteadyMotion, found: &SteadyMotions) -> String 
             format!("stable, by enclosures: {energy} has a strict minimum (Lagrange, Dirichlet)")
         }
         SteadyStability::Minimum => format!(
-            "stable but for {}, by enclosures: the potential energy, amended by the kinetic energy at given momenta, has a strict minimum in the others \
+            "stable but for {}, by enclosures: {energy}, amended by the kinetic energy at given momenta, has a strict minimum in the others \
              (Routh)",
             cyclic.join(", ")
         ),

@@ -2,7 +2,7 @@
 
 use super::{CART, linear, scene, stored};
 use dalembert_scenes::equilibrium_of;
-use dalembert_scenes::linearisation::{Stability, Standing, VariedEquations, eigenvalues};
+use dalembert_scenes::linearisation::{NotLinear, Stability, Standing, VariedEquations, eigenvalues};
 use nalgebra::DMatrix;
 
 #[test]
@@ -133,4 +133,26 @@ fn an_input_whose_gain_is_zero_is_no_feedback() {
     };
     assert_eq!(with("kp"), ["u"]);
     assert_eq!(with("F"), [""; 0]);
+}
+
+/// A pendulum in the middle of a play, where the sign of the angle is zero and makes no difference, and beside a spring that begins there.
+#[test]
+fn a_point_at_a_condition_has_linear_equations_where_both_sides_have_the_same() {
+    let pendulum = |spring: &str| {
+        scene(&format!(
+            "title = \"Pendulum in a play\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[parameters]\nm = \"1 kg\"\nk = \"50 N m\"\ne = \"0.1 rad\"\n[coordinates]\n\
+             a = \"rad\"\n[bodies]\nb = {{ centre = \"O + (0.5 m)*(sin(a)*N.x - cos(a)*N.y)\", mass = \"m\" }}\n\
+             [energies]\npotential = \"{spring}\"\n[run]\nspan = \"1 s\"\n"
+        ))
+    };
+    let about = |spring: &str| {
+        let equations = VariedEquations::of(&pendulum(spring).model, &[]).unwrap_or_else(|why| panic!("{why}"));
+        equations.about(0.0, &[0.0, 0.0]).map(|found| found.linear.a[(1, 0)])
+    };
+    // of the third order the force has a derivative, on both sides the same
+    for spring in ["k*max(abs(a) - e, 0)^2/2", "k*abs(a)^3"] {
+        let stiffness = about(spring).unwrap_or_else(|why| panic!("{spring}: {why}"));
+        assert!((stiffness + 9.81 / 0.5).abs() < 1e-13, "{spring}: {stiffness}");
+    }
+    assert_eq!(about("k*max(a, 0)^2/2").err(), Some(NotLinear::AtCondition { switch: 0 }));
 }

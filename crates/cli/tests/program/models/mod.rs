@@ -1,6 +1,7 @@
 //! Systems that are written in a file, at the command line.
 
 mod equations;
+mod laws_with_conditions;
 mod linear_equations;
 mod proofs;
 mod quasi_velocities;

@@ -1,0 +1,90 @@
+//! Steady motions of laws with conditions, and in turning frames, as they are told.
+
+use super::printed;
+use crate::{run, temporary};
+
+/// A file that is removed when it is left.
+struct Scene(std::path::PathBuf);
+
+impl Scene {
+    fn of(name: &str, text: &str) -> Self {
+        let path = temporary(name);
+        std::fs::write(&path, text).expect("it can be written");
+        Scene(path)
+    }
+
+    fn path(&self) -> String {
+        self.0.to_string_lossy().into_owned()
+    }
+}
+
+impl Drop for Scene {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_file(&self.0);
+    }
+}
+
+#[test]
+fn a_play_is_told_by_the_functions_of_its_file() {
+    let scene = Scene::of(
+        "play.toml",
+        "title = \"Play\"\n[parameters]\nm = \"1 kg\"\nk = \"50 N/m\"\ne = \"0.1 m\"\n[coordinates]\nx = \"m\"\n\
+         [bodies]\nb = { centre = \"O + x*N.x\", mass = \"m\" }\n[energies]\npotential = \"k*max(abs(x) - e, 0)^2/2\"\n[run]\nspan = \"1 s\"\n",
+    );
+    let told = printed(&["stationary", &scene.path(), "--range", "x=-1..1.2"]);
+    assert!(
+        told.contains("where abs(x) - e < 0\n") && told.contains("a family, a curve: x from -0.1 to 0.1 m"),
+        "{told}"
+    );
+    let object: serde_json::Value =
+        serde_json::from_str(&printed(&["stationary", &scene.path(), "--range", "x=-1..1.2", "--format", "json"]))
+            .expect("it is JSON");
+    let family = &object["cases"][0]["families"][0];
+    let end = |of: &str, side: usize| family[of][0][side].as_f64().expect("a number");
+    assert!((end("hull", 1) - 0.1).abs() < 1e-8 && (end("reached", 0) + 0.1).abs() < 1e-8, "{family}");
+}
+
+#[test]
+fn the_ends_of_sticking_friction_are_told_to_the_digits_that_are_printed() {
+    let scene = Scene::of(
+        "rough_joint.toml",
+        "title = \"Rough joint\"\ngravity = \"-(10 m/s^2)*N.y\"\n[coordinates]\na = \"rad\"\n\
+         [bodies]\nb = { centre = \"O + (0.1 m)*(sin(a)*N.x - cos(a)*N.y)\", mass = \"1 kg\" }\n\
+         [[force]]\nalong = \"a\"\nis = \"-(0.2 N m)*sign(a')\"\n[run]\nspan = \"1 s\"\n",
+    );
+    // arcsin(0.2) = 0.201358
+    let told = printed(&["stationary", &scene.path()]);
+    assert!(told.contains("a within -0.20136 to 0.20136 rad"), "{told}");
+}
+
+#[test]
+fn a_turning_hoop_is_judged_by_jacobis_integral() {
+    let scene = Scene::of(
+        "hoop.toml",
+        "title = \"Hoop\"\ngravity = \"-g*N.z\"\n[parameters]\nR = \"0.25 m\"\ng = \"9 m/s^2\"\nw = \"6 rad/s\"\nspare = \"1 m\"\n[coordinates]\ntheta = \"rad\"\n\
+         [frames]\nH = \"N turned w*t about z\"\n\
+         [bodies]\nbead = { centre = \"O + R*(sin(theta)*H.x - cos(theta)*H.z)\", mass = \"1 kg\" }\n[run]\nspan = \"1 s\"\n",
+    );
+    let output = run(&["stationary", &scene.path()]);
+    let (told, warned) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    assert!(told.contains("2 steady motions, each alone in a box, and no other"), "{told}");
+    assert!(told.contains("(Jacobi's integral) has a strict minimum"), "{told}");
+    // the file is read once
+    assert_eq!(warned.matches("nothing uses the parameter `spare`").count(), 1, "{warned}");
+}
+
+#[test]
+fn eigenvalues_along_a_parameter_speak_of_zeros_where_there_are_some() {
+    let text = |coordinates: &str, more: &str| {
+        format!(
+            "title = \"Damped\"\n[parameters]\nk = \"2 N/m\"\n[coordinates]\n{coordinates}\n[energies]\nkinetic = \"(1 kg)*x'^2/2{more}\"\npotential = \"k*x^2/2\"\n\
+             [[force]]\nalong = \"x\"\nis = \"-(1 N s/m)*x'\"\n[run]\nspan = \"1 s\"\n"
+        )
+    };
+    let plain = Scene::of("plain.toml", &text("x = \"m\"", ""));
+    let told = printed(&["linearise", &plain.path(), "--along", "k=1..3"]);
+    assert!(told.contains("every eigenvalue left of the imaginary axis") && !told.contains("zero"), "{told}");
+    let cyclic = Scene::of("cyclic.toml", &text("x = \"m\"\ny = \"m\"", " + (1 kg)*y'^2/2"));
+    let told = printed(&["linearise", &cyclic.path(), "--along", "k=1..3"]);
+    assert!(told.contains("every eigenvalue but 2 zeros with reasons left of the imaginary axis"), "{told}");
+}
