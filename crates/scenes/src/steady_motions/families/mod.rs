@@ -264,7 +264,7 @@ fn family(
             false => extents.along((k, within), fewer, &mut *goes_on),
         }
     };
-    let (hull, reached) = (0..positions).map(|k| extent(k)).map(|own| (own.within, own.reached)).unzip();
+    let (hull, reached) = (0..positions).map(&mut extent).map(|own| (own.within, own.reached)).unzip();
     let mut along: Vec<String> = pieces.iter().flat_map(|own| own.along.iter().cloned()).collect();
     along.sort();
     along.dedup();
