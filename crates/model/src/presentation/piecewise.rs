@@ -6,8 +6,8 @@ use symbolic::{Node, Sym, substitute_all};
 
 /// The condition of each switch, with these functions by their names.
 ///
-/// With the switch s = [v > 0] they stand in a trace as sign(v) = 2 s - 1, abs(v) = (2 s - 1) v, and for v = a - b as
-/// max(a, b) = s a + (1 - s) b and min(a, b) = s b + (1 - s) a.
+/// With the switch s, which is 1 where v is positive and 0 elsewhere, they stand in a trace as sign(v) = 2 s - 1, abs(v) = (2 s - 1) v, and
+/// for v = a - b as max(a, b) = s a + (1 - s) b and min(a, b) = s b + (1 - s) a.
 pub fn conditions_by_name(trace: &Trace<'_>) -> Vec<Sym> {
     let conditions: Vec<Sym> = trace.model.switches.iter().map(|&own| trace.scalar(own)).collect();
     let mut known: Vec<(Sym, Sym)> = Vec::new();
