@@ -204,6 +204,18 @@ fn sought(letter: Sym, place: usize, range: Range) -> Unknown {
 /// The share of friction along a tangent.
 const SHARE: Range = Range { from: -1.0, to: 1.0 };
 
+/// The value of an expression that no letter changes.
+fn constant(expression: Sym) -> Option<f64> {
+    let is_constant = expression.symbols_of().into_iter().all(|own| vanishes(expression.diff(own)));
+    expression.evaluate(&|_| Some(ANYWHERE)).ok().filter(|value: &f64| is_constant && value.abs() > ROUNDING)
+}
+
+/// A value for letters that change nothing.
+const ANYWHERE: f64 = 0.377;
+
+/// Smaller constants may be zero.
+const ROUNDING: f64 = 1e-12;
+
 /// Whether the law does not jump where a condition is zero: shown for conditions that are linear in a letter. A jump that is multiplied by the
 /// letter of another condition is none where that condition fails there, as in the middle of a play.
 fn is_continuous(rows: &Rows, values: &[Sym], (letter, value): (Sym, Sym)) -> bool {
@@ -216,7 +228,7 @@ fn is_continuous(rows: &Rows, values: &[Sym], (letter, value): (Sym, Sym)) -> bo
         let there = [(own, own - value / slope)];
         let mut cases: Vec<(Sym, Sym)> = Vec::new();
         for (&other, of_other) in rows.condition_letters.iter().zip(values).filter(|(other, _)| **other != letter) {
-            match of_other.substitute(&there).as_constant().map(|number| number.to_f64()) {
+            match constant(of_other.substitute(&there)) {
                 Some(number) if number > 0.0 => cases.push((other, Sym::ONE)),
                 Some(number) if number < 0.0 => cases.push((other, Sym::ZERO)),
                 _ => {}

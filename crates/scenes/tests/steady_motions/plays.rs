@@ -152,3 +152,19 @@ fn places_without_values_on_an_excluded_side_are_not_told() {
     assert!(regions.is_empty(), "{regions:?}");
     assert_eq!(all.iter().map(|(_, own)| own.motions.len()).sum::<usize>(), 1, "{all:?}");
 }
+
+/// A play between two coordinates, whose sign x - y is no letter of its own: the middle is a maximum, and is told once.
+#[test]
+fn a_play_between_two_coordinates_is_smooth_in_its_middle() {
+    let text = "title = \"Backlash\"\n[parameters]\nm = \"1 kg\"\ne = \"0.1 m\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
+        [bodies]\nb = { centre = \"O + x*N.x + y*N.y\", mass = \"m\" }\n\
+        [energies]\npotential = \"(50 N/m)*max(abs(x - y) - e, 0)^2/2 - (1 N/m)*(x^2 + y^2)/2\"\n[run]\nspan = \"1 s\"\n";
+    let all = SteadyMotions::of_cases(&model(text), &asked(&[("x", -1.0, 1.2), ("y", -1.0, 1.1)], 5_000), || true);
+    let all = all.unwrap_or_else(|why| panic!("{why:?}"));
+    assert!(all.iter().all(|(_, own)| own.is_complete() && own.families.is_empty()), "{all:?}");
+    let middle = |own: &&SteadyMotion| own.state[..2].iter().all(|value| value.abs() < 1e-9);
+    let middle: Vec<&SteadyMotion> = all.iter().flat_map(|(_, own)| &own.motions).filter(middle).collect();
+    let [motion] = middle[..] else { panic!("{all:?}") };
+    assert!(matches!(motion.stability, SteadyStability::Falls(2)), "{motion:?}");
+    assert_eq!(all.iter().map(|(_, own)| own.motions.len()).sum::<usize>(), 3, "{all:?}");
+}

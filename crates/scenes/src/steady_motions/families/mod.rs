@@ -37,7 +37,7 @@ pub struct Family {
 }
 
 impl Family {
-    /// Whether pieces of two families have a place in common.
+    /// Whether pieces of two families have a place in common; of very many pieces the ranges decide.
     pub(super) fn touches(&self, other: &Self) -> bool {
         let near = |[low, high]: &[f64; 2]| JOINT * (1.0 + low.abs().max(high.abs()));
         let meet = |one: &[[f64; 2]], other: &[[f64; 2]]| {
@@ -48,7 +48,8 @@ impl Family {
         };
         self.dimension == other.dimension
             && meet(&self.hull, &other.hull)
-            && self.pieces.iter().any(|(_, one)| other.pieces.iter().any(|(_, other)| meet(one, other)))
+            && (self.pieces.len() * other.pieces.len() > MOST_JOINED * MOST_JOINED
+                || self.pieces.iter().any(|(_, one)| other.pieces.iter().any(|(_, other)| meet(one, other))))
     }
 
     /// Both as one family; they touch.
