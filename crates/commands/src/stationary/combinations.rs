@@ -69,10 +69,8 @@ impl Combinations {
     fn add(&mut self, model: &Model, angles: &[String], cases: Vec<(Vec<Case>, SteadyMotions)>) {
         self.count += cases.len();
         let conditions = conditions_of(model);
-        let is_empty =
-            |found: &SteadyMotions| found.motions.is_empty() && found.families.is_empty() && found.is_complete();
         // sets of angles are always printed, with their ranges
-        let is_told = |found: &SteadyMotions| conditions.is_empty() || !is_empty(found);
+        let is_told = |found: &SteadyMotions| conditions.is_empty() || !found.is_empty();
         let filled = cases.into_iter().filter(|(_, found)| is_told(found));
         self.filled.extend(filled.map(|(own, motions)| Combination {
             held: angles.iter().cloned().chain(own.iter().zip(&conditions).filter_map(told)).collect(),

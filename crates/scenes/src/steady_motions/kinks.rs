@@ -72,6 +72,13 @@ pub(super) fn joined(model: &Model, mut all: Vec<Combination>) -> Vec<Combinatio
     }
     join_families(model, &mut all);
     join_regions(&mut all, &jumps);
+    // sides whose motions are all told together are no combinations of their own
+    let together: Vec<Vec<Case>> =
+        all.iter().map(|(cases, _)| cases.clone()).filter(|cases| cases.contains(&Case::Either)).collect();
+    let is_part = |cases: &[Case], whole: &Vec<Case>| {
+        whole != cases && cases.iter().zip(whole).all(|(case, whole)| *whole == Case::Either || case == whole)
+    };
+    all.retain(|(cases, found)| !found.is_empty() || !together.iter().any(|whole| is_part(cases, whole)));
     all
 }
 

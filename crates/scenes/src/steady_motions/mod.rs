@@ -369,6 +369,11 @@ impl SteadyMotions {
         }
     }
 
+    /// Whether there is no steady motion, and nothing is undecided.
+    pub fn is_empty(&self) -> bool {
+        self.motions.is_empty() && self.families.is_empty() && self.is_complete()
+    }
+
     /// Whether every steady motion of the box is among them.
     pub fn is_complete(&self) -> bool {
         self.undecided.is_empty()

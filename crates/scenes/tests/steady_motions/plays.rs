@@ -67,6 +67,8 @@ fn a_play_without_a_load_is_one_family() {
     assert_eq!(cases[..], [Case::Either, Case::Fails]);
     assert!(family.hull[0].iter().zip([-0.1, 0.1]).all(|(end, wanted)| (end - wanted).abs() < 1e-8), "{family:?}");
     assert_eq!(conditions_of(&model(&text)), ["x", "abs(x) - e"]);
+    // beyond the play, on both sides, and within it
+    assert_eq!(all.len(), 3, "{all:?}");
 }
 
 /// The law of a spring with an edge: a force that repels on one side, and another that pulls back.
