@@ -201,7 +201,7 @@ fn unstable(motion: &SteadyMotion) -> usize {
         SteadyStability::Falls(count) | SteadyStability::FallsOdd(count) | SteadyStability::FallsOnSide(count) => {
             *count
         }
-        // the linear equations without cyclic coordinates are the same at all times, those of an instant need not be
+        // the linear equations without cyclic coordinates do not depend on the instant; those with cyclic coordinates may
         SteadyStability::Linear(found) => {
             match (found.enclosed.as_ref().map(EnclosedSpectrum::verdict), found.linear.stability) {
                 (Ok(EnclosedVerdict::Unstable(count)), _) => count,

@@ -83,7 +83,7 @@ impl Decision {
     }
 }
 
-/// The part of a box that some boxes in it take.
+/// The share of some boxes in a box that contains them.
 pub(super) fn part(boxes: &[Vec<Interval>], whole: &[Interval]) -> f64 {
     let volume =
         |at: &Vec<Interval>| at.iter().zip(whole).map(|(at, whole)| at.width() / whole.width()).product::<f64>();

@@ -54,7 +54,7 @@ pub(super) struct SteadyEquations {
     pub reactions: usize,
     /// The energy that is kept where the loads have a potential energy.
     pub energy_integral: Option<EnergyIntegral>,
-    /// Whether an equation has no unknowns, and is not met.
+    /// Whether an equation has no unknowns and does not hold.
     pub is_unbalanced: bool,
     /// Coordinates that are unknowns.
     pub coordinates: usize,
@@ -83,7 +83,7 @@ pub(super) struct SteadyEquations {
     pub tapes: Tapes,
     /// The one equation of one unknown with its derivatives, with data as decimals.
     pub derivatives: Option<Tape>,
-    /// The same by sums of angles, where these occur more simply.
+    /// The programs with sums of angles as unknowns, if the equations are simpler in them.
     pub by_sums: Option<(AngleSums, Tapes)>,
     /// Places in the state of speeds that constraints of speeds determine, and these by the unknowns.
     pub determined: (Vec<usize>, Tape),
@@ -100,8 +100,8 @@ impl SteadyEquations {
         symbolic::apart(|| Self::with_data(model, asked, cases, Data::Floats))
     }
 
-    /// For the motion of a state where that is one identically, but for reactions; else for motions near it, whose speeds of cyclic
-    /// coordinates are kept where no equation asks for them.
+    /// The equations for the motion of a state, if they hold at it identically except for reactions; otherwise for motions near it. Speeds of
+    /// cyclic coordinates are those of the state unless an equation determines them.
     pub fn near(model: &Model, state: &[f64]) -> Result<Self, NoSteadyMotions> {
         checked(model)?;
         let written = |is_pinned| Self::written(model, &Asked::default(), (Some(state), is_pinned), &[], Data::Floats);

@@ -15,7 +15,7 @@ type Place = (usize, usize);
 
 type Combination = (Vec<Case>, SteadyMotions);
 
-/// The combinations with each such motion once: where the law lies between its sides, else at a combination of its own.
+/// The combinations with each such motion once: in the case between both sides if it was tried, otherwise as a combination of its own.
 pub(super) fn joined(model: &Model, mut all: Vec<Combination>) -> Vec<Combination> {
     // where no such case was tried, the law is the same on both sides of the zero
     let jumps: Vec<bool> = (0..all.first().map_or(0, |(cases, _)| cases.len()))
@@ -107,7 +107,7 @@ fn on_sides(each: &[&SteadyMotion]) -> SteadyStability {
     }
 }
 
-/// Whether each motion of a combination, at the zero of a condition, is the end of a family of another combination: it is told there.
+/// Whether each motion of a combination, at the zero of a condition, is the end of a family of another combination, where it is printed.
 fn ends_of_families(all: &[Combination], (cases, found): (&Vec<Case>, &SteadyMotions)) -> Vec<bool> {
     let is_end = |motion: &SteadyMotion| {
         !motion.at_conditions.is_empty()

@@ -216,7 +216,7 @@ pub struct SteadyMotions {
     pub have_potential: bool,
     /// Whether frames that turn at a given rate give kinetic energy to what rests in them: Jacobi's integral is kept.
     pub are_in_turning_frames: bool,
-    /// Motions side by side, with the stability of some of each family.
+    /// Families of motions, with the stability of some members of each.
     pub families: Vec<(Family, Vec<Member>)>,
     /// Given speeds that may have any other value: there are motions for each value.
     pub free_speeds: Vec<String>,

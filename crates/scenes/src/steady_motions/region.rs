@@ -28,7 +28,7 @@ pub enum Near {
     Undefined,
     /// The constraints become dependent in it, or nearly so: reactions have no bounds there.
     Dependent,
-    /// To one at least about which the equations are regular: more boxes would show it.
+    /// At least one motion with regular equations: a search with more boxes would prove it.
     Regular,
     /// A motion with equations that are singular in this number of directions, and no motion next to it along them: motions merge.
     Merging(usize),

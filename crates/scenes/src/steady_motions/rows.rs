@@ -35,7 +35,7 @@ pub(super) struct Rows {
     pub is_cyclic: Vec<bool>,
     /// The energy that is kept where the loads have a potential energy, and no constraint holds speeds.
     pub energy_integral: Option<EnergyIntegral>,
-    /// Coordinates whose momenta are kept, where no constraint holds speeds.
+    /// Coordinates with conserved momenta, if there are no constraints of speeds.
     pub kept_momenta: Vec<usize>,
     /// Whether the constraints determine these speeds at the state of the request.
     pub is_regular: bool,

@@ -125,7 +125,7 @@ impl Boxes<'_> {
         slopes[side * at.len()..][..self.divided].to_vec()
     }
 
-    /// Whether a zero in a box fulfils the equations beyond the number of unknowns; none where that is open.
+    /// Whether a zero in a box satisfies the surplus equations, which were not solved; `None` if this is not decided.
     pub fn fulfils_all(&mut self, at: &[Interval]) -> Option<bool> {
         self.surplus.evaluate(at, &mut self.left);
         match self.left.iter().all(|value| value.contains(0.0)) {

@@ -58,7 +58,7 @@ pub struct OnSide {
     pub is_regular: bool,
 }
 
-/// At an enclosure of unknowns and reactions, and the state about it.
+/// The stability at an enclosure of unknowns and reactions; `state` is a state within it.
 pub(super) fn judged(
     model: &Model,
     equations: &SteadyEquations,
@@ -133,8 +133,8 @@ fn is_one_law(model: &Model, equations: &SteadyEquations, boxes: &mut Boxes<'_>,
         && idle_conditions::is_one_law(model, &equations.cases, &places)
 }
 
-/// Whether the kinetic energy is positive in every direction that constraints leave, of everything that is enclosed: bodies without mass may
-/// hang between those that have one. With as many constraints as f has rows the matrix
+/// Whether the kinetic energy is positive in every direction that constraints allow, for all enclosed numbers. Bodies without mass are allowed
+/// between others. The matrix
 ///
 ///   | M   f'^T |
 ///   | f'   0   |

@@ -30,7 +30,7 @@ pub struct Family {
     pub hull: Vec<[f64; 2]>,
     /// For each unknown values at both of which one of them is shown to be; none where that is not shown of any.
     pub reached: Vec<Option<[f64; 2]>>,
-    /// Displacements along which nothing acts, where these are the cause: one for each identity.
+    /// Displacements along which nothing acts, one for each identity, if identities cause the family.
     pub along: Vec<String>,
     /// Some of the motions: unknowns with reactions.
     pub(super) members: Vec<Vec<f64>>,

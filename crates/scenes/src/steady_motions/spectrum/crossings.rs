@@ -18,7 +18,7 @@ pub struct Judged {
     pub verdict: EnclosedVerdict,
     /// The number of zeros that have reasons.
     pub zeros: usize,
-    /// The largest real part, with its imaginary part.
+    /// The eigenvalue with the largest real part.
     pub foremost: [f64; 2],
 }
 
