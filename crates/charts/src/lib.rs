@@ -32,7 +32,7 @@ pub use svg::areas::{AreaCurve, Areas};
 pub use svg::branches::{BranchPanel, BranchPiece, Branches, Standing};
 pub use svg::number::{significant, tolerance};
 pub use svg::sheet::Sheet;
-pub use svg::sketch::{Instant, STYLE as SKETCH_STYLE, Sketch, SketchPart, View};
+pub use svg::sketch::{Instant, STYLE as SKETCH_STYLE, Sketch, SketchPart, SurfaceKind, View};
 pub use svg::sphere::{Curve, CurvePoint, Mark, Sphere};
 pub use svg::timings::{Contender, TimingRow, Timings};
 pub use svg::trajectory::{Panel, Track, Trajectory};

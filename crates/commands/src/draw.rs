@@ -4,13 +4,13 @@ use crate::clock;
 use crate::exit::{Exit, placed, print, warn};
 use crate::output::{Form, Format, Provenance, Writes};
 use crate::progress::Progress;
-use crate::sketch::sketch;
-use ::scenes::geometry::{Figure, Geometry};
+use crate::sketch::{Interval, Motion, followed, most_pictures, sketch};
+use ::scenes::geometry::Geometry;
 use ::scenes::{ModelScene, SystemText, Task, start_of};
 use charts::Sketch;
 use clap::Args;
 use model::Model;
-use simulation::{Axes, Choice, IvpScene};
+use simulation::{Choice, IvpScene};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -26,9 +26,13 @@ pub struct Asked {
     /// Replaces the file of --out even where `draw` did not write what stands there
     #[arg(long, requires = "out")]
     pub force: bool,
-    /// The motion of a run, as a picture that moves without a script, again and again
+    /// The motion of a run, as a picture that moves without a script, again and again: the whole run, or as much from its start as 300
+    /// pictures follow smoothly
     #[arg(long, conflicts_with = "time")]
     pub animate: bool,
+    /// The part of the run that --animate shows, in seconds
+    #[arg(long, value_name = "FROM..TO", value_parser = span, requires = "animate", allow_hyphen_values = true)]
+    pub span: Option<Interval>,
     /// The instant of a run that is drawn, in seconds; without it the start
     #[arg(long, value_name = "S", value_parser = instant, allow_negative_numbers = true)]
     pub time: Option<f64>,
@@ -50,6 +54,13 @@ fn direction(text: &str) -> Result<Direction, String> {
     direction.ok_or_else(|| "three numbers that are not all zero, such as 1,-2,0.5, are accepted".to_owned())
 }
 
+fn span(text: &str) -> Result<Interval, String> {
+    let ends = text.split_once("..").and_then(|(from, to)| Some((finite(from)?, finite(to)?)));
+    let interval = ends.filter(|(from, to)| *from >= 0.0 && to > from).map(|(from, to)| Interval { from, to });
+    interval
+        .ok_or_else(|| "two times of the run in seconds, the earlier first, such as 2..2.5, are accepted".to_owned())
+}
+
 fn instant(text: &str) -> Result<f64, String> {
     let time = finite(text).filter(|time| *time >= 0.0);
     time.ok_or_else(|| "a time from 0 to the end of the run, in seconds, is accepted".to_owned())
@@ -59,19 +70,8 @@ fn finite(text: &str) -> Option<f64> {
     text.trim().parse().ok().filter(|value: &f64| value.is_finite())
 }
 
-/// The number of pictures of a motion, and the least one for a system with many parts.
-const PICTURES: usize = 240;
-const FEWEST: usize = 24;
-/// The approximate largest size of a moving picture, in bytes.
-const LARGEST: usize = 1_500_000;
-/// Bytes of one part in one picture.
-const BYTES: usize = 24;
-
 /// The largest length whose square is a finite number, with room to spare, in metres.
 const FARTHEST: f64 = 1e100;
-
-/// A turn by more than this between two pictures, in rad, would look like another turn.
-const SEEN_TURN: f64 = 2.5;
 
 /// Draws the system.
 pub fn draw(asked: &Asked) -> Result<Exit, Exit> {
@@ -84,7 +84,7 @@ pub fn draw(asked: &Asked) -> Result<Exit, Exit> {
     let (drawn, ending) = match (asked.animate, asked.time) {
         (false, None) => (still(&asked.scene, &text, towards)?, Exit::Done),
         (false, Some(time)) => (at_time(&asked.scene, &text, time, towards)?, Exit::Done),
-        (true, _) => moving(&asked.scene, &text, towards)?,
+        (true, _) => moving(&asked.scene, &text, (asked.span, towards))?,
     };
     drop(work);
     let picture = drawn.svg();
@@ -96,12 +96,12 @@ pub fn draw(asked: &Asked) -> Result<Exit, Exit> {
 }
 
 /// The sketch of a text at its start; parameters without values count as one, inputs as zero.
-fn still(path: &Path, text: &SystemText, towards: Option<[f64; 3]>) -> Result<Sketch, Exit> {
+pub fn still(path: &Path, text: &SystemText, towards: Option<[f64; 3]>) -> Result<Sketch, Exit> {
     let (title, mut model) = ::scenes::parse_titled(&text.name, &text.text, Task::Run)?;
     let open = close(&mut model)?;
     let start = start_of(&model).map_err(|issue| placed(path, issue))?;
     let geometry = geometry(path, &Arc::new(model), &start)?;
-    let mut drawn = sketch(&title, &geometry, &[geometry.figure(0.0, &start)], towards);
+    let mut drawn = sketch(&title, &geometry, &[geometry.first_figure(&start)], towards);
     if !open.is_empty() {
         drawn.note += &format!(" Parameters without a value are drawn as 1: {}.", open.join(", "));
     }
@@ -157,8 +157,8 @@ fn at_time(path: &Path, text: &SystemText, time: f64, towards: Option<[f64; 3]>)
         return Err(Exit::refused(format!("{}: --time {time}: the run ends at {span} s; {accepted}", path.display())));
     }
     let geometry = geometry(path, &scene.model, &scene.start)?;
-    let state = if time > 0.0 {
-        let mut problem = scene.problem(Axes::First);
+    let figure = if time > 0.0 {
+        let mut problem = scene.problem_with_switches();
         problem.span = time;
         let run = problem.simulate_while(&choice(&scene, 1), |_| clock::goes_on());
         if let Some(why) = run.stopped().filter(|_| run.outcome.time < time) {
@@ -175,61 +175,83 @@ fn at_time(path: &Path, text: &SystemText, time: f64, towards: Option<[f64; 3]>)
                 path.display()
             )));
         }
-        run.outcome.state
+        let switches = run.last.get(run.names.len()..).unwrap_or_default();
+        geometry.figure_with(time, &run.outcome.state, switches)
     } else {
-        scene.start.clone()
+        geometry.first_figure(&scene.start)
     };
-    let mut drawn = sketch(&scene.title, &geometry, &[geometry.figure(time, &state)], towards);
+    let mut drawn = sketch(&scene.title, &geometry, &[figure], towards);
     drawn.note = format!("At {time} s. {}", drawn.note);
     Ok(drawn)
 }
 
-/// The sketch of a run from its start to its end.
-fn moving(path: &Path, text: &SystemText, towards: Option<[f64; 3]>) -> Result<(Sketch, Exit), Exit> {
+/// The sketch of a run, or of the part of it that is asked for.
+fn moving(
+    path: &Path,
+    text: &SystemText,
+    (asked, towards): (Option<Interval>, Option<[f64; 3]>),
+) -> Result<(Sketch, Exit), Exit> {
     let scene = scene(text)?;
+    let span = scene.run.span;
+    let interval = asked.unwrap_or(Interval { from: 0.0, to: span });
+    if interval.to > span {
+        let (Interval { from, to }, accepted) = (interval, format!("a part of 0..{span} is accepted"));
+        return Err(Exit::refused(format!(
+            "{}: --span {from}..{to}: the run ends at {span} s; {accepted}",
+            path.display()
+        )));
+    }
     let geometry = geometry(path, &scene.model, &scene.start)?;
-    let first = [geometry.figure(0.0, &scene.start)];
-    let parts = sketch("", &geometry, &first, towards).parts.len();
-    let pictures = (LARGEST / (BYTES * parts.max(1))).clamp(FEWEST, PICTURES);
-    let problem = scene.problem(Axes::First);
+    let parts = sketch("", &geometry, &[geometry.figure(0.0, &scene.start)], towards).parts.len();
     let mut progress = Progress::new(&scene.title);
-    let run = problem.simulate_while(&choice(&scene, pictures), |fraction| {
+    let Motion { figures, part, run } = followed(&scene, &geometry, (interval, most_pictures(parts)), |fraction| {
         progress.set(fraction);
         clock::goes_on()
     });
     drop(progress);
-    let states = scene.model.positions() + scene.model.speeds();
-    let figures = run.times.iter().zip(&run.rows).map(|(time, row)| geometry.figure(*time, &row[..states]));
-    let figures: Vec<Figure> = figures.filter(Figure::has_values).collect();
-    let mut drawn = sketch(&scene.title, &geometry, &figures, towards);
-    let step = run.times.get(1).map_or(0.0, |time| time - run.times[0]);
-    if fastest_turn(&scene.model, &run.rows) * step > SEEN_TURN {
-        drawn.note += " Something turns faster than these pictures follow, and seems slower, or to turn backwards.";
+    let ended = run.stopped().map(|why| format!("the run stopped at {} s: {why}", short(run.outcome.time)));
+    if figures.is_empty() {
+        let why = ended.unwrap_or_else(|| format!("an event ends the run at {} s", short(run.outcome.time)));
+        return Err(Exit::refused(format!(
+            "{}: nothing moves from {} s on: {why}; a part of the run before it is accepted",
+            path.display(),
+            short(interval.from)
+        )));
     }
-    let Some(why) = run.stopped() else { return Ok((drawn, Exit::Done)) };
-    let told = format!("the run stopped at {} s: {why}", charts::significant(run.outcome.time, 4));
+    let mut drawn = sketch(&scene.title, &geometry, &figures, towards);
+    if let Some([from, to]) = part {
+        let shown =
+            format!("Shown is the part from {} s to {} s of a run of {} s", short(from), short(to), short(span));
+        drawn.note +=
+            &format!(" {shown}: a longer part would need too many pictures. Another part is drawn by --span.");
+    }
+    let Some(told) = ended else { return Ok((drawn, Exit::Done)) };
     drawn.note += &format!(" The motion ends early: {told}.");
     warn(&format!("{}: {told}; the motion up to there is drawn", path.display()));
     Ok((drawn, Exit::Stopped))
 }
 
-/// The largest rate of an angle along a run, in rad/s.
-fn fastest_turn(model: &Model, rows: &[Vec<f64>]) -> f64 {
-    let names = model.state_names();
-    let turns = names.iter().enumerate().skip(model.positions()).filter(|(_, (_, unit))| unit == "rad/s");
-    let turns: Vec<usize> = turns.map(|(place, _)| place).collect();
-    rows.iter().flat_map(|row| turns.iter().map(|place| row[*place].abs())).fold(0.0, f64::max)
+fn short(time: f64) -> String {
+    charts::significant(time, 4)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::direction;
+    use super::{direction, span};
 
     #[test]
     fn a_view_is_three_numbers_that_are_not_all_zero() {
         assert!(direction("1, -2,0.5").is_ok() && direction("0,0,1e-200").is_ok());
         for wrong in ["", "1,2", "0,0,0", "1,2,3,4", "a,b,c", "1,2,nan", "inf,0,0"] {
             assert!(direction(wrong).is_err_and(|told| told.contains("1,-2,0.5")), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn a_span_is_two_times_in_order() {
+        assert!(span("0..1").is_ok() && span("0.5 .. 2e1").is_ok());
+        for wrong in ["", "1", "2..1", "-1..2", "1..1", "a..b", "0..inf", "0...1"] {
+            assert!(span(wrong).is_err_and(|told| told.contains("2..2.5")), "{wrong}");
         }
     }
 }

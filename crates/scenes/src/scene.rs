@@ -12,7 +12,7 @@ use crate::ensemble::parse_ensemble;
 use crate::formulations::formulations;
 use crate::inductances::impossible_inductances;
 use crate::known_as::asked_for;
-use crate::modes::{BROKEN, Modes};
+use crate::modes::{BROKEN, Modes, SwitchValues};
 use crate::named_systems;
 use crate::power_balance::metered;
 use crate::quoted_keys::with_quoted_primes;
@@ -282,6 +282,16 @@ impl ModelScene {
             switching: modes.clone().map(|modes| modes as Arc<dyn Switching>),
         };
         (problem, modes)
+    }
+
+    /// The problem of the run, whose rows end with the value of each switch: between 0 and 1 where its condition stays at zero.
+    pub fn problem_with_switches(&self) -> Problem {
+        let (mut problem, modes) = self.switched();
+        if let Some(switches) = modes.map(SwitchValues::of) {
+            let row = problem.row;
+            problem.row = Box::new(move |time, state| [row(time, state), switches.at(time, state)].concat());
+        }
+        problem
     }
 
     /// The largest residual of the constraints; none of a model without constraints.

@@ -1,7 +1,7 @@
 //! Places, links and elements that are found in models, compared with known geometry.
 
 use dalembert_scenes::ModelScene;
-use dalembert_scenes::geometry::{Figure, Geometry};
+use dalembert_scenes::geometry::{Figure, Geometry, Joint};
 use model::geometry::Action;
 use simulation::{Axes, IvpScene};
 
@@ -132,4 +132,133 @@ fn a_rolling_disc_is_a_wheel_and_its_contact_no_part_of_it() {
     let [wheel] = geometry.wheels.as_slice() else { panic!("{:?}", geometry.wheels) };
     assert!((wheel.radius - 0.343).abs() < 1e-12 && wheel.axis == Some(1));
     assert!(geometry.links.is_empty(), "{:?}", links(&geometry));
+}
+
+const TWO_BARS: &str = r#"
+title = "Two bars with torsion springs"
+parameters = { m = "1 kg", l = "0.5 m", k = "4 N m", c = "0.05 N m s", M = "1 N m", J = "0.02 kg m^2" }
+coordinates = { alpha = "rad", beta = "rad" }
+frames = { A = "N turned alpha about z", B = "N turned beta about z" }
+points = { P = "O - l*A.y", Q = "P - l*B.y" }
+energies = { potential = "k*alpha^2/2 + k*(beta - alpha)^2/2", dissipation = "c*(beta' - alpha')^2/2" }
+run = { span = "3 s" }
+[bodies.upper]
+frame = "A"
+centre = "O - l/2*A.y"
+mass = "m"
+inertia = "J"
+[bodies.lower]
+frame = "B"
+centre = "P - l/2*B.y"
+mass = "m"
+inertia = "J"
+[[torque]]
+between = ["ground", "upper"]
+is = "-M*N.z"
+[[torque]]
+on = "upper"
+is = "-k*sin(alpha)*N.z"
+[[force]]
+along = "beta"
+is = "M"
+"#;
+
+#[test]
+fn torques_linear_in_an_angle_are_springs_at_its_joint_and_others_are_torques() {
+    let scene = scene(TWO_BARS);
+    let geometry = geometry(&scene);
+    assert!(geometry.elements.is_empty(), "{:?}", geometry.elements);
+    let at = |joint: &Joint| joint.at.map_or("", |place| geometry.names[place].as_str());
+    let mut found: Vec<(Action, &str)> = geometry.rotaries.iter().map(|one| (one.action, at(&one.joint))).collect();
+    found.sort_unstable();
+    assert_eq!(found, [(Action::Elastic, "O"), (Action::Elastic, "P"), (Action::Viscous, "P")]);
+    let figure = geometry.figure(0.0, &scene.start);
+    let torques: Vec<f64> = figure.torques.iter().map(|torque| torque.z).collect();
+    assert_eq!(torques, [-1.0, 0.0, 1.0]);
+    // the angle of the lower bar counts from the ground, with which it has no joint: the torque acts at its centre
+    assert_eq!(geometry.couples.iter().map(at).collect::<Vec<_>>(), ["O", "O", ""]);
+}
+
+const WHEELS: &str = r#"
+title = "A gear and a belt"
+parameters = { J = "1e-3 kg m^2", m = "1 kg", d = "0.4 m" }
+coordinates = { a = "rad", b = "rad", c = "rad" }
+frames = { A = "N turned a about z", B = "N turned b about z", C = "N turned c about z" }
+points = { P = "O + d*N.x", Q = "P + d*N.x" }
+run = { span = "2 s" }
+bodies.pinion = { frame = "A", centre = "O", mass = "m", inertia = "J" }
+bodies.wheel = { frame = "B", centre = "P", mass = "m", inertia = "J" }
+bodies.pulley = { frame = "C", centre = "Q", mass = "m", inertia = "J" }
+[[constraint]]
+name = "mesh"
+zero = "a + 3*b"
+[[constraint]]
+name = "belt"
+zero = "b' - 2*c'"
+"#;
+
+#[test]
+fn gears_touch_in_the_ratio_of_their_angles_and_belts_turn_both_wheels_one_way() {
+    let geometry = geometry(&scene(WHEELS));
+    let [mesh, belt] = geometry.gears.as_slice() else { panic!("{:?}", geometry.gears) };
+    assert!(!mesh.is_belt && belt.is_belt && geometry.told_gears.is_empty());
+    let [pinion, wheel] = mesh.wheels.map(|wheel| wheel.radius);
+    assert!((pinion - 0.1).abs() < 1e-9 && (wheel - 0.3).abs() < 1e-9, "{pinion} {wheel}");
+    let [first, second] = belt.wheels.map(|wheel| wheel.radius);
+    assert!((second - 2.0 * first).abs() < 1e-9 && first + second < 0.4, "{first} {second}");
+}
+
+#[test]
+fn gears_without_centres_are_told() {
+    let text = "title = \"g\"\nparameters = { J = \"1 kg m^2\" }\ncoordinates = { a = \"rad\", b = \"rad\" }\nrun = { span = \"1 s\" }\n\
+        bodies.pinion = { turns = \"a\", inertia = \"J\" }\nbodies.wheel = { turns = \"b\", inertia = \"J\" }\n\
+        constraint = [{ name = \"mesh\", zero = \"a + 4*b\" }]\n";
+    let geometry = geometry(&scene(text));
+    assert!(geometry.gears.is_empty());
+    assert_eq!(geometry.told_gears, ["Gear mesh: wheel turns 0.25 times as fast as pinion, the other way."]);
+}
+
+#[test]
+fn friction_that_sticks_points_against_the_load() {
+    let text = |load: &str| {
+        format!(
+            "title = \"s\"\nparameters = {{ m = \"1 kg\", F = \"3 N\" }}\ncoordinates = {{ x = \"m\" }}\n\
+             bodies = {{ block = {{ centre = \"O + x*N.x\", mass = \"m\" }} }}\nrun = {{ span = \"1 s\" }}\n\
+             [[force]]\non = \"block\"\nis = \"-F*sign(x')*N.x\"\n[[force]]\nalong = \"x\"\nis = \"{load}\"\n"
+        )
+    };
+    for (load, force) in [("1 N", -1.0), ("-1 N", 1.0), ("0 N", 0.0), ("4 N", -3.0)] {
+        let scene = scene(&text(load));
+        let found = geometry(&scene).first_figure(&scene.start).forces[0].1.x;
+        assert!((found - force).abs() < 1e-12, "{load}: {found}");
+        let mut problem = scene.problem_with_switches();
+        problem.span = 0.5;
+        let run = problem.simulate(&scene.run().choice(), |_| ());
+        let (states, switches) = (scene.start.len(), run.last.len() - 1);
+        let figure = geometry(&scene).figure_with(0.5, &run.last[..states], &run.last[switches..]);
+        assert!((figure.forces[0].1.x - force).abs() < 1e-12, "{load}: {:?}", figure.forces);
+    }
+}
+
+#[test]
+fn a_contact_place_that_is_fixed_in_no_body_is_the_rim_of_a_circle_and_no_bar() {
+    let ball = "title = \"b\"\nparameters = { m = \"1 kg\", r = \"0.1 m\" }\ncoordinates = { x = \"m\", y = \"m\" }\n\
+        points = { G = \"O + x*N.x + y*N.y\", P = \"G - r*N.y\" }\nbodies = { ball = { centre = \"G\", mass = \"m\" } }\n\
+        start = { y = \"0.4 m\" }\nrun = { span = \"1 s\" }\n\
+        contact = [{ name = \"floor\", of = \"ball at P\", through = \"O\", normal = \"N.y\" }]\n";
+    let found = geometry(&scene(ball));
+    assert!(found.links.is_empty() && found.planes == [true]);
+    assert!(found.wheels.len() == 1 && (found.wheels[0].radius - 0.1).abs() < 1e-12 && !found.wheels[0].turns);
+    let drum = "title = \"d\"\nparameters = { m = \"1 kg\", r = \"0.1 m\", R = \"0.25 m\", J = \"1 kg m^2\" }\n\
+        coordinates = { x = \"m\", y = \"m\", a = \"rad\", b = \"rad\" }\n\
+        frames = { A = \"N turned a about z\", B = \"N turned b about z\" }\n\
+        points = { G = \"O + x*N.x + y*N.y\", P = \"G - r*(x*N.x + y*N.y)/sqrt(x^2 + y^2)\" }\n\
+        start = { x = \"0.3 m\", y = \"0.4 m\" }\nrun = { span = \"0.1 s\" }\n\
+        bodies.disc = { frame = \"A\", centre = \"G\", mass = \"m\", inertia = \"J\" }\n\
+        bodies.drum = { frame = \"B\", centre = \"O\", mass = \"m\", inertia = \"J\" }\n\
+        contact = [{ of = \"disc at P\", with = \"drum\", gap = \"sqrt(x^2 + y^2) - r - R\", normal = \"(x*N.x + y*N.y)/sqrt(x^2 + y^2)\", friction = \"0.5\" }]\n";
+    let found = geometry(&scene(drum));
+    let mut radii: Vec<f64> = found.wheels.iter().map(|wheel| (1e9 * wheel.radius).round() / 1e9).collect();
+    radii.sort_by(f64::total_cmp);
+    assert!(radii == [0.1, 0.25] && found.planes == [false], "{:?} {:?}", found.wheels, found.planes);
 }

@@ -1,5 +1,6 @@
 //! Bodies: links through places that are fixed in them, wheels, blocks on lines, particles, and ellipsoids of inertia.
 
+use super::gears;
 use super::parts::Parts;
 use ::scenes::geometry::{Ellipsoid, Figure, Wheel};
 use charts::SketchPart;
@@ -29,9 +30,10 @@ pub fn draw(parts: &mut Parts<'_>) -> Drawn {
             let middle = link.places.clone();
             let centre = geometry.centre(body);
             let at = centre.unwrap_or_else(|| parts.place(move |figure| mean(figure, &middle)));
-            parts.bodies[body] = Some(at);
+            (parts.bodies[body], parts.middles[body]) = (Some(at), Some(at));
         }
     }
+    let geared = gears::draw(parts);
     let mut untold = Vec::new();
     let mut is_to_scale = geometry.size > 0.0;
     for (body, is_linked) in linked.into_iter().enumerate() {
@@ -39,12 +41,16 @@ pub fn draw(parts: &mut Parts<'_>) -> Drawn {
         let centre = geometry.centre(body);
         let wheel = geometry.wheels.iter().find(|wheel| wheel.body == body);
         if let Some(at) = centre {
-            parts.bodies[body] = Some(at);
+            (parts.bodies[body], parts.middles[body]) = (Some(at), Some(at));
         }
         match (centre, wheel) {
             (Some(at), Some(wheel)) => {
                 is_to_scale = true;
                 round(parts, at, *wheel);
+            }
+            (Some(at), None) if geared.contains(&body) => {
+                is_to_scale = true;
+                parts.add(SketchPart::Centre(at));
             }
             (Some(at), None) if model.frame.is_none() && slides(parts, at) => block(parts, body, at),
             (Some(at), None) => {
@@ -74,6 +80,7 @@ pub fn draw(parts: &mut Parts<'_>) -> Drawn {
         let below = -1.12 * whole * share * up(parts);
         let shifted = move |figure: &Figure| figure.places[0] + shift * right + below;
         parts.bodies[body] = Some(if is_flat { parts.place(shifted) } else { at });
+        parts.middles[body] = Some(at);
     }
     let note = match (untold.is_empty(), beside, is_to_scale) {
         (true, ..) => "",
@@ -142,17 +149,17 @@ fn block(parts: &mut Parts<'_>, body: usize, at: usize) {
 
 /// Draws a wheel across its axis, or a ball.
 fn round(parts: &mut Parts<'_>, at: usize, wheel: Wheel) {
-    let Wheel { body, radius, axis, .. } = wheel;
-    let Some(frame) = parts.geometry.model.bodies[body].frame.map(|frame| frame.0) else { return };
+    let Wheel { body, radius, axis, turns, .. } = wheel;
+    let frame = parts.geometry.model.bodies[body].frame.map_or(0, |frame| frame.0);
     let mut half = |k: usize| parts.direction(move |figure| radius * figure.frames[frame][k]);
     let axes = [half(0), half(1), half(2)];
     match (axis, parts.geometry.plane) {
-        (Some(axis), _) => ring(parts, at, axes, axis, (body, true)),
+        (Some(axis), _) => ring(parts, at, axes, axis, (body, turns)),
         (None, Some(normal)) => {
             let across = across(parts, frame, normal);
-            ring(parts, at, axes, across, (body, true));
+            ring(parts, at, axes, across, (body, turns));
         }
-        (None, None) => (0..3).for_each(|axis| ring(parts, at, axes, axis, (body, axis == 2))),
+        (None, None) => (0..3).for_each(|axis| ring(parts, at, axes, axis, (body, turns && axis == 2))),
     }
     parts.add(SketchPart::Centre(at));
 }
@@ -165,7 +172,7 @@ fn across(parts: &Parts<'_>, frame: usize, normal: Vector3<f64>) -> usize {
 }
 
 /// Draws the section of an ellipsoid across one of its three half axes.
-fn ring(parts: &mut Parts<'_>, at: usize, axes: [usize; 3], across: usize, (colour, spoke): (usize, bool)) {
+pub fn ring(parts: &mut Parts<'_>, at: usize, axes: [usize; 3], across: usize, (colour, spoke): (usize, bool)) {
     let axes = [axes[(across + 1) % 3], axes[(across + 2) % 3]];
     parts.add(SketchPart::Ring { at, axes, colour, spoke });
 }

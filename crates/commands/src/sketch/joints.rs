@@ -1,7 +1,8 @@
 //! Joints and loads in a sketch: pins, supports, rods, springs, dampers, contact surfaces, forces.
 
 use super::parts::Parts;
-use charts::SketchPart;
+use ::scenes::geometry::{Joint, Rotary};
+use charts::{SketchPart, SurfaceKind};
 use model::geometry::Action;
 use nalgebra::Vector3;
 
@@ -27,21 +28,59 @@ pub fn draw(parts: &mut Parts<'_>) {
             figure.places[touch.point] - touch.gap * touch.normal
         });
         let normal = parts.direction(move |figure| figure.touches[touch].normal);
+        let kind = match (geometry.planes[touch], contact.with) {
+            (false, _) => SurfaceKind::Curve,
+            (true, None) => SurfaceKind::Ground,
+            (true, Some(_)) => SurfaceKind::Body,
+        };
         if !contact.is_line {
-            parts.add(SketchPart::Surface { at: foot, normal, of_ground: contact.with.is_none() });
+            parts.add(SketchPart::Surface { at: foot, normal, kind });
         }
     }
     rolled_on(parts);
+    about_axes(parts);
     for force in 0..parts.figures.first().map_or(0, |figure| figure.forces.len()) {
-        let acts = |figure: &scenes::geometry::Figure| {
-            figure.forces[force].1.iter().any(|part| *part != 0.0 && part.is_finite())
-        };
+        let acts = |figure: &scenes::geometry::Figure| is_seen(figure.forces[force].1);
         if parts.figures.iter().any(acts) {
             let at = geometry.first[parts.figures[0].forces[force].0];
             let along = parts.direction(move |figure| figure.forces[force].1);
             parts.add(SketchPart::Arrow { at, along });
         }
     }
+}
+
+/// Draws torsion springs, rotary dampers and torques.
+fn about_axes(parts: &mut Parts<'_>) {
+    let geometry = parts.geometry;
+    for Rotary { joint, axis, action } in &geometry.rotaries {
+        let at = middle(parts, joint);
+        let [first, second] = joint.frames;
+        let mut direction =
+            |frame: usize, k: usize| parts.direction(move |figure| figure.frames[frame][(axis + k) % 3]);
+        let axes = [direction(first, 1), direction(first, 2), direction(second, 1)];
+        parts.add(match action {
+            Action::Elastic | Action::Field => SketchPart::TorsionSpring { at, axes },
+            Action::Viscous | Action::Given => SketchPart::RotaryDamper { at, axes },
+        });
+    }
+    for (number, joint) in geometry.couples.iter().enumerate() {
+        let acts = |figure: &scenes::geometry::Figure| is_seen(figure.torques[number]);
+        if parts.figures.iter().any(acts) {
+            let at = middle(parts, joint);
+            let along = parts.direction(move |figure| figure.torques[number]);
+            parts.add(SketchPart::Torque { at, along });
+        }
+    }
+}
+
+/// The place of a joint; where it has none, the middle of a body that turns there, else the origin.
+fn middle(parts: &Parts<'_>, joint: &Joint) -> usize {
+    joint.at.or_else(|| parts.middles[joint.body?]).unwrap_or(0)
+}
+
+/// Whether a vector has a direction.
+fn is_seen(vector: Vector3<f64>) -> bool {
+    vector.iter().any(|part| *part != 0.0) && vector.iter().all(|part| part.is_finite())
 }
 
 /// Draws surfaces on which wheels roll by constraints.
@@ -57,7 +96,7 @@ fn rolled_on(parts: &mut Parts<'_>) {
             // in space a wheel leans, and the surface is horizontal
             if is_flat || figure.gravity == Vector3::zeros() { arm } else { -figure.gravity }
         });
-        parts.add(SketchPart::Surface { at: point, normal, of_ground: true });
+        parts.add(SketchPart::Surface { at: point, normal, kind: SurfaceKind::Ground });
     }
 }
 

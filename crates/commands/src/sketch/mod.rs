@@ -1,10 +1,15 @@
 //! A sketch of a system: its geometry as drawn parts, seen from a direction that shows the mechanism well.
 
 mod bodies;
+mod gears;
 mod joints;
+mod motion;
 mod names;
 mod parts;
+mod pictures;
 mod view;
+
+pub use motion::{Interval, Motion, followed, most_pictures, pictures};
 
 use ::scenes::geometry::{Figure, Geometry};
 use charts::{Instant, Sketch};
@@ -28,7 +33,7 @@ pub fn sketch(title: &str, geometry: &Geometry, figures: &[Figure], towards: Opt
         axes,
         gravity: figures.first().map_or([0.0; 3], |figure| figure.gravity.into()),
         has_scale: bodies.is_to_scale,
-        note: bodies.note.to_owned(),
+        note: [&[bodies.note.to_owned()], &geometry.told_gears[..]].concat().join(" ").trim().to_owned(),
     }
 }
 

@@ -31,6 +31,9 @@ fn stands_at(part: &SketchPart) -> Vec<usize> {
         SketchPart::Pin(at)
         | SketchPart::Support(at)
         | SketchPart::Particle { at, .. }
+        | SketchPart::TorsionSpring { at, .. }
+        | SketchPart::RotaryDamper { at, .. }
+        | SketchPart::Torque { at, .. }
         | SketchPart::Arrow { at, .. } => {
             vec![*at]
         }

@@ -14,12 +14,15 @@ pub struct Parts<'a> {
     pub instants: Vec<Instant>,
     /// The number of each body's place, at which its name stands.
     pub bodies: Vec<Option<usize>>,
+    /// The number of the place about which each body is drawn.
+    pub middles: Vec<Option<usize>>,
 }
 
 impl<'a> Parts<'a> {
     pub fn of(geometry: &'a Geometry, figures: &'a [Figure]) -> Self {
         let bodies = vec![None; geometry.model.bodies.len()];
-        Parts { geometry, figures, parts: Vec::new(), names: Vec::new(), instants: instants(figures), bodies }
+        let middles = bodies.clone();
+        Parts { geometry, figures, parts: Vec::new(), names: Vec::new(), instants: instants(figures), bodies, middles }
     }
 
     pub fn add(&mut self, part: SketchPart) {

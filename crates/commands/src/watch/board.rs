@@ -6,6 +6,9 @@ use std::borrow::Cow;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
+/// The largest error of a rounded value, as a part of its slider.
+const ROUNDED: f64 = 0.01;
+
 /// The state of the page, shared by the session, which writes, and connections, which read.
 #[derive(Default)]
 pub struct Board {
@@ -20,6 +23,8 @@ struct State {
     /// The values that sliders were moved to.
     values: Map<String, Value>,
     values_changed: u64,
+    /// The ends of each slider, by its id.
+    ranges: Vec<(String, [f64; 2])>,
     has_ended: bool,
 }
 
@@ -84,6 +89,30 @@ impl Board {
             (state.values, state.values_changed) = (values, state.version);
             self.changed.notify_all();
         }
+    }
+
+    /// The ends of each slider, by its id.
+    pub fn set_ranges(&self, ranges: Vec<(String, [f64; 2])>) {
+        self.locked().ranges = ranges;
+    }
+
+    /// The reason for which sliders cannot be moved to these values; none where they can.
+    pub fn objection(&self, values: &Map<String, Value>) -> Option<String> {
+        let state = self.locked();
+        let of_one = |(id, value): (&String, &Value)| {
+            let known = state.ranges.iter().find(|(known, _)| known == id);
+            let Some((_, [low, high])) = known else {
+                let known: Vec<&str> = state.ranges.iter().map(|(id, _)| id.as_str()).collect();
+                let known = if known.is_empty() { "none".to_owned() } else { known.join(", ") };
+                return Some(format!("no slider is called `{id}`; sliders of the present text: {known}"));
+            };
+            // a value that was rounded to a step of its slider may lie beyond the end
+            let room = ROUNDED * (high - low);
+            let value = value.as_f64().unwrap_or(f64::NAN);
+            let is_within = (low - room..=high + room).contains(&value);
+            (!is_within).then(|| format!("{id}: {value}; a number from {low} to {high} is accepted"))
+        };
+        values.iter().find_map(of_one)
     }
 
     /// Ends the session for every open page.
@@ -152,6 +181,19 @@ mod tests {
             News::None => (version, Value::Null),
             News::End => (u64::MAX, Value::Null),
         }
+    }
+
+    #[test]
+    fn unknown_sliders_and_values_beyond_their_ends_are_refused() {
+        let board = Board::default();
+        board.set_ranges(vec![("parameters.m".into(), [0.02, 2.0])]);
+        let objection = |id: &str, value: f64| board.objection(&Map::from_iter([(id.to_owned(), json!(value))]));
+        assert_eq!(objection("parameters.m", 2.0), None);
+        assert!(objection("parameters.m", -1.0).is_some_and(|why| why.contains("from 0.02 to 2")));
+        assert!(
+            objection("parameters.x", 1.0)
+                .is_some_and(|why| why.contains("`parameters.x`") && why.contains("parameters.m"))
+        );
     }
 
     #[test]

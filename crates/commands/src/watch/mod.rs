@@ -17,7 +17,6 @@ use crate::output::{Form, Format, Writes};
 use board::Board;
 use clap::Args;
 use followed_file::FollowedFile;
-use integrators::clock::over;
 use page::PageTitle;
 use reader::read_text;
 use server::Server;
@@ -105,10 +104,6 @@ fn write(asked: &Asked, save: &Path, mut session: Session, board: &Board, title:
     let writes = Writes { command: "watch", force: asked.force, reads: vec![&asked.file] };
     let output = writes.output(save, &[Form::Page])?;
     let is_whole = session.finish().map_err(Exit::Refused)?;
-    if over().is_some() {
-        clock::keeps_nothing();
-        return Ok(Exit::Stopped);
-    }
     output.write_text(&page::saved(board, title))?.tell(Format::Text)?;
     if !is_whole {
         warn("a part of the page was not finished; the page says why");

@@ -107,6 +107,9 @@ impl Session {
         while over().is_none() && !self.workers.is_empty() {
             self.hear();
         }
+        for Worker { stage, .. } in self.workers.drain(..) {
+            self.board.fail(stage, "not finished when the page was written; more time is given by --seconds");
+        }
         self.refusal.take().map_or_else(|| Ok(self.board.is_whole()), Err)
     }
 

@@ -59,12 +59,21 @@ impl StagedBoard {
         }
     }
 
-    /// A stage did not come to its end: what it showed before stays, as of an earlier text.
+    /// A stage did not come to its end: what it told stays, and what it showed before stays as of an earlier text.
     pub fn fail(&self, stage: Stage, why: &str) {
         let fault = live::message("error", why);
-        if let [first, others @ ..] = parts(stage) {
-            self.0.change(*first, |shown| (shown.fault, shown.freshness) = (fault, Freshness::Earlier));
-            others.iter().for_each(|part| self.turn(*part, Freshness::Earlier));
+        let [first, others @ ..] = parts(stage) else { return };
+        self.0.change(*first, |shown| {
+            // a fault alone is one of the present text
+            shown.freshness = if shown.content.is_empty() { Freshness::Current } else { Freshness::Earlier };
+            shown.fault = fault;
+        });
+        for part in others {
+            self.0.change(*part, |shown| {
+                if shown.freshness == Freshness::Working {
+                    shown.freshness = Freshness::Earlier;
+                }
+            });
         }
     }
 
@@ -87,6 +96,7 @@ impl StagedBoard {
     /// Sliders for these numbers, none of them moved.
     pub fn show_sliders(&self, data: &[Datum]) {
         let sliders: Vec<_> = data.iter().map(Datum::slider).collect();
+        self.0.set_ranges(sliders.iter().map(|slider| (slider.id.clone(), slider.range)).collect());
         self.show(Part::Values, live::sliders(&sliders, ABOUT));
         self.show_moved(Map::new(), &ChangedText::default());
     }

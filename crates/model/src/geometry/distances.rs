@@ -3,11 +3,11 @@
 //! A function of a distance alone has a slope along the coordinates that is parallel to that of the distance, at every point. So a term
 //! k (r - l)^2/2 of the potential energy is a spring, and a constraint x^2 + y^2 = l^2 a rod, however they are written.
 
+use super::covectors::{Covector, Kind};
 use super::elements::{Load, grows};
-use super::samples::{POINTS, is_of_state, value, values};
-use super::{Action, Element, Place, terms, written_distances};
-use crate::equations::{Level, ScalarConstraint, held_of};
-use crate::{Along, PointId, Trace, Zero};
+use super::samples::{POINTS, value, values};
+use super::{Action, Element, Place};
+use crate::Trace;
 use symbolic::Sym;
 
 /// Slopes are parallel up to this part of their squares.
@@ -23,32 +23,27 @@ type Slopes = Vec<Vec<f64>>;
 /// The value of a place and its displacement along each coordinate, at one point.
 type Displaced = ([f64; 3], Vec<[f64; 3]>);
 
-/// A covector along the coordinates that may be that of a distance.
-struct Sought {
-    /// None of a constraint.
-    action: Option<Action>,
-    slope: Vec<Sym>,
-    /// Pairs of points whose distance stands in it as it is written.
-    written: Vec<[usize; 2]>,
-    /// The load and its term that it is, of a force at a place.
-    load: Option<(usize, usize)>,
-}
-
 /// Elements by energies and forces, which loads lose then, and rods by constraints.
 pub(super) fn along_distances(
     trace: &Trace<'_>,
     places: &[Place],
-    loads: &mut [Load],
+    (sought, loads): (&[Covector], &mut [Load]),
 ) -> (Vec<Element>, Vec<[usize; 2]>) {
-    let sought = sought(trace, loads);
     let pairs = places.len() * places.len() / 2;
     if sought.is_empty() || pairs * trace.speeds.len() > MOST {
         return (Vec::new(), Vec::new());
     }
     let displaced = displaced(trace, places);
     let (mut elements, mut rods, mut taken) = (Vec::new(), Vec::new(), Vec::new());
-    for Sought { action, slope, written, load } in sought {
-        let Some(slope) = values(trace, &slope) else { continue };
+    for Covector { kind, slope, written } in sought {
+        let action = match *kind {
+            Kind::Energy(action) | Kind::Generalised(action) | Kind::Load(action, _) if action != Action::Given => {
+                Some(action)
+            }
+            Kind::Position(_) => None,
+            _ => continue,
+        };
+        let Some(slope) = values(trace, slope) else { continue };
         let of_ends = |ends: [usize; 2]| {
             let found = stretched(&displaced, ends, &slope)?;
             let is_force = action != Some(Action::Elastic) || varies(found.iter().map(|one| one.force));
@@ -62,7 +57,9 @@ pub(super) fn along_distances(
             |(ends, _): &([usize; 2], Vec<Stretched>)| ends.iter().filter(|end| places[**end].name.is_empty()).count();
         let found = written.iter().copied().find_map(of_ends);
         let Some((ends, found)) = found.or_else(|| others.filter_map(of_ends).min_by_key(unnamed)) else { continue };
-        taken.extend(load);
+        if let Kind::Load(_, term) = kind {
+            taken.push(*term);
+        }
         let forces: Vec<(f64, f64)> = found.iter().map(|one| (one.distance, one.force)).collect();
         match action {
             Some(Action::Elastic) if !grows(&forces) => elements.push(Element { ends, action: Action::Field }),
@@ -72,68 +69,10 @@ pub(super) fn along_distances(
     }
     for (number, load) in loads.iter_mut().enumerate() {
         let mut term = 0..;
-        load.terms.retain(|_| !taken.contains(&(number, term.next().unwrap_or_default())));
+        load.terms.retain(|_| !taken.contains(&[number, term.next().unwrap_or_default()]));
     }
     elements.dedup();
     (elements, rods)
-}
-
-/// All covectors that may be those of distances.
-fn sought(trace: &Trace<'_>, loads: &[Load]) -> Vec<Sought> {
-    let model = trace.model;
-    let by_each = |slope: &dyn Fn(usize) -> Sym| (0..trace.speeds.len()).map(slope).collect();
-    let mut found = Vec::new();
-    for (id, _) in model.energies.potential.into_iter().flat_map(|sum| terms(trace, sum)) {
-        let slope = by_each(&|i| trace.by_coordinate(trace.scalar(id), i));
-        let written = written_distances(trace, id);
-        found.push(Sought { action: Some(Action::Elastic), slope, written, load: None });
-    }
-    for (id, _) in model.energies.dissipation.into_iter().flat_map(|sum| terms(trace, sum)) {
-        let slope = by_each(&|i| trace.by_speed(trace.scalar(id), i));
-        let written = written_distances(trace, id);
-        found.push(Sought { action: Some(Action::Viscous), slope, written, load: None });
-    }
-    for force in &model.generalised {
-        let Along::Speed(along) = force.along else { continue };
-        for (id, is_negative) in terms(trace, force.is) {
-            let term = if is_negative { trace.scalar(id) } else { -trace.scalar(id) };
-            let Some(action) = action_of(trace, &[term]) else { continue };
-            let slope = by_each(&|i| if i == along { term } else { Sym::ZERO });
-            found.push(Sought { action: Some(action), slope, written: Vec::new(), load: None });
-        }
-    }
-    for (number, load) in loads.iter().enumerate() {
-        let position = trace.position(PointId(load.place));
-        for (place, term) in load.terms.iter().enumerate() {
-            let Some(action) = action_of(trace, &term.components) else { continue };
-            let slope = by_each(&|i| -trace.dot(*term, trace.vector_by_coordinate(position, i)));
-            found.push(Sought { action: Some(action), slope, written: Vec::new(), load: Some((number, place)) });
-        }
-    }
-    for (place, constraint) in model.constraints.iter().enumerate() {
-        let Zero::Scalar(zero) = constraint.zero else { continue };
-        let held = held_of(trace, place).into_iter().filter(|held| trace.level_of(held.zero) == Level::Position);
-        let of_held = |held: ScalarConstraint| {
-            let slope = by_each(&|i| trace.by_coordinate(held.zero, i));
-            Sought { action: None, slope, written: written_distances(trace, zero), load: None }
-        };
-        found.extend(held.map(of_held));
-    }
-    found
-}
-
-/// The action of a force whose components hold coordinates or speeds; none of others, and of reactions.
-fn action_of(trace: &Trace<'_>, components: &[Sym]) -> Option<Action> {
-    if !components.iter().all(|component| is_of_state(trace, *component)) {
-        return None;
-    }
-    let used: Vec<Sym> = components.iter().flat_map(|component| component.symbols_of()).collect();
-    let has = |letters: &[Sym]| letters.iter().any(|letter| used.contains(letter));
-    match (has(&trace.coordinates), has(&trace.speeds)) {
-        (_, true) => Some(Action::Viscous),
-        (true, false) => Some(Action::Elastic),
-        (false, false) => None,
-    }
 }
 
 /// Whether a covector has more than one component.

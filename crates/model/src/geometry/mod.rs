@@ -1,12 +1,18 @@
 //! The geometry of a model over symbols: its places, and what acts between two of them.
 
+mod covectors;
 mod distances;
 mod elements;
+mod gears;
+mod hinges;
 mod places;
 mod samples;
+mod torsion;
 
 pub use elements::{Action, Element};
+pub use gears::{Gear, GearTurn};
 pub use places::Place;
+pub use torsion::{Couple, Torsion};
 
 use crate::arena::{Part, Scalar, Vector as Form};
 use crate::{BodyId, FrameId, PointId, ScalarId, Trace, Vector};
@@ -21,6 +27,11 @@ pub struct Geometry {
     pub elements: Vec<Element>,
     /// Pairs of places whose distance a constraint holds.
     pub rods: Vec<[usize; 2]>,
+    /// Springs and dampers about the axes of frames.
+    pub torsions: Vec<Torsion>,
+    /// Torques that are neither.
+    pub couples: Vec<Couple>,
+    pub gears: Vec<Gear>,
     /// Forces at places that are no elements, along the axes of the ground.
     pub forces: Vec<(usize, [Sym; 3])>,
     /// Points at which a body is said to move, and that need not be fixed in it: where a wheel rolls.
@@ -32,7 +43,14 @@ impl Geometry {
     pub fn of(trace: &Trace<'_>) -> Self {
         let places = places::places(trace);
         let (mut elements, mut loads) = elements::of_forces(trace);
-        let (found, rods) = distances::along_distances(trace, &places, &mut loads);
+        let hinges = hinges::hinges(trace);
+        let mut sought = covectors::covectors(trace, &loads);
+        let mut torsions = torsion::of_covectors(trace, &hinges, &mut sought);
+        let (of_torques, mut couples) = torsion::of_torques(trace, &hinges);
+        torsions.extend(of_torques.into_iter().filter(|torsion| !torsions.contains(torsion)).collect::<Vec<_>>());
+        couples.extend(torsion::of_generalised(trace, &hinges, &sought));
+        let gears = gears::gears(trace, &hinges, &sought);
+        let (found, rods) = distances::along_distances(trace, &places, (&sought, &mut loads));
         for element in found {
             if !elements.contains(&element) {
                 elements.push(element);
@@ -41,7 +59,7 @@ impl Geometry {
         let left = loads.into_iter().filter(|load| !load.terms.is_empty());
         let whole = |terms: &[Vector]| terms.iter().fold(Vector::ZERO, |sum, term| trace.sum(sum, *term));
         let forces = left.map(|load| (load.place, trace.express(whole(&load.terms), FrameId::GROUND))).collect();
-        Geometry { places, elements, rods, forces, touched: touched(trace) }
+        Geometry { places, elements, rods, torsions, couples, gears, forces, touched: touched(trace) }
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::compiled_system::NotCompiled;
 use crate::letters::Letters;
 use crate::program::recorded;
-use model::geometry::{Element, frame_axes};
+use model::geometry::{Couple, Element, Gear, Torsion, frame_axes};
 use model::{FrameId, Inertia, Model, Trace};
 use nalgebra::Vector3;
 use simulation::Program;
@@ -19,6 +19,8 @@ pub struct Figure {
     pub touches: Vec<Touch>,
     /// Forces that do not act between two places, each with its place.
     pub forces: Vec<(usize, Vector3<f64>)>,
+    /// Torques that are neither of a spring nor of a damper, in the order of the geometry.
+    pub torques: Vec<Vector3<f64>>,
     /// The mass, and the entries xx, yy, zz, xy, xz, yz of the inertia tensor of each body; zero where it has none.
     pub inertias: Vec<[f64; 7]>,
     pub gravity: Vector3<f64>,
@@ -42,12 +44,18 @@ pub(super) struct Symbolic {
     pub bases: Vec<Option<(usize, FrameId)>>,
     pub elements: Vec<Element>,
     pub rods: Vec<[usize; 2]>,
+    pub torsions: Vec<Torsion>,
+    /// The frames of each torque.
+    pub couples: Vec<[FrameId; 2]>,
+    pub gears: Vec<Gear>,
+    /// Whether a force or a torque changes at a condition.
+    pub has_switched_loads: bool,
     /// Bodies with points at which they are said to move.
     pub touched: Vec<(usize, usize)>,
     /// The places that forces act on.
     forces: Vec<usize>,
     /// The contacts of planes, and the points that touch.
-    contacts: Vec<(usize, usize)>,
+    pub contacts: Vec<(usize, usize)>,
 }
 
 /// The program, and how its values are read.
@@ -61,6 +69,7 @@ pub(super) struct Recorded {
     bodies: usize,
     switches: usize,
     forces: Vec<usize>,
+    torques: usize,
     contacts: Vec<(usize, usize)>,
 }
 
@@ -82,33 +91,56 @@ impl Recorded {
             values
         })?;
         let (forces, contacts) = (symbolic.forces.clone(), symbolic.contacts.clone());
+        let torques = symbolic.couples.len();
         let (places, frames, bodies) = (symbolic.names.len(), model.frames.len(), model.bodies.len());
         let positions = model.positions();
-        Ok((Recorded { program, states, positions, places, frames, bodies, switches, forces, contacts }, symbolic))
+        let recorded =
+            Recorded { program, states, positions, places, frames, bodies, switches, forces, torques, contacts };
+        Ok((recorded, symbolic))
     }
 
-    /// The places and directions at a time and a state.
+    /// The places and directions at a time and a state. A condition that is zero there counts as one half: its two sides are alike.
     pub fn figure(&self, time: f64, state: &[f64]) -> Figure {
-        let length =
-            3 * self.places + 9 * self.frames + 4 * self.contacts.len() + 3 * self.forces.len() + 7 * self.bodies + 3;
-        let mut values = vec![f64::NAN; length + self.switches];
-        let mut inputs = [state.get(..self.states).unwrap_or(state), &vec![1.0; self.switches]].concat();
+        let mut cases = vec![1.0; self.switches];
+        let mut values = Vec::new();
         for _ in 0..TRIALS {
-            // a state of another length has no places
-            let _ = self.program.run(time, &inputs, &mut values);
-            let cases = values[length..].iter().map(|value| if *value > 0.0 { 1.0 } else { 0.0 }).collect::<Vec<_>>();
-            if inputs[self.states.min(inputs.len())..] == cases[..] {
+            values = self.values(time, state, &cases);
+            let of = |value: &f64| if *value == 0.0 { 0.5 } else { f64::from(u8::from(*value > 0.0)) };
+            let found: Vec<f64> = values[values.len() - self.switches..].iter().map(of).collect();
+            if cases == found {
                 break;
             }
-            inputs.truncate(self.states);
-            inputs.extend(cases);
+            cases = found;
         }
+        self.read(time, values)
+    }
+
+    /// The same with the values of the switches, as a run has them; by the conditions where these are no numbers.
+    pub fn figure_with(&self, time: f64, state: &[f64], switches: &[f64]) -> Figure {
+        match switches.len() == self.switches && switches.iter().all(|switch| switch.is_finite()) {
+            true => self.read(time, self.values(time, state, switches)),
+            false => self.figure(time, state),
+        }
+    }
+
+    /// All values; not numbers at a state of another length.
+    fn values(&self, time: f64, state: &[f64], cases: &[f64]) -> Vec<f64> {
+        let vectors = self.places + 3 * self.frames + self.contacts.len() + self.forces.len() + self.torques + 1;
+        let length = 3 * vectors + self.contacts.len() + 7 * self.bodies + self.switches;
+        let mut values = vec![f64::NAN; length];
+        let inputs = [state.get(..self.states).unwrap_or(state), cases].concat();
+        let _ = self.program.run(time, &inputs, &mut values);
+        values
+    }
+
+    fn read(&self, time: f64, values: Vec<f64>) -> Figure {
         let mut left = values.into_iter();
         let mut vector = || Vector3::from_fn(|_, _| left.next().unwrap_or(f64::NAN));
         let places = (0..self.places).map(|_| vector()).collect();
         let frames = (0..self.frames).map(|_| [vector(), vector(), vector()]).collect();
         let normals: Vec<Vector3<f64>> = self.contacts.iter().map(|_| vector()).collect();
         let forces = self.forces.iter().map(|place| (*place, vector())).collect();
+        let torques = (0..self.torques).map(|_| vector()).collect();
         let gravity = vector();
         let touches = self.contacts.iter().zip(normals);
         let touches = touches.map(|((contact, point), normal)| {
@@ -117,7 +149,7 @@ impl Recorded {
         });
         let touches = touches.collect();
         let inertias = (0..self.bodies).map(|_| std::array::from_fn(|_| left.next().unwrap_or(f64::NAN))).collect();
-        Figure { time, places, frames, touches, forces, inertias, gravity }
+        Figure { time, places, frames, touches, forces, torques, inertias, gravity }
     }
 
     /// Figures at several states about one: coordinates and time moved by steps that follow no line.
@@ -160,11 +192,16 @@ fn written(model: &Model, (time, state): (Sym, &[Sym]), cases: &[Sym]) -> (Symbo
     let contacts = model.contacts.iter().enumerate().filter(|(_, contact)| contact.one_way.is_none());
     let contacts: Vec<(usize, usize)> = contacts.map(|(place, contact)| (place, contact.point.0)).collect();
     let forces: Vec<(usize, [Sym; 3])> = geometry.forces.into_iter().filter(|(_, is)| has_value(is)).collect();
+    let couples: Vec<Couple> = geometry.couples.into_iter().filter(|couple| has_value(&couple.torque)).collect();
+    let loads: Vec<Sym> =
+        forces.iter().map(|(_, is)| is).chain(couples.iter().map(|couple| &couple.torque)).flatten().copied().collect();
+    let has_switched_loads =
+        loads.iter().any(|part| part.symbols_of().iter().any(|letter| trace.switches.contains(letter)));
     let ground = |vector| trace.express(vector, FrameId::GROUND);
     let mut values: Vec<Sym> = geometry.places.iter().flat_map(|place| place.position).collect();
     values.extend((0..model.frames.len()).flat_map(|frame| frame_axes(&trace, FrameId(frame)).into_iter().flatten()));
     values.extend(contacts.iter().flat_map(|(contact, _)| ground(trace.vector(model.contacts[*contact].normal))));
-    values.extend(forces.iter().flat_map(|(_, is)| *is));
+    values.extend(loads);
     values.extend(model.gravity.map_or([Sym::ZERO; 3], |gravity| ground(trace.vector(gravity))));
     values.extend(contacts.iter().map(|(contact, _)| trace.scalar(model.contacts[*contact].gap)));
     for body in &model.bodies {
@@ -181,6 +218,10 @@ fn written(model: &Model, (time, state): (Sym, &[Sym]), cases: &[Sym]) -> (Symbo
         names: geometry.places.into_iter().map(|place| place.name).collect(),
         elements: geometry.elements,
         rods: geometry.rods,
+        torsions: geometry.torsions,
+        couples: couples.into_iter().map(|couple| couple.frames).collect(),
+        gears: geometry.gears,
+        has_switched_loads,
         touched: geometry.touched.into_iter().map(|(body, point)| (body.0, point.0)).collect(),
         forces: forces.into_iter().map(|(place, _)| place).collect(),
         contacts,

@@ -3,16 +3,22 @@
 //! The structure is found, not declared: places that keep their coordinates in a frame at several distant states are fixed in it.
 //! Thus links are found by their ends, whether a body, a massless frame, or cosines and sines describe their rotation.
 
+mod contact_places;
 mod figure;
+mod gears;
+mod hinged;
 mod inertia;
 mod rigid;
 mod wheels;
 
 pub use figure::{Figure, Touch};
+pub use gears::{GearPair, GearWheel};
+pub use hinged::{Joint, Rotary};
 pub use inertia::Ellipsoid;
 pub use rigid::Link;
 
 use crate::compiled_system::NotCompiled;
+use crate::modes::switch_values_at_start;
 use figure::Recorded;
 use model::Model;
 use model::geometry::Element;
@@ -37,24 +43,38 @@ pub struct Geometry {
     pub telescopes: Vec<[usize; 2]>,
     pub elements: Vec<Element>,
     pub rods: Vec<[usize; 2]>,
-    /// Bodies that roll.
+    /// Bodies that roll, and round ones that slide without turning.
     pub wheels: Vec<Wheel>,
+    pub rotaries: Vec<Rotary>,
+    /// The joint of each torque of a figure.
+    pub couples: Vec<Joint>,
+    pub gears: Vec<GearPair>,
+    /// Sentences on gears whose centres no place tells.
+    pub told_gears: Vec<String>,
+    /// For each contact of a figure whether it is one of a plane, and not of a curve.
+    pub planes: Vec<bool>,
+    /// Whether a force or a torque changes at a condition, such as dry friction.
+    pub has_switched_loads: bool,
     /// The normal of the plane in which everything moves; none of a system in space.
     pub plane: Option<Vector3<f64>>,
     /// The largest distance of two places.
     pub size: f64,
+    /// The first of the frames that turn together with each.
+    turning: Vec<usize>,
+    at_start: Vec<Vector3<f64>>,
     recorded: Recorded,
 }
 
-/// A body that rolls.
+/// A body that rolls, or a round one that slides without turning.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wheel {
     pub body: usize,
     /// The point where it touches.
     pub point: usize,
     pub radius: f64,
-    /// The axis of its frame; none of a ball.
+    /// The axis of its frame; none of a ball, and of a body that does not turn.
     pub axis: Option<usize>,
+    pub turns: bool,
 }
 
 impl Geometry {
@@ -66,7 +86,10 @@ impl Geometry {
         let (recorded, symbolic) = Recorded::of(model)?;
         let samples = recorded.samples(state);
         let structure = Structure::of(model, &samples, &symbolic);
-        let wheels = wheels::wheels(model, &samples, &symbolic, &structure);
+        let mut wheels = wheels::wheels(model, &samples, &symbolic, &structure);
+        wheels.extend(contact_places::rounds(model, (&samples, &wheels), &symbolic, &structure));
+        let planes = contact_places::planes(model, &samples, &symbolic, &structure);
+        let passes = |ends: &[usize; 2]| contact_places::is_passing(model, &symbolic, &structure, ends);
         let first = |place: usize| structure.first[place];
         let once = |pairs: &[[usize; 2]]| {
             let mut found: Vec<[usize; 2]> = pairs.iter().map(|ends| ends.map(first)).collect();
@@ -86,18 +109,21 @@ impl Geometry {
             elements.iter().any(|element| element.ends == *ends || element.ends == [ends[1], ends[0]])
         };
         let telescopes: Vec<[usize; 2]> =
-            once(&structure.telescopes).into_iter().filter(|ends| !is_joined(ends)).collect();
+            once(&structure.telescopes).into_iter().filter(|ends| !is_joined(ends) && !passes(ends)).collect();
         let is_radius = |ends: &[usize; 2]| {
             let centre = |wheel: &Wheel| model.bodies[wheel.body].centre.map(|centre| first(centre.0));
             let of_wheel = |wheel: &Wheel| centre(wheel).is_some_and(|centre| ends.contains(&centre));
             wheels.iter().any(|wheel| ends.contains(&first(wheel.point)) && of_wheel(wheel))
         };
         let rods = once(&[&symbolic.rods[..], &structure.rods].concat());
-        let rods = rods.into_iter().filter(|ends| !is_radius(ends)).collect();
-        let links = rigid::without_touched(structure.links, &wheels, model, &structure.first);
-        Ok(Geometry {
+        let rods = rods.into_iter().filter(|ends| !is_radius(ends) && !passes(ends)).collect();
+        let bars: Vec<rigid::Link> =
+            structure.links.iter().filter(|link| !link.pair().is_some_and(|ends| passes(&ends))).cloned().collect();
+        let links = rigid::without_touched(bars, &wheels, model, &structure.first);
+        let at_start = samples.first().map(|at| at.places.clone()).unwrap_or_default();
+        let mut geometry = Geometry {
             model: Arc::clone(model),
-            names: symbolic.names,
+            names: symbolic.names.clone(),
             first: structure.first,
             ground: structure.ground,
             links,
@@ -106,10 +132,22 @@ impl Geometry {
             rods,
             elements,
             wheels,
+            rotaries: Vec::new(),
+            couples: Vec::new(),
+            gears: Vec::new(),
+            told_gears: Vec::new(),
+            planes,
+            has_switched_loads: symbolic.has_switched_loads,
             plane: structure.plane,
             size: structure.size,
+            turning: structure.turning,
+            at_start,
             recorded,
-        })
+        };
+        geometry.rotaries = geometry.rotaries_of(&symbolic);
+        geometry.couples = geometry.couples_of(&symbolic);
+        (geometry.gears, geometry.told_gears) = geometry.gears_of(&symbolic, &samples);
+        Ok(geometry)
     }
 
     /// The places at a time and a state.
@@ -117,9 +155,25 @@ impl Geometry {
         self.recorded.figure(time, state)
     }
 
+    /// The same with the value of each switch, as a run has them.
+    pub fn figure_with(&self, time: f64, state: &[f64], switches: &[f64]) -> Figure {
+        self.recorded.figure_with(time, state, switches)
+    }
+
+    /// The figure of the motion that goes on from a start.
+    pub fn first_figure(&self, start: &[f64]) -> Figure {
+        let switches = if self.has_switched_loads { switch_values_at_start(&self.model, start) } else { None };
+        self.figure_with(0.0, start, &switches.unwrap_or_default())
+    }
+
     /// The place of a body's centre of mass.
     pub fn centre(&self, body: usize) -> Option<usize> {
         Some(self.first[self.model.bodies.get(body)?.centre?.0])
+    }
+
+    /// Whether two frames keep their angles to each other.
+    pub fn turn_together(&self, one: usize, other: usize) -> bool {
+        self.turning[one] == self.turning[other]
     }
 
     /// Whether anything has a place: more than the origin, or a body that turns.

@@ -21,6 +21,13 @@ pub struct Link {
     pub bodies: Vec<usize>,
 }
 
+impl Link {
+    /// Its two ends, of a bar.
+    pub(super) fn pair(&self) -> Option<[usize; 2]> {
+        self.places.as_slice().try_into().ok()
+    }
+}
+
 /// The structure of a system.
 #[derive(Debug, Default)]
 pub(super) struct Structure {

@@ -23,7 +23,7 @@ pub(super) fn wheels(model: &Model, samples: &[Figure], symbolic: &Symbolic, str
             continue;
         }
         let across = |axis: &usize| samples.iter().all(|at| inside(at)[*axis].abs() <= SAME * radius);
-        found.push(Wheel { body, point, radius, axis: (0..3).find(across) });
+        found.push(Wheel { body, point, radius, axis: (0..3).find(across), turns: true });
     }
     found
 }

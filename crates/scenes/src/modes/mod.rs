@@ -30,6 +30,7 @@ mod signal_integrals;
 mod signals;
 mod slip_start;
 mod slowed;
+mod switch_values;
 mod touch;
 mod touches;
 mod unfit;
@@ -61,6 +62,7 @@ use simulation::Law;
 use simulation::events::{Passage, Segment, Switching};
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+pub(crate) use switch_values::{SwitchValues, switch_values_at_start};
 pub use unfit::Unfit;
 use words::Words;
 

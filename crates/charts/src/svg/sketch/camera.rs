@@ -83,7 +83,12 @@ impl Camera {
         (x, -y)
     }
 
-    /// The direction from the mechanism to the viewer, of length one.
+    /// To the right on the paper.
+    pub fn right(&self) -> [f64; 3] {
+        self.right
+    }
+
+    /// From the mechanism to the eye.
     pub fn towards(&self) -> [f64; 3] {
         self.towards
     }

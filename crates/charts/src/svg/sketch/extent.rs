@@ -61,6 +61,7 @@ impl SketchPart {
         match self {
             SketchPart::Plate { corners, .. } => corners.clone(),
             SketchPart::Rod(ends)
+            | SketchPart::Strand(ends)
             | SketchPart::Telescope(ends)
             | SketchPart::Spring(ends)
             | SketchPart::Dashpot(ends)
@@ -75,6 +76,9 @@ impl SketchPart {
             | SketchPart::Ring { at, .. }
             | SketchPart::Triad { at, .. }
             | SketchPart::Surface { at, .. }
+            | SketchPart::TorsionSpring { at, .. }
+            | SketchPart::RotaryDamper { at, .. }
+            | SketchPart::Torque { at, .. }
             | SketchPart::Arrow { at, .. } => vec![*at],
         }
     }

@@ -1,24 +1,30 @@
-//! Labels: each name is placed on the first side of its point where it covers nothing, and left out if there is no such side.
+//! Names beside what they name: each at the place near by where it covers the least over the whole motion, farther away with a line to what
+//! it names; left out where every place is taken.
 
 use super::camera::Camera;
+use super::ink::{Box4, holds, ink, meets};
+use super::marks::polyline;
 use super::pose::Flat;
-use super::surfaces::BEYOND;
 use super::timeline::Timeline;
-use super::{Instant, Sketch, SketchPart};
+use super::{Instant, Sketch};
 use crate::svg::drawing::{Anchor, Drawing, WIDTH};
 use crate::svg::number::coordinate;
 
 /// The width of a letter, and the height of a line, in pixels.
-const LETTER: f64 = 7.4;
+const LETTER: f64 = 7.9;
 const HEIGHT: f64 = 14.0;
 /// The largest number of names.
 const MOST: usize = 40;
 const FEW: usize = 16;
 /// The largest number of letters of a name.
 const LONGEST: usize = 24;
-
-/// A box on the paper: left, top, right, bottom.
-type Box4 = [f64; 4];
+/// Instants at which names are kept from covering something.
+const INSTANTS: usize = 6;
+/// The cost of a covered point of a stroke, of a line to a name, of a name beyond the paper, and of one that covers another.
+const COVERED: usize = 4;
+const LINE: usize = 10;
+const BEYOND: usize = 2_000;
+const TAKEN: usize = 10_000;
 
 /// Names with their sides.
 pub(super) struct Labels {
@@ -29,142 +35,138 @@ struct Label {
     text: String,
     /// The vector from its point to the left end of its base line.
     beside: Flat,
+    /// The line from the place to the name, from and to; none of a name that is close.
+    line: Option<[Flat; 2]>,
     places: Vec<Flat>,
 }
 
+/// A side of a place on which a name may stand.
+struct Side {
+    beside: Flat,
+    /// The box of the name beside its place.
+    rim: Box4,
+    line: Option<[Flat; 2]>,
+}
+
+impl Side {
+    /// The side in a direction, right and down, at a distance.
+    fn of((right, down): (f64, f64), distance: f64, width: f64) -> Self {
+        let (x, y) = (distance * right, distance * down);
+        let left = match right {
+            right if right > 0.1 => x,
+            right if right < -0.1 => x - width,
+            _ => x - 0.5 * width,
+        };
+        let base = y + 0.36 * HEIGHT;
+        let rim = [left, base - 0.8 * HEIGHT, left + width, base + 0.2 * HEIGHT];
+        let line = (distance > CLOSE).then_some([(6.0 * right, 6.0 * down), (x - 2.0 * right, y - 2.0 * down)]);
+        Side { beside: (left, base), rim, line }
+    }
+
+    fn rim_at(&self, (x, y): Flat) -> Box4 {
+        [self.rim[0] + x, self.rim[1] + y, self.rim[2] + x, self.rim[3] + y]
+    }
+}
+
 impl Labels {
-    /// The labels of a sketch; their sides are chosen at the first instant.
-    pub fn of(sketch: &Sketch, camera: &Camera, first: &Instant) -> Self {
+    pub fn of(sketch: &Sketch, camera: &Camera) -> Self {
         let at = |instant: &Instant, place: usize| instant.places.get(place).map(|place| camera.place(*place));
-        let ink = ink(sketch, first, camera);
-        let mut taken: Vec<Box4> = Vec::new();
+        let every = sketch.instants.len().div_ceil(INSTANTS).max(1);
+        let instants: Vec<&Instant> = sketch.instants.iter().step_by(every).collect();
+        let inks: Vec<Vec<Flat>> = instants.iter().map(|instant| ink(sketch, instant, camera)).collect();
+        let mut taken: Vec<Vec<Box4>> = vec![Vec::new(); instants.len()];
         let mut placed = Vec::new();
         let count = sketch.names.len();
         let step = if count > MOST { count.div_ceil(FEW) } else { 1 };
         for (place, name) in sketch.names.iter().step_by(step) {
-            let Some(here) = at(first, *place) else { continue };
+            let here: Option<Vec<Flat>> = instants.iter().map(|instant| at(instant, *place)).collect();
+            let Some(here) = here else { continue };
             let text = crate::svg::drawing::shorten(name, LONGEST);
             let width = LETTER * text.chars().count() as f64;
-            let side = |(right, down): &(f64, f64)| -> (Flat, Box4) {
-                let left = match *right {
-                    right if right > 0.0 => right,
-                    right if right < 0.0 => right - width,
-                    _ => -0.5 * width,
-                };
-                let base = down + 0.36 * HEIGHT;
-                let place = (here.0 + left, here.1 + base);
-                ((left, base), [place.0, place.1 - 0.8 * HEIGHT, place.0 + width, place.1 + 0.2 * HEIGHT])
-            };
-            let cost = |rim: &Box4| -> usize {
+            let cost_at = |side: &Side, number: usize| {
+                let rim = side.rim_at(here[number]);
                 let beyond = rim[0] < 2.0 || rim[2] > WIDTH - 2.0 || rim[1] < 2.0 || rim[3] > camera.height + 4.0;
-                let covered = ink.iter().filter(|point| holds(rim, **point)).count();
-                let names = taken.iter().filter(|other| meets(rim, other)).count();
-                covered + 1000 * names + if beyond { 500 } else { 0 }
+                let covered = inks[number].iter().filter(|point| holds(&rim, **point)).count();
+                let names = taken[number].iter().filter(|other| meets(&rim, other)).count();
+                COVERED * covered + TAKEN * names + if beyond { BEYOND } else { 0 }
             };
-            let sides: Vec<(Flat, Box4)> = SIDES.iter().map(side).collect();
-            let best = sides.into_iter().enumerate().min_by_key(|(order, (_, rim))| (cost(rim), *order));
-            let Some((_, (beside, rim))) = best.filter(|(_, (_, rim))| cost(rim) < 500) else { continue };
-            taken.push(rim);
+            let cost = |side: &Side| -> usize {
+                let line = if side.line.is_some() { LINE * instants.len() } else { 0 };
+                line + (0..instants.len()).map(|number| cost_at(side, number)).sum::<usize>()
+            };
+            let sides = DISTANCES.iter().flat_map(|distance| SIDES.map(|side| Side::of(side, *distance, width)));
+            let best =
+                sides.enumerate().map(|(order, side)| (cost(&side), order, side)).min_by_key(|one| (one.0, one.1));
+            // the first instant is the picture that is printed
+            let Some((_, _, side)) = best.filter(|(_, _, side)| cost_at(side, 0) < BEYOND) else { continue };
+            for (taken, here) in taken.iter_mut().zip(&here) {
+                taken.push(side.rim_at(*here));
+            }
             let places = sketch.instants.iter().filter_map(|instant| at(instant, *place)).collect();
-            placed.push(Label { text, beside, places });
+            placed.push(Label { text, beside: side.beside, line: side.line, places });
         }
         Labels { placed }
     }
 
     pub fn draw(&self, drawing: &mut Drawing, timeline: &Timeline) {
-        for Label { text, beside, places } in &self.placed {
+        for Label { text, beside, line, places } in &self.placed {
             let Some(first) = places.first() else { continue };
             let rests = places.iter().all(|place| (place.0 - first.0).hypot(place.1 - first.1) < 0.35);
             if rests {
+                if let Some([from, to]) = line {
+                    let end = |point: &Flat| (first.0 + point.0, first.1 + point.1);
+                    drawing.line(end(from), end(to), "leader");
+                }
                 drawing.text((first.0 + beside.0, first.1 + beside.1), Anchor::Start, "name", text);
                 continue;
             }
             let values: Vec<String> =
                 places.iter().map(|(x, y)| format!("{} {}", coordinate(*x), coordinate(*y))).collect();
             let start = format!(" transform=\"translate({})\"", values[0]);
-            drawing.text_with(*beside, "name", text, &start, &timeline.transform("translate", &values));
+            let moved = timeline.transform("translate", &values);
+            if let Some([from, to]) = line {
+                drawing.path_with(&polyline(&[*from, *to]), "leader", &start, &moved);
+            }
+            drawing.text_with(*beside, "name", text, &start, &moved);
         }
     }
 }
 
-/// Sides, to the right and down from a point, the best first.
-const SIDES: [(f64, f64); 12] = [
-    (10.0, 0.0),
-    (9.0, -11.0),
-    (9.0, 12.0),
-    (-10.0, 0.0),
-    (-9.0, -11.0),
-    (-9.0, 12.0),
-    (0.0, -17.0),
-    (0.0, 19.0),
-    (20.0, -20.0),
-    (20.0, 22.0),
-    (-20.0, -20.0),
-    (-20.0, 22.0),
-];
+/// Directions of sides, right and down, the best first.
+const SIDES: [(f64, f64); 8] =
+    [(1.0, 0.0), (0.8, -1.0), (0.8, 1.0), (-1.0, 0.0), (-0.8, -1.0), (-0.8, 1.0), (0.0, -1.5), (0.0, 1.7)];
 
-/// Points that strokes cover, some pixels apart.
-fn ink(sketch: &Sketch, first: &Instant, camera: &Camera) -> Vec<Flat> {
-    let mut points = Vec::new();
-    for part in sketch.parts.iter().filter(|part| !matches!(part, SketchPart::Field(_))) {
-        let stands: Vec<Flat> = part
-            .stands_at()
-            .iter()
-            .filter_map(|place| first.places.get(*place))
-            .map(|place| camera.place(*place))
-            .collect();
-        points.extend(&stands);
-        for pair in stands.windows(2) {
-            points.extend(along(pair[0], pair[1]));
-        }
-        let directions = |numbers: &[usize]| -> Vec<[f64; 3]> {
-            numbers.iter().filter_map(|number| first.directions.get(*number).copied()).collect()
+/// Distances of names, and the largest one that needs no line.
+const DISTANCES: [f64; 4] = [10.5, 17.0, 30.0, 52.0];
+const CLOSE: f64 = 20.0;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::svg::sketch::SketchPart;
+
+    #[test]
+    fn names_of_close_places_cover_neither_each_other_nor_the_body() {
+        let places = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.05, 0.0, 0.0], [1.1, 0.0, 0.0], [3.0, 0.0, 0.0]];
+        let names = ["shoulder_of_the_robot", "elbow_of_the_robot", "wrist_of_the_robot", "finger_of_the_robot", "tip"];
+        let sketch = Sketch {
+            parts: vec![SketchPart::Plate { corners: vec![0, 1, 2, 3, 4], colour: 0 }],
+            names: names.into_iter().enumerate().map(|(place, name)| (place, name.to_owned())).collect(),
+            instants: vec![Instant { places, ..Instant::default() }],
+            ..Sketch::default()
         };
-        let Some(&(x, y)) = stands.first() else { continue };
-        match part {
-            SketchPart::Triad { axes, .. } => {
-                let ends = directions(axes).into_iter().map(|axis| camera.along(axis));
-                points.extend(ends.flat_map(|(right, down)| along((x, y), (x + right, y + down))));
-            }
-            SketchPart::Ring { axes, .. } => {
-                let axes: Vec<Flat> = directions(axes).into_iter().map(|axis| camera.along(axis)).collect();
-                let &[a, b] = axes.as_slice() else { continue };
-                points.extend((0..36).map(|k| {
-                    let (sin, cos) = (f64::from(k) * std::f64::consts::TAU / 36.0).sin_cos();
-                    (x + cos * a.0 + sin * b.0, y + cos * a.1 + sin * b.1)
-                }));
-            }
-            SketchPart::Surface { normal, .. } => {
-                let normal = first.directions.get(*normal).copied().unwrap_or_default();
-                let (right, down) = camera.share(normal);
-                let end = |side: f64| (x - side * BEYOND * down, y + side * BEYOND * right);
-                points.extend(along(end(-1.0), end(1.0)));
-            }
-            SketchPart::Support(_) => {
-                points.extend([(-9.0, 15.0), (9.0, 15.0), (0.0, 12.0)].map(|(a, b)| (x + a, y + b)))
-            }
-            SketchPart::Block { .. } => {
-                points.extend([(-14.0, -8.0), (14.0, -8.0), (-14.0, 8.0), (14.0, 8.0)].map(|(a, b)| (x + a, y + b)))
-            }
-            _ => {}
+        let camera = Camera::of(&sketch);
+        let labels = Labels::of(&sketch, &camera);
+        assert_eq!(labels.placed.len(), names.len());
+        let rim = |label: &Label| {
+            let (x, y) = (label.places[0].0 + label.beside.0, label.places[0].1 + label.beside.1);
+            [x, y - 0.8 * HEIGHT, x + LETTER * label.text.chars().count() as f64, y + 0.2 * HEIGHT]
+        };
+        let rims: Vec<Box4> = labels.placed.iter().map(rim).collect();
+        for (number, one) in rims.iter().enumerate() {
+            assert!(rims[..number].iter().all(|other| !meets(one, other)), "{rims:?}");
+            let bar = camera.place([0.0; 3]).1;
+            assert!(one[1] > bar || one[3] < bar || one[0] > camera.place([3.0, 0.0, 0.0]).0, "{one:?}");
         }
     }
-    points
-}
-
-/// Points of a segment.
-fn along(from: Flat, to: Flat) -> impl Iterator<Item = Flat> {
-    let count = ((to.0 - from.0).hypot(to.1 - from.1) / 5.0).ceil().clamp(1.0, 400.0) as usize;
-    (0..=count).map(move |k| {
-        let share = k as f64 / count as f64;
-        (from.0 + share * (to.0 - from.0), from.1 + share * (to.1 - from.1))
-    })
-}
-
-fn holds(rim: &Box4, (x, y): Flat) -> bool {
-    rim[0] - 1.0 < x && x < rim[2] + 1.0 && rim[1] - 1.0 < y && y < rim[3] + 1.0
-}
-
-fn meets(one: &Box4, other: &Box4) -> bool {
-    one[0] < other[2] && other[0] < one[2] && one[1] < other[3] && other[1] < one[3]
 }

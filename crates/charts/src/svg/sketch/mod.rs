@@ -8,10 +8,12 @@ mod bars;
 mod camera;
 mod compass;
 mod extent;
+mod ink;
 mod labels;
 mod marks;
 mod plates;
 mod pose;
+mod rotary;
 mod shapes;
 mod surfaces;
 mod timeline;
@@ -32,7 +34,7 @@ pub struct Sketch {
     pub parts: Vec<SketchPart>,
     /// Names at places, plain text; those of greater weight come first.
     pub names: Vec<(usize, String)>,
-    /// At least one; the times of several are equally spaced.
+    /// At least one, in the order of their times.
     pub instants: Vec<Instant>,
     pub view: View,
     /// The names of the axes x, y and z of the ground.
@@ -66,7 +68,9 @@ pub enum SketchPart {
     },
     /// A rigid rod without a mass.
     Rod([usize; 2]),
-    /// A line along which one point moves relative to another.
+    /// A straight part of a belt.
+    Strand([usize; 2]),
+    /// A line on which one place moves beside another.
     Telescope([usize; 2]),
     Spring([usize; 2]),
     Dashpot([usize; 2]),
@@ -113,13 +117,39 @@ pub enum SketchPart {
     Surface {
         at: usize,
         normal: usize,
-        of_ground: bool,
+        kind: SurfaceKind,
+    },
+    /// A spring about an axis: two directions across the axis in one frame, and the first of them in the other frame.
+    TorsionSpring {
+        at: usize,
+        axes: [usize; 3],
+    },
+    /// A damper about an axis, with directions as those of a spring.
+    RotaryDamper {
+        at: usize,
+        axes: [usize; 3],
+    },
+    /// A torque, whose size is not drawn.
+    Torque {
+        at: usize,
+        along: usize,
     },
     /// A force on a point; its magnitude is not drawn.
     Arrow {
         at: usize,
         along: usize,
     },
+}
+
+/// The kind of a surface that is touched.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SurfaceKind {
+    /// A plane of the ground.
+    Ground,
+    /// A plane of a body.
+    Body,
+    /// A curve: its tangent at the place alone.
+    Curve,
 }
 
 impl Sketch {
@@ -135,13 +165,15 @@ impl Sketch {
 
     fn drawing(&self) -> Drawing {
         let mut drawing = Drawing::default();
-        let Some(first) = self.instants.first() else { return drawing };
+        if self.instants.is_empty() {
+            return drawing;
+        }
         let camera = Camera::of(self);
         let timeline = Timeline::of(&self.instants);
         let shapes = shapes(self, &camera);
         drawing.open("sketch");
         shapes.iter().for_each(|shape| shape.draw(&mut drawing, &timeline));
-        let names = Labels::of(self, &camera, first);
+        let names = Labels::of(self, &camera);
         names.draw(&mut drawing, &timeline);
         drawing.height = camera.height;
         compass(&mut drawing, &camera, (&self.axes, self.gravity), self.has_scale);

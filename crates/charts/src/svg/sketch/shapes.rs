@@ -5,6 +5,7 @@ use super::camera::{Camera, arrow};
 use super::marks::{block, circle, ellipse, polyline, quarters, segments, support};
 use super::plates;
 use super::pose::{Flat, Pose};
+use super::rotary::{rotary_damper, torque, torsion_spring};
 use super::surfaces::{guide, surface};
 use super::timeline::Timeline;
 use super::{Instant, Sketch, SketchPart};
@@ -104,6 +105,7 @@ fn strokes(scene: Scene<'_>, part: &SketchPart) -> Vec<Shape> {
     match part {
         SketchPart::Plate { corners, colour } => plates::plate(scene, corners, &coloured("", *colour)),
         SketchPart::Rod(ends) => vec![Shape::new(3, "rod", scene.line(*ends))],
+        SketchPart::Strand(ends) => vec![Shape::new(1, "strand", scene.line(*ends))],
         SketchPart::Telescope(ends) => vec![Shape::new(3, "telescope", scene.line(*ends))],
         SketchPart::Spring(ends) => vec![Shape::new(4, "spring", scene.bar(*ends, SPRING))],
         SketchPart::Dashpot(ends) => {
@@ -155,7 +157,10 @@ fn strokes(scene: Scene<'_>, part: &SketchPart) -> Vec<Shape> {
             };
             axes.iter().map(|axis| Shape::new(6, coloured("triad", *colour), of_axis(*axis))).collect()
         }
-        SketchPart::Surface { at, normal, of_ground } => surface(scene, *at, *normal, *of_ground),
+        SketchPart::Surface { at, normal, kind } => surface(scene, *at, *normal, *kind),
+        SketchPart::TorsionSpring { at, axes } => vec![torsion_spring(scene, *at, *axes)],
+        SketchPart::RotaryDamper { at, axes } => rotary_damper(scene, *at, *axes),
+        SketchPart::Torque { at, along } => vec![torque(scene, *at, *along)],
         SketchPart::Arrow { at, along } => {
             vec![Shape::new(9, "force", scene.towards(*at, *along, |from, to| arrow(from, to, 8.0)))]
         }

@@ -1,5 +1,6 @@
 //! Surfaces that are touched, and the lines on which blocks slide: long enough for the positions at all instants.
 
+use super::SurfaceKind;
 use super::camera::{cross, dot, unit};
 use super::marks::{polygon, segments};
 use super::pose::{Flat, Pose};
@@ -7,11 +8,14 @@ use super::shapes::{Scene, Shape};
 
 /// The length beyond the touched points, in pixels.
 pub(super) const BEYOND: f64 = 42.0;
-/// The length of the strokes of hatching, which is also their distance.
+/// Half the length of a tangent, in pixels.
+const TANGENT: f64 = 11.0;
+/// Strokes of the hatching, and how far apart they are.
 const HATCH: f64 = 8.0;
 
-/// A surface at a point: a hatched line if it is seen from its edge, otherwise a patch.
-pub(super) fn surface(scene: Scene<'_>, at: usize, normal: usize, of_ground: bool) -> Vec<Shape> {
+/// A surface at a place: a hatched line where it is seen from its edge, else a patch.
+pub(super) fn surface(scene: Scene<'_>, at: usize, normal: usize, kind: SurfaceKind) -> Vec<Shape> {
+    let of_ground = kind == SurfaceKind::Ground;
     let normals = scene.each(|instant| unit(Scene::direction(instant, normal)).unwrap_or([0.0, 1.0, 0.0]));
     let Some(first) = normals.first().copied() else { return Vec::new() };
     let rests = of_ground && normals.iter().all(|normal| dot(*normal, first) > 1.0 - 1e-9);
@@ -25,7 +29,7 @@ pub(super) fn surface(scene: Scene<'_>, at: usize, normal: usize, of_ground: boo
         offsets.fold((0.0, 0.0), |(low, high): (f64, f64), offset| (low.min(offset), high.max(offset)))
     };
     let is_edge = normals.iter().all(|normal| scene.camera.depth(*normal).abs() < 1e-6);
-    let beyond = BEYOND / scene.camera.scale;
+    let beyond = if kind == SurfaceKind::Curve { TANGENT } else { BEYOND } / scene.camera.scale;
     let corner = |here: [f64; 3], ways: &[([f64; 3], f64)]| {
         let place = std::array::from_fn(|k| ways.iter().fold(here[k], |sum, (way, length)| sum + way[k] * length));
         scene.camera.place(place)

@@ -16,6 +16,8 @@ pub(super) struct Timeline {
     slowed: f64,
     /// The factor by which the animation is faster than the motion.
     quickened: f64,
+    /// The attribute with the times of instants that are not even, as parts of the whole; else empty.
+    key_times: String,
 }
 
 impl Timeline {
@@ -29,7 +31,15 @@ impl Timeline {
         } else if length > SEEN.1 {
             quickened = round(length / SEEN.1);
         }
-        Timeline { span, seconds: length * slowed / quickened, slowed, quickened }
+        let shares: Vec<f64> = instants.iter().map(|instant| (instant.time - span.0) / length).collect();
+        let even = |(number, share): (usize, &f64)| (share * (instants.len() - 1) as f64 - number as f64).abs() < 0.01;
+        let key_times = match shares.iter().enumerate().all(even) || length <= 0.0 {
+            true => String::new(),
+            false => {
+                format!(" keyTimes=\"{}\"", shares.iter().map(|share| written(*share)).collect::<Vec<_>>().join(";"))
+            }
+        };
+        Timeline { span, seconds: length * slowed / quickened, slowed, quickened, key_times }
     }
 
     fn moves(&self) -> bool {
@@ -44,7 +54,8 @@ impl Timeline {
                 // a browser refuses a list with an empty path: an arrow of length zero is a point
                 let value = |value: &String| if value.is_empty() { "M0 0".to_owned() } else { value.clone() };
                 let values: Vec<String> = values.iter().map(value).collect();
-                format!("<animate attributeName=\"{attribute}\" values=\"{}\"{}/>", values.join(";"), self.runs())
+                let (values, key_times) = (values.join(";"), &self.key_times);
+                format!("<animate attributeName=\"{attribute}\" values=\"{values}\"{key_times}{}/>", self.runs())
             }
         }
     }
@@ -55,7 +66,7 @@ impl Timeline {
             return String::new();
         }
         let behind = if kind == "translate" { "" } else { " additive=\"sum\"" };
-        let (values, runs) = (values.join(";"), self.runs());
+        let (values, runs) = (values.join(";"), format!("{}{}", self.key_times, self.runs()));
         format!("<animateTransform attributeName=\"transform\" type=\"{kind}\" values=\"{values}\"{behind}{runs}/>")
     }
 
@@ -72,7 +83,9 @@ impl Timeline {
         drawing.line((left, y), (right, y), "axis faint");
         let ends = [left, right].map(|x| format!("{} {}", coordinate(x), coordinate(y))).to_vec();
         let start = format!(" transform=\"translate({})\"", ends[0]);
-        drawing.path_with("M0-5V5", "now", &start, &self.transform("translate", &ends));
+        // two values, at the ends: the time goes along evenly
+        let evenly = Timeline { key_times: String::new(), ..*self };
+        drawing.path_with("M0-5V5", "now", &start, &evenly.transform("translate", &ends));
         let second = |time: f64| format!("{} s", significant(time, 3));
         drawing.text((left, y + LINE + 2.0), Anchor::Start, "small", &second(self.span.0));
         drawing.text((right, y + LINE + 2.0), Anchor::End, "small", &second(self.span.1));
@@ -89,7 +102,14 @@ impl Timeline {
     }
 }
 
-/// The least of 1, 2, 5, 10, 20, ... that is at least a number.
+/// A part of one with four decimals.
+fn written(share: f64) -> String {
+    let text = format!("{:.4}", share.clamp(0.0, 1.0));
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    text.strip_prefix('0').filter(|rest| !rest.is_empty()).unwrap_or(text).to_owned()
+}
+
+/// The least of 1, 2, 5, 10, 20, ... that is not below a number.
 fn round(least: f64) -> f64 {
     let power = 10_f64.powf(least.log10().floor());
     [1.0, 2.0, 5.0, 10.0].into_iter().map(|digit| digit * power).find(|factor| *factor >= least).unwrap_or(least)
@@ -110,6 +130,15 @@ mod tests {
         assert_eq!(paces[0], (3.0, "100 times slower than the motion".into()));
         assert_eq!(paces[1], (5.0, "as quick as the motion".into()));
         assert_eq!(paces[2], (15.0, "20 times quicker than the motion".into()));
+    }
+
+    #[test]
+    fn instants_that_are_not_even_have_their_times() {
+        let values = ["a", "b", "c"].map(String::from);
+        let uneven = Timeline::of(&[1.0, 1.5, 5.0].map(|time| Instant { time, ..Instant::default() }));
+        assert!(uneven.values("d", &values).contains("values=\"a;b;c\" keyTimes=\"0;.125;1\""));
+        let even = Timeline::of(&[1.0, 3.0, 5.0].map(|time| Instant { time, ..Instant::default() }));
+        assert!(!even.values("d", &values).contains("keyTimes"));
     }
 
     #[test]

@@ -42,6 +42,8 @@ pub struct Track {
 const LEFT: f64 = 66.0;
 const RIGHT: f64 = WIDTH - 12.0;
 const HEADING: f64 = 22.0;
+/// The width of a digit, with room to spare.
+const DIGIT: f64 = 9.5;
 
 /// The height of one of many panels.
 const ROOM: f64 = 92.0;
@@ -115,12 +117,10 @@ impl Trajectory {
     /// Draws the foot below the last panel: times, legend, runs that stopped with their reasons, notes on omitted points.
     fn foot(&self, drawing: &mut Drawing, (x, below): (&Axis, &str), names: &[&str], stops: &[Stop]) {
         for Tick { at, label } in &x.ticks {
-            drawing.text(
-                (x.place_tick(*at), drawing.height + 17.0),
-                Anchor::Middle,
-                "",
-                label.as_deref().unwrap_or(""),
-            );
+            let label = label.as_deref().unwrap_or("");
+            // the last label ends on the paper
+            let middle = x.place_tick(*at).min(WIDTH - 2.0 - 0.5 * DIGIT * label.chars().count() as f64);
+            drawing.text((middle, drawing.height + 17.0), Anchor::Middle, "", label);
         }
         drawing.text((0.5 * (LEFT + RIGHT), drawing.height + 38.0), Anchor::Middle, "", below);
         drawing.height += 50.0;
@@ -247,6 +247,14 @@ mod tests {
         let (own, shared) = (chart(["c", "d"]).svg(), chart(["a", "b"]).svg());
         assert!(own.contains(">c</text>") && !own.contains("class=\"s2\""), "{own}");
         assert_eq!((own.matches(">a</text>").count(), shared.matches(">a</text>").count()), (1, 1));
+    }
+
+    #[test]
+    fn the_label_of_the_last_tick_ends_on_the_paper() {
+        let svg = one(vec![(0.0, 0.0), (0.00025, 1.0)], None).svg();
+        let labels = svg.split("text-anchor=\"middle\">0.00025</text>").next().expect("it splits");
+        let x = labels.rsplit("<text x=\"").next().and_then(|rest| rest.split('"').next()).expect("it has a place");
+        assert!(svg.contains(">0.00025</text>") && x.parse::<f64>().expect("a number") <= 485.0, "{x}");
     }
 
     #[test]

@@ -184,6 +184,9 @@ impl Site {
         if !values.values().all(Value::is_number) {
             return wrong();
         }
+        if let Some(why) = self.board.objection(&values) {
+            return Response::bad(&why);
+        }
         match self.values.send(Message::Values(values)) {
             Ok(()) => Response::TAKEN,
             Err(_) => Response::BUSY,

@@ -25,7 +25,7 @@ pub enum Stage {
     System,
     /// Judges the principles and what the equations keep.
     Verdicts,
-    /// Runs the scene.
+    /// Draws the system, and runs the scene where its text has a run.
     Motion,
     /// Judges the claims of a paper.
     Claims,

@@ -1,5 +1,6 @@
 //! The run of a scene.
 
+use super::system::entry;
 use super::{Broken, sketch};
 use crate::clock;
 use crate::pictures;
@@ -14,28 +15,26 @@ use simulation::{Axes, Choice, IvpScene, Trajectory};
 use std::path::Path;
 use studies::AnyScene;
 
-/// Runs the scene as its text says, and tells its charts and its summary.
+/// Tells the sketch of the scene; runs it as its text says, and tells its charts and its summary.
 pub(super) fn tell(path: &Path, text: &str) -> Result<(), Broken> {
     let name = path.display().to_string();
-    match holds_model(text) {
-        true => {
-            let scene = ModelScene::parse(&name, text)?;
-            tell_run(&scene, None, text, |run| sketch::along(&scene, run))
+    if holds_model(text) {
+        sketch::tell_still(path, text)?;
+        if entry(text, "run", |_| ()).is_none() {
+            return Ok(Told::part(Part::Motion, String::new()).write()?);
         }
-        false => {
-            let any = AnyScene::parse(&name, text)?;
-            let form = matches!(&any, AnyScene::Driven(scene) if !scene.on_bench()).then_some(Axes::First);
-            tell_run(any.smooth(), form, text, |_| String::new())
-        }
+        let scene = ModelScene::parse(&name, text)?;
+        let run = tell_run(&scene, None, text)?;
+        let moving = sketch::along(&scene, &run).map(|moving| Told::part(Part::Sketch, moving));
+        return Ok(moving.map_or(Ok(()), |moving| moving.write())?);
     }
+    let any = AnyScene::parse(&name, text)?;
+    let form = matches!(&any, AnyScene::Driven(scene) if !scene.on_bench()).then_some(Axes::First);
+    tell_run(any.smooth(), form, text)?;
+    Ok(Told::part(Part::Sketch, String::new()).write()?)
 }
 
-fn tell_run(
-    scene: &dyn IvpScene,
-    form: Option<Axes>,
-    text: &str,
-    sketched: impl FnOnce(&Trajectory) -> String,
-) -> Result<(), Broken> {
+fn tell_run(scene: &dyn IvpScene, form: Option<Axes>, text: &str) -> Result<Trajectory, Broken> {
     let own = scene.run().choice();
     let choice = Choice { allowed: clock::left(), ..own };
     let problem = scene.metered(choice.axes);
@@ -57,5 +56,5 @@ fn tell_run(
         Summary { scene, choice: &choice, form, trajectory: &run, told: &told, beside: None, completed: &completed };
     let sheet = pictures::sheet(scene, &run);
     Told::part(Part::Motion, live::motion(&sheet, &summary.text())).write()?;
-    Ok(Told::part(Part::Sketch, sketched(&run)).write()?)
+    Ok(run)
 }

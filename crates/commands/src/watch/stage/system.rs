@@ -25,11 +25,7 @@ pub(super) fn tell(path: &Path, text: String) -> Result<(), Broken> {
     }
     let system = SystemText { name: path.display().to_string(), text, values: Vec::new() };
     let (title, _) = parse_titled(&system.name, &system.text, Task::Write)?;
-    let stages = match entry(&system.text, "run", |_| ()) {
-        Some(()) => vec![Stage::Motion, Stage::Verdicts],
-        None => vec![Stage::Verdicts],
-    };
-    tell_acceptance(&title, &system.name, stages)?;
+    tell_acceptance(&title, &system.name, vec![Stage::Motion, Stage::Verdicts])?;
     tell_equations(&system)
 }
 
@@ -121,7 +117,7 @@ fn verdict(row: Judgement) -> LiveVerdict {
 }
 
 /// An entry at the top of a text.
-fn entry<T>(text: &str, key: &str, read: impl FnOnce(&DeValue<'_>) -> T) -> Option<T> {
+pub(super) fn entry<T>(text: &str, key: &str, read: impl FnOnce(&DeValue<'_>) -> T) -> Option<T> {
     let (entries, _) = DeTable::parse_recoverable(text);
     entries.get_ref().get(key).map(|value| read(value.get_ref()))
 }

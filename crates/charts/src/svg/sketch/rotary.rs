@@ -1,0 +1,108 @@
+//! Elements about an axis: torsion springs as spirals, rotary dampers as a vane in a housing, torques as curved arrows.
+
+use super::camera::{Camera, cross, dot, unit};
+use super::marks::{polyline, segments};
+use super::pose::{Flat, Pose};
+use super::shapes::{Scene, Shape};
+use super::{Instant, SketchPart};
+use std::f64::consts::{PI, TAU};
+
+/// Radii of the ends of a spiral, in pixels, and its turns.
+const SPIRAL: (f64, f64) = (4.5, 15.0);
+const TURNS: f64 = 2.0;
+/// The radius of a housing and the ends of a vane, alone and about a spring.
+const ALONE: [f64; 3] = [13.0, 4.0, 10.0];
+const ABOUT_SPRING: [f64; 3] = [21.0, 16.5, 20.0];
+/// Half the gap of a housing, in rad.
+const GAP: f64 = 0.6;
+/// The radius of a curved arrow, its angle, and the length of its head.
+const ARC: f64 = 24.0;
+const SWEEP: f64 = 1.4 * PI;
+const HEAD: f64 = 8.0;
+/// Points of a full turn.
+const POINTS: f64 = 20.0;
+
+/// A circle about a place, across an axis.
+struct Circle {
+    centre: [f64; 3],
+    /// Two directions at right angles, of length one.
+    axes: [[f64; 3]; 2],
+}
+
+impl Circle {
+    /// A point by its radius in pixels and its angle.
+    fn point(&self, camera: &Camera, radius: f64, angle: f64) -> Flat {
+        let (sin, cos) = angle.sin_cos();
+        let r = radius / camera.scale;
+        camera.place(std::array::from_fn(|k| self.centre[k] + r * (cos * self.axes[0][k] + sin * self.axes[1][k])))
+    }
+
+    /// An arc with radii that change evenly.
+    fn arc(&self, camera: &Camera, radii: (f64, f64), angles: (f64, f64)) -> Vec<Flat> {
+        let count = ((angles.1 - angles.0).abs() / TAU * POINTS).ceil().clamp(2.0, 400.0);
+        let at = |k: usize| {
+            let share = k as f64 / count;
+            self.point(camera, radii.0 + share * (radii.1 - radii.0), angles.0 + share * (angles.1 - angles.0))
+        };
+        (0..=count as usize).map(at).collect()
+    }
+}
+
+/// The circles of all instants, with the angle of an arm from the first direction, without jumps of whole turns.
+fn circles(scene: Scene<'_>, at: usize, [first, second, arm]: [usize; 3]) -> Vec<(Circle, f64)> {
+    let mut last = 0.0;
+    let one = |instant: &Instant| {
+        let direction = |number: usize| unit(Scene::direction(instant, number)).unwrap_or([1.0, 0.0, 0.0]);
+        let axes = [direction(first), direction(second)];
+        let arm = direction(arm);
+        let angle = dot(arm, axes[1]).atan2(dot(arm, axes[0]));
+        last += (angle - last + PI).rem_euclid(TAU) - PI;
+        (Circle { centre: instant.places.get(at).copied().unwrap_or_default(), axes }, last)
+    };
+    scene.sketch.instants.iter().map(one).collect()
+}
+
+/// A spiral from the second frame, inside, to the first.
+pub(super) fn torsion_spring(scene: Scene<'_>, at: usize, axes: [usize; 3]) -> Shape {
+    let spiral = |(circle, angle): (Circle, f64)| circle.arc(scene.camera, SPIRAL, (angle, TURNS * TAU));
+    let points: Vec<Vec<Flat>> = circles(scene, at, axes).into_iter().map(spiral).collect();
+    Shape::new(6, "spring", Pose::through(&points, polyline))
+}
+
+/// A housing in the first frame, and a vane in the second.
+pub(super) fn rotary_damper(scene: Scene<'_>, at: usize, axes: [usize; 3]) -> Vec<Shape> {
+    let is_about = |part: &SketchPart| matches!(part, SketchPart::TorsionSpring { at: other, .. } if *other == at);
+    let [housing, from, to] = if scene.sketch.parts.iter().any(is_about) { ABOUT_SPRING } else { ALONE };
+    let (mut housings, mut vanes) = (Vec::new(), Vec::new());
+    for (circle, angle) in circles(scene, at, axes) {
+        housings.push(circle.arc(scene.camera, (housing, housing), (GAP, TAU - GAP)));
+        let point = |radius: f64, turn: f64| circle.point(scene.camera, radius, angle + turn);
+        vanes.push([0.0, PI].iter().flat_map(|turn| [point(from, *turn), point(to, *turn)]).collect());
+    }
+    let shape =
+        |points: &[Vec<Flat>], path: &dyn Fn(&[Flat]) -> String| Shape::new(6, "dashpot", Pose::through(points, path));
+    vec![shape(&housings, &polyline), shape(&vanes, &segments)]
+}
+
+/// A curved arrow about a torque by the rule of the right hand; none where the torque is zero.
+pub(super) fn torque(scene: Scene<'_>, at: usize, along: usize) -> Shape {
+    let arrow = |instant: &Instant| {
+        let Some(axis) = unit(Scene::direction(instant, along)) else { return Vec::new() };
+        let right = scene.camera.right();
+        // from the side that is seen best
+        let first = unit(cross(axis, scene.camera.towards())).unwrap_or(right);
+        let circle =
+            Circle { centre: instant.places.get(at).copied().unwrap_or_default(), axes: [first, cross(axis, first)] };
+        let ends = (0.5 * (PI - SWEEP), 0.5 * (PI + SWEEP));
+        let mut points = circle.arc(scene.camera, (ARC, ARC), ends);
+        let barb = |out: f64| circle.point(scene.camera, ARC + out * 0.5 * HEAD, ends.1 - HEAD / ARC);
+        let tip = circle.point(scene.camera, ARC, ends.1);
+        points.extend([barb(1.0), tip, barb(-1.0)]);
+        points
+    };
+    Shape::new(
+        9,
+        "force",
+        Pose::through(&scene.each(arrow), |points| if points.is_empty() { String::new() } else { polyline(points) }),
+    )
+}

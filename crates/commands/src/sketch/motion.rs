@@ -1,0 +1,126 @@
+//! The motion of a scene as pictures: its run, or the part of it that some hundred pictures follow.
+
+use super::pictures::chosen;
+use crate::clock;
+use ::scenes::ModelScene;
+use ::scenes::geometry::{Figure, Geometry};
+use simulation::run::most_samples;
+use simulation::{Choice, IvpScene, Trajectory};
+use std::ops::ControlFlow;
+
+/// Instants of a run from which pictures are chosen.
+const INSTANTS: f64 = 3000.0;
+/// The largest number of pictures.
+const PICTURES: usize = 300;
+/// Fewer pictures than these are followed more closely, where they do not show the whole run.
+const ENOUGH: usize = 100;
+/// Shorter runs are tried so often, and each is at least so much shorter.
+const TRIALS: usize = 12;
+const SHORTER: f64 = 64.0;
+/// The approximate largest size of a moving picture, in bytes, and the size of one part in one picture.
+const LARGEST: usize = 1_500_000;
+const BYTES: usize = 40;
+/// The least number of pictures of a system with many parts.
+const FEWEST: usize = 60;
+/// A turn by more than this between two instants, in rad, would look like another turn.
+const SEEN_TURN: f64 = 0.5;
+
+/// The pictures of a motion.
+pub struct Motion {
+    pub figures: Vec<Figure>,
+    /// The part of the run that is shown, s; none where that is all that was asked for.
+    pub part: Option<[f64; 2]>,
+    /// The run that was drawn.
+    pub run: Trajectory,
+}
+
+/// The interval of a run that is asked for, s.
+#[derive(Clone, Copy, Debug)]
+pub struct Interval {
+    pub from: f64,
+    pub to: f64,
+}
+
+/// The largest number of pictures of a sketch of so many parts.
+pub fn most_pictures(parts: usize) -> usize {
+    (LARGEST / (BYTES * parts.max(1))).clamp(FEWEST, PICTURES)
+}
+
+/// Follows a scene over an interval, or from its begin as far as the pictures go.
+pub fn followed(
+    scene: &ModelScene,
+    geometry: &Geometry,
+    (interval, most): (Interval, usize),
+    mut progress: impl FnMut(f64) -> ControlFlow<()>,
+) -> Motion {
+    let mut until = interval.to;
+    let mut trial = 0;
+    loop {
+        trial += 1;
+        let run = run(scene, Interval { to: until, ..interval }, &mut progress);
+        let motion = pictures(scene, geometry, (run, until), (interval, most));
+        let shown = motion.figures.last().map_or(interval.from, |figure| figure.time);
+        let is_enough = motion.figures.len() >= ENOUGH.min(most) || shown >= until || motion.run.broken_off();
+        if motion.part.is_none() || is_enough || trial == TRIALS {
+            return motion;
+        }
+        // farther than pictures have followed it, with closer instants
+        let ahead = (4.0 * (shown - interval.from)).max((until - interval.from) / SHORTER);
+        until = interval.from + ahead.min(0.5 * (until - interval.from));
+    }
+}
+
+fn run(
+    scene: &ModelScene,
+    Interval { from, to }: Interval,
+    progress: &mut impl FnMut(f64) -> ControlFlow<()>,
+) -> Trajectory {
+    let mut problem = scene.problem_with_switches();
+    problem.span = to;
+    let most = most_samples(problem.columns.len() + scene.model.switches.len());
+    let samples = (INSTANTS * to / (to - from)).min(most as f64) as usize;
+    problem.simulate_while(&Choice { samples, allowed: clock::left(), ..scene.run().choice() }, progress)
+}
+
+/// The pictures of a run of some span, whose rows end with the values of switches or not.
+pub fn pictures(
+    scene: &ModelScene,
+    geometry: &Geometry,
+    (run, span): (Trajectory, f64),
+    (interval, most): (Interval, usize),
+) -> Motion {
+    let states = scene.model.positions() + scene.model.speeds();
+    let figure = |time: f64, row: &[f64]| {
+        let switches = row.len().checked_sub(scene.model.switches.len()).filter(|at| *at >= run.names.len());
+        geometry.figure_with(time, &row[..states.min(row.len())], switches.map_or(&[], |at| &row[at..]))
+    };
+    let has_end = run.times.last().is_some_and(|last| run.outcome.time > *last);
+    let end = has_end.then_some((run.outcome.time, &run.last));
+    let all = run.times.iter().copied().zip(&run.rows).chain(end).filter(|(time, _)| *time >= interval.from);
+    let mut figures: Vec<Figure> = Vec::new();
+    let mut is_resolved = true;
+    for (time, row) in all {
+        let step = figures.last().map_or(0.0, |last: &Figure| time - last.time);
+        is_resolved = fastest_turn(scene, row) * step <= SEEN_TURN;
+        let next = figure(time, row);
+        if !is_resolved || !next.has_values() {
+            break;
+        }
+        figures.push(next);
+    }
+    let chosen = chosen(geometry, &figures, most);
+    let mut number = 0..;
+    figures.retain(|_| number.next().is_some_and(|number| chosen.numbers.contains(&number)));
+    let ends = run.outcome.time < span * (1.0 - 1e-12);
+    let reached = if ends { run.outcome.time } else { interval.to };
+    let shown = figures.last().map_or(interval.from, |figure| figure.time);
+    let is_part = !(chosen.is_whole && is_resolved) || shown < reached;
+    Motion { figures, part: is_part.then_some([interval.from, shown]), run }
+}
+
+/// The largest rate of an angle in a row, in rad/s.
+fn fastest_turn(scene: &ModelScene, row: &[f64]) -> f64 {
+    let names = scene.model.state_names();
+    let turns = names.iter().zip(row).skip(scene.model.positions()).filter(|((_, unit), _)| unit == "rad/s");
+    turns.map(|(_, rate)| rate.abs()).fold(0.0, f64::max)
+}
