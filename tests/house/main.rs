@@ -2,6 +2,7 @@
 
 mod circles;
 mod contributing;
+mod drawing;
 mod features;
 mod licences;
 mod links;

@@ -37,6 +37,11 @@ const LAYERS: &[(&str, i32)] = &[
     ("dalembert", 10),
 ];
 
+/// The layer of a package.
+pub fn layer(name: &str) -> Option<i32> {
+    LAYERS.iter().find(|(known, _)| *known == name).map(|(_, layer)| *layer)
+}
+
 #[test]
 fn every_crate_uses_lower_layers_only() {
     let layers: HashMap<&str, i32> = LAYERS.iter().copied().collect();

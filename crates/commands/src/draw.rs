@@ -5,11 +5,12 @@ use crate::exit::{Exit, placed, print, warn};
 use crate::output::{Form, Format, Provenance, Writes};
 use crate::progress::Progress;
 use crate::sketch::{Interval, Motion, followed, most_pictures, sketch};
-use ::scenes::geometry::Geometry;
+use ::scenes::geometry::{Figure, Geometry};
 use ::scenes::{ModelScene, SystemText, Task, start_of};
 use charts::Sketch;
 use clap::Args;
 use model::Model;
+use reader::Issue;
 use simulation::{Choice, IvpScene};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -122,9 +123,8 @@ fn geometry(path: &Path, model: &Arc<Model>, state: &[f64]) -> Result<Geometry, 
     let refused = |why: String| Exit::refused(format!("{}: {why}", path.display()));
     let geometry = Geometry::of(model, state).map_err(|why| refused(format!("its places have no values: {why}")))?;
     let figure = geometry.figure(0.0, state);
-    let farthest = figure.places.iter().flatten().fold(0.0, |farthest: f64, part| farthest.max(part.abs()));
-    if farthest > FARTHEST {
-        return Err(refused(format!("a position is {farthest:e} m; positions up to {FARTHEST:e} m are accepted")));
+    if let Some(place) = far_place(&geometry, &figure) {
+        return Err(placed(path, too_far(&geometry, place, state)));
     }
     if !geometry.is_seen() {
         let accepted = "a system with [points], [frames] or [bodies] is accepted";
@@ -137,6 +137,38 @@ fn geometry(path: &Path, model: &Arc<Model>, state: &[f64]) -> Result<Geometry, 
         return Err(refused(format!("a position has no value at the start; {accepted}")));
     }
     Ok(geometry)
+}
+
+/// The first place that is too far from the origin.
+fn far_place(geometry: &Geometry, figure: &Figure) -> Option<usize> {
+    let is_far = |place: &usize| figure.places[*place].iter().any(|part| part.abs() > FARTHEST);
+    (0..geometry.names.len()).find(is_far)
+}
+
+/// The fault of a place that is too far, at the coordinate that puts it there, where it is one alone.
+fn too_far(geometry: &Geometry, place: usize, state: &[f64]) -> Issue {
+    let model = &geometry.model;
+    let at = geometry.figure(0.0, state).places[place];
+    let size = at.iter().fold(0.0, |size: f64, part| size.max(part.abs()));
+    let name = match geometry.names[place].as_str() {
+        "" => "a place".to_owned(),
+        name => format!("`{name}`"),
+    };
+    let title = format!("{name} is {size:e} m from the origin at the start");
+    let accepted = format!("a start and parameters by which positions are below {FARTHEST:e} m are accepted");
+    let without = |coordinate: &usize| {
+        let mut other = state.to_vec();
+        other[*coordinate] = 0.0;
+        far_place(geometry, &geometry.figure(0.0, &other)).is_none()
+    };
+    let coordinate = (0..model.coordinates.len().min(state.len())).find(without);
+    match coordinate.map(|coordinate| (&model.coordinates[coordinate], state[coordinate])) {
+        Some((coordinate, value)) => {
+            let unit = if coordinate.unit == "1" { String::new() } else { format!(" {}", coordinate.unit) };
+            Issue::at(coordinate.at.clone(), title, format!("it is {value:e}{unit} at the start")).accepted(accepted)
+        }
+        None => Issue { span: None, title, label: String::new(), help: Some(accepted) },
+    }
 }
 
 /// The run of a text.

@@ -1,6 +1,6 @@
 //! The summary of a run, in a few lines or as one JSON object.
 
-use integrators::{Beside, Lost, Parting};
+use integrators::{Beside, Failure, Lost, Parting};
 use serde_json::{Map, Value, json};
 use simulation::events::Passage;
 use simulation::{Axes, Choice, IvpScene, RunFailure, Trajectory};
@@ -104,6 +104,9 @@ impl Summary<'_> {
         if let (Some(_), Some(diagnosis)) = (&stopped, &told.diagnosis) {
             line("diagnosis", diagnosis.clone());
         }
+        if matches!(outcome.failure(), Some(Failure::TooManyEvaluations { .. })) {
+            line("remedy", MORE_EVALUATIONS.to_owned());
+        }
         for failure in &told.failures {
             line("failure", failure.to_string());
             line("remedy", failure.remedy.clone());
@@ -206,6 +209,10 @@ impl ToldEvent<'_> {
 
 /// The text for a quantity without a value.
 const UNDEFINED: &str = "undefined";
+
+/// The remedy of a run that spent its evaluations.
+const MORE_EVALUATIONS: &str = "a time limit above 300 s allows more evaluations in proportion, --seconds 3000 ten times as many; a coarser \
+                                tolerance, or an implicit method (--method radau_5) of a stiff system, needs fewer";
 
 /// A number with nine digits after the point, or as a power of ten where these would show no digits of it.
 fn readable(value: f64) -> String {

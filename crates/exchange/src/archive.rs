@@ -1,8 +1,10 @@
-//! Zip archives, uncompressed and with one time for all files, so that equal files give equal bytes.
+//! Zip archives, uncompressed and with one time for all files, so that equal files give equal bytes; with a seal, a file that holds the
+//! hash of the others.
 
+use hmac_sha256::Hash;
 use rawzip::time::UtcDateTime;
-use rawzip::{Error, ZipArchiveWriter};
-use std::io::{self, Write};
+use rawzip::{Error, ZipArchive, ZipArchiveWriter};
+use std::io::{self, Read, Write};
 
 /// A file of an archive.
 pub struct Entry<'a> {
@@ -35,11 +37,53 @@ pub fn write(out: impl Write, entries: &[Entry<'_>]) -> io::Result<()> {
     written().map_err(io::Error::other)
 }
 
+/// Writes an archive with a last file that holds the hash of the others.
+///
+/// # Errors
+/// The output fails.
+pub fn write_sealed(out: impl Write, entries: &[Entry<'_>], seal: &str) -> io::Result<()> {
+    let text = sealing(entries.iter().map(|entry| (entry.path.as_str(), entry.bytes)));
+    let own = entries.iter().map(|entry| Entry { path: entry.path.clone(), bytes: entry.bytes });
+    let last = Entry { path: seal.to_owned(), bytes: text.as_bytes() };
+    write(out, &own.chain([last]).collect::<Vec<_>>())
+}
+
+/// Whether an archive holds the files, and no others, that its seal was written for.
+pub fn is_whole(archive: &[u8], seal: &str) -> bool {
+    let Ok(mut files) = files(archive) else { return false };
+    let Some((path, text)) = files.pop() else { return false };
+    path == seal && text == sealing(files.iter().map(|(path, bytes)| (path.as_str(), bytes.as_slice()))).as_bytes()
+}
+
+/// The hash of paths and contents, each behind its length.
+fn sealing<'a>(files: impl Iterator<Item = (&'a str, &'a [u8])>) -> String {
+    let mut hash = Hash::new();
+    for part in files.flat_map(|(path, bytes)| [path.as_bytes(), bytes]) {
+        hash.update((part.len() as u64).to_le_bytes());
+        hash.update(part);
+    }
+    let digits: String = hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect();
+    format!("sha256 of the other files: {digits}\n")
+}
+
+/// The files of an archive in their order.
+fn files(archive: &[u8]) -> Result<Vec<(String, Vec<u8>)>, Error> {
+    let read = ZipArchive::from_slice(archive)?;
+    let mut found = Vec::new();
+    let mut listed = read.entries();
+    while let Some(entry) = listed.next_entry()? {
+        let path = entry.file_path().try_normalize()?.as_ref().to_owned();
+        let stored = read.get_entry(entry.wayfinder())?;
+        let mut bytes = Vec::new();
+        stored.verifying_reader(stored.data()).read_to_end(&mut bytes)?;
+        found.push((path, bytes));
+    }
+    Ok(found)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rawzip::ZipArchive;
-    use std::io::Read;
 
     #[test]
     fn files_come_back_and_the_same_files_are_the_same_bytes() {
@@ -47,20 +91,33 @@ mod tests {
         let entries = || files.map(|(path, bytes)| Entry { path: path.to_owned(), bytes });
         let mut archive = Vec::new();
         write(&mut archive, &entries()).expect("memory takes it");
-        let read = ZipArchive::from_slice(&archive).expect("it is one");
-        let mut found = Vec::new();
-        let mut listed = read.entries();
-        while let Some(entry) = listed.next_entry().expect("an entry") {
-            let path = entry.file_path().try_normalize().expect("a plain path").as_ref().to_owned();
-            let stored = read.get_entry(entry.wayfinder()).expect("its data");
-            let mut bytes = Vec::new();
-            stored.verifying_reader(stored.data()).read_to_end(&mut bytes).expect("its sum is right");
-            found.push((path, bytes));
-        }
+        let found = super::files(&archive).expect("they can be read");
         let wanted = files.map(|(path, bytes)| (path.to_owned(), bytes.to_vec()));
         assert_eq!(found, wanted);
         let mut again = Vec::new();
         write(&mut again, &entries()).expect("memory takes it");
         assert!(archive == again);
+    }
+
+    #[test]
+    fn a_seal_breaks_where_a_file_is_changed_added_or_lost() {
+        let archive = |files: &[(&str, &str)]| {
+            let entries = files.iter().map(|(path, text)| Entry { path: (*path).to_owned(), bytes: text.as_bytes() });
+            let mut archive = Vec::new();
+            write_sealed(&mut archive, &entries.collect::<Vec<_>>(), "seal.txt").expect("memory takes it");
+            archive
+        };
+        let whole = archive(&[("a", "one"), ("b", "two")]);
+        assert!(is_whole(&whole, "seal.txt") && !is_whole(&whole, "other.txt"));
+        let text = super::files(&whole).expect("it can be read").pop().expect("it has a seal").1;
+        for files in [&[("a", "one"), ("b", "twO")][..], &[("a", "one")], &[("a", "onet"), ("b", "wo")]] {
+            let mut entries: Vec<Entry> =
+                files.iter().map(|(path, text)| Entry { path: (*path).to_owned(), bytes: text.as_bytes() }).collect();
+            entries.push(Entry { path: "seal.txt".into(), bytes: &text });
+            let mut changed = Vec::new();
+            write(&mut changed, &entries).expect("memory takes it");
+            assert!(!is_whole(&changed, "seal.txt"), "{files:?}");
+        }
+        assert!(!is_whole(b"", "seal.txt") && !is_whole(&whole[..whole.len() - 1], "seal.txt"));
     }
 }

@@ -58,6 +58,18 @@ impl Run {
     }
 }
 
+/// The time for which the usual number of evaluations is allowed, and the longest that counts as a limit.
+const USUAL: Duration = Duration::from_secs(300);
+const LONGEST: Duration = Duration::from_secs(86_400);
+
+/// The evaluations that a run may take: more than usual in proportion to its time limit, where it has one.
+fn evaluations(usual: u64, allowed: Duration) -> u64 {
+    match allowed <= LONGEST {
+        true => (usual as f64 * (allowed.as_secs_f64() / USUAL.as_secs_f64()).max(1.0)) as u64,
+        false => usual,
+    }
+}
+
 impl Problem {
     /// Runs the problem. `progress` gets the fraction done after every step.
     pub fn simulate(&self, choice: &Choice, mut progress: impl FnMut(f64)) -> Trajectory {
@@ -72,6 +84,7 @@ impl Problem {
         let mut span = Span::new(0.0, self.span, &self.state)
             .with_even_outputs(choice.samples)
             .with_deadline(Instant::now() + choice.allowed);
+        span.budget.evaluations = evaluations(span.budget.evaluations, choice.allowed);
         span.outputs.insert(0, 0.0);
         for invariant in &self.invariants {
             let first = (invariant.value)(0.0, &self.state);
@@ -267,5 +280,16 @@ impl<F: FnMut(f64) -> ControlFlow<()>> Observer<f64> for Kept<'_, F> {
 
     fn enough(&self) -> bool {
         self.broken_off
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_longer_time_limit_allows_more_evaluations_and_none_allows_the_usual_number() {
+        let allowed = [1, 300, 3000, 1 << 30].map(|seconds| evaluations(1000, Duration::from_secs(seconds)));
+        assert_eq!(allowed, [1000, 1000, 10_000, 1000]);
     }
 }

@@ -197,3 +197,19 @@ fn a_program_that_was_changed_by_hand_is_left_alone() {
         assert_eq!(output.status.code(), Some(0), "{output:?}");
     }
 }
+
+#[test]
+fn a_unit_that_was_changed_is_left_alone() {
+    let folder = Folder::new("changed_unit");
+    folder.scene(&of_repository("models/double_pendulum.toml"));
+    folder.text("--fmu", "unit.fmu");
+    folder.text("--fmu", "unit.fmu");
+    let path = folder.0.join("unit.fmu");
+    let mut changed = fs::read(&path).expect("it was written");
+    let place = changed.windows(9).position(|part| part == b"TOLERANCE").expect("its sources are not packed");
+    changed[place] = b'X';
+    fs::write(&path, &changed).expect("it can be written");
+    let said = folder.refused(&["--fmu", "unit.fmu"]);
+    assert!(said.contains("exists and is no unchanged unit of `dalembert export`"), "{said}");
+    assert!(fs::read(&path).expect("it is there") == changed);
+}

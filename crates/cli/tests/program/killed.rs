@@ -100,7 +100,7 @@ fn a_table_is_whole_whenever_its_run_is_killed() {
 fn pages_pictures_and_references_are_whole_whenever_their_program_is_killed() {
     let scene = "scenes/closed_forms/unloaded_motor.toml";
     kill(&["chart", scene, "--seconds", "1", "--force", "--out"], "page.html", (2, 400.0), ends_with("</html>"));
-    kill(&["choose", scene, "--seconds", "1", "--force", "--out"], "models.svg", (4, 20.0), ends_with("</svg>"));
+    kill(&["choose", scene, "--seconds", "1", "--force", "--out"], "models.svg", (4, 20.0), ends_with(" -->"));
     let arguments = ["reference", scene, "--force", "--out"];
     let reference = undisturbed(&arguments, "whole.reference");
     kill(&arguments, "again.reference", (4, 10.0), |found| found == reference);

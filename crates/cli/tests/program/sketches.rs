@@ -57,6 +57,9 @@ fn what_has_no_places_and_times_that_there_are_not_are_refused() {
     refused(&[scene, "--animate", "--time", "1"], "cannot be used with");
     refused(&[scene, "--force"], "--out");
     refused(&[scene, "--out", "sketch.png"], "ends in .svg is accepted");
+    refused(&[scene, "--animate", "--span", "9..11"], "a part of 0..10 is accepted");
+    refused(&[scene, "--animate", "--span", "2..1"], "the earlier first");
+    refused(&[scene, "--span", "1..2"], "--animate");
     refused(&["scenes/no_such.toml"], "no_such.toml");
 }
 
@@ -73,5 +76,63 @@ fn a_picture_of_another_is_left_alone() {
     }
     let written = std::fs::read_to_string(&path).expect("it was written");
     assert!(written.starts_with("<!-- dalembert draw, version ") && written.contains("At 0.5 s."));
+    let edited = written.replace("At 0.5 s.", "Half a second later.");
+    std::fs::write(&path, &edited).expect("it can be written");
+    refused(&[scene, "--out", name], "is no unchanged picture of `dalembert draw`");
+    assert_eq!(std::fs::read_to_string(&path).expect("it is there"), edited);
     std::fs::remove_file(&path).expect("it is there");
+}
+
+/// A scene of its own, drawn.
+fn of_text(name: &str, text: &str, arguments: &[&str]) -> std::process::Output {
+    let path = temporary(name);
+    std::fs::write(&path, text).expect("it can be written");
+    let output = run(&[&["draw", path.to_str().expect("a name is text")], arguments].concat());
+    std::fs::remove_file(&path).expect("it is there");
+    output
+}
+
+const LONG: &str = "title = \"l\"\ngravity = \"-g*N.y\"\nparameters = { m = \"1 kg\", l = \"1 m\", g = \"9.81 m/s^2\" }\n\
+    coordinates = { a = \"rad\", b = \"rad\" }\nframes = { A = \"N turned a about z\", B = \"N turned b about z\" }\n\
+    points = { P = \"O - l*A.y\", Q = \"P - l*B.y\" }\nbodies = { p = { centre = \"P\", mass = \"m\" }, q = { centre = \"Q\", mass = \"m\" } }\n\
+    start = { a = \"100 deg\", b = \"170 deg\" }\nrun = { span = \"400 s\", samples = 9 }\n";
+
+#[test]
+fn a_long_run_is_shown_in_part_by_pictures_close_enough_to_keep_its_bars_together() {
+    let output = of_text("long.toml", LONG, &["--animate"]);
+    let svg = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(svg.contains("of a run of 400 s") && svg.contains("keyTimes"), "{svg}");
+    // the second bar hangs on the end of the first: both are turned, and the place of the second moves little
+    let list = |kind: &str| svg.rsplit(&format!("type=\"{kind}\" values=\"")).find_map(|rest| rest.split_once('"'));
+    let (places, _) = list("translate").expect("something moves");
+    let pairs: Vec<Vec<f64>> =
+        places.split(';').map(|pair| pair.split(' ').filter_map(|n| n.parse().ok()).collect()).collect();
+    assert!(pairs.len() > 60 && pairs.len() <= 300, "{}", pairs.len());
+    let ways = pairs.windows(2).map(|pair| (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]));
+    assert!(ways.fold(0.0, f64::max) < 0.05 * 520.0);
+}
+
+#[test]
+fn a_run_that_an_event_ends_early_has_its_pictures_before_the_event() {
+    let text = "title = \"e\"\ngravity = \"-g*N.y\"\nparameters = { m = \"1 kg\", g = \"9.81 m/s^2\" }\ncoordinates = { x = \"m\", y = \"m\" }\n\
+        bodies = { p = { centre = \"O + x*N.x + y*N.y\", mass = \"m\" } }\nstart = { y = \"1 m\", \"x'\" = \"1 m/s\" }\n\
+        run = { span = \"100000 s\", samples = 5 }\nevent = [{ when = \"y\", direction = \"down\", end = true }]\n";
+    let output = of_text("early.toml", text, &["--animate"]);
+    let svg = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(output.status.code() == Some(0) && svg.contains("0.452 s"), "{}", String::from_utf8_lossy(&output.stderr));
+    let (values, _) = svg.split_once("values=\"").and_then(|(_, rest)| rest.split_once('"')).expect("it moves");
+    assert!(values.split(';').count() > 25, "{values}");
+}
+
+#[test]
+fn a_place_that_is_too_far_is_told_with_its_coordinate_and_its_line() {
+    let output = of_text("far.toml", &LONG.replace("l = \"1 m\"", "l = \"1e200 m\""), &[]);
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.code() == Some(2) && said.contains("`P` is ") && said.contains("far.toml"), "{said}");
+    let text =
+        LONG.replace("\"O - l*A.y\"", "\"O - l*A.y + z*N.z\"").replace("b = \"rad\" }", "b = \"rad\", z = \"m\" }");
+    let output = of_text("far.toml", &text.replace("start = {", "start = { z = \"-2e120 m\","), &[]);
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(said.contains("far.toml:4:") && said.contains("it is -2e120 m at the start"), "{said}");
 }

@@ -1,11 +1,11 @@
 //! The forms of output files, and the marks by which a command recognises its own files.
 //!
-//! A program in another language ends with a hash of its lines, so that a program changed by hand is never replaced.
-//! A picture begins with a comment that names the command, a page names the command as its generator, a reference says which
+//! A program in another language and a picture end with a hash of their lines, a functional mock-up unit holds one of its files, so that
+//! what was changed by hand is never replaced. A picture begins with a comment that names the command, a page names the command as its generator, a reference says which
 //! command made it. A table begins with comments, `# ...`, on its origin (`pandas.read_csv(..., comment="#")`); it is
 //! recognised by the line after them, the names of its columns with their units.
 
-use super::seal::is_whole;
+use super::seal::{Comment, is_whole};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
@@ -37,6 +37,16 @@ pub struct Source {
     ends: &'static [&'static str],
     /// The sign before a comment.
     pub comment: &'static str,
+}
+
+/// The maker of a file that stands where another is to be written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// The command wrote it; an empty file counts as such, since nothing can be lost.
+    Own,
+    /// The command wrote it, and it was changed since.
+    Changed,
+    Other,
 }
 
 impl Source {
@@ -96,7 +106,7 @@ impl Form {
             Form::Archive => "archive",
             Form::Certificates => "file of certificates",
             Form::Unit => "unit",
-            Form::Program(_) => "unchanged program",
+            Form::Program(_) => "program",
         }
     }
 
@@ -108,8 +118,34 @@ impl Form {
         }
     }
 
-    /// Whether a file was written by this command in this form. An empty file counts as such: nothing can be lost.
-    pub fn is_of(&self, maker: Maker, file: &Path) -> io::Result<bool> {
+    /// The signs about the seal at the end of a file of this form.
+    pub fn seal(&self) -> Option<Comment> {
+        match self {
+            Form::Program(source) => Some(Comment { opens: source.comment, closes: "" }),
+            Form::Picture => Some(Comment { opens: "<!--", closes: " -->" }),
+            _ => None,
+        }
+    }
+
+    /// Whether this command wrote a file, by its mark and its seal.
+    ///
+    /// # Errors
+    /// The file cannot be read.
+    pub fn origin(&self, maker: Maker, file: &Path) -> io::Result<Origin> {
+        if !self.is_marked(maker, file)? {
+            return Ok(Origin::Other);
+        }
+        let is_whole = match (self, self.seal()) {
+            (Form::Unit, _) => exchange::fmu::is_whole(&std::fs::read(file)?),
+            (_, Some(comment)) => is_whole(&std::fs::read(file)?, comment),
+            (_, None) => true,
+        };
+        let is_empty = std::fs::metadata(file)?.len() == 0;
+        Ok(if is_whole || is_empty { Origin::Own } else { Origin::Changed })
+    }
+
+    /// Whether a file is empty, or has the mark of this command in this form.
+    fn is_marked(&self, maker: Maker, file: &Path) -> io::Result<bool> {
         let mut head = Vec::new();
         let room = match self {
             Form::Table(heading) => HEAD + heading.len() as u64 + 1,
@@ -126,10 +162,7 @@ impl Form {
                     text.starts_with("# Reference of ") && text.contains(&format!("\n# Made by: {name} "))
                 }
                 Form::Unit => text.contains(&format!("generationTool=\"{name}, version ")),
-                Form::Program(source) => {
-                    text.starts_with(&format!("{} made by: {name}, version ", source.comment))
-                        && is_whole(&std::fs::read(file)?, source.comment)
-                }
+                Form::Program(source) => text.starts_with(&format!("{} made by: {name}, version ", source.comment)),
                 Form::Certificates => text.starts_with(&format!("{{\"made_by\":\"{name}, version ")),
                 // characters of a NumPy array of texts have four bytes each
                 Form::Archive => text.replace('\0', "").contains(&format!("made by: {name}, version ")),

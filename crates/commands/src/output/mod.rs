@@ -14,6 +14,8 @@ mod provenance;
 mod seal;
 
 pub use form::{Form, Maker, Source};
+
+use form::Origin;
 pub use provenance::Provenance;
 
 use crate::atomic_write::{self, Beside, Untaken};
@@ -126,17 +128,19 @@ impl Rights {
                 read.display()
             )));
         }
-        let known = self.force
-            || form.is_of(self.maker, file).map_err(|error| Exit::refused(format!("{}: {error}", path.display())))?;
-        match known {
-            true => Ok(true),
-            false => Err(Exit::refused(format!(
-                "{} exists and is no {} of `{}`; a name that is free is accepted, and --force, which replaces the file",
-                path.display(),
-                form.said(),
-                self.maker.name()
-            ))),
+        if self.force {
+            return Ok(true);
         }
+        let origin = form.origin(self.maker, file);
+        let origin = origin.map_err(|error| Exit::refused(format!("{}: {error}", path.display())))?;
+        let (form, maker) = (form.said(), self.maker.name());
+        let is = match origin {
+            Origin::Own => return Ok(true),
+            Origin::Changed => format!("is no unchanged {form} of `{maker}`: it was edited"),
+            Origin::Other => format!("is no {form} of `{maker}`"),
+        };
+        let accepted = "a name that is free is accepted, and --force, which replaces the file";
+        Err(Exit::refused(format!("{} exists and {is}; {accepted}", path.display())))
     }
 }
 
@@ -159,10 +163,11 @@ impl Output {
         let mark = form.mark(rights.maker);
         let marked = |out: &mut dyn Write| {
             out.write_all(mark.as_bytes())?;
-            match &form {
-                Form::Program(source) => seal::sealed(out, source.comment, content),
-                _ => content(out),
-            }
+            content(out)
+        };
+        let marked = |out: &mut dyn Write| match form.seal() {
+            Some(comment) => seal::sealed(out, comment, marked),
+            None => marked(out),
         };
         match place {
             Target::Device(device) => to_device(device, marked).map_err(unwritable)?,

@@ -61,6 +61,14 @@ const SOURCES: [(&str, &str); 7] = [
     ("others.h", include_str!("sources/others.h")),
 ];
 
+/// The file with the hash of the others, in the folder that the standard leaves to tools.
+const SEAL: &str = "extra/dalembert/sha256.txt";
+
+/// Whether an archive is a unit as it was written.
+pub fn is_whole(archive: &[u8]) -> bool {
+    archive::is_whole(archive, SEAL)
+}
+
 impl Unit {
     /// The instantiation token, unique to this unit.
     fn token(&self) -> String {
@@ -99,7 +107,7 @@ impl Unit {
         entries.push(Entry { path: "sources/buildDescription.xml".to_owned(), bytes: &build });
         let files = sources.iter();
         entries.extend(files.map(|(name, text)| Entry { path: format!("sources/{name}"), bytes: text.as_bytes() }));
-        archive::write(out, &entries)
+        archive::write_sealed(out, &entries, SEAL)
     }
 }
 

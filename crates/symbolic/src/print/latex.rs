@@ -35,7 +35,7 @@ impl Notation for Latex {
     }
 
     /// Juxtaposition, with a space where a command would swallow a letter, a thin space after an argument without
-    /// parentheses and before parentheses that read as arguments, and a dot between numbers.
+    /// parentheses, about a name of several letters and before parentheses that read as arguments, and a dot between numbers.
     fn product(&self, factors: &[String]) -> String {
         let mut product = String::new();
         let mut before = "";
@@ -45,7 +45,9 @@ impl Notation for Latex {
                 before.rsplit_once('\\').is_some_and(|(_, last)| last.chars().all(|c| c.is_ascii_alphabetic()));
             if !before.is_empty() && factor.starts_with(|c: char| c.is_ascii_digit()) {
                 product.push_str("\\cdot ");
-            } else if open_argument || is_letter_before(before) && is_like_arguments(factor) {
+            } else if open_argument
+                || is_letter_before(before) && (is_like_arguments(factor) || is_word(before) || is_word(factor))
+            {
                 product.push_str("\\,");
             } else if command && factor.starts_with(|c: char| c.is_ascii_alphabetic()) {
                 product.push(' ');
@@ -97,6 +99,11 @@ impl Notation for Latex {
 
 fn is_letter_before(before: &str) -> bool {
     !before.is_empty() && !before.ends_with(')')
+}
+
+/// Whether it is a name of several letters, or a rate or a power of one.
+fn is_word(factor: &str) -> bool {
+    factor.contains("\\mathrm{") && !factor.starts_with('(')
 }
 
 /// Whether parentheses without a sum would read as the arguments of a letter before them.

@@ -56,6 +56,8 @@ fn names_angles_roots_and_functions_have_their_latex() {
     let law = Sym::function("M2", x);
     assert_eq!(both(law.diff(x).diff(x)), ("M2''(x)".into(), "M_2''(x)".into()));
     assert_eq!(Sym::symbol("speed").latex(), r"\mathrm{speed}");
+    let [mass, l] = ["mass", "l"].map(Sym::symbol);
+    assert_eq!((Sym::int(3) * mass * l * l).latex(), r"3\,\mathrm{mass}\,l^2");
 }
 
 #[test]

@@ -12,7 +12,8 @@ fn a_page_shows_equations_verdicts_and_the_run_of_its_file() {
     let watched = Watched::of("swing.toml", PENDULUM);
     let mut events = watched.events();
     let parts = ["heading", "values", "equations", "vectors", "verdicts", "motion", "sketch"];
-    let page = events.until("all is done", |page| parts.iter().all(|part| page.is(part, "current")));
+    let is_moving = |page: &super::Page| page.content("sketch").contains("<animate");
+    let page = events.until("all is done", |page| is_moving(page) && parts.iter().all(|part| page.is(part, "current")));
     assert!(page.content("heading").contains("A &lt;pendulum&gt;"));
     assert!(
         page.content("equations").contains("<math")
@@ -66,7 +67,7 @@ fn a_slider_runs_the_text_with_its_value_and_leaves_the_file_alone() {
     let watched = Watched::of("swing.toml", PENDULUM);
     let mut events = watched.events();
     let before = events.until("the run is there", |page| page.is("motion", "current")).content("motion").to_owned();
-    assert_eq!(watched.move_to(&json!({ "parameters.l": 0.25, "start.\"theta'\"": 0.5, "nobody": 3 })), 200);
+    assert_eq!(watched.move_to(&json!({ "parameters.l": 0.25, "start.\"theta'\"": 0.5 })), 200);
     let is_moved = |page: &super::Page| page.is("motion", "current") && page.content("motion") != before;
     let page = events.until("another run is there", is_moved);
     let lines = page.content("lines");
@@ -78,6 +79,69 @@ fn a_slider_runs_the_text_with_its_value_and_leaves_the_file_alone() {
     let page =
         events.until("the first run is back", |page| page.is("motion", "current") && page.content("motion") == before);
     assert!(page.is("lines", "absent") && page.values == json!({}));
+}
+
+#[test]
+fn sliders_that_there_are_not_and_values_beyond_their_ends_are_refused_with_the_reason() {
+    if !is_own_processor() {
+        return;
+    }
+    let watched = Watched::of("swing.toml", PENDULUM);
+    watched.events().until("the sliders are there", |page| page.is("values", "current"));
+    for (values, told) in [
+        (
+            json!({ "nobody": 3 }),
+            "no slider is called `nobody`; sliders of the present text: parameters.m, parameters.l",
+        ),
+        (json!({ "parameters.l": 0.3, "parameters.m": 1e9 }), "parameters.m: 1000000000; a number from 0.02 to 2"),
+        (json!({ "parameters.l": -0.1 }), "a number from 0.01 to 1"),
+    ] {
+        let (status, answer) = watched.ask(&watched.head("POST", "values"), &values.to_string());
+        assert!(status == 400 && answer.contains(told), "{values}: {answer}");
+    }
+}
+
+/// A pendulum whose length and mass have no values.
+fn open(title: &str) -> String {
+    let text = PENDULUM.replace("\"1 kg\"", "\"kg\"").replace("\"0.5 m\"", "\"m\"").replace("A <pendulum>", title);
+    text.lines().filter(|line| !line.starts_with("run")).map(|line| format!("{line}\n")).collect()
+}
+
+#[test]
+fn a_sketch_needs_neither_a_run_nor_values_and_leaves_with_its_system() {
+    if !is_own_processor() {
+        return;
+    }
+    let watched = Watched::of("swing.toml", &open("Open"));
+    let mut events = watched.events();
+    let page = events.until("the sketch is there", |page| page.is("sketch", "current"));
+    assert!(page.content("sketch").contains("Parameters without a value are drawn as 1: m, l."), "{:?}", page.parts);
+    // a run that fails: its fault is one of this text, and the sketch is there
+    watched.save(&format!("{}run = {{ span = \"1 s\" }}\n", open("Failing")));
+    let page = events.until("the run fails", |page| page.text("motion", "fault").contains("no value"));
+    assert!(page.is("motion", "current") && page.is("sketch", "current"), "{:?}", page.parts);
+    let placeless = "title = \"Two\"\ncoordinates = { x = \"m\" }\nenergies = { kinetic = \"(1 kg)*x'^2/2\" }\n";
+    watched.save(placeless);
+    let page =
+        events.until("the other system is read", |page| page.is("sketch", "absent") && page.is("motion", "absent"));
+    assert!(page.content("sketch").is_empty() && page.text("motion", "fault").is_empty(), "{:?}", page.parts);
+}
+
+#[test]
+fn a_page_that_is_saved_when_the_time_is_over_keeps_what_there_is() {
+    if !is_own_processor() {
+        return;
+    }
+    let [scene, page] = ["late.toml", "late.html"].map(temporary);
+    std::fs::write(&scene, PENDULUM.replace("1 s", "1e9 s")).expect("it can be written");
+    let paths = [&scene, &page].map(|path| path.to_string_lossy().into_owned());
+    let output = run(&["watch", &paths[0], "--save", &paths[1], "--seconds", "4"]);
+    let html = std::fs::read_to_string(&page).unwrap_or_default();
+    assert!(output.status.code() == Some(1) && html.contains("A &lt;pendulum&gt;"), "{output:?}");
+    assert!(html.contains("not finished when the page was written") && html.contains("<math"), "{html}");
+    for path in [scene, page] {
+        std::fs::remove_file(path).expect("it is there");
+    }
 }
 
 #[test]
