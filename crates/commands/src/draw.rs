@@ -236,20 +236,19 @@ fn moving(
     let geometry = geometry(path, &scene.model, &scene.start)?;
     let parts = sketch("", &geometry, &[geometry.figure(0.0, &scene.start)], towards).parts.len();
     let mut progress = Progress::new(&scene.title);
-    let Motion { figures, part, run } = followed(&scene, &geometry, (interval, most_pictures(parts)), |fraction| {
+    let followed = followed(&scene, &geometry, (interval, most_pictures(parts)), |fraction| {
         progress.set(fraction);
         clock::goes_on()
     });
     drop(progress);
-    let ended = run.stopped().map(|why| format!("the run stopped at {} s: {why}", short(run.outcome.time)));
-    if figures.is_empty() {
-        let why = ended.unwrap_or_else(|| format!("an event ends the run at {} s", short(run.outcome.time)));
+    let Some(Motion { figures, part, run }) = followed else {
+        let from = short(interval.from);
         return Err(Exit::refused(format!(
-            "{}: nothing moves from {} s on: {why}; a part of the run before it is accepted",
-            path.display(),
-            short(interval.from)
+            "{}: the run has no instant from {from} s on: it ends before; a part of the run before it is accepted",
+            path.display()
         )));
-    }
+    };
+    let ended = run.stopped().map(|why| format!("the run stopped at {} s: {why}", short(run.outcome.time)));
     let mut drawn = sketch(&scene.title, &geometry, &figures, towards);
     if let Some([from, to]) = part {
         let shown =

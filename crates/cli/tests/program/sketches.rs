@@ -103,14 +103,18 @@ fn a_long_run_is_shown_in_part_by_pictures_close_enough_to_keep_its_bars_togethe
     let svg = String::from_utf8_lossy(&output.stdout).into_owned();
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     assert!(svg.contains("of a run of 400 s") && svg.contains("keyTimes"), "{svg}");
-    // the second bar hangs on the end of the first: both are turned, and the place of the second moves little
-    let list = |kind: &str| svg.rsplit(&format!("type=\"{kind}\" values=\"")).find_map(|rest| rest.split_once('"'));
-    let (places, _) = list("translate").expect("something moves");
-    let pairs: Vec<Vec<f64>> =
-        places.split(';').map(|pair| pair.split(' ').filter_map(|n| n.parse().ok()).collect()).collect();
-    assert!(pairs.len() > 60 && pairs.len() <= 300, "{}", pairs.len());
-    let ways = pairs.windows(2).map(|pair| (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]));
-    assert!(ways.fold(0.0, f64::max) < 0.05 * 520.0);
+    // the second bar hangs on the end of the first: both are turned, and the places of marks and bars move little
+    let lists = svg.split("type=\"translate\" values=\"").skip(1).filter_map(|rest| rest.split('"').next());
+    let number = |text: &str| text.parse::<f64>().expect("a number");
+    let pair = |text: &str| text.split_once(' ').map(|(x, y)| (number(x), number(y))).expect("two numbers");
+    let lists: Vec<Vec<(f64, f64)>> = lists.map(|list| list.split(';').map(pair).collect()).collect();
+    let moved: Vec<_> = lists.iter().filter(|places| places.len() > 2).collect();
+    assert!(moved.len() > 3 && moved.iter().all(|places| (100..=300).contains(&places.len())));
+    let ways = moved
+        .iter()
+        .flat_map(|places| places.windows(2))
+        .map(|pair| (pair[1].0 - pair[0].0).hypot(pair[1].1 - pair[0].1));
+    assert!(ways.fold(0.0, f64::max) < 0.05 * 520.0 && svg.contains("type=\"rotate\""));
 }
 
 #[test]

@@ -46,28 +46,32 @@ pub fn most_pictures(parts: usize) -> usize {
     (LARGEST / (BYTES * parts.max(1))).clamp(FEWEST, PICTURES)
 }
 
-/// Follows a scene over an interval, or from its begin as far as the pictures go.
+/// Follows a scene over an interval, or from its begin as far as the pictures go; none where nothing moves there.
 pub fn followed(
     scene: &ModelScene,
     geometry: &Geometry,
     (interval, most): (Interval, usize),
     mut progress: impl FnMut(f64) -> ControlFlow<()>,
-) -> Motion {
+) -> Option<Motion> {
     let mut until = interval.to;
-    let mut trial = 0;
-    loop {
-        trial += 1;
+    let mut best: Option<Motion> = None;
+    for _ in 0..TRIALS {
         let run = run(scene, Interval { to: until, ..interval }, &mut progress);
+        let is_over = run.broken_off() || clock::left().is_zero();
         let motion = pictures(scene, geometry, (run, until), (interval, most));
         let shown = motion.figures.last().map_or(interval.from, |figure| figure.time);
-        let is_enough = motion.figures.len() >= ENOUGH.min(most) || shown >= until || motion.run.broken_off();
-        if motion.part.is_none() || is_enough || trial == TRIALS {
-            return motion;
+        let is_enough = motion.part.is_none() || motion.figures.len() >= ENOUGH.min(most) || shown >= until;
+        if best.as_ref().is_none_or(|best| motion.part.is_none() || motion.figures.len() >= best.figures.len()) {
+            best = Some(motion);
+        }
+        if is_enough || is_over {
+            break;
         }
         // farther than pictures have followed it, with closer instants
         let ahead = (4.0 * (shown - interval.from)).max((until - interval.from) / SHORTER);
         until = interval.from + ahead.min(0.5 * (until - interval.from));
     }
+    best.filter(|motion| !motion.figures.is_empty())
 }
 
 fn run(

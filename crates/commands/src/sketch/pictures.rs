@@ -3,10 +3,16 @@
 use ::scenes::geometry::{Figure, Geometry};
 use nalgebra::Vector3;
 
-/// The way of a place from one picture to the next, as a part of the size of the whole picture.
-const WAY: f64 = 0.03;
-/// The turn of a body from one picture to the next, in rad.
-const TURN: f64 = 0.3;
+/// The motion from one picture to the next: the way of a place as a part of the size of the whole picture, and the turn of a body in rad.
+#[derive(Clone, Copy)]
+struct Step {
+    way: f64,
+    turn: f64,
+}
+
+/// Small steps; and larger ones, where these show the whole motion.
+const SMALL: Step = Step { way: 0.03, turn: 0.3 };
+const LARGER: Step = Step { way: 0.05, turn: 0.5 };
 
 /// Chosen instants, by their numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -18,23 +24,21 @@ pub struct Chosen {
 
 /// Chooses at most so many pictures, from the first on, until the last instant or until the instants are too far apart.
 pub fn chosen(geometry: &Geometry, figures: &[Figure], most: usize) -> Chosen {
-    let first = within(geometry, figures, most, size(figures));
-    // a part of the motion may be much smaller than the whole
-    match first.numbers.last() {
-        Some(last) if !first.is_whole => {
-            let part = &figures[..=*last];
-            Chosen { is_whole: false, ..within(geometry, part, most, size(part)) }
-        }
-        _ => first,
-    }
+    let whole =
+        |step: Step| Some(within(geometry, figures, most, (step, size(figures)))).filter(|chosen| chosen.is_whole);
+    whole(SMALL).or_else(|| whole(LARGER)).unwrap_or_else(|| {
+        let first = within(geometry, figures, most, (SMALL, size(figures)));
+        // a part of the motion may be much smaller than the whole
+        let part = &figures[..first.numbers.last().map_or(0, |last| last + 1)];
+        Chosen { is_whole: false, ..within(geometry, part, most, (SMALL, size(part))) }
+    })
 }
 
-fn within(geometry: &Geometry, figures: &[Figure], most: usize, size: f64) -> Chosen {
+fn within(geometry: &Geometry, figures: &[Figure], most: usize, (step, size): (Step, f64)) -> Chosen {
     let mut numbers: Vec<usize> = (0..figures.len().min(1)).collect();
     while let Some(&last) = numbers.last().filter(|_| numbers.len() < most) {
-        let next =
-            (last + 1..figures.len()).take_while(|next| is_near(geometry, [&figures[last], &figures[*next]], size));
-        let Some(next) = next.last() else { break };
+        let is_near = |next: &usize| is_near(geometry, [&figures[last], &figures[*next]], (step, size));
+        let Some(next) = (last + 1..figures.len()).take_while(is_near).last() else { break };
         numbers.push(next);
     }
     let is_whole = numbers.last().is_none_or(|last| last + 1 == figures.len());
@@ -42,9 +46,10 @@ fn within(geometry: &Geometry, figures: &[Figure], most: usize, size: f64) -> Ch
 }
 
 /// Whether the motion between two figures is small enough to be seen as one.
-fn is_near(geometry: &Geometry, [one, other]: [&Figure; 2], size: f64) -> bool {
-    let moved = |(a, b): (&Vector3<f64>, &Vector3<f64>)| (b - a).norm() <= WAY * size;
-    let turned = |frame: usize| (0..3).all(|axis| (other.frames[frame][axis] - one.frames[frame][axis]).norm() <= TURN);
+fn is_near(geometry: &Geometry, [one, other]: [&Figure; 2], (step, size): (Step, f64)) -> bool {
+    let moved = |(a, b): (&Vector3<f64>, &Vector3<f64>)| (b - a).norm() <= step.way * size;
+    let turned =
+        |frame: usize| (0..3).all(|axis| (other.frames[frame][axis] - one.frames[frame][axis]).norm() <= step.turn);
     let mut frames = geometry.model.bodies.iter().filter_map(|body| body.frame);
     one.places.iter().zip(&other.places).all(moved) && frames.all(|frame| turned(frame.0))
 }

@@ -81,5 +81,5 @@ pub(super) fn holds(rim: &Box4, (x, y): Flat) -> bool {
 }
 
 pub(super) fn meets(one: &Box4, other: &Box4) -> bool {
-    one[0] < other[2] && other[0] < one[2] && one[1] < other[3] && other[1] < one[3]
+    one[0] < other[2] + 2.0 && other[0] < one[2] + 2.0 && one[1] < other[3] + 2.0 && other[1] < one[3] + 2.0
 }

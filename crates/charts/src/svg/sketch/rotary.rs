@@ -19,8 +19,9 @@ const GAP: f64 = 0.6;
 const ARC: f64 = 24.0;
 const SWEEP: f64 = 1.4 * PI;
 const HEAD: f64 = 8.0;
-/// Points of a full turn.
-const POINTS: f64 = 20.0;
+/// Points of a spiral, and of an arc: the same at all instants, so that one path becomes the other.
+const POINTS: usize = 44;
+const OF_ARC: usize = 20;
 
 /// A circle about a place, across an axis.
 struct Circle {
@@ -37,14 +38,13 @@ impl Circle {
         camera.place(std::array::from_fn(|k| self.centre[k] + r * (cos * self.axes[0][k] + sin * self.axes[1][k])))
     }
 
-    /// An arc with radii that change evenly.
-    fn arc(&self, camera: &Camera, radii: (f64, f64), angles: (f64, f64)) -> Vec<Flat> {
-        let count = ((angles.1 - angles.0).abs() / TAU * POINTS).ceil().clamp(2.0, 400.0);
+    /// Points of an arc with radii that change evenly.
+    fn arc(&self, camera: &Camera, count: usize, radii: (f64, f64), angles: (f64, f64)) -> Vec<Flat> {
         let at = |k: usize| {
-            let share = k as f64 / count;
+            let share = k as f64 / count as f64;
             self.point(camera, radii.0 + share * (radii.1 - radii.0), angles.0 + share * (angles.1 - angles.0))
         };
-        (0..=count as usize).map(at).collect()
+        (0..=count).map(at).collect()
     }
 }
 
@@ -64,7 +64,7 @@ fn circles(scene: Scene<'_>, at: usize, [first, second, arm]: [usize; 3]) -> Vec
 
 /// A spiral from the second frame, inside, to the first.
 pub(super) fn torsion_spring(scene: Scene<'_>, at: usize, axes: [usize; 3]) -> Shape {
-    let spiral = |(circle, angle): (Circle, f64)| circle.arc(scene.camera, SPIRAL, (angle, TURNS * TAU));
+    let spiral = |(circle, angle): (Circle, f64)| circle.arc(scene.camera, POINTS, SPIRAL, (angle, TURNS * TAU));
     let points: Vec<Vec<Flat>> = circles(scene, at, axes).into_iter().map(spiral).collect();
     Shape::new(6, "spring", Pose::through(&points, polyline))
 }
@@ -75,7 +75,7 @@ pub(super) fn rotary_damper(scene: Scene<'_>, at: usize, axes: [usize; 3]) -> Ve
     let [housing, from, to] = if scene.sketch.parts.iter().any(is_about) { ABOUT_SPRING } else { ALONE };
     let (mut housings, mut vanes) = (Vec::new(), Vec::new());
     for (circle, angle) in circles(scene, at, axes) {
-        housings.push(circle.arc(scene.camera, (housing, housing), (GAP, TAU - GAP)));
+        housings.push(circle.arc(scene.camera, OF_ARC, (housing, housing), (GAP, TAU - GAP)));
         let point = |radius: f64, turn: f64| circle.point(scene.camera, radius, angle + turn);
         vanes.push([0.0, PI].iter().flat_map(|turn| [point(from, *turn), point(to, *turn)]).collect());
     }
@@ -94,7 +94,7 @@ pub(super) fn torque(scene: Scene<'_>, at: usize, along: usize) -> Shape {
         let circle =
             Circle { centre: instant.places.get(at).copied().unwrap_or_default(), axes: [first, cross(axis, first)] };
         let ends = (0.5 * (PI - SWEEP), 0.5 * (PI + SWEEP));
-        let mut points = circle.arc(scene.camera, (ARC, ARC), ends);
+        let mut points = circle.arc(scene.camera, OF_ARC, (ARC, ARC), ends);
         let barb = |out: f64| circle.point(scene.camera, ARC + out * 0.5 * HEAD, ends.1 - HEAD / ARC);
         let tip = circle.point(scene.camera, ARC, ends.1);
         points.extend([barb(1.0), tip, barb(-1.0)]);

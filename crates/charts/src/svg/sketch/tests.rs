@@ -51,3 +51,33 @@ fn nothing_and_places_that_are_no_numbers_are_pictures() {
     lost.parts.push(SketchPart::Rod([0, 99]));
     assert!(lost.svg().ends_with("</svg>"));
 }
+
+/// A disc about the origin that is turned by an angle in rad, with a spring, a damper and a torque.
+fn sprung(turned: f64, torque: f64) -> Instant {
+    let (sin, cos) = turned.sin_cos();
+    let directions = vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [cos, sin, 0.0], [0.0, 0.0, torque]];
+    Instant { time: turned, places: vec![[0.0; 3], [1.0, 0.0, 0.0]], directions }
+}
+
+#[test]
+fn a_spiral_winds_with_its_angle_and_a_torque_is_an_arc_in_its_sense() {
+    let parts = vec![
+        SketchPart::TorsionSpring { at: 0, axes: [0, 1, 2] },
+        SketchPart::RotaryDamper { at: 0, axes: [0, 1, 2] },
+        SketchPart::Torque { at: 0, along: 3 },
+    ];
+    let sketch = |instants: Vec<Instant>| Sketch { parts: parts.clone(), instants, ..Sketch::default() };
+    let path = |svg: &str, class: &str| {
+        let (_, rest) = svg.split_once(&format!("class=\"{class}\" d=\"")).unwrap_or_else(|| panic!("{class}: {svg}"));
+        rest.split('"').next().unwrap_or_default().to_owned()
+    };
+    let [here, wound, back] =
+        [(0.0, 1.0), (0.5, 1.0), (0.0, -2.0)].map(|(turn, torque)| sketch(vec![sprung(turn, torque)]).svg());
+    assert!(path(&here, "spring") != path(&wound, "spring") && path(&here, "spring") == path(&back, "spring"));
+    assert!(path(&here, "force") == path(&wound, "force") && path(&here, "force") != path(&back, "force"));
+    // past half a turn the spiral winds on
+    let moving = sketch((0..60).map(|k| sprung(0.2 * f64::from(k), 1.0)).collect()).svg();
+    assert!(moving.contains("class=\"spring\"") && moving.contains("attributeName=\"d\"") && !moving.contains("NaN"));
+    // without a torque there is no arrow
+    assert_eq!(sketch(vec![sprung(0.0, 0.0)]).svg().matches("class=\"force\"").count(), 0);
+}

@@ -32,7 +32,7 @@ pub(super) fn along(scene: &ModelScene, run: &Trajectory) -> Option<String> {
     let most = most_pictures(parts).min(MOST_PICTURES);
     let mut motion = pictures(scene, &geometry, (run.clone(), span), (interval, most));
     if geometry.has_switched_loads || (motion.part.is_some() && motion.figures.len() < FEW) {
-        motion = followed(scene, &geometry, (interval, most), |_| clock::goes_on());
+        motion = followed(scene, &geometry, (interval, most), |_| clock::goes_on()).unwrap_or(motion);
     }
     let Motion { figures, part, .. } = motion;
     if figures.is_empty() {
