@@ -7,14 +7,14 @@ use std::fmt::Write;
 const WIDTH: usize = 1080;
 const LEFT: usize = 70;
 const COLUMNS: usize = 4;
-const BOX: (usize, usize) = (246, 74);
+const BOX: (usize, usize) = (246, 82);
 const MARGIN: usize = 6;
-const LINE: usize = 15;
+const LINE: usize = 14;
 /// Characters of a line in a box, and lines below its name.
-const LETTERS: usize = 39;
-const LINES: usize = 3;
+const LETTERS: usize = 35;
+const LINES: usize = 4;
 
-const STYLE: &str = "svg{color:#1a1d21;--paper:#fff;--row:#f3f5f7;--own:#0066aa}text{font:12px system-ui,-apple-system,\"Segoe UI\",Roboto,sans-serif;\
+const STYLE: &str = "svg{color:#1a1d21;--paper:#fff;--row:#f3f5f7;--own:#0066aa}text{font:11.5px system-ui,-apple-system,\"Segoe UI\",Roboto,sans-serif;\
 fill:currentColor}.name{font-size:14px;font-weight:600;fill:var(--own)}.layer{font-size:14px;font-weight:600}.row{fill:var(--row)}\
 .box{fill:var(--paper);stroke:currentColor;stroke-opacity:.35}\
 @media screen and (prefers-color-scheme:dark){svg{color:#e4e7eb;--paper:#15181c;--row:#20252b;--own:#6cb6ff;background:#15181c}}";
@@ -80,7 +80,7 @@ fn drawing(crates: &[Crate]) -> String {
             let lines = wrapped(line);
             assert!(lines.len() <= LINES, "{name}: its description does not fit {LINES} lines of {LETTERS} characters");
             for (below, line) in lines.iter().enumerate() {
-                let _ = write!(body, "<text x=\"{text}\" y=\"{}\">{}</text>", y + 36 + LINE * below, escaped(line));
+                let _ = write!(body, "<text x=\"{text}\" y=\"{}\">{}</text>", y + 35 + LINE * below, escaped(line));
             }
             body.push('\n');
         }

@@ -215,7 +215,10 @@ fn gears_without_centres_are_told() {
         constraint = [{ name = \"mesh\", zero = \"a + 4*b\" }]\n";
     let geometry = geometry(&scene(text));
     assert!(geometry.gears.is_empty());
-    assert_eq!(geometry.told_gears, ["Gear mesh: wheel turns 0.25 times as fast as pinion, the other way."]);
+    assert_eq!(
+        geometry.told_gears,
+        ["The constraint mesh ties two angles: wheel turns 0.25 times as fast as pinion, the other way."]
+    );
 }
 
 #[test]

@@ -90,7 +90,7 @@ mod tests {
                 assert!(!is_whole(changed.as_bytes(), comment), "{changed}");
             }
             let cut = told.trim_end();
-            assert!([b"", b"int a;\n", cut.as_bytes()].iter().all(|text| !is_whole(text, comment)));
+            assert!([&b""[..], b"int a;\n", cut.as_bytes()].iter().all(|text| !is_whole(text, comment)));
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Joints and loads in a sketch: pins, supports, rods, springs, dampers, contact surfaces, forces.
+//! Joints and loads in a sketch: pins, supports, rods, springs, dashpots, contact surfaces, forces.
 
 use super::parts::Parts;
 use ::scenes::geometry::{Joint, Rotary};
@@ -49,7 +49,7 @@ pub fn draw(parts: &mut Parts<'_>) {
     }
 }
 
-/// Draws torsion springs, rotary dampers and torques.
+/// Draws torsion springs, rotary dashpots and torques.
 fn about_axes(parts: &mut Parts<'_>) {
     let geometry = parts.geometry;
     for Rotary { joint, axis, action } in &geometry.rotaries {
@@ -60,7 +60,7 @@ fn about_axes(parts: &mut Parts<'_>) {
         let axes = [direction(first, 1), direction(first, 2), direction(second, 1)];
         parts.add(match action {
             Action::Elastic | Action::Field => SketchPart::TorsionSpring { at, axes },
-            Action::Viscous | Action::Given => SketchPart::RotaryDamper { at, axes },
+            Action::Viscous | Action::Given => SketchPart::RotaryDashpot { at, axes },
         });
     }
     for (number, joint) in geometry.couples.iter().enumerate() {

@@ -32,7 +32,7 @@ fn stands_at(part: &SketchPart) -> Vec<usize> {
         | SketchPart::Support(at)
         | SketchPart::Particle { at, .. }
         | SketchPart::TorsionSpring { at, .. }
-        | SketchPart::RotaryDamper { at, .. }
+        | SketchPart::RotaryDashpot { at, .. }
         | SketchPart::Torque { at, .. }
         | SketchPart::Arrow { at, .. } => {
             vec![*at]

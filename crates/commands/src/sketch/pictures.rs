@@ -14,6 +14,9 @@ struct Step {
 const SMALL: Step = Step { way: 0.03, turn: 0.3 };
 const LARGER: Step = Step { way: 0.05, turn: 0.5 };
 
+/// A whole motion has about so many pictures at least.
+const FEW: usize = 80;
+
 /// Chosen instants, by their numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chosen {
@@ -24,10 +27,16 @@ pub struct Chosen {
 
 /// Chooses at most so many pictures, from the first on, until the last instant or until the instants are too far apart.
 pub fn chosen(geometry: &Geometry, figures: &[Figure], most: usize) -> Chosen {
+    let size_of_all = size(figures);
     let whole =
-        |step: Step| Some(within(geometry, figures, most, (step, size(figures)))).filter(|chosen| chosen.is_whole);
+        |step: Step| Some(within(geometry, figures, most, (step, size_of_all))).filter(|chosen| chosen.is_whole);
+    if let Some(few) = whole(SMALL).filter(|chosen| chosen.numbers.len() < FEW) {
+        // a small motion changes its speed too
+        let share = few.numbers.len() as f64 / FEW as f64;
+        return whole(Step { way: share * SMALL.way, turn: share * SMALL.turn }).unwrap_or(few);
+    }
     whole(SMALL).or_else(|| whole(LARGER)).unwrap_or_else(|| {
-        let first = within(geometry, figures, most, (SMALL, size(figures)));
+        let first = within(geometry, figures, most, (SMALL, size_of_all));
         // a part of the motion may be much smaller than the whole
         let part = &figures[..first.numbers.last().map_or(0, |last| last + 1)];
         Chosen { is_whole: false, ..within(geometry, part, most, (SMALL, size(part))) }

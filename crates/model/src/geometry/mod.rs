@@ -27,7 +27,7 @@ pub struct Geometry {
     pub elements: Vec<Element>,
     /// Pairs of places whose distance a constraint holds.
     pub rods: Vec<[usize; 2]>,
-    /// Springs and dampers about the axes of frames.
+    /// Springs and dashpots about the axes of frames.
     pub torsions: Vec<Torsion>,
     /// Torques that are neither.
     pub couples: Vec<Couple>,

@@ -1,4 +1,4 @@
-//! Torsion springs and rotary dampers between two frames, and the torques that are neither.
+//! Torsion springs and rotary dashpots between two frames, and the torques that are neither.
 //!
 //! A term of an energy, of a generalised force or of a torque whose covector is parallel to the slope of the angle of a hinge acts there.
 //! It is a spring where the torque against the angle grows linearly with it.
@@ -17,7 +17,7 @@ pub struct Torsion {
     pub frames: [FrameId; 2],
     /// The axis of both frames: x, y or z.
     pub axis: usize,
-    /// A spring or a damper.
+    /// A spring or a dashpot.
     pub action: Action,
 }
 
@@ -29,7 +29,7 @@ pub struct Couple {
     pub torque: [Sym; 3],
 }
 
-/// Springs and dampers by covectors, which the list loses then.
+/// Springs and dashpots by covectors, which the list loses then.
 pub(super) fn of_covectors(trace: &Trace<'_>, hinges: &[Hinge], sought: &mut Vec<Covector>) -> Vec<Torsion> {
     let mut found = Vec::new();
     sought.retain(|covector| {
@@ -41,7 +41,7 @@ pub(super) fn of_covectors(trace: &Trace<'_>, hinges: &[Hinge], sought: &mut Vec
     found
 }
 
-/// The spring or damper that a covector is.
+/// The spring or dashpot that a covector is.
 fn torsion(trace: &Trace<'_>, hinges: &[Hinge], Covector { kind, slope, written }: &Covector) -> Option<Torsion> {
     let (Kind::Energy(action) | Kind::Generalised(action)) = *kind else { return None };
     let is_angle = |(speed, part): (usize, &Sym)| *part == Sym::ZERO || is_angle(trace, speed);
@@ -62,7 +62,7 @@ pub(super) fn is_angle(trace: &Trace<'_>, speed: usize) -> bool {
     trace.model.coordinates.get(speed).is_some_and(|coordinate| coordinate.unit == "rad")
 }
 
-/// Springs and dampers among the torques, and what is left of torques.
+/// Springs and dashpots among the torques, and what is left of torques.
 pub(super) fn of_torques(trace: &Trace<'_>, hinges: &[Hinge]) -> (Vec<Torsion>, Vec<Couple>) {
     let (mut found, mut couples) = (Vec::new(), Vec::new());
     for torque in &trace.model.torques {
@@ -90,7 +90,7 @@ pub(super) fn of_torques(trace: &Trace<'_>, hinges: &[Hinge]) -> (Vec<Torsion>, 
     (found, couples)
 }
 
-/// The action of a term of a torque about a hinge; none of one that is neither a spring nor a damper.
+/// The action of a term of a torque about a hinge; none of one that is neither a spring nor a dashpot.
 fn of_term(trace: &Trace<'_>, hinge: &Hinge, (term, sign): (Vector, f64)) -> Option<Action> {
     let about = trace.dot(term, Vector::axis(hinge.frames[1], hinge.axis));
     match action_of(trace, &term.components)? {
@@ -104,7 +104,7 @@ fn of_term(trace: &Trace<'_>, hinge: &Hinge, (term, sign): (Vector, f64)) -> Opt
     }
 }
 
-/// Generalised forces along angles that are neither springs nor dampers, as torques about hinges.
+/// Generalised forces along angles that are neither springs nor dashpots, as torques about hinges.
 pub(super) fn of_generalised(trace: &Trace<'_>, hinges: &[Hinge], sought: &[Covector]) -> Vec<Couple> {
     let along_angles = trace.model.generalised.iter().any(|force| matches!(force.along, Along::Speed(_)));
     let given = sought.iter().filter(|covector| along_angles && matches!(covector.kind, Kind::Generalised(_)));

@@ -19,7 +19,7 @@ pub struct Figure {
     pub touches: Vec<Touch>,
     /// Forces that do not act between two places, each with its place.
     pub forces: Vec<(usize, Vector3<f64>)>,
-    /// Torques that are neither of a spring nor of a damper, in the order of the geometry.
+    /// Torques that are neither of a spring nor of a dashpot, in the order of the geometry.
     pub torques: Vec<Vector3<f64>>,
     /// The mass, and the entries xx, yy, zz, xy, xz, yz of the inertia tensor of each body; zero where it has none.
     pub inertias: Vec<[f64; 7]>,

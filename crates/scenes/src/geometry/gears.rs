@@ -56,7 +56,8 @@ impl Geometry {
             (way(at).norm() - distance).abs() <= SAME * distance && across <= SAME * distance
         };
         let ratio = gear.ratio.abs();
-        if !(distance > 0.0 && ratio.is_finite() && samples.iter().all(is_fixed)) {
+        let is_parallel = wheels[0].axis == wheels[1].axis;
+        if !(is_parallel && distance > 0.0 && ratio.is_finite() && samples.iter().all(is_fixed)) {
             return None;
         }
         let is_belt = gear.ratio > 0.0;
@@ -75,9 +76,13 @@ impl Geometry {
             GearTurn::Coordinate(place) => self.model.coordinates[*place].name.clone(),
         };
         let [first, second] = [name(&gear.turns[0]), name(&gear.turns[1])];
-        let gear_name = if gear.name.is_empty() { "A gear".to_owned() } else { format!("Gear {}", gear.name) };
-        let (times, way) = (written(gear.ratio.abs()), if gear.ratio > 0.0 { "the same way" } else { "the other way" });
-        format!("{gear_name}: {second} turns {times} times as fast as {first}, {way}.")
+        let held = match gear.name.as_str() {
+            "" => "A constraint".to_owned(),
+            name => format!("The constraint {name}"),
+        };
+        let times = written(gear.ratio.abs());
+        let way = if gear.ratio > 0.0 { "the same way" } else { "the other way" };
+        format!("{held} ties two angles: {second} turns {times} times as fast as {first}, {way}.")
     }
 }
 

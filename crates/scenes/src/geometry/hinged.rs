@@ -4,13 +4,13 @@ use super::Geometry;
 use super::figure::Symbolic;
 use model::geometry::Action;
 
-/// A torsion spring or a rotary damper.
+/// A torsion spring or a rotary dashpot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rotary {
     pub joint: Joint,
     /// The axis of both frames: x, y or z.
     pub axis: usize,
-    /// A spring or a damper.
+    /// A spring or a dashpot.
     pub action: Action,
 }
 
@@ -25,7 +25,7 @@ pub struct Joint {
 }
 
 impl Geometry {
-    /// Springs and dampers about axes.
+    /// Springs and dashpots about axes.
     pub(super) fn rotaries_of(&self, symbolic: &Symbolic) -> Vec<Rotary> {
         let one = |torsion: &model::geometry::Torsion| {
             let frames = torsion.frames.map(|frame| frame.0);

@@ -77,7 +77,7 @@ impl SketchPart {
             | SketchPart::Triad { at, .. }
             | SketchPart::Surface { at, .. }
             | SketchPart::TorsionSpring { at, .. }
-            | SketchPart::RotaryDamper { at, .. }
+            | SketchPart::RotaryDashpot { at, .. }
             | SketchPart::Torque { at, .. }
             | SketchPart::Arrow { at, .. } => vec![*at],
         }

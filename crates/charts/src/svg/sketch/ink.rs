@@ -51,7 +51,7 @@ pub(super) fn ink(sketch: &Sketch, instant: &Instant, camera: &Camera) -> Vec<Fl
             SketchPart::Block { .. } => {
                 points.extend([(-14.0, -8.0), (14.0, -8.0), (-14.0, 8.0), (14.0, 8.0)].map(|(a, b)| (x + a, y + b)))
             }
-            SketchPart::TorsionSpring { .. } | SketchPart::RotaryDamper { .. } => points.extend(ring((x, y), 15.0)),
+            SketchPart::TorsionSpring { .. } | SketchPart::RotaryDashpot { .. } => points.extend(ring((x, y), 15.0)),
             SketchPart::Torque { .. } => points.extend(ring((x, y), 24.0)),
             _ => {}
         }

@@ -124,8 +124,8 @@ pub enum SketchPart {
         at: usize,
         axes: [usize; 3],
     },
-    /// A damper about an axis, with directions as those of a spring.
-    RotaryDamper {
+    /// A dashpot about an axis, with directions as those of a spring.
+    RotaryDashpot {
         at: usize,
         axes: [usize; 3],
     },

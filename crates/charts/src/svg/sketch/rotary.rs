@@ -1,4 +1,4 @@
-//! Elements about an axis: torsion springs as spirals, rotary dampers as a vane in a housing, torques as curved arrows.
+//! Elements about an axis: torsion springs as spirals, rotary dashpots as a vane in a housing, torques as curved arrows.
 
 use super::camera::{Camera, cross, dot, unit};
 use super::marks::{polyline, segments};
@@ -70,7 +70,7 @@ pub(super) fn torsion_spring(scene: Scene<'_>, at: usize, axes: [usize; 3]) -> S
 }
 
 /// A housing in the first frame, and a vane in the second.
-pub(super) fn rotary_damper(scene: Scene<'_>, at: usize, axes: [usize; 3]) -> Vec<Shape> {
+pub(super) fn rotary_dashpot(scene: Scene<'_>, at: usize, axes: [usize; 3]) -> Vec<Shape> {
     let is_about = |part: &SketchPart| matches!(part, SketchPart::TorsionSpring { at: other, .. } if *other == at);
     let [housing, from, to] = if scene.sketch.parts.iter().any(is_about) { ABOUT_SPRING } else { ALONE };
     let (mut housings, mut vanes) = (Vec::new(), Vec::new());

@@ -5,7 +5,7 @@ use super::camera::{Camera, arrow};
 use super::marks::{block, circle, ellipse, polyline, quarters, segments, support};
 use super::plates;
 use super::pose::{Flat, Pose};
-use super::rotary::{rotary_damper, torque, torsion_spring};
+use super::rotary::{rotary_dashpot, torque, torsion_spring};
 use super::surfaces::{guide, surface};
 use super::timeline::Timeline;
 use super::{Instant, Sketch, SketchPart};
@@ -159,7 +159,7 @@ fn strokes(scene: Scene<'_>, part: &SketchPart) -> Vec<Shape> {
         }
         SketchPart::Surface { at, normal, kind } => surface(scene, *at, *normal, *kind),
         SketchPart::TorsionSpring { at, axes } => vec![torsion_spring(scene, *at, *axes)],
-        SketchPart::RotaryDamper { at, axes } => rotary_damper(scene, *at, *axes),
+        SketchPart::RotaryDashpot { at, axes } => rotary_dashpot(scene, *at, *axes),
         SketchPart::Torque { at, along } => vec![torque(scene, *at, *along)],
         SketchPart::Arrow { at, along } => {
             vec![Shape::new(9, "force", scene.towards(*at, *along, |from, to| arrow(from, to, 8.0)))]

@@ -52,7 +52,7 @@ fn nothing_and_places_that_are_no_numbers_are_pictures() {
     assert!(lost.svg().ends_with("</svg>"));
 }
 
-/// A disc about the origin that is turned by an angle in rad, with a spring, a damper and a torque.
+/// A disc about the origin that is turned by an angle in rad, with a spring, a dashpot and a torque.
 fn sprung(turned: f64, torque: f64) -> Instant {
     let (sin, cos) = turned.sin_cos();
     let directions = vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [cos, sin, 0.0], [0.0, 0.0, torque]];
@@ -63,7 +63,7 @@ fn sprung(turned: f64, torque: f64) -> Instant {
 fn a_spiral_winds_with_its_angle_and_a_torque_is_an_arc_in_its_sense() {
     let parts = vec![
         SketchPart::TorsionSpring { at: 0, axes: [0, 1, 2] },
-        SketchPart::RotaryDamper { at: 0, axes: [0, 1, 2] },
+        SketchPart::RotaryDashpot { at: 0, axes: [0, 1, 2] },
         SketchPart::Torque { at: 0, along: 3 },
     ];
     let sketch = |instants: Vec<Instant>| Sketch { parts: parts.clone(), instants, ..Sketch::default() };
