@@ -281,7 +281,7 @@ mod tests {
     #[test]
     fn a_span_is_two_times_in_order() {
         assert!(span("0..1").is_ok() && span("0.5 .. 2e1").is_ok());
-        for wrong in ["", "1", "2..1", "-1..2", "1..1", "a..b", "0..inf", "0...1"] {
+        for wrong in ["", "1", "2..1", "-1..2", "1..1", "a..b", "0..inf", "0-1"] {
             assert!(span(wrong).is_err_and(|told| told.contains("2..2.5")), "{wrong}");
         }
     }

@@ -14,6 +14,8 @@ const INSTANTS: f64 = 3000.0;
 const PICTURES: usize = 300;
 /// Fewer pictures than these are followed more closely, where they do not show the whole run.
 const ENOUGH: usize = 100;
+/// The part of a run that is followed first, by this divisor.
+const PART: f64 = 4096.0;
 /// Shorter runs are tried so often, and each is at least so much shorter.
 const TRIALS: usize = 12;
 const SHORTER: f64 = 64.0;
@@ -53,25 +55,43 @@ pub fn followed(
     (interval, most): (Interval, usize),
     mut progress: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Option<Motion> {
-    let mut until = interval.to;
+    let Interval { from, to } = interval;
+    // the first part tells at little cost whether pictures can follow the whole
+    let mut until = if from == 0.0 { to / PART } else { to };
+    let mut too_long = f64::INFINITY;
     let mut best: Option<Motion> = None;
     for _ in 0..TRIALS {
-        let run = run(scene, Interval { to: until, ..interval }, &mut progress);
+        let run = run(scene, Interval { from, to: until }, &mut progress);
         let is_over = run.broken_off() || clock::left().is_zero();
         let motion = pictures(scene, geometry, (run, until), (interval, most));
-        let shown = motion.figures.last().map_or(interval.from, |figure| figure.time);
-        let is_enough = motion.part.is_none() || motion.figures.len() >= ENOUGH.min(most) || shown >= until;
-        if best.as_ref().is_none_or(|best| motion.part.is_none() || motion.figures.len() >= best.figures.len()) {
+        let (shown, count, is_part) = (motion.shown(), motion.figures.len(), motion.part.is_some());
+        if best.as_ref().is_none_or(|best| (shown, count) > (best.shown(), best.figures.len())) {
             best = Some(motion);
         }
-        if is_enough || is_over {
+        let next = match shown >= until {
+            true if count < ENOUGH.min(most) => to,
+            true => from + (until - from) * most as f64 / count as f64,
+            false if count >= ENOUGH.min(most) => break,
+            // farther than pictures have followed it, with closer instants
+            false => {
+                too_long = until;
+                let ahead = (4.0 * (shown - from)).max((until - from) / SHORTER);
+                from + ahead.min(0.5 * (until - from))
+            }
+        };
+        if is_over || !is_part || next >= too_long || until >= to && next >= to {
             break;
         }
-        // farther than pictures have followed it, with closer instants
-        let ahead = (4.0 * (shown - interval.from)).max((until - interval.from) / SHORTER);
-        until = interval.from + ahead.min(0.5 * (until - interval.from));
+        until = next.min(to);
     }
     best.filter(|motion| !motion.figures.is_empty())
+}
+
+impl Motion {
+    /// The time of the last picture; below all times where there is none.
+    fn shown(&self) -> f64 {
+        self.figures.last().map_or(f64::NEG_INFINITY, |figure| figure.time)
+    }
 }
 
 fn run(

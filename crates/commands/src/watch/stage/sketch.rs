@@ -11,7 +11,7 @@ use std::io;
 use std::path::Path;
 
 /// Pictures of the sketch: the page is told it anew for each place of a slider.
-const MOST_PICTURES: usize = 150;
+const MOST_PICTURES: usize = 250;
 /// With fewer pictures a run of its own shows more of the motion.
 const FEW: usize = 40;
 
