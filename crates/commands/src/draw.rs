@@ -234,9 +234,9 @@ fn moving(
         )));
     }
     let geometry = geometry(path, &scene.model, &scene.start)?;
-    let parts = sketch("", &geometry, &[geometry.figure(0.0, &scene.start)], towards).parts.len();
+    let most = most_pictures(&sketch("", &geometry, &[geometry.figure(0.0, &scene.start)], towards));
     let mut progress = Progress::new(&scene.title);
-    let followed = followed(&scene, &geometry, (interval, most_pictures(parts)), |fraction| {
+    let followed = followed(&scene, &geometry, (interval, most), |fraction| {
         progress.set(fraction);
         clock::goes_on()
     });

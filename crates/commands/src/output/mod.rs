@@ -136,7 +136,9 @@ impl Rights {
         let (form, maker) = (form.said(), self.maker.name());
         let is = match origin {
             Origin::Own => return Ok(true),
-            Origin::Changed => format!("is no unchanged {form} of `{maker}`: it was edited"),
+            Origin::Changed => {
+                format!("is no unchanged {form} of `{maker}`: it was edited, or written by an earlier version")
+            }
             Origin::Other => format!("is no {form} of `{maker}`"),
         };
         let accepted = "a name that is free is accepted, and --force, which replaces the file";

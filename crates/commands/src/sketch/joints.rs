@@ -43,7 +43,7 @@ pub fn draw(parts: &mut Parts<'_>) {
         let acts = |figure: &scenes::geometry::Figure| is_seen(figure.forces[force].1);
         if parts.figures.iter().any(acts) {
             let at = geometry.first[parts.figures[0].forces[force].0];
-            let along = parts.direction(move |figure| figure.forces[force].1);
+            let along = parts.direction(move |figure| way(figure.forces[force].1));
             parts.add(SketchPart::Arrow { at, along });
         }
     }
@@ -67,7 +67,7 @@ fn about_axes(parts: &mut Parts<'_>) {
         let acts = |figure: &scenes::geometry::Figure| is_seen(figure.torques[number]);
         if parts.figures.iter().any(acts) {
             let at = middle(parts, joint);
-            let along = parts.direction(move |figure| figure.torques[number]);
+            let along = parts.direction(move |figure| way(figure.torques[number]));
             parts.add(SketchPart::Torque { at, along });
         }
     }
@@ -76,6 +76,11 @@ fn about_axes(parts: &mut Parts<'_>) {
 /// The place of a joint; where it has none, the middle of a body that turns there, else the origin.
 fn middle(parts: &Parts<'_>, joint: &Joint) -> usize {
     joint.at.or_else(|| parts.middles[joint.body?]).unwrap_or(0)
+}
+
+/// The direction of a vector, of any unit; zero of one that has none.
+fn way(vector: Vector3<f64>) -> Vector3<f64> {
+    vector.try_normalize(0.0).filter(|_| is_seen(vector)).unwrap_or_default()
 }
 
 /// Whether a vector has a direction.

@@ -4,6 +4,7 @@ use super::pictures::chosen;
 use crate::clock;
 use ::scenes::ModelScene;
 use ::scenes::geometry::{Figure, Geometry};
+use charts::{Sketch, SketchPart};
 use simulation::run::most_samples;
 use simulation::{Choice, IvpScene, Trajectory};
 use std::ops::ControlFlow;
@@ -43,8 +44,14 @@ pub struct Interval {
     pub to: f64,
 }
 
-/// The largest number of pictures of a sketch of so many parts.
-pub fn most_pictures(parts: usize) -> usize {
+/// The largest number of pictures of a sketch.
+pub fn most_pictures(sketch: &Sketch) -> usize {
+    let weight = |part: &SketchPart| match part {
+        SketchPart::TorsionSpring { .. } => 12,
+        SketchPart::RotaryDashpot { .. } | SketchPart::Torque { .. } | SketchPart::Ring { .. } => 6,
+        _ => 1,
+    };
+    let parts: usize = sketch.parts.iter().map(weight).sum();
     (LARGEST / (BYTES * parts.max(1))).clamp(FEWEST, PICTURES)
 }
 

@@ -28,13 +28,15 @@ struct Circle {
     centre: [f64; 3],
     /// Two directions at right angles, of length one.
     axes: [[f64; 3]; 2],
+    /// The size of marks: smaller where there are many.
+    size: f64,
 }
 
 impl Circle {
     /// A point by its radius in pixels and its angle.
     fn point(&self, camera: &Camera, radius: f64, angle: f64) -> Flat {
         let (sin, cos) = angle.sin_cos();
-        let r = radius / camera.scale;
+        let r = self.size * radius / camera.scale;
         camera.place(std::array::from_fn(|k| self.centre[k] + r * (cos * self.axes[0][k] + sin * self.axes[1][k])))
     }
 
@@ -50,14 +52,14 @@ impl Circle {
 
 /// The circles of all instants, with the angle of an arm from the first direction, without jumps of whole turns.
 fn circles(scene: Scene<'_>, at: usize, [first, second, arm]: [usize; 3]) -> Vec<(Circle, f64)> {
-    let mut last = 0.0;
+    let (mut last, size) = (0.0, scene.mark_size());
     let one = |instant: &Instant| {
         let direction = |number: usize| unit(Scene::direction(instant, number)).unwrap_or([1.0, 0.0, 0.0]);
         let axes = [direction(first), direction(second)];
         let arm = direction(arm);
         let angle = dot(arm, axes[1]).atan2(dot(arm, axes[0]));
         last += (angle - last + PI).rem_euclid(TAU) - PI;
-        (Circle { centre: instant.places.get(at).copied().unwrap_or_default(), axes }, last)
+        (Circle { centre: instant.places.get(at).copied().unwrap_or_default(), axes, size }, last)
     };
     scene.sketch.instants.iter().map(one).collect()
 }
@@ -91,8 +93,8 @@ pub(super) fn torque(scene: Scene<'_>, at: usize, along: usize) -> Shape {
         let right = scene.camera.right();
         // from the side that is seen best
         let first = unit(cross(axis, scene.camera.towards())).unwrap_or(right);
-        let circle =
-            Circle { centre: instant.places.get(at).copied().unwrap_or_default(), axes: [first, cross(axis, first)] };
+        let centre = instant.places.get(at).copied().unwrap_or_default();
+        let circle = Circle { centre, axes: [first, cross(axis, first)], size: scene.mark_size() };
         let ends = (0.5 * (PI - SWEEP), 0.5 * (PI + SWEEP));
         let mut points = circle.arc(scene.camera, OF_ARC, (ARC, ARC), ends);
         let barb = |out: f64| circle.point(scene.camera, ARC + out * 0.5 * HEAD, ends.1 - HEAD / ARC);
@@ -100,9 +102,13 @@ pub(super) fn torque(scene: Scene<'_>, at: usize, along: usize) -> Shape {
         points.extend([barb(1.0), tip, barb(-1.0)]);
         points
     };
-    Shape::new(
-        9,
-        "force",
-        Pose::through(&scene.each(arrow), |points| if points.is_empty() { String::new() } else { polyline(points) }),
-    )
+    let points = scene.each(arrow);
+    let path = |points: &[Flat]| if points.is_empty() { String::new() } else { polyline(points) };
+    let pose = match points.iter().any(Vec::is_empty) {
+        true if points.iter().any(|points| !points.is_empty()) => {
+            Pose::Bent(points.iter().map(|all| path(all)).collect())
+        }
+        _ => Pose::through(&points, path),
+    };
+    Shape::new(9, "force", pose)
 }

@@ -78,6 +78,9 @@ fn a_spiral_winds_with_its_angle_and_a_torque_is_an_arc_in_its_sense() {
     // past half a turn the spiral winds on
     let moving = sketch((0..60).map(|k| sprung(0.2 * f64::from(k), 1.0)).collect()).svg();
     assert!(moving.contains("class=\"spring\"") && moving.contains("attributeName=\"d\"") && !moving.contains("NaN"));
+    // a torque that begins later has its arrow then
+    let later = sketch(vec![sprung(0.0, 0.0), sprung(0.1, 1.0)]).svg();
+    assert!(later.contains("class=\"force\" d=\"\"") && later.contains("values=\"M0 0;M"), "{later}");
     // without a torque there is no arrow
     assert_eq!(sketch(vec![sprung(0.0, 0.0)]).svg().matches("class=\"force\"").count(), 0);
 }

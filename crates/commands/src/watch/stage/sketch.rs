@@ -28,8 +28,8 @@ pub(super) fn along(scene: &ModelScene, run: &Trajectory) -> Option<String> {
     let geometry = Geometry::of(&scene.model, &scene.start).ok().filter(Geometry::is_seen)?;
     let span = scene.run.span;
     let interval = Interval { from: 0.0, to: span };
-    let parts = sketch("", &geometry, &[geometry.figure(0.0, &scene.start)], None).parts.len();
-    let most = most_pictures(parts).min(MOST_PICTURES);
+    let still = sketch("", &geometry, &[geometry.figure(0.0, &scene.start)], None);
+    let most = most_pictures(&still).min(MOST_PICTURES);
     let mut motion = pictures(scene, &geometry, (run.clone(), span), (interval, most));
     if geometry.has_switched_loads || (motion.part.is_some() && motion.figures.len() < FEW) {
         motion = followed(scene, &geometry, (interval, most), |_| clock::goes_on()).unwrap_or(motion);
