@@ -88,7 +88,7 @@ impl Camera {
         self.right
     }
 
-    /// From the mechanism to the eye.
+    /// The direction from the mechanism to the viewer, of length one.
     pub fn towards(&self) -> [f64; 3] {
         self.towards
     }

@@ -70,7 +70,7 @@ pub enum SketchPart {
     Rod([usize; 2]),
     /// A straight part of a belt.
     Strand([usize; 2]),
-    /// A line on which one place moves beside another.
+    /// A line along which one point moves relative to another.
     Telescope([usize; 2]),
     Spring([usize; 2]),
     Dashpot([usize; 2]),

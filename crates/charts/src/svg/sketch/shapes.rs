@@ -64,7 +64,7 @@ impl Scene<'_> {
         instant.directions.get(number).copied().unwrap_or_default()
     }
 
-    /// The size of marks: smaller where there are many.
+    /// The size of marks: smaller if there are many.
     pub fn mark_size(&self) -> f64 {
         (MANY / self.sketch.parts.len().max(1) as f64).clamp(LEAST, 1.0)
     }

@@ -10,10 +10,10 @@ use super::shapes::{Scene, Shape};
 pub(super) const BEYOND: f64 = 42.0;
 /// Half the length of a tangent, in pixels.
 const TANGENT: f64 = 11.0;
-/// Strokes of the hatching, and how far apart they are.
+/// The length of the strokes of hatching, which is also their distance.
 const HATCH: f64 = 8.0;
 
-/// A surface at a place: a hatched line where it is seen from its edge, else a patch.
+/// A surface at a point: a hatched line if it is seen from its edge, otherwise a patch.
 pub(super) fn surface(scene: Scene<'_>, at: usize, normal: usize, kind: SurfaceKind) -> Vec<Shape> {
     let of_ground = kind == SurfaceKind::Ground;
     let normals = scene.each(|instant| unit(Scene::direction(instant, normal)).unwrap_or([0.0, 1.0, 0.0]));

@@ -109,7 +109,7 @@ fn written(share: f64) -> String {
     text.strip_prefix('0').filter(|rest| !rest.is_empty()).unwrap_or(text).to_owned()
 }
 
-/// The least of 1, 2, 5, 10, 20, ... that is not below a number.
+/// The least of 1, 2, 5, 10, 20, ... that is at least a number.
 fn round(least: f64) -> f64 {
     let power = 10_f64.powf(least.log10().floor());
     [1.0, 2.0, 5.0, 10.0].into_iter().map(|digit| digit * power).find(|factor| *factor >= least).unwrap_or(least)
