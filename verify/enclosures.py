@@ -18,13 +18,16 @@ class WholeArguments:
 
 
 class Balls:
-    """A domain without letters: every entry is a number. A letter that is left counts as one."""
+    """A domain without letters but pi: every entry is a number. A letter that is left counts as one."""
 
-    def __init__(self):
+    def __init__(self, program):
+        self.program = program
         self.values = None
         self.left = set()
 
     def letter(self, place):
+        if self.program[place] == ("letter", "pi"):
+            return arb.pi()
         self.left.add(place)
         return arb(1)
 
@@ -84,7 +87,7 @@ def sign(check, entry):
 
 def ball(check, entry):
     """An entry after the steps. A letter that is left has no influence on it: the derivative by it vanishes."""
-    domain = Balls()
+    domain = Balls(check.program)
     domain.values = Evaluation(check.program, check.solves, domain, WholeArguments)
     value = domain.values.value(entry)
     for letter in domain.left:

@@ -1,12 +1,13 @@
-"""Exact numbers of points: sums of rational multiples of roots of square-free whole numbers."""
+"""Exact numbers of points: sums of roots of square-free whole numbers with factors that are rational, or rational functions of pi."""
 
 from flint import arb, ctx, fmpq, fmpz
 
 from .evaluation import NotExpressible, Undefined
+from .half_turn import OfHalfTurn, ball
 
 
 class Number:
-    """The sum of parts[d] sqrt(d) over square-free d; such roots are linearly independent over the rationals."""
+    """The sum of parts[d] sqrt(d) over square-free d; such roots are linearly independent over the rationals, and over their functions of pi."""
 
     __slots__ = ("parts",)
 
@@ -15,7 +16,7 @@ class Number:
 
     @classmethod
     def of(cls, value):
-        return cls({1: fmpq(value)})
+        return cls({1: value if isinstance(value, OfHalfTurn) else fmpq(value)})
 
     def __add__(self, other):
         parts = dict(self.parts)
@@ -62,7 +63,7 @@ class Number:
         try:
             for precision in (64, 256, 1024, 4096, 16384):
                 ctx.prec = precision
-                value = sum((arb(c) * arb(d).sqrt() for d, c in self.parts.items()), arb(0))
+                value = sum((ball(c) * arb(d).sqrt() for d, c in self.parts.items()), arb(0))
                 if value > 0:
                     return 1
                 if value < 0:
@@ -75,9 +76,9 @@ class Number:
         """The non-negative root of a rational number."""
         if self.is_zero():
             return self
-        if set(self.parts) != {1}:
+        value = self.parts.get(1)
+        if set(self.parts) != {1} or isinstance(value, OfHalfTurn):
             raise NotExpressible("the root of an irrational number")
-        value = self.parts[1]
         if value < 0:
             raise Undefined("the root of a negative number at the point")
         whole = value.p * value.q

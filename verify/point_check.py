@@ -1,19 +1,25 @@
 """Exact points: whether relations hold there."""
 
 from .evaluation import Evaluation, NotExpressible, Undefined, reached
+from .half_turn import OfHalfTurn
 from .numbers import ExactPoint, Number
 from .part_check import Rejected
+
+NUMBERS = ("const", "root", "+", "-", "*", "/", "neg", "pow")
 
 
 def exact_point(check):
     """The domain of a part's point, and the letters inside those of its angles whose coordinates it gives."""
     entries = check.part.proof["point"]
-    numbers = Evaluation(check.program, (), ExactPoint({}, {}, {}), check.angles)
-    letters, functions, halves = {}, {}, {}
+    half_turns = {here: Number.of(OfHalfTurn.itself()) for here, operation in enumerate(check.program) if operation == ("letter", "pi")}
+    numbers = Evaluation(check.program, (), ExactPoint(dict(half_turns), {}, {}), check.angles)
+    letters, functions, halves = dict(half_turns), {}, {}
     formal = set()
     for leaf, value in entries:
         kind = check.program[leaf][0]
-        if any(check.program[each][0] not in ("const", "root", "+", "-", "*", "/", "neg", "pow") for each in reached(check.program, [value])):
+        if leaf in half_turns:
+            raise Rejected("the point gives pi a value")
+        if any(check.program[each][0] not in NUMBERS and each not in half_turns for each in reached(check.program, [value])):
             raise Rejected("a value of the point is no number")
         if kind == "letter":
             letters[leaf] = numbers.value(value)

@@ -3,6 +3,7 @@
 from .enclosures import enclosure, excluded
 from .evaluation import Evaluation, Undefined, reached
 from .expanded_signs import signs
+from .half_turn import OfHalfTurn
 from .minimum import minimum
 from .part_check import Rejected
 from .point_check import counterexample, example, exact_point, holds
@@ -76,7 +77,7 @@ class PointWithUnknown(Ring):
         self.point = point
 
     def rational(self, value):
-        if set(value.parts) - {1}:
+        if set(value.parts) - {1} or isinstance(value.parts.get(1), OfHalfTurn):
             raise Rejected("a value of the point is not rational")
         return self.constant(value.parts.get(1, 0))
 
