@@ -1,6 +1,7 @@
 //! Implication between two conditions: a proof, or an exact point at which it fails.
 
-use crate::display::{Told, divisors, factors, point};
+use crate::admissible::admissible;
+use crate::display::{Told, divisors, factors, tell_point};
 use crate::equation::{Outcome, vanishes};
 use crate::finding::Finding;
 use crate::letters::Letters;
@@ -43,6 +44,20 @@ pub(crate) fn written_divisors(expression: Sym) -> Vec<Sym> {
 
 /// Whether `then` is zero where `zero` is and both are defined.
 pub(crate) fn step<'t, 'm>(motion: &Motion<'t, 'm>, zero: Sym, then: Sym, conditions: &[Condition]) -> Step<'t, 'm> {
+    let within = |conditions: &[Condition]| step_within(motion, zero, then, conditions);
+    match within(conditions) {
+        Step::Fails(refutation) => {
+            let again = |conditions: &[Condition]| match within(conditions) {
+                Step::Fails(refutation) => Some(refutation),
+                _ => None,
+            };
+            Step::Fails(admissible(refutation, motion, conditions, again))
+        }
+        step => step,
+    }
+}
+
+fn step_within<'t, 'm>(motion: &Motion<'t, 'm>, zero: Sym, then: Sym, conditions: &[Condition]) -> Step<'t, 'm> {
     let mut there = motion.clone();
     let written = [written_divisors(zero), written_divisors(then)].concat();
     if !written.is_empty() && there.assume(zero, None).is_ok() {
@@ -202,7 +217,7 @@ pub(crate) fn followed(
         Step::Fails(refutation) => {
             finding.judged.verdict = Verdict::Refuted;
             finding.judged.evidence = "at the exact point one condition holds and the other does not".to_owned();
-            finding.judged.counterexample = point(own, &refutation, motion, Told(letters));
+            tell_point(own, &refutation, motion, Told(letters), finding);
             false
         }
         Step::Open(outcome) => {

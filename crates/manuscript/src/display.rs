@@ -1,5 +1,6 @@
 //! Findings in the letters of the paper.
 
+use crate::admissible::unusual;
 use crate::claim_text::Kind;
 use crate::finding::Finding;
 use crate::letter_forms::ways_to_tell;
@@ -16,8 +17,8 @@ use symbolic::{Hypotheses, Node, Sym, normal};
 #[derive(Clone, Copy)]
 pub(crate) struct Told<'a, 't, 'm>(pub &'a Letters<'t, 'm>);
 
-/// The largest length of a printed difference.
-const READABLE: usize = 600;
+/// A longer difference is not written out.
+pub(crate) const READABLE: usize = 600;
 
 /// An equation as it was read: text and LaTeX.
 pub(crate) fn shown([left, right]: [Sym; 2]) -> (String, String) {
@@ -41,10 +42,13 @@ pub(crate) fn divisors(found: &[Sym], told: Told<'_, '_, '_>) -> Vec<(String, St
     let is_multiple = |part: Sym, of: &Sym| {
         normal(part / *of, &Hypotheses::none()).is_ok_and(|quotient| quotient.as_constant().is_some())
     };
+    // the quaternion of a free frame has length one
+    let unit = Motion::without_anything(told.0.trace).with_free_frames(Hypotheses::none());
+    let never_vanishes = |part: Sym| normal(part, &unit).is_ok_and(|form| form.to_sym().as_constant().is_some());
     for &divisor in found {
         // a quotient is zero where its numerator is; its denominator is a separate divisor
         let parts = normal(divisor, &Hypotheses::none()).map_or(vec![divisor], |form| factors(form.numerator()));
-        for part in parts.into_iter().filter(|part| part.as_constant().is_none()) {
+        for part in parts.into_iter().filter(|part| !never_vanishes(*part)) {
             let own = by_letters(part).unwrap_or_else(|| told.0.told(part));
             if known.iter().any(|of| is_multiple(own, of)) {
                 continue;
@@ -69,13 +73,14 @@ pub(crate) fn factors(product: Sym) -> Vec<Sym> {
     }
 }
 
-/// The data of the paper at a counterexample: every letter of the formula with its value there, then all other values of the point.
-pub(crate) fn point(
+/// Tells the data of the paper at a counterexample: every letter of the formula with its value there, then what else the point fixes.
+pub(crate) fn tell_point(
     own: [Sym; 2],
     refutation: &Refutation,
     motion: &Motion<'_, '_>,
     told: Told<'_, '_, '_>,
-) -> Vec<(String, String)> {
+    finding: &mut Finding,
+) {
     let mut listed: Vec<(String, String)> = Vec::new();
     let mut add = |name: String, value: Sym| {
         if listed.iter().all(|(known, _)| *known != name) {
@@ -95,14 +100,15 @@ pub(crate) fn point(
             add(told.0.told(symbol).to_string(), value);
         }
     }
-    listed
+    finding.judged.counterexample = listed;
+    finding.unusual = unusual(refutation, motion).into_iter().map(|symbol| told.0.told(symbol).to_string()).collect();
 }
 
 /// Terms that the right side lacks, derived less printed: by the closest equation of motion, or by the derived value.
 pub(crate) fn missing(kind: Kind, line: &Line, motion: &Motion<'_, '_>, told: Told<'_, '_, '_>, finding: &mut Finding) {
     let short = |expression: Sym| {
         let form = normal(expression, &motion.hypotheses).ok()?;
-        plainest(form.to_sym(), motion, told)
+        plainest(form.to_sym(), line.own, motion, told)
     };
     let [left, right] = line.model;
     let value = short(motion.reduced(left) - motion.reduced(right)).map(|own| (own, String::new()));
@@ -118,20 +124,37 @@ pub(crate) fn missing(kind: Kind, line: &Line, motion: &Motion<'_, '_>, told: To
     }
 }
 
-/// The value of an expression that should be zero, if it is short enough to read.
-pub(crate) fn told_difference(left: Sym, motion: &Motion<'_, '_>, told: Told<'_, '_, '_>, finding: &mut Finding) {
+/// The rest of an expression that should vanish, where it can be read.
+pub(crate) fn told_difference(
+    left: Sym,
+    print: [Sym; 2],
+    motion: &Motion<'_, '_>,
+    told: Told<'_, '_, '_>,
+    finding: &mut Finding,
+) {
     let Ok(form) = normal(left, &motion.hypotheses) else { return };
-    let own = plainest(form.to_sym(), motion, told).filter(|own| length(*own) <= READABLE);
+    let own = plainest(form.to_sym(), print, motion, told).filter(|own| length(*own) <= READABLE);
     if let Some(own) = own {
         finding.judged.difference = Some((own.to_string(), own.latex()));
     }
 }
 
-/// The form of an expression of the model with the fewest symbols without a letter in the paper; the first of several.
-fn plainest(expression: Sym, motion: &Motion<'_, '_>, told: Told<'_, '_, '_>) -> Option<Sym> {
+/// The way to tell an expression of the model that has the fewest symbols which the paper has no letter for, and then the fewest that do not stand in
+/// the print; the first of these.
+pub(crate) fn plainest(
+    expression: Sym,
+    print: [Sym; 2],
+    motion: &Motion<'_, '_>,
+    told: Told<'_, '_, '_>,
+) -> Option<Sym> {
     let plain = |way: Sym| normal(way, &Hypotheses::none()).map_or(way, |form| form.to_sym());
-    let foreign = |way: &Sym| way.symbols_of().iter().filter(|symbol| has_no_letter(symbol, told)).count();
-    ways_to_tell(told.0, expression, &motion.hypotheses).into_iter().map(plain).min_by_key(foreign)
+    let printed: Vec<Sym> = print.into_iter().flat_map(Sym::symbols_of).collect();
+    let others = |way: &Sym| {
+        let symbols = way.symbols_of();
+        let foreign = symbols.iter().filter(|symbol| has_no_letter(symbol, told)).count();
+        (foreign, symbols.iter().filter(|symbol| !printed.contains(symbol)).count())
+    };
+    ways_to_tell(told.0, expression, &motion.hypotheses).into_iter().map(plain).min_by_key(others)
 }
 
 /// Whether the paper has no letter for a symbol.
@@ -139,7 +162,7 @@ fn has_no_letter(symbol: &Sym, told: Told<'_, '_, '_>) -> bool {
     symbol.symbol_name().is_none_or(|name| told.0.dimension(&name).is_none())
 }
 
-fn length(expression: Sym) -> usize {
+pub(crate) fn length(expression: Sym) -> usize {
     expression.to_string().chars().count()
 }
 

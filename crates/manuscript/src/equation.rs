@@ -1,5 +1,7 @@
 //! Equality of two sides along motions: a proof, or an exact point at which they differ.
 
+use crate::admissible::admissible;
+use crate::half_turn::is_half_turn;
 use crate::motion::Motion;
 use crate::refutation::Refutation;
 use crate::signs::{completed, search};
@@ -25,10 +27,20 @@ const MOST_EXPANDED: usize = 4_000;
 
 /// Whether an expression is zero along the motion where the conditions hold.
 pub(crate) fn vanishes(motion: &Motion<'_, '_>, expression: Sym, conditions: &[Condition]) -> Outcome {
-    match found(motion, expression, conditions) {
+    let confirmed = |conditions: &[Condition]| match found(motion, expression, conditions) {
         Outcome::NonZero(refutation) if !refutation.is_confirmed(expression, motion) => {
             let why = "its normal form is not zero, but its value at the exact point that was found was not confirmed";
             Outcome::Undecided(why.to_owned())
+        }
+        outcome => outcome,
+    };
+    match confirmed(conditions) {
+        Outcome::NonZero(refutation) => {
+            let again = |conditions: &[Condition]| match confirmed(conditions) {
+                Outcome::NonZero(refutation) => Some(refutation),
+                _ => None,
+            };
+            Outcome::NonZero(admissible(refutation, motion, conditions, again))
         }
         outcome => outcome,
     }
@@ -87,7 +99,10 @@ fn refuted(motion: &Motion<'_, '_>, reduced: Sym, witness: Witness, conditions: 
             "the normal form of the difference is not zero, but its points may violate {open}"
         ));
     }
-    let found = |witness: Witness| Refutation { is_formal: !witness.formal.is_empty(), point: witness.point };
+    let found = |witness: Witness| Refutation {
+        is_formal: !witness.formal.is_empty(),
+        point: witness.point.into_iter().filter(|(leaf, _)| !is_half_turn(*leaf)).collect(),
+    };
     if let Some(refutation) = completed(found(witness), conditions) {
         return Outcome::NonZero(refutation);
     }

@@ -25,7 +25,9 @@ pub struct Finding {
     /// The smallest edits of a refuted claim that are proved, all of one size.
     pub corrections: Vec<Correction>,
     pub search: Search,
-    /// Whether an exact point was found inside the presuppositions of a proved claim.
+    /// Letters of masses, lengths and the like that are not positive at the counterexample.
+    pub(crate) unusual: Vec<String>,
+    /// Whether an exact point was found inside everything that a proved claim presupposes.
     pub(crate) has_inside: bool,
     /// Present if it was requested.
     pub certificate: Option<Certificate>,

@@ -1,12 +1,14 @@
 //! Inequalities: proved by the signs of their terms, refuted at an exact point.
 
+use crate::admissible::admissible;
 use crate::certificate::Record;
 use crate::claim_text::ClaimText;
 use crate::condition_products;
 use crate::conditions::{Hypothesis, assume, conditions, scalar};
-use crate::display::{Told, divisors};
+use crate::display::{Told, divisors, tell_point};
 use crate::equation::Outcome;
 use crate::finding::{Finding, Sides as Values};
+use crate::half_turn::holds_half_turn;
 use crate::letters::Letters;
 use crate::line_signs::least;
 use crate::lines::Line;
@@ -15,7 +17,7 @@ use crate::natural_domain::natural_domain;
 use crate::polynomial_signs;
 use crate::real_signs;
 use crate::refutation::Refutation;
-use crate::signs::{Shown, completed, is_half_turn, search, shows};
+use crate::signs::{Shown, completed, search, shows};
 use crate::square_sums::square_sum;
 use crate::verdict::{allowed, mixed, neither};
 use claims::{Condition, Verdict};
@@ -128,12 +130,14 @@ pub(crate) fn inequality(
         return Ok(());
     }
     let fails = |sign: i8| sign == -1 || sign == 0 && is_strict;
-    let found = search(&[reduced], &conditions, &motion, |signs| fails(signs[0]));
-    let found = found
-        .or_else(|| polynomial_signs::negative_point(reduced, &conditions, &motion))
-        .or_else(|| failing_point([greater, reduced], &conditions, &motion, fails));
-    match found {
+    let found = |conditions: &[Condition]| {
+        search(&[reduced], conditions, &motion, |signs| fails(signs[0]))
+            .or_else(|| polynomial_signs::negative_point(reduced, conditions, &motion))
+            .or_else(|| failing_point([greater, reduced], conditions, &motion, fails))
+    };
+    match found(&conditions) {
         Some(refutation) => {
+            let refutation = admissible(refutation, &motion, &conditions, found);
             record.is_below(&motion, assumed, greater, is_strict, &refutation);
             finding.judged.verdict = Verdict::Refuted;
             let value = |side: Sym| refutation.value(motion.reduced(side)).map(|value| value.to_string());
@@ -144,7 +148,7 @@ pub(crate) fn inequality(
                 }
                 None => "it fails at the exact point".to_owned(),
             };
-            finding.judged.counterexample = crate::display::point(own, &refutation, &motion, told);
+            tell_point(own, &refutation, &motion, told, finding);
         }
         None if condition_products::show(reduced, is_strict, &conditions) => {
             record.positive_by_products(&motion, assumed, reduced, is_strict, &conditions);
@@ -174,7 +178,6 @@ fn failing_point(
     if !motion.open.is_empty() || !motion.hypotheses.statements().is_empty() || motion.undetermined(reduced).is_some() {
         return None;
     }
-    let holds_half_turn = |of: Sym| of.leaves_of().into_iter().any(is_half_turn);
     if holds_half_turn(reduced) || conditions.iter().any(|condition| holds_half_turn(condition.expression())) {
         return None;
     }

@@ -103,7 +103,7 @@ pub(crate) fn integral(
                 .take()
                 .map_or_else(String::new, |sides| format!(": it is {} at the exact point", sides.left));
             finding.judged.evidence = format!("its rate along the motion does not vanish{at}");
-            crate::display::told_difference(motion.reduced(changing), &motion, told, finding);
+            crate::display::told_difference(motion.reduced(changing), [own, Sym::ZERO], &motion, told, finding);
         }
         other => neither(other, letters, finding),
     }

@@ -2,9 +2,9 @@
 
 use crate::letters::Letters;
 use crate::position_letters::by_position_letters;
-use symbolic::{Hypotheses, Sym};
+use symbolic::{Hypotheses, Sym, normal};
 
-/// A letter for a sum: the symbol that it replaces, the value of this symbol by the letter, and the paper's own letter.
+/// A letter for a sum, or for a product of parameters: the symbol that it replaces, the value of that by the letter, the letter as the paper has it.
 struct ForSum {
     symbol: Sym,
     value: Sym,
@@ -12,8 +12,8 @@ struct ForSum {
     own: Sym,
 }
 
-/// The forms of an expression of the model in the paper's letters: unchanged; with one or all letters for sums, each solved for one of its
-/// symbols; and each of these with letters that are functions of the position.
+/// An expression of the model in the paper's letters: as it is; by letters for sums and products, each solved for one of its symbols, one of them or all;
+/// and each of these by letters that are functions of the position.
 pub(crate) fn ways_to_tell(letters: &Letters<'_, '_>, expression: Sym, hypotheses: &Hypotheses) -> Vec<Sym> {
     let for_sums = letters_for_sums(letters, expression);
     let by_all = (for_sums.len() > 1).then(|| {
@@ -41,11 +41,26 @@ fn letters_for_sums(letters: &Letters<'_, '_>, expression: Sym) -> Vec<ForSum> {
         let placeholder = Sym::symbol(&format!("told letter {name}"));
         for symbol in value.symbols_of().into_iter().filter(|symbol| known.contains(symbol) && *symbol != value) {
             let factor = value.diff(symbol);
-            if factor.as_constant().is_some() {
-                let value = (placeholder - value.substitute(&[(symbol, Sym::ZERO)])) / factor;
-                all.push(ForSum { symbol, value, placeholder, own });
+            let rest = value.substitute(&[(symbol, Sym::ZERO)]);
+            let solved = (placeholder - rest) / factor;
+            let is_product = || rest == Sym::ZERO && is_of_parameters(letters, value) && divides(expression, symbol, solved);
+            if factor.as_constant().is_some() || is_product() {
+                all.push(ForSum { symbol, value: solved, placeholder, own });
             }
         }
     }
     all
+}
+
+fn is_of_parameters(letters: &Letters<'_, '_>, value: Sym) -> bool {
+    value.leaves_of().iter().all(|leaf| leaf.as_constant().is_some() || letters.trace.parameters.contains(leaf))
+}
+
+/// Whether a symbol stands in an expression beside the other factors of a product alone, so that the letter of the product takes the place of all of them.
+fn divides(expression: Sym, symbol: Sym, solved: Sym) -> bool {
+    let below = |expression: Sym| normal(expression, &Hypotheses::none()).map(|form| form.denominator().symbols_of());
+    match (below(expression), below(expression.substitute(&[(symbol, solved)]))) {
+        (Ok(before), Ok(after)) => after.iter().all(|symbol| before.contains(symbol)),
+        _ => false,
+    }
 }

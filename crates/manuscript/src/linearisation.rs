@@ -151,7 +151,7 @@ pub(crate) fn linearised(
                             letters.told(by)
                         ),
                     };
-                    told_difference(part * by.unwrap_or(Sym::ONE), base, told, finding);
+                    told_difference(part * by.unwrap_or(Sym::ONE), line.own, base, told, finding);
                     return Ok(());
                 }
                 other => {

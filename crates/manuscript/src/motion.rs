@@ -1,6 +1,7 @@
 //! The equations that hold along every motion of a model: accelerations and multipliers by its equations, speeds and positions by its
 //! constraints, and the hypotheses.
 
+use crate::half_turn::is_half_turn;
 use crate::letters::circle;
 use model::Trace;
 use model::equations::{Characteristics, Equation, Equations, Level, Singular, constraints_of, solved};
@@ -212,7 +213,8 @@ impl<'t, 'm> Motion<'t, 'm> {
         if decide(zero, &self.hypotheses).is_zero() {
             return Ok(());
         }
-        if zero.as_constant().is_some() {
+        // no letter makes pi a rational number
+        if zero.symbols_of().into_iter().all(is_half_turn) {
             return Err("this hypothesis contradicts the ones before it, or the model".to_owned());
         }
         match solution(self.trace, zero, first) {
@@ -306,14 +308,15 @@ pub(crate) fn solution(trace: &Trace<'_>, zero: Sym, first: Option<Sym>) -> Opti
     // over one denominator: the expression is zero where its numerator is
     let zero = normal(zero, &Hypotheses::none()).map_or(zero, |form| form.numerator());
     let by = |symbol: Sym| linear(zero, symbol);
-    if let Some(found) = first.filter(|symbol| symbol.symbol_name().is_some()).and_then(by) {
+    let is_letter = |symbol: &Sym| symbol.symbol_name().is_some() && !is_half_turn(*symbol);
+    if let Some(found) = first.filter(is_letter).and_then(by) {
         return Some(found);
     }
     let moves = |divisor: Sym| {
         let symbols = divisor.symbols_of();
         trace.coordinates.iter().chain(&trace.speeds).any(|each| symbols.contains(each))
     };
-    let mut all: Vec<Solution> = zero.symbols_of().into_iter().filter_map(by).collect();
+    let mut all: Vec<Solution> = zero.symbols_of().into_iter().filter(is_letter).filter_map(by).collect();
     all.sort_by_key(|found| (moves(found.divisor), Sym::operations_of(&[found.divisor])));
     all.into_iter().next()
 }

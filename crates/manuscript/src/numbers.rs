@@ -4,6 +4,7 @@ use crate::certificate::Record;
 use crate::claim_text::ClaimText;
 use crate::conditions::{Hypothesis, assume, scalar};
 use crate::equation::Outcome;
+use crate::half_turn::{enclosed, is_half_turn};
 use crate::finding::{Finding, Sides};
 use crate::letters::Letters;
 use crate::motion::Motion;
@@ -47,7 +48,8 @@ pub(crate) fn number(
     assume(&mut motion, assumed)?;
     finding.allowed = allowed(letters.trace, true);
     let value = cancelled(&motion, motion.reduced(quantity));
-    let open: Vec<String> = value.symbols_of().iter().map(|symbol| letters.told(*symbol).to_string()).collect();
+    let open = value.symbols_of().into_iter().filter(|symbol| !is_half_turn(*symbol));
+    let open: Vec<String> = open.map(|symbol| letters.told(symbol).to_string()).collect();
     if !open.is_empty() {
         return Err(refused(format!("the value depends on {}, which `given` does not have", open.join(", "))));
     }
@@ -120,14 +122,10 @@ pub(crate) fn right(
 
 /// A letter that cancels needs no value.
 fn cancelled(motion: &Motion<'_, '_>, value: Sym) -> Sym {
-    match value.symbols_of().is_empty() {
+    match value.symbols_of().into_iter().all(is_half_turn) {
         true => value,
         false => normal(value, &motion.hypotheses).map_or(value, |form| form.to_sym()),
     }
-}
-
-fn enclosed(expression: Sym) -> Option<Interval> {
-    expression.evaluate_analytic(&|_: &str| None::<Interval>).ok()
 }
 
 /// Nine digits of the middle.

@@ -1,9 +1,9 @@
 //! Signs of polynomials for all values: by squares and discriminants, and in one unknown by its real roots, exactly.
 
+use crate::half_turn::is_half_turn;
 use crate::line_signs::number_between;
 use crate::motion::Motion;
 use crate::refutation::{Refutation, exact};
-use crate::signs::is_half_turn;
 use algebra::real::{Polynomial, Root};
 use claims::Condition;
 use field::Rational;

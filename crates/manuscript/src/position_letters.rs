@@ -98,6 +98,10 @@ fn combinations(wanted: &BTreeMap<Vec<u32>, Terms>, products: &[Product]) -> Opt
             };
             // a coefficient of either sign is the difference of two nonnegative ones
             let columns: Vec<Vec<Rational>> = products.iter().map(|product| column(&product.terms)).collect();
+            // products of direction cosines depend on each other: the fewest of them are told
+            if let Some(found) = of_one_or_two(&columns, &column(target)) {
+                return Some(found);
+            }
             let opposite = columns.iter().map(|own| own.iter().map(|entry| -*entry).collect());
             let both: Vec<Vec<Rational>> = columns.iter().cloned().chain(opposite).collect();
             let found = nonnegative_combination(&both, &column(target))?;
@@ -107,7 +111,45 @@ fn combinations(wanted: &BTreeMap<Vec<u32>, Terms>, products: &[Product]) -> Opt
         .collect()
 }
 
-/// A polynomial in leaves by its exponents; none if it is too long, or not a polynomial.
+/// Factors of one column that is the target, or of two whose sum is; zero for all others.
+fn of_one_or_two(columns: &[Vec<Rational>], target: &[Rational]) -> Option<Vec<Rational>> {
+    let zero = Rational::new(0, 1);
+    let is_zero = |entry: &Rational| *entry == zero;
+    // the factor of a column that takes an entry of the target away
+    let rest = |own: &[Rational], factor: Rational, of: &[Rational]| -> Vec<Rational> {
+        of.iter().zip(own).map(|(entry, own)| *entry - factor * *own).collect()
+    };
+    let alone = |of: &[Rational], from: usize| {
+        columns.iter().enumerate().skip(from).find_map(|(place, own)| {
+            let first = own.iter().position(|entry| !is_zero(entry))?;
+            let factor = of[first] / own[first];
+            rest(own, factor, of).iter().all(is_zero).then_some((place, factor))
+        })
+    };
+    let with = |chosen: &[(usize, Rational)]| {
+        let mut factors = vec![zero; columns.len()];
+        chosen.iter().for_each(|&(place, factor)| factors[place] = factor);
+        factors
+    };
+    if let Some(one) = alone(target, 0) {
+        return Some(with(&[one]));
+    }
+    columns.iter().enumerate().find_map(|(place, own)| {
+        let entries = own.iter().enumerate().filter(|(_, entry)| !is_zero(entry));
+        let mut factors: Vec<Rational> = Vec::new();
+        for factor in entries.map(|(row, entry)| target[row] / *entry).filter(|factor| !is_zero(factor)) {
+            if !factors.contains(&factor) {
+                factors.push(factor);
+            }
+        }
+        factors.into_iter().find_map(|factor| {
+            let other = alone(&rest(own, factor, target), place + 1)?;
+            Some(with(&[(place, factor), other]))
+        })
+    })
+}
+
+/// A polynomial in leaves by its exponents; none where it is long, or no polynomial.
 fn terms(polynomial: Sym, leaves: &[Sym]) -> Option<Terms> {
     let found = coefficients(polynomial, leaves).ok().filter(|found| found.len() <= MOST_TERMS)?;
     let number = |value: Sym| normal(value, &Hypotheses::none()).ok()?.as_constant();

@@ -1,8 +1,8 @@
 //! Exact points at which a claim fails.
 
+use crate::half_turn::{enclosed, holds_half_turn, is_half_turn};
 use crate::motion::{Motion, solution};
 use claims::{Condition, Point};
-use field::Interval;
 use symbolic::{Hypotheses, Node, Sym, decide, normal};
 
 /// An exact point at which an expression is not zero, or has a wrong sign.
@@ -14,11 +14,11 @@ pub(crate) struct Refutation {
 }
 
 impl Refutation {
-    /// The value of an expression at the point, if the point determines it.
+    /// The value of an expression there, where the point gives it one; the number pi may stand in it.
     pub fn value(&self, expression: Sym) -> Option<Sym> {
         let at = |expression: Sym| {
             let form = normal(expression.substitute(&self.point), &Hypotheses::none()).ok()?.to_sym();
-            form.symbols_of().is_empty().then_some(form)
+            form.symbols_of().into_iter().all(is_half_turn).then_some(form)
         };
         // multiples of angles are expressed by the angles of the point
         at(expression).or_else(|| at(normal(expression, &Hypotheses::none()).ok()?.to_sym()))
@@ -67,24 +67,22 @@ impl Refutation {
             let value = if has_root() { self.value(of)?.as_constant()? } else { return None };
             value.is_defined().then(|| condition.allows(value.sign().unwrap_or_default()))
         };
-        condition.holds_at(&exact(&self.point)).or_else(by_roots)
+        let by_half_turn = || if holds_half_turn(of) { sign(self.value(of)?) } else { None };
+        let by_enclosure = || by_half_turn().map(|sign| condition.allows(sign));
+        condition.holds_at(&exact(&self.point)).or_else(by_roots).or_else(by_enclosure)
     }
 }
 
-fn enclosed(value: Sym) -> Option<Interval> {
-    value.evaluate_analytic(&|_: &str| None::<Interval>).ok()
-}
-
-/// The sign of a number: exactly for a fraction, otherwise by an enclosure if it excludes zero.
+/// The sign of a number: of a fraction exactly, of others where an enclosure shows it.
 pub(crate) fn sign(value: Sym) -> Option<i32> {
     let exactly = value.as_constant().map(|value| value.sign());
     exactly.unwrap_or_else(|| enclosed(value)?.sign().filter(|sign| *sign != 0))
 }
 
-/// Whether a number is not zero: by its enclosure, or as the normal form of one root with rational factors.
+/// Whether a number is not zero: by its enclosure, or as the normal form of one root with rational factors, or of pi.
 fn is_apart(value: Sym) -> bool {
     let has_one_root = || match value.leaves_of()[..] {
-        [leaf] => matches!(leaf.node(), Node::Root(below) if below.as_constant().is_some()),
+        [leaf] => is_half_turn(leaf) || matches!(leaf.node(), Node::Root(below) if below.as_constant().is_some()),
         _ => false,
     };
     enclosed(value).is_some_and(|enclosed| match enclosed.sign() {

@@ -1,7 +1,8 @@
 //! Signs of expressions, and exact points with required signs.
 
+use crate::half_turn::{holds_half_turn, is_half_turn};
 use crate::motion::Motion;
-use crate::refutation::{Refutation, exact};
+use crate::refutation::{self, Refutation, exact};
 use claims::{Condition, Page, Verdict};
 use field::Rational;
 use symbolic::{Hypotheses, Node, Sym, normal, univariate};
@@ -165,7 +166,8 @@ pub(crate) fn search(
     }
     let squares: Vec<(Sym, Sym)> = motion.squares.iter().map(|&(of, zero)| (of, motion.reduced(zero))).collect();
     let has_root = |e: &Sym| e.leaves_of().iter().any(|leaf| matches!(leaf.node(), Node::Root(_)));
-    let points = if expressions.iter().any(has_root) { POINTS_OF_ROOTS } else { POINTS };
+    let is_slow = |e: &Sym| has_root(e) || holds_half_turn(*e);
+    let points = if expressions.iter().any(is_slow) { POINTS_OF_ROOTS } else { POINTS };
     let all = expressions.iter().copied().chain(conditions.iter().map(|condition| condition.expression()));
     let mut draw = Draw::of(all.chain(squares.iter().map(|(_, zero)| *zero)), conditions)?;
     draw.leaves.retain(|leaf| squares.iter().all(|(of, _)| of != leaf));
@@ -174,15 +176,24 @@ pub(crate) fn search(
         |point| with_squares(point, &squares),
         |point| {
             let values = exact(point);
-            let holds = || conditions.iter().all(|condition| condition.holds_at(&values) == Some(true));
-            let signs = || -> Option<Vec<i8>> {
-                let rational = |each: Sym| values.value(each).filter(|value| value.is_defined())?.sign();
-                let by_roots = |each: Sym| {
-                    let there =
-                        || Refutation { point: point.to_vec(), is_formal: false }.value(each)?.as_constant()?.sign();
-                    if has_root(&each) { there() } else { None }
+            let rational = |each: Sym| values.value(each).filter(|value| value.is_defined())?.sign();
+            let there = |each: Sym| Refutation { point: point.to_vec(), is_formal: false }.value(each);
+            let by_half_turn =
+                |each: Sym| if holds_half_turn(each) { there(each).and_then(refutation::sign) } else { None };
+            let holds = || {
+                let holds = |condition: &Condition| {
+                    let sign = rational(condition.expression()).or_else(|| by_half_turn(condition.expression()));
+                    sign.is_some_and(|sign| condition.allows(sign))
                 };
-                let sign = |each: &Sym| rational(*each).or_else(|| by_roots(*each)).map(|sign| sign as i8);
+                conditions.iter().all(holds)
+            };
+            let signs = || -> Option<Vec<i8>> {
+                let by_roots =
+                    |each: Sym| if has_root(&each) { there(each)?.as_constant()?.sign() } else { None };
+                let sign = |each: &Sym| {
+                    let found = rational(*each).or_else(|| by_roots(*each)).or_else(|| by_half_turn(*each));
+                    found.map(|sign| sign as i8)
+                };
                 expressions.iter().map(sign).collect()
             };
             holds() && signs().is_some_and(|signs| asked(&signs))
@@ -226,20 +237,15 @@ pub(crate) fn completed(found: Refutation, conditions: &[Condition]) -> Option<R
     Some(Refutation { point: whole(&more.point), is_formal: found.is_formal })
 }
 
-/// Whether a point may represent real numbers that satisfy the conditions. To refute an equation, an angle, its sine and its cosine may have
-/// independent values, and so may pi: an expression that is not zero there is not zero for all angles. A condition that contains the
-/// angle, or pi, makes them dependent.
+/// Whether a point can be one of real numbers where the conditions hold. To refute an equation an angle, its sine and its cosine may have
+/// independent values: an expression that does not vanish there does not vanish for all angles. A condition that contains the angle ties them
+/// together.
 fn may_be_real(point: &[(Sym, Sym)], conditions: &[Condition]) -> bool {
     let asked = |letter: Sym| conditions.iter().any(|condition| condition.expression().leaves_of().contains(&letter));
     point.iter().all(|(letter, _)| match letter.node() {
         Node::Cos(angle) | Node::Sin(angle) => !asked(angle),
-        _ => !is_half_turn(*letter) || !asked(*letter),
+        _ => true,
     })
-}
-
-/// Whether a symbol is the half turn, whose value no point may change.
-pub(crate) fn is_half_turn(symbol: Sym) -> bool {
-    symbol.symbol_name().is_some_and(|name| name == "pi")
 }
 
 /// Small numbers for letters, in a fixed order.
@@ -259,13 +265,13 @@ impl<'a> Draw<'a> {
             if let Node::Root(inside) = leaf.node() {
                 has_roots = true;
                 open.extend(inside.leaves_of());
-            } else if !leaves.contains(&leaf) {
+            } else if !leaves.contains(&leaf) && !is_half_turn(leaf) {
                 leaves.push(leaf);
             }
         }
         leaves.reverse();
         let is_plain = |leaf: &Sym| match leaf.node() {
-            Node::Symbol(_) => !is_half_turn(*leaf),
+            Node::Symbol(_) => true,
             Node::Cos(angle) | Node::Sin(angle) => angle.symbol_name().is_some() && !leaves.contains(&angle),
             _ => false,
         };

@@ -1,11 +1,12 @@
 //! Claims on the stability of a steady motion: the printed inequality is compared with the roots of the linear equations, and for a
 //! conservative system with its energy.
 
+use crate::admissible::admissible;
 use crate::certificate::Record;
 use crate::claim_text::ClaimText;
 use crate::condition_products;
 use crate::conditions::{Hypothesis, assume, conditions};
-use crate::display::{Told, divisors, point, told_difference};
+use crate::display::{Told, divisors, tell_point, told_difference};
 use crate::equation::Outcome;
 use crate::extent::{exclude_each_other, is_met};
 use crate::finding::Finding;
@@ -16,7 +17,7 @@ use crate::linear_motion::LinearMotion;
 use crate::minimum_certificate::minimum;
 use crate::motion::Motion;
 use crate::real_signs;
-use crate::refutation::Refutation;
+use crate::refutation::{Refutation, sign};
 use crate::signs::{Shown, search, shows};
 use crate::stability_region::{Criterion, Region, Theorem};
 use crate::steady_motion::Resting;
@@ -124,12 +125,12 @@ impl Compared<'_, '_, '_> {
                 .to_owned(),
             false => format!("at the exact point the printed inequality fails, and {}", self.region.told_stable(by_roots)),
         };
-        finding.judged.counterexample = point(self.own, &refutation, self.motion, told);
+        tell_point(self.own, &refutation, self.motion, told, finding);
         // with gyroscopic terms no minimum is needed
         let is_needed = |one: &&Criterion| one.theorem.is_of_roots() || !self.region.is_gyroscopic;
         let needed = self.region.criteria.iter().filter(is_needed).map(|one| self.open(one));
         if let Some([condition]) = needed.map(|open| <[Sym; 1]>::try_from(open).ok()).next().flatten() {
-            told_difference(condition, self.motion, told, finding);
+            told_difference(condition, self.own, self.motion, told, finding);
             finding.judged.evidence += "; the expression below must be positive";
         }
         by_roots.then_some(Comparison::Other(refutation))
@@ -220,14 +221,15 @@ impl Compared<'_, '_, '_> {
                 let is_unstable = signs[last.clone()].contains(&-1);
                 signs[0] == 1 && is_unstable || signs[0] == -1 && is_stable
             };
-            search(&expressions, self.known, self.motion, disagree)
+            let within = |known: &[Condition]| search(&expressions, known, self.motion, disagree);
+            Some(admissible(within(self.known)?, self.motion, self.known, within))
         };
         let with_roots = || if by_roots.is_empty() { None } else { found(&roots, &by_roots) };
         let (refutation, is_by_roots) = match with_roots() {
             Some(refutation) => (refutation, true),
             None => (found(&all, &self.region.necessary)?, false),
         };
-        let value = refutation.value(self.printed).and_then(Sym::as_constant).and_then(|value| value.sign());
+        let value = refutation.value(self.printed).and_then(sign);
         Some((refutation, value == Some(1), is_by_roots))
     }
 }

@@ -1,7 +1,7 @@
 //! Writes verdicts with their reasons into findings.
 
 use crate::conditions::Hypothesis;
-use crate::display::{Told, point};
+use crate::display::{Told, tell_point};
 use crate::equation::Outcome;
 use crate::finding::{Finding, Sides};
 use crate::letters::Letters;
@@ -73,7 +73,7 @@ pub(crate) fn refute(
     let formal =
         if refutation.is_formal { "; sines and cosines are taken there as independent of their angles" } else { "" };
     finding.judged.evidence = format!("{sides}{formal}");
-    finding.judged.counterexample = point(line.own, refutation, motion, told);
+    tell_point(line.own, refutation, motion, told, finding);
 }
 
 /// Adds an objection if hypotheses have mixed dimensions.

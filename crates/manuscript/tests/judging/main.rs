@@ -6,6 +6,7 @@ mod corrections;
 mod divisors;
 mod domains;
 mod functions;
+mod half_turn;
 mod hypotheses;
 mod inequalities;
 mod linearisation;
