@@ -2,7 +2,7 @@
 
 use crate::passage::Passage;
 use claims::Verdict;
-use latex::{Displayed, formulas};
+use latex::{Displayed, NotFormula, formulas};
 use reader::{Issue, Table};
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -89,6 +89,8 @@ pub struct ClaimText {
     pub kind: Kind,
     /// The formula in LaTeX, as printed.
     pub formula: Passage,
+    /// The reason for which its display is not one formula or several.
+    pub fault: Option<NotFormula>,
     /// Hypotheses in LaTeX.
     pub given: Vec<Passage>,
     /// Letters that are constant on a steady motion.
@@ -152,8 +154,10 @@ pub fn claims(top: &mut Table<'_>, source: &str) -> Vec<ClaimText> {
         }
         top.absorb(table);
         let Some(kind) = kind else { continue };
-        let claim = ClaimText { at, equation, name, says, section, note, kind, formula, given, resting, expected };
-        for claim in taken_apart(claim, top) {
+        let fault = None;
+        let claim =
+            ClaimText { at, equation, name, says, section, note, kind, formula, fault, given, resting, expected };
+        for claim in taken_apart(claim) {
             if let Some(other) = all.iter().find(|other| other.key() == claim.key()) {
                 let title = format!("two claims have the name `{}`", other.key());
                 let issue = Issue::at(claim.at.clone(), title, "the second one");
@@ -166,14 +170,10 @@ pub fn claims(top: &mut Table<'_>, source: &str) -> Vec<ClaimText> {
 }
 
 /// A claim for each formula of a display.
-fn taken_apart(claim: ClaimText, top: &mut Table<'_>) -> Vec<ClaimText> {
+fn taken_apart(claim: ClaimText) -> Vec<ClaimText> {
     let parts = match formulas(&claim.formula.text) {
         Ok(parts) => parts,
-        Err(fault) => {
-            let issue = Issue::at(claim.formula.part(&fault.span), fault.title, fault.label);
-            top.report(issue.accepted(fault.accepted));
-            return Vec::new();
-        }
+        Err(fault) => return vec![ClaimText { fault: Some(fault), ..claim }],
     };
     let of = |Displayed { name, text, start }: Displayed| {
         let names = [claim.name.as_str(), &name].into_iter().filter(|name| !name.is_empty());

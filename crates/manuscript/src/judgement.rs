@@ -10,6 +10,7 @@ use crate::display::{Told, divisors, missing, shown};
 use crate::equation::{Outcome, vanishes};
 use crate::extent::is_met;
 use crate::finding::Finding;
+use crate::half_turn::bounds;
 use crate::implications::equivalence;
 use crate::inequalities::inequality;
 use crate::integrals::{integral, known};
@@ -18,6 +19,7 @@ use crate::linearisation::linearised;
 use crate::lines::{Line, lines};
 use crate::motion::Motion;
 use crate::numbers::number;
+use crate::paper_findings::PaperFindings;
 use crate::paper_text::PaperText;
 use crate::presuppositions::{presupposed, where_they_hold};
 use crate::real_signs::are_equal_by_squares;
@@ -50,7 +52,7 @@ impl PaperText {
         told: impl FnMut(&[Finding]) + Send,
         goes_on: impl Fn() -> bool + Send + Sync,
     ) -> Result<Vec<Finding>, SceneError> {
-        judged(self, false, told, goes_on)
+        self.findings(false, told, goes_on)?.whole()
     }
 
     /// Judges every claim as `judge_each` does, with the certificate of each verdict.
@@ -62,52 +64,59 @@ impl PaperText {
         told: impl FnMut(&[Finding]) + Send,
         goes_on: impl Fn() -> bool + Send + Sync,
     ) -> Result<Vec<Finding>, SceneError> {
-        judged(self, true, told, goes_on)
+        self.findings(true, told, goes_on)?.whole()
+    }
+
+    /// Judges every claim that can be read, as `judge_each` does, with certificates where they are asked for; the faults of the others stand beside.
+    ///
+    /// # Errors
+    /// All that is wrong with the system and the meanings of letters, each at its place.
+    pub fn findings(
+        &self,
+        is_certified: bool,
+        mut told: impl FnMut(&[Finding]) + Send,
+        goes_on: impl Fn() -> bool + Send + Sync,
+    ) -> Result<PaperFindings, SceneError> {
+        let model = model(self)?;
+        symbolic::apart(|| {
+            let trace = Trace::of(&model);
+            let letters = Letters::of(self, &trace);
+            let (mut findings, mut judged, mut faults) = (Vec::new(), Vec::new(), Vec::new());
+            for claim in &self.claims {
+                let finding = statement_of(claim, &letters).and_then(|statement| {
+                    let finding = judge(self, claim, &statement, &letters, is_certified)?;
+                    judged.push((claim, statement));
+                    Ok(finding)
+                });
+                match finding {
+                    Ok(finding) => {
+                        findings.push(finding);
+                        told(&findings);
+                    }
+                    Err(issue) => faults.push((claim, issue)),
+                }
+            }
+            for (place, (claim, statement)) in judged.iter().enumerate() {
+                if findings[place].judged.verdict == Verdict::Refuted {
+                    correct(self, claim, statement, &letters, (&goes_on, is_certified), &mut findings[place]);
+                    told(&findings);
+                }
+            }
+            Ok(PaperFindings::of(self, findings, faults))
+        })
     }
 }
 
-fn judged(
-    paper: &PaperText,
-    is_certified: bool,
-    mut told: impl FnMut(&[Finding]) + Send,
-    goes_on: impl Fn() -> bool + Send + Sync,
-) -> Result<Vec<Finding>, SceneError> {
-    let model = model(paper)?;
-    symbolic::apart(|| {
-        let trace = Trace::of(&model);
-        let letters = Letters::of(paper, &trace);
-        let mut issues = Vec::new();
-        let mut findings = Vec::new();
-        // every formula is read before the first is decided
-        let statements: Vec<Option<Statement>> = paper
-            .claims
-            .iter()
-            .map(|claim| {
-                let known = known(claim.kind, &letters);
-                read(&claim.formula.text, &known).map_err(|fault| issues.push(placed(&claim.formula, fault))).ok()
-            })
-            .collect();
-        for (claim, statement) in paper.claims.iter().zip(&statements) {
-            let Some(statement) = statement else { continue };
-            match judge(paper, claim, statement, &letters, is_certified) {
-                Ok(finding) => {
-                    findings.push(finding);
-                    told(&findings);
-                }
-                Err(issue) => issues.push(issue),
-            }
-        }
-        if !issues.is_empty() {
-            return Err(paper.error(issues));
-        }
-        for (place, (claim, statement)) in paper.claims.iter().zip(statements.iter().flatten()).enumerate() {
-            if findings[place].judged.verdict == Verdict::Refuted {
-                correct(paper, claim, statement, &letters, (&goes_on, is_certified), &mut findings[place]);
-                told(&findings);
-            }
-        }
-        Ok(findings)
-    })
+/// Reads the formula of a claim.
+fn statement_of(claim: &ClaimText, letters: &Letters<'_, '_>) -> Result<Statement, Issue> {
+    let fault = match &claim.fault {
+        Some(fault) => fault.clone(),
+        None => match read(&claim.formula.text, &known(claim.kind, letters)) {
+            Ok(statement) => return Ok(statement),
+            Err(fault) => fault,
+        },
+    };
+    Err(placed(&claim.formula, fault))
 }
 
 /// Looks for the corrections of a refuted claim.
@@ -154,10 +163,9 @@ fn judge(
     letters: &Letters<'_, '_>,
     is_certified: bool,
 ) -> Result<Finding, Issue> {
-    let assumed = hypotheses(&claim.given, letters)?;
-    let there = where_they_hold(paper, claim.kind, &assumed, letters)?;
+    let mut assumed = hypotheses(&claim.given, letters)?;
     let mut judged = Judged {
-        id: format!("{}/{}", paper.key, claim.key()),
+        id: paper.id_of(claim),
         section: claim.section.clone(),
         equation: claim.key().split('/').next().unwrap_or_default().to_owned(),
         says: claim.says.clone(),
@@ -173,6 +181,8 @@ fn judge(
         };
         list.push(hypothesis.told.clone());
     }
+    assumed.extend(bounds(claim, statement, &assumed, letters));
+    let there = where_they_hold(paper, claim.kind, &assumed, letters)?;
     let mut finding = Finding {
         judged,
         kind: claim.kind,
@@ -183,6 +193,7 @@ fn judge(
         sides: None,
         corrections: Vec::new(),
         search: Search::None,
+        unusual: Vec::new(),
         has_inside: false,
         certificate: None,
     };
@@ -209,6 +220,17 @@ fn judge(
     mixed_hypotheses(&assumed, letters, &mut finding);
     if matches!(finding.judged.verdict, Verdict::Proved | Verdict::Identified | Verdict::Undecided) {
         presupposed(paper, claim, statement, letters, (&assumed, &there), &mut finding);
+    }
+    // a letter that is given as positive does not vanish
+    let positive = assumed.iter().filter_map(|one| match one.condition {
+        Some(Condition::Positive(of)) => Some(of),
+        _ => None,
+    });
+    let excluded = divisors(&positive.collect::<Vec<Sym>>(), Told(letters));
+    finding.judged.requires.retain(|line| !excluded.contains(line));
+    if finding.judged.verdict == Verdict::Refuted && !finding.unusual.is_empty() {
+        let letters = finding.unusual.join(", ");
+        finding.judged.evidence += &format!("; no point with positive values of {letters} was found at which it fails");
     }
     finding.judged.expected = claim.expected.unwrap_or(finding.judged.verdict);
     finding.certificate = record.finished(&finding.judged, claim.kind.without_certificate());

@@ -4,7 +4,7 @@
 //! * [`PaperText`]: a file with `[letters]` and `[[claim]]`, and with the tables of its system or the name of the system's file;
 //! * `letters`: the meaning of each letter, over the symbols of the model;
 //! * `motion`: the equations along every motion: accelerations, multipliers, constraints, hypotheses;
-//! * [`PaperText::judge`]: a [`Finding`] for each claim. The derived side comes from the model, not from the file;
+//! * [`PaperText::judge`]: a [`Finding`] for each claim; [`PaperText::findings`] also where formulas cannot be read. The derived side is never typed: it comes from the model;
 //! * [`Correction`]: the smallest edit of a refuted formula that is proved;
 //! * [`PeerEquations`]: equations of motion that another program has derived, compared with those of the model.
 //!
@@ -43,6 +43,7 @@
 //! assert!(findings[0].corrections.iter().any(|one| one.formula == r"l \ddot\theta + g \sin\theta = 0"));
 //! ```
 
+mod admissible;
 mod certificate;
 mod change;
 mod claim_text;
@@ -57,8 +58,10 @@ mod energy_form;
 mod equation;
 mod extent;
 mod finding;
+mod half_turn;
 mod implications;
 mod inequalities;
+mod inertia;
 mod integrals;
 mod judgement;
 mod letter_forms;
@@ -72,6 +75,7 @@ mod minimum_certificate;
 mod motion;
 mod natural_domain;
 mod numbers;
+mod paper_findings;
 mod paper_text;
 mod passage;
 mod peer_equations;
@@ -82,6 +86,7 @@ mod presuppositions;
 mod real_signs;
 mod refutation;
 mod resting_equations;
+mod shortfall;
 mod signs;
 mod square_sums;
 mod stability;
@@ -89,11 +94,13 @@ mod stability_region;
 mod steadiness;
 mod steady_conditions;
 mod steady_motion;
+mod steady_refutation;
 mod verdict;
 
 pub use change::{Change, Correction, EditKind, Search};
 pub use claim_text::{ClaimText, Kind};
 pub use correction::{LineCorrection, NotRead, line_corrections, theorem_corrections};
 pub use finding::{Finding, Sides};
+pub use paper_findings::{PaperFindings, UnjudgedClaim};
 pub use paper_text::{PaperText, is_paper};
 pub use peer_equations::{PeerEquation, PeerEquations, PeerFinding, TermDifference};

@@ -48,6 +48,11 @@ impl PaperText {
         1 + self.text.bytes().take(at.start).filter(|byte| *byte == b'\n').count()
     }
 
+    /// The id of a claim: the file's name and the claim's.
+    pub fn id_of(&self, claim: &ClaimText) -> String {
+        format!("{}/{}", self.key, claim.key())
+    }
+
     /// Reads a file, and that of its system where it names one.
     ///
     /// # Errors

@@ -4,20 +4,21 @@ use crate::certificate::Record;
 use crate::claim_text::ClaimText;
 use crate::conditions::Hypothesis;
 use crate::consequence::{Step, followed, require, step, written_divisors};
-use crate::display::{Told, point};
+use crate::display::{Told, tell_point};
 use crate::equation::{Outcome, vanishes};
 use crate::finding::Finding;
 use crate::implications::condition;
 use crate::letters::Letters;
 use crate::refutation::Refutation;
 use crate::resting_equations::SteadyMotion;
+use crate::shortfall::tell_shortfall;
 use crate::steady_conditions::{Joint, together};
+use crate::steady_refutation::{all_rests, failing_motion, is_steady};
 use crate::verdict::neither;
 use claims::{Condition, Judged, Verdict};
 use latex::{Statement, read};
-use model::Trace;
 use reader::Issue;
-use symbolic::{Hypotheses, Sym, decide};
+use symbolic::Sym;
 
 /// The condition of the motions on which the letters of `resting` are constant: alone, or together with the claims `beside` about this motion.
 pub(crate) fn steady_motion(
@@ -37,8 +38,17 @@ pub(crate) fn steady_motion(
         claim.resting.iter().map(|one| one.text.as_str()).collect::<Vec<_>>().join(", ")
     );
     let presupposed = finding.judged.requires.clone();
+    let print = Print { is: printed, own: [own[0] - own[1], Sym::ZERO], letters, assumed };
     let is_too_little = match SteadyMotion::of(claim, &[printed], letters, assumed, finding)? {
-        Ok(steady) => alone(&steady, printed, own, letters, assumed, finding, record),
+        Ok(steady) => {
+            let is_too_little = alone(&steady, &print, finding, record);
+            if finding.judged.verdict == Verdict::Undecided
+                && let Some(found) = failing_motion(&steady)
+            {
+                print.fails(&steady, &found, &[], finding, record);
+            }
+            is_too_little
+        }
         Err(why) => {
             neither(Outcome::Undecided(why), letters, finding);
             false
@@ -62,8 +72,16 @@ pub(crate) fn steady_motion(
         let have_values: Vec<Condition> = have_values.collect();
         let given = steady.conditions.len();
         steady.conditions.extend(have_values);
-        match together(&steady, &names, assumed, record) {
-            // it is wrong with any other claims
+        let joint = together(&steady, &names, assumed, record);
+        // where no partner makes it right, or none was shown to, a motion refutes it
+        if matches!(joint, None | Some(Joint::Other))
+            && (is_too_little && joint.is_none() || finding.judged.verdict == Verdict::Undecided)
+            && let Some(found) = failing_motion(&steady)
+        {
+            print.fails(&steady, &found, &names, finding, record);
+            return Ok(());
+        }
+        match joint {
             Some(Joint::Other) => return Ok(()),
             Some(found) => {
                 // the conditions added above are dropped, so that their divisors are listed as required
@@ -100,19 +118,55 @@ fn of_statement(claim: &ClaimText, statement: &Statement, letters: &Letters<'_, 
     }
 }
 
-/// The verdict on the first printed condition alone; `is` is this condition over the model, as it was read. Returns whether it was refuted since
-/// it is too weak.
+/// A printed condition.
+struct Print<'a, 't, 'm> {
+    /// Over the model, as it was read.
+    is: Sym,
+    /// Its sides in the paper's letters, the right one zero.
+    own: [Sym; 2],
+    letters: &'a Letters<'t, 'm>,
+    assumed: &'a [Hypothesis],
+}
+
+impl Print<'_, '_, '_> {
+    /// Tells that the letters rest along a motion on which the printed condition does not hold; `names` are those of the others.
+    fn fails(
+        &self,
+        steady: &SteadyMotion<'_, '_>,
+        found: &Refutation,
+        names: &[&str],
+        finding: &mut Finding,
+        record: &mut Record,
+    ) {
+        let SteadyMotion { motion, equations, printed, .. } = steady;
+        let zeros: Vec<Sym> = equations.iter().map(|(equation, _)| motion.reduced(*equation)).collect();
+        record.restart();
+        record.fails_where(motion, self.assumed, &zeros, printed[0], found);
+        let holding = names.iter().zip(&printed[1..]).filter(|(_, other)| found.value(**other) == Some(Sym::ZERO));
+        let holding: Vec<&str> = holding.map(|(name, _)| *name).collect();
+        let beside = match holding.len() {
+            0 => String::new(),
+            1 => format!(", while that of {} does", holding[0]),
+            _ => format!(", while those of {} do", holding.join(", ")),
+        };
+        finding.judged.verdict = Verdict::Refuted;
+        finding.judged.evidence =
+            format!("at the exact point the letters rest along a motion, and the printed condition does not hold{beside}");
+        finding.judged.difference = None;
+        tell_point(self.own, found, motion, Told(self.letters), finding);
+    }
+}
+
+/// The verdict on the first of the printed conditions by itself. Whether it was refuted since it asks for too little.
 fn alone(
     steady: &SteadyMotion<'_, '_>,
-    is: Sym,
-    own: [Sym; 2],
-    letters: &Letters<'_, '_>,
-    assumed: &[Hypothesis],
+    print: &Print<'_, '_, '_>,
     finding: &mut Finding,
     record: &mut Record,
 ) -> bool {
-    let SteadyMotion { motion, equations, printed, conditions, rates } = steady;
-    let (printed, own) = (printed[0], [own[0] - own[1], Sym::ZERO]);
+    let SteadyMotion { motion, equations, printed, conditions, .. } = steady;
+    let &Print { is, own, letters, assumed } = print;
+    let printed = printed[0];
     let mut of_print: Vec<String> = Vec::new();
     let mut failing: Vec<Refutation> = Vec::new();
     let mut open: Vec<String> = Vec::new();
@@ -128,7 +182,7 @@ fn alone(
             if finding.judged.verdict == Verdict::Refuted {
                 finding.judged.evidence =
                     format!("at the exact point the printed condition holds and the equation of {name} does not");
-                crate::display::told_difference(reduced, motion, Told(letters), finding);
+                tell_shortfall((printed, own), (reduced, name), motion, Told(letters), finding);
             }
             return finding.judged.verdict == Verdict::Refuted;
         }
@@ -145,22 +199,10 @@ fn alone(
         }
     }
     if of_print.is_empty() {
-        // a motion on which all letters are constant satisfies every equation
-        let is_steady = |found: &Refutation| {
-            equations.iter().all(|(equation, _)| {
-                let left = motion.reduced(*equation);
-                decide(left, &motion.hypotheses).is_zero() || found.value(left) == Some(Sym::ZERO)
-            })
-        };
-        let rests = equations.iter().all(|(equation, _)| lasts(*equation, rates, motion.trace));
-        if let Some(found) = failing.iter().find(|found| rests && is_steady(found)) {
-            let zeros: Vec<Sym> = equations.iter().map(|(equation, _)| motion.reduced(*equation)).collect();
-            record.fails_where(motion, assumed, &zeros, printed, found);
-            finding.judged.verdict = Verdict::Refuted;
-            finding.judged.evidence =
-                "at the exact point the letters rest along a motion, and the printed condition does not hold"
-                    .to_owned();
-            finding.judged.counterexample = point(own, found, motion, Told(letters));
+        // a motion on which all of it rests satisfies every equation
+        let rests = all_rests(steady);
+        if let Some(found) = failing.iter().find(|found| rests && is_steady(steady, found)) {
+            print.fails(steady, found, &[], finding, record);
             return false;
         }
         let why = "the equations of motion hold there whenever the printed condition does, and it was not shown that they ask for it";
@@ -175,10 +217,4 @@ fn alone(
     finding.judged.evidence =
         format!("the printed condition is the equation of {} there, and the others hold", of_print.join(" and of "));
     false
-}
-
-/// Whether an expression is constant if these rates are zero.
-fn lasts(expression: Sym, rates: &[(Sym, Sym)], trace: &Trace<'_>) -> bool {
-    crate::letters::rate(trace, expression)
-        .is_ok_and(|rate| decide(rate.substitute(rates), &Hypotheses::none()).is_zero())
 }

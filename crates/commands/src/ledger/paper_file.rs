@@ -9,7 +9,7 @@ use crate::output::{Form, Maker, Writes};
 use charts::{PaperSection, Report};
 use claims::Verdict;
 use clap::{ArgGroup, Args};
-use manuscript::{Change, Correction, Finding, PaperText};
+use manuscript::{Change, Correction, Finding, PaperFindings, PaperText, UnjudgedClaim};
 use reader::SceneError;
 use serde_json::json;
 use std::path::PathBuf;
@@ -69,14 +69,26 @@ pub const HELP: &str = r#"A paper's file:
 Rates of declared letters are known: \dot{\theta}, \ddot{\theta}. A display on several lines is a claim for each of its formulas. A formula
 with two readings is refused at its place, with the spellings that have one.
 
-Where a claim is refuted, the smallest edits of its formula that make it true are told, each one proved."#;
+Where a claim is refuted, the smallest edits of its formula that make it true are told, each one proved.
+
+Exit codes:
+
+  0  every claim was judged, each verdict is the one that the file expects (`expect`; without
+     it any verdict counts as expected), and there is no objection
+  1  a verdict is not the expected one, or there is an objection, such as mixed dimensions; or the
+     time was over before every claim had its verdict
+  2  the file cannot be read, or the formula or the hypotheses of a claim cannot: its other
+     claims are judged and printed all the same
+130  interrupted by Ctrl-C; the claims that were judged until then are printed"#;
 
 /// Judges every claim and prints the findings.
 pub fn judge(asked: &Asked) -> Result<Exit, Exit> {
     let mut paper = PaperText::read(&asked.paper)?;
     let writes = Writes { command: "judge", force: asked.force, reads: vec![&asked.paper] };
     let output = writes.optional(asked.page.as_deref(), &[Form::Page])?;
-    paper.claims.retain(|claim| format!("{}/{}", paper.key, claim.key()).contains(&asked.filter));
+    let ids: Vec<String> = paper.claims.iter().map(|claim| paper.id_of(claim)).collect();
+    let mut chosen = ids.iter().map(|id| id.contains(&asked.filter));
+    paper.claims.retain(|_| chosen.next().unwrap_or_default());
     if paper.claims.is_empty() {
         return Err(Exit::refused(format!(
             "no claim's id contains `{}`; ids begin with {}/eq",
@@ -93,18 +105,21 @@ pub fn judge(asked: &Asked) -> Result<Exit, Exit> {
         asked.certificates.as_deref().map(|path| CertificateFolder::of(path, "judge", asked.force)).transpose()?;
     // corrections are optional: the search for them ends in time for printing
     let goes_on = || !asked.test && clock::left() > KEPT;
-    let findings = match folder {
-        Some(_) => paper.certify_each(so_far, goes_on)?,
-        None => paper.judge_each(so_far, goes_on)?,
-    };
+    let PaperFindings { findings, unjudged, error } = paper.findings(folder.is_some(), so_far, goes_on)?;
     let wrong: Vec<String> = findings.iter().filter_map(|finding| finding.as_expected().err()).collect();
     print(&match (asked.json, asked.test) {
-        (true, _) => format!("{:#}\n", findings.iter().map(object).collect::<serde_json::Value>()),
-        (false, true) => tested(&findings),
-        (false, false) => format!("{}{}", findings.iter().map(Finding::text).collect::<String>(), counted(&findings)),
+        (true, _) => {
+            let all = findings.iter().map(object).chain(unjudged.iter().map(unjudged_object));
+            format!("{:#}\n", all.collect::<serde_json::Value>())
+        }
+        (false, true) => tested(&findings, unjudged.len()),
+        (false, false) => {
+            let told: String = findings.iter().map(Finding::text).collect();
+            format!("{told}{}", counted(&findings, unjudged.len()))
+        }
     })?;
     if let Some(output) = output {
-        let html = charts::page::render(&report(&paper, &findings)).html;
+        let html = charts::page::render(&report(&paper, &findings, unjudged.len())).html;
         output.write_text(&html)?.tell(if asked.json { Format::Json } else { Format::Text })?;
     }
     if let Some(folder) = folder {
@@ -115,29 +130,47 @@ pub fn judge(asked: &Asked) -> Result<Exit, Exit> {
     for reason in &wrong {
         warn(reason);
     }
+    if let Some(error) = error {
+        return Err(error.into());
+    }
     Ok(if wrong.is_empty() { Exit::Done } else { Exit::Stopped })
 }
 
-/// The number of claims with each verdict.
-fn counted(findings: &[Finding]) -> String {
-    let counts: Vec<String> = Verdict::ALL
+/// The number of claims with each verdict, and of those without one.
+fn counted(findings: &[Finding], unjudged: usize) -> String {
+    let mut counts: Vec<String> = Verdict::ALL
         .into_iter()
         .map(|verdict| (verdict, findings.iter().filter(|finding| finding.judged.verdict == verdict).count()))
         .filter(|(_, count)| *count > 0)
         .map(|(verdict, count)| format!("{count} {}", verdict.name()))
         .collect();
-    let noun = if findings.len() == 1 { "claim" } else { "claims" };
-    format!("{} {noun}: {}\n", findings.len(), counts.join(", "))
+    counts.extend((unjudged > 0).then(|| format!("{unjudged} not read")));
+    let count = findings.len() + unjudged;
+    let noun = if count == 1 { "claim" } else { "claims" };
+    format!("{count} {noun}: {}\n", counts.join(", "))
 }
 
-fn tested(findings: &[Finding]) -> String {
+fn tested(findings: &[Finding], unjudged: usize) -> String {
     let expected: Vec<&Finding> = findings.iter().filter(|finding| finding.expected.is_some()).collect();
     let met = expected.iter().filter(|finding| finding.as_expected().is_ok()).count();
     let rest = match findings.len() - expected.len() {
         0 => String::new(),
         rest => format!("; {rest} without an expectation"),
     };
-    format!("{met} of {} verdicts as expected{rest}\n", expected.len())
+    let unread = if unjudged > 0 { format!("; {unjudged} not read") } else { String::new() };
+    format!("{met} of {} verdicts as expected{rest}{unread}\n", expected.len())
+}
+
+/// A claim without a verdict as JSON.
+fn unjudged_object(claim: &UnjudgedClaim) -> serde_json::Value {
+    let UnjudgedClaim { id, equation, printed, line, fault, accepted } = claim;
+    json!({
+        "id": id,
+        "equation": equation,
+        "printed": printed,
+        "verdict": null,
+        "error": { "line": line, "says": fault, "accepted": accepted },
+    })
 }
 
 /// A claim with its verdict as JSON.
@@ -188,10 +221,10 @@ fn corrected(correction: &Correction) -> serde_json::Value {
     })
 }
 
-fn report(paper: &PaperText, findings: &[Finding]) -> Report {
+fn report(paper: &PaperText, findings: &[Finding], unjudged: usize) -> Report {
     Report {
         title: paper.title.clone(),
-        summary: counted(findings),
+        summary: counted(findings, unjudged),
         generated_by: Maker("judge").generator(),
         papers: vec![section(paper, findings)],
         ..Report::default()

@@ -106,7 +106,7 @@ fn are_apart(first: &Effect, second: &Effect) -> bool {
 /// A measure that puts edits of one symbol before others, and plain factors before powers and quotients.
 pub(super) fn size(edit: &Edit) -> u32 {
     let is_composed =
-        edit.after.contains("^2") || edit.after.starts_with(r"\frac{") && !edit.after.starts_with(r"\frac{1}");
+        edit.after.contains("^2") || edit.after.starts_with(r"\frac{") && edit.closing.is_none() && !edit.after.starts_with(r"\frac{1}");
     match edit.kind {
         EditKind::Sign | EditKind::Dot | EditKind::Function | EditKind::Exponent | EditKind::Direction => 2,
         EditKind::MissingFactor if is_composed => 4,
@@ -115,8 +115,12 @@ pub(super) fn size(edit: &Edit) -> u32 {
     }
 }
 
+/// Whether two edits may be made together.
 pub(super) fn apart(first: &Edit, second: &Edit) -> bool {
-    first.span.end <= second.span.start || second.span.end <= first.span.start
+    match (&first.closing, &second.closing) {
+        (None, None) => first.span.end <= second.span.start || second.span.end <= first.span.start,
+        _ => first.is_apart(second),
+    }
 }
 
 /// Effects by their first change.

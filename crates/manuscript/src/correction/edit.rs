@@ -14,11 +14,18 @@ pub(super) struct Edit {
     pub words: String,
     /// The part of the formula that is printed to show the edit.
     pub around: Range<usize>,
+    /// A second part of the edit behind it: a place, and the text that is inserted there.
+    pub closing: Option<(usize, String)>,
 }
 
 impl Edit {
     pub fn new(kind: EditKind, span: Range<usize>, after: impl Into<String>, words: String) -> Self {
-        Edit { kind, around: span.clone(), span, after: after.into(), words }
+        Edit { kind, around: span.clone(), span, after: after.into(), words, closing: None }
+    }
+
+    /// The edit with a second part, which stands behind it.
+    pub fn closed(self, at: usize, text: String) -> Self {
+        Edit { around: self.around.start..self.around.end.max(at), closing: Some((at, text)), ..self }
     }
 
     /// The part of the formula that is shown, before the edit and after it.
@@ -26,7 +33,22 @@ impl Edit {
         let part = |range: Range<usize>| formula.get(range).unwrap_or_default();
         let before = part(self.around.clone());
         let (left, right) = (part(self.around.start..self.span.start), part(self.span.end..self.around.end));
-        [before.trim().to_owned(), format!("{left}{}{right}", self.after).trim().to_owned()]
+        let closing = self.closing.as_ref().map_or("", |(_, text)| text);
+        [before.trim().to_owned(), format!("{left}{}{right}{closing}", self.after).trim().to_owned()]
+    }
+
+    /// Its parts, each an edit of one place.
+    pub fn parts(&self) -> Vec<Edit> {
+        let Some((at, text)) = &self.closing else { return vec![self.clone()] };
+        let first = Edit { closing: None, around: self.span.clone(), ..self.clone() };
+        vec![first, Edit::new(self.kind, *at..*at, text.as_str(), String::new())]
+    }
+
+    /// Whether no part of it touches the other edit.
+    pub fn is_apart(&self, other: &Edit) -> bool {
+        let apart = |one: &Range<usize>, other: &Range<usize>| one.end <= other.start || other.end <= one.start;
+        let places = |edit: &Edit| edit.parts().into_iter().map(|part| part.span).collect::<Vec<_>>();
+        places(self).iter().all(|one| places(other).iter().all(|other| apart(one, other)))
     }
 
     /// The edited formula, and the place of the edit in it.

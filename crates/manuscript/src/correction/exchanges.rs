@@ -224,11 +224,19 @@ fn numbers(places: &Places, text: &str) -> Vec<Edit> {
     // small numbers first
     values.sort_by_key(|(above, below)| (above + below, *below));
     let mut all = Vec::new();
-    for (span, printed) in places.numbers.iter().filter(|(_, value)| *value != Rational::new(0, 1)) {
+    let is_of_fraction =
+        |span: &Range<usize>| places.fractions.iter().any(|(of, _)| of.start <= span.start && span.end <= of.end);
+    for (span, printed) in places.numbers.iter().chain(&places.fractions) {
         let before = &text[..span.start];
         // `\frac12`: an argument without braces is one sign
         let is_bare = before.trim_end().ends_with("frac") || before.ends_with(|letter: char| letter.is_ascii_digit());
-        for &(above, below) in values.iter().filter(|(above, below)| Rational::new(*above, *below) != *printed) {
+        let is_part = is_of_fraction(span) && places.numbers.iter().any(|(number, _)| number == span);
+        let fits = |&(above, below): &(i64, i64)| {
+            let is_new = Rational::new(above, below) != *printed && *printed != Rational::new(0, 1);
+            // a quotient of numbers above or below another one is a number itself
+            is_new && (below == 1 || !is_part)
+        };
+        for &(above, below) in values.iter().filter(|value| fits(value)) {
             let plain = if below == 1 { above.to_string() } else { format!(r"\frac{{{above}}}{{{below}}}") };
             let after = if is_bare && (plain.len() > 1) { format!("{{{plain}}}") } else { plain.clone() };
             let words = format!("the number `{plain}` for `{}`", &text[span.clone()]);

@@ -5,6 +5,7 @@ use super::exchanges::told;
 use super::letter_rates::LetterRate;
 use super::places::{Places, Summand};
 use crate::change::EditKind;
+use std::ops::Range;
 use symbolic::Dimension;
 
 /// Numeric factors that are often missing or superfluous in formulas.
@@ -71,10 +72,45 @@ pub(super) fn factors(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<
             if summand.factors.iter().any(|own| Some(&text[own.clone()]) == below) {
                 continue;
             }
-            all.push(before(summand, factor, text));
+            match below {
+                Some(_) if is_fraction_by_one_term(summand, places, text) => {}
+                Some(below) => all.push(over(summand, below, text)),
+                None => all.push(before(summand, factor, text)),
+            }
         }
     }
     all
+}
+
+/// Whether a term is one fraction, below whose bar one term stands: a divisor more is a factor of that.
+fn is_fraction_by_one_term(summand: &Summand, places: &Places, text: &str) -> bool {
+    let [factor] = &summand.factors[..] else { return false };
+    let behind = |below: &Summand| text[below.span.end..factor.end.max(below.span.end)].trim();
+    let is_below = |below: &&Summand| {
+        let inside = factor.start < below.span.start && below.span.end <= factor.end;
+        inside && below.count == 1 && matches!(behind(below), "" | "}")
+    };
+    is_fraction(factor, text) && places.summands.iter().any(|below| is_below(&below))
+}
+
+fn is_fraction(factor: &Range<usize>, text: &str) -> bool {
+    [r"\frac", r"\dfrac", r"\tfrac"].iter().any(|command| text[factor.clone()].starts_with(command))
+}
+
+/// A term, or what stands behind its fraction, over a divisor.
+fn over(summand: &Summand, below: &str, text: &str) -> Edit {
+    let inverse = format!(r"\frac{{1}}{{{below}}}");
+    let first = summand.factors.iter().position(|factor| !is_fraction(factor, text));
+    let Some((first, behind)) = first.map(|place| (&summand.factors[place], &summand.factors[place..])) else {
+        return before(summand, &inverse, text);
+    };
+    let end = behind.last().map_or(first.end, |last| last.end);
+    let is_plain = text.get(first.start..end).is_some_and(|held| !held.contains(r"frac") && !held.contains('/'));
+    if !is_plain || end != summand.span.end {
+        return before(summand, &inverse, text);
+    }
+    let words = format!("the factor `{inverse}` in {}", told(summand, text));
+    Edit::new(EditKind::MissingFactor, first.start..first.start, r"\frac{", words).closed(end, format!("}}{{{below}}}"))
 }
 
 /// A factor before a term.

@@ -38,7 +38,10 @@ pub(super) trait Ground {
     /// The difference of the two sides in the printed letters, if there is one.
     fn own_difference(&self, statement: &Statement) -> Option<Sym>;
 
-    /// Whether test points can refute an edited formula.
+    /// The number of parts of a formula that say nothing.
+    fn redundancies(&self, statement: &Statement) -> usize;
+
+    /// Whether points can tell that an edited formula is false.
     fn has_points(&self) -> bool;
 
     /// The result of the test points.

@@ -1,17 +1,20 @@
 //! Hypotheses that the print may have omitted: a letter is zero, a quantity is constant.
 
 use super::letter_rates::LetterRate;
+use super::lost_inertia::takes_inertia;
 use super::places::Places;
 use super::probe::says_nothing;
-use crate::claim_text::ClaimText;
+use crate::claim_text::{ClaimText, Kind};
 use crate::conditions::{assume, hypotheses};
 use crate::consequence::is_of_inertia;
-use crate::integrals::known;
-use crate::letters::Letters;
+use crate::implications::condition;
+use crate::integrals::{difference, known};
+use crate::letters::{Letters, rate};
 use crate::lines::lines;
 use crate::motion::Motion;
 use crate::passage::Passage;
-use latex::read;
+use crate::steady_motion::Resting;
+use latex::{Statement, read};
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
 use symbolic::{Hypotheses, Node, Sym, decide};
@@ -30,27 +33,35 @@ pub(super) fn candidates(places: &Places, text: &str, rates: &[LetterRate]) -> V
     signs.chain(zeros).collect()
 }
 
-/// Whether a formula is not empty if a letter is zero: some side is not zero, and most of its terms stay.
-pub(super) fn leaves_something(claim: &ClaimText, hypothesis: &str, letters: &Letters<'_, '_>) -> bool {
-    if !hypothesis.ends_with("= 0") {
-        return true;
-    }
+/// Whether a claim still states something under its last hypothesis, where that is a letter that is zero: the model keeps its inertia, the equations
+/// of motion are needed as before, not all sides of the formula vanish, and most of its terms stay.
+pub(super) fn leaves_something(claim: &ClaimText, letters: &Letters<'_, '_>) -> bool {
+    let Some(last) = claim.given.last().filter(|last| last.text.ends_with("= 0")) else { return true };
     let zero =
-        read(hypothesis, &letters.spelt()).ok().and_then(|statement| super::probe::own_difference(&statement, letters));
+        read(&last.text, &letters.spelt()).ok().and_then(|statement| super::probe::own_difference(&statement, letters));
     let statement = read(&claim.formula.text, &known(claim.kind, letters)).ok();
     let (Some(zero), Some(statement)) = (zero, statement) else { return false };
-    // a model without inertia has no motion
-    if has_no_inertia(&claim.formula.with_text(hypothesis.to_owned()), letters) {
+    if is_parameter_of_inertia(last, letters) || takes_inertia(&claim.given, letters) {
         return false;
     }
-    // claims of other kinds have other sides
-    let Ok(mut lines) = lines(claim, &statement, letters) else { return true };
-    // a formula is also empty if both sides are zero by the hypothesis and the constraints
-    let mut motion = Motion::by_constraints(letters.trace);
+    let mut motion = match claim.kind {
+        Kind::SteadyMotion => match Resting::of(claim, letters) {
+            Ok(resting) => Motion::at_rest(letters.trace, &resting.rates(letters)),
+            Err(_) => return false,
+        },
+        _ => Motion::by_constraints(letters.trace),
+    };
     if !hypotheses(&claim.given, letters).is_ok_and(|assumed| assume(&mut motion, &assumed).is_ok()) {
         return false;
     }
     let vanishes = |side: Sym| decide(motion.reduced(side), &motion.hypotheses).is_zero();
+    // what holds without the equations of motion says nothing of them
+    if stated(claim, &statement, letters).is_some_and(|zeros| zeros.into_iter().any(vanishes)) {
+        return false;
+    }
+    // claims of other kinds have other sides
+    let Ok(mut lines) = lines(claim, &statement, letters) else { return true };
+    // two sides that vanish by the hypothesis and the constraints say nothing either
     if lines.iter().any(|line| line.model.into_iter().all(vanishes)) {
         return false;
     }
@@ -61,8 +72,27 @@ pub(super) fn leaves_something(claim: &ClaimText, hypothesis: &str, letters: &Le
     2 * staying >= terms.len() && !lines.iter().any(says_nothing)
 }
 
-/// Whether some coordinate of the model has no inertia if a letter is zero.
-fn has_no_inertia(hypothesis: &Passage, letters: &Letters<'_, '_>) -> bool {
+/// The expressions that a claim on motions says to vanish along them; of an equivalence those of both conditions.
+fn stated(claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>) -> Option<Vec<Sym>> {
+    match claim.kind {
+        Kind::IntegralOfMotion => {
+            let (is, _) = difference(claim, statement, letters).ok()?;
+            Some(vec![rate(letters.trace, is).ok()?])
+        }
+        Kind::EquationOfMotion => {
+            let lines = lines(claim, statement, letters).ok()?;
+            Some(lines.iter().map(|line| line.model[0] - line.model[1]).collect())
+        }
+        Kind::SteadyMotion | Kind::Equivalence => {
+            let conditions = statement.chains.iter().map(|chain| condition(claim, chain, letters).ok());
+            conditions.map(|found| found.map(|(zero, _)| zero)).collect()
+        }
+        _ => None,
+    }
+}
+
+/// Whether a letter that is zero is a parameter without which a coordinate of the model has no inertia.
+fn is_parameter_of_inertia(hypothesis: &Passage, letters: &Letters<'_, '_>) -> bool {
     let read = hypotheses(std::slice::from_ref(hypothesis), letters);
     let zero = read.ok().and_then(|all| all.first().and_then(|one| one.equality));
     zero.is_some_and(|(zero, _)| is_of_inertia(zero, &Motion::without_anything(letters.trace)))

@@ -16,11 +16,13 @@ mod ground;
 mod hypotheses;
 mod letter_rates;
 mod lost;
+mod lost_inertia;
 mod places;
 mod printed_letters;
 mod probe;
 mod recorded_equation;
 mod recorded_theorem;
+mod redundancy;
 mod renamings;
 mod samples;
 mod search;
@@ -82,7 +84,7 @@ fn under(ground: &TextClaim<'_, '_, '_>, candidates: Vec<String>) -> Vec<Correct
         let mut claim = ground.claim.clone();
         claim.given.push(claim.formula.with_text(hypothesis.clone()));
         claim.expected = None;
-        if !hypotheses::leaves_something(&claim, &hypothesis, ground.letters) {
+        if !hypotheses::leaves_something(&claim, ground.letters) {
             continue;
         }
         if let Some(Proof { judged, certificate }) = ground.proof(&claim) {

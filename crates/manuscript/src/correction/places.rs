@@ -52,7 +52,9 @@ pub(super) struct Places {
     pub calls: Vec<Call>,
     pub powers: Vec<Raised>,
     pub numbers: Vec<(Range<usize>, Rational)>,
-    /// Sides, contents of groups, numerators, denominators: a term may be added at their ends.
+    /// Quotients of two numbers.
+    pub fractions: Vec<(Range<usize>, Rational)>,
+    /// Sides, contents of groups, numerators, denominators: a term may be added behind them.
     pub sums: Vec<Range<usize>>,
 }
 
@@ -154,6 +156,9 @@ impl Finder<'_> {
             }
             Form::Function(function, argument) => self.call(term, *function, argument, false),
             Form::Quotient(above, below) => {
+                if let (Form::Number(over), Form::Number(under)) = (&above.form, &below.form) {
+                    self.found.fractions.push((term.span.clone(), *over / *under));
+                }
                 self.sum(above, None);
                 self.sum(below, None);
             }

@@ -6,6 +6,7 @@ use super::letter_rates::LetterRate;
 use super::lost::{SOUGHT, lost_terms, solved, sought};
 use super::places::Places;
 use super::printed_letters::{DERIVED, Letter, in_print, letters};
+use super::redundancy::redundancies;
 use super::samples::Samples;
 use super::search::Search;
 use super::values::weight;
@@ -240,6 +241,10 @@ impl Ground for Recorded<'_> {
 
     fn own_difference(&self, statement: &Statement) -> Option<Sym> {
         self.sides(statement).map(|line| line.printed())
+    }
+
+    fn redundancies(&self, statement: &Statement) -> usize {
+        redundancies(statement, &|term| self.value(term))
     }
 
     fn has_points(&self) -> bool {

@@ -52,6 +52,8 @@ pub(super) struct Search<'a, G> {
     known: Vec<String>,
     /// Whether the sides of the printed formula differ by a number.
     is_number: bool,
+    /// Parts of the print that say nothing.
+    redundancies: usize,
 }
 
 impl<'a, G: Ground> Search<'a, G> {
@@ -60,7 +62,8 @@ impl<'a, G: Ground> Search<'a, G> {
         let exchanges = [terms::repeated(&places, text), exchanges::exchanges(&places, text, ground.rates())].concat();
         let residual = ground.residual(statement);
         let is_number = ground.own_difference(statement).is_some_and(is_number);
-        Search { ground, places, exchanges, residual, known: ground.known(), is_number }
+        let redundancies = ground.redundancies(statement);
+        Search { ground, places, exchanges, residual, known: ground.known(), is_number, redundancies }
     }
 
     /// Edits of a relation, one symbol, one factor or one term: the first of these sizes with a proved edit; then two signs.
@@ -202,8 +205,10 @@ impl<'a, G: Ground> Search<'a, G> {
             }
             let candidate = Candidate { own: self.ground.own_difference(&statement), text, edits, parts };
             let is_empty = || candidate.own.is_some_and(|own| is_number(own) && !self.is_number);
+            let says_less = || self.ground.redundancies(&statement) > self.redundancies;
             match self.ground.has_points().then(|| self.ground.look(&candidate.text, &statement)) {
                 Some(Look::Fails) => {}
+                _ if says_less() => {}
                 Some(Look::Open) => open.push(candidate),
                 // an identity of the letters is empty, and so is an inequality between numbers
                 None if is_empty() => {}
@@ -288,9 +293,16 @@ fn pairs<'a>(edits: &'a [&Edit]) -> impl Iterator<Item = Vec<Edit>> + 'a {
 
 /// The formula after its edits, and the places of the edits in it.
 pub(super) fn edited(formula: &str, edits: &[Edit]) -> (String, Vec<Range<usize>>) {
+    let edits: Vec<Edit> = edits.iter().flat_map(Edit::parts).collect();
     let mut ordered: Vec<&Edit> = edits.iter().collect();
-    // a sign before a part is inserted after the part itself is edited
-    ordered.sort_by_key(|edit| (Reverse((edit.span.start, edit.span.end)), edit.kind == EditKind::Sign));
+    // a sign before a part is inserted after the part itself is edited; a term behind a fraction before the fraction is closed
+    let rank = |edit: &Edit| match edit.kind {
+        EditKind::LostTerm => 0,
+        _ if edit.after.starts_with('}') => 1,
+        EditKind::Sign => 3,
+        _ => 2,
+    };
+    ordered.sort_by_key(|edit| (Reverse((edit.span.start, edit.span.end)), rank(edit)));
     let (mut text, mut parts) = (formula.to_owned(), Vec::<Range<usize>>::new());
     for edit in ordered {
         let (next, mut part) = edit.applied(&text);

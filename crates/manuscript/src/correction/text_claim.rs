@@ -6,16 +6,17 @@ use super::letter_rates::{LetterRate, rates};
 use super::lost::{lack, lost, sought_values};
 use super::places::Places;
 use super::probe::{Probe, own_difference};
+use super::redundancy::{redundancies, summands};
 use crate::claim_text::{ClaimText, Kind};
 use crate::conditions::Hypothesis;
 use crate::finding::Finding;
 use crate::integrals::known;
-use crate::letters::Letters;
+use crate::letters::{Letters, rate};
 use crate::motion::Motion;
 use crate::steady_motion::Resting;
 use claims::Verdict;
-use latex::Statement;
-use symbolic::{Sym, normal};
+use latex::{NoValue, Statement, Term, Value, value};
+use symbolic::{Hypotheses, Sym, decide, normal};
 
 /// Everything needed to judge an edited claim.
 pub(crate) struct Judge<'a> {
@@ -94,6 +95,27 @@ impl Ground for TextClaim<'_, '_, '_> {
 
     fn own_difference(&self, statement: &Statement) -> Option<Sym> {
         own_difference(statement, self.letters)
+    }
+
+    fn redundancies(&self, statement: &Statement) -> usize {
+        let scalar = |value: Result<Value, NoValue>| match value {
+            Ok(Value::Scalar(value)) => Some(value),
+            _ => None,
+        };
+        let own = |term: &Term| scalar(value(term, &self.letters.in_paper()));
+        // a term of an integral that has no rate by itself says nothing
+        let rests = |term: &&Term| {
+            let rate = scalar(value(term, &self.letters.in_model())).map(|value| rate(self.letters.trace, value));
+            matches!(rate, Some(Ok(rate)) if decide(rate, &Hypotheses::none()).is_zero())
+        };
+        let constant = match self.claim.kind {
+            Kind::IntegralOfMotion => {
+                let sides = statement.chains.iter().flat_map(|chain| &chain.sides);
+                sides.flat_map(summands).map(|(_, term)| term).filter(rests).count()
+            }
+            _ => 0,
+        };
+        redundancies(statement, &own) + constant
     }
 
     fn has_points(&self) -> bool {

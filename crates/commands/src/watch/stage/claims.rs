@@ -6,7 +6,7 @@ use crate::clock;
 use crate::watch::told::Told;
 use charts::ClaimRow;
 use charts::page::live::{self, LiveClaim, Part};
-use manuscript::{Finding, PaperText};
+use manuscript::{Finding, PaperFindings, PaperText};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
@@ -20,11 +20,13 @@ const KEPT: Duration = Duration::from_millis(500);
 pub(super) fn tell(path: &Path, text: String) -> Result<(), Broken> {
     let paper = PaperText::parse(path, text)?;
     let sources: Vec<LiveClaim> = paper.claims.iter().map(|claim| source(&paper, claim)).collect();
+    let ids: Vec<String> = paper.claims.iter().map(|claim| paper.id_of(claim)).collect();
     let shown = |findings: &[Finding]| -> Told {
-        let rows = findings.iter().map(Some).chain(std::iter::repeat(None));
-        let claims = sources.iter().cloned().zip(rows);
+        // claims that cannot be read have none
+        let found = |id: &String| findings.iter().find(|finding| finding.judged.id == *id);
+        let claims = sources.iter().cloned().zip(&ids);
         let claims: Vec<LiveClaim> =
-            claims.map(|(claim, found)| LiveClaim { row: found.map(decided), ..claim }).collect();
+            claims.map(|(claim, id)| LiveClaim { row: found(id).map(decided), ..claim }).collect();
         Told::part(Part::Claims, live::claims(&claims))
     };
     shown(&[]).write()?;
@@ -36,8 +38,9 @@ pub(super) fn tell(path: &Path, text: String) -> Result<(), Broken> {
             last = Instant::now();
         }
     };
-    let findings = paper.judge_each(so_far, || clock::left() > KEPT)?;
-    Ok(shown(&findings).write()?)
+    let PaperFindings { findings, error, .. } = paper.findings(false, so_far, || clock::left() > KEPT)?;
+    shown(&findings).write()?;
+    Ok(error.map_or(Ok(()), Err)?)
 }
 
 fn source(paper: &PaperText, claim: &manuscript::ClaimText) -> LiveClaim {

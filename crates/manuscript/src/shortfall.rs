@@ -1,0 +1,64 @@
+//! The terms that a printed condition lacks beside the equation that it should be a multiple of.
+
+use crate::display::{READABLE, Told, length, plainest};
+use crate::finding::Finding;
+use crate::motion::Motion;
+use symbolic::{Sym, coefficients, normal};
+
+/// Longer conditions are not compared term by term.
+const MOST_TERMS: usize = 16;
+
+/// Tells what the right side of a printed condition, which should vanish, lacks: with these terms it is a multiple of an equation of motion. Where that is
+/// no shorter than the equation, the equation itself is told.
+pub(crate) fn tell_shortfall(
+    (printed, own): (Sym, [Sym; 2]),
+    (equation, name): (Sym, &str),
+    motion: &Motion<'_, '_>,
+    told: Told<'_, '_, '_>,
+    finding: &mut Finding,
+) {
+    let short = |expression: Sym| {
+        let form = normal(expression, &motion.hypotheses).ok()?;
+        plainest(form.to_sym(), own, motion, told).filter(|own| length(*own) <= READABLE)
+    };
+    let whole = short(equation);
+    let beside = scales(printed, equation, motion)
+        .into_iter()
+        .filter_map(|scale| short(printed - scale * equation))
+        .filter(|own| *own != Sym::ZERO && whole.is_none_or(|whole| length(*own) < length(whole)))
+        .min_by_key(|own| length(*own));
+    let (own, says) = match (beside, whole) {
+        (Some(own), _) => (own, format!("with the terms below on its right side it is a multiple of the equation of {name}")),
+        (None, Some(whole)) => (whole, format!("the expression below, which must vanish, is the equation of {name}")),
+        (None, None) => return,
+    };
+    finding.judged.evidence += &format!("; {says}");
+    finding.judged.difference = Some((own.to_string(), own.latex()));
+}
+
+/// Multiples of an equation that have a term of the printed condition.
+fn scales(printed: Sym, equation: Sym, motion: &Motion<'_, '_>) -> Vec<Sym> {
+    let (Some(own), Some(other)) = (terms(printed, motion), terms(equation, motion)) else { return Vec::new() };
+    let mut all: Vec<Sym> = Vec::new();
+    for (one, term) in own.iter().flat_map(|one| other.iter().map(move |term| (one, term))) {
+        if let Ok(scale) = normal(*one / *term, &motion.hypotheses).map(|form| form.to_sym())
+            && !all.contains(&scale)
+        {
+            all.push(scale);
+        }
+    }
+    all
+}
+
+/// The terms of an expression in normal form, each over its denominator; none of a long one.
+fn terms(expression: Sym, motion: &Motion<'_, '_>) -> Option<Vec<Sym>> {
+    let form = normal(expression, &motion.hypotheses).ok()?;
+    let (above, below) = (form.numerator(), form.denominator());
+    let leaves: Vec<Sym> = above.leaves_of().into_iter().filter(|leaf| leaf.as_constant().is_none()).collect();
+    let found = coefficients(above, &leaves).ok().filter(|found| found.len() <= MOST_TERMS)?;
+    let product = |(exponents, value): (Vec<u32>, Sym)| {
+        let powers = leaves.iter().zip(exponents).filter(|(_, power)| *power > 0);
+        powers.fold(value / below, |product, (&leaf, power)| product * leaf.powi(power as i32))
+    };
+    Some(found.into_iter().map(product).collect())
+}

@@ -1,0 +1,95 @@
+//! Motions on which letters rest and a printed condition does not hold.
+
+use crate::admissible::admissible;
+use crate::consequence::{Step, is_of_inertia, step};
+use crate::equation::{Outcome, vanishes};
+use crate::inertia::inertia_determinant;
+use crate::refutation::Refutation;
+use crate::resting_equations::SteadyMotion;
+use crate::signs::search;
+use claims::Condition;
+use model::Trace;
+use symbolic::{Hypotheses, Sym, decide};
+
+/// An exact point of such a motion at which the first printed condition fails: where one of the other printed ones holds, where the equations of motion
+/// are solved, or among small numbers.
+pub(crate) fn failing_motion(steady: &SteadyMotion<'_, '_>) -> Option<Refutation> {
+    let SteadyMotion { motion, equations, printed, .. } = steady;
+    let (&first, others) = printed.split_first()?;
+    if !all_rests(steady) {
+        return None;
+    }
+    let conditions = &with_inertia(steady, first)?[..];
+    let is_motion = |found: &Refutation| is_steady(steady, found) && fails_at(first, found);
+    let beside = || {
+        others.iter().find_map(|&other| match step(motion, other, first, conditions) {
+            Step::Fails(found) => Some(found).filter(is_motion),
+            _ => None,
+        })
+    };
+    let by_equations = || {
+        let mut there = motion.clone();
+        for (equation, _) in equations {
+            there.assume(*equation, None).ok()?;
+        }
+        let known: Vec<Condition> =
+            conditions.iter().map(|condition| condition.mapped(|of| there.reduced(of))).collect();
+        let Outcome::NonZero(mut found) = vanishes(&there, first, &known) else { return None };
+        for symbol in there.replaced() {
+            let is_listed = found.point.iter().any(|(known, _)| *known == symbol);
+            if let (false, Some(value)) = (is_listed, found.value(there.reduced(symbol))) {
+                found.point.push((symbol, value));
+            }
+        }
+        let holds = |condition: &Condition| found.satisfies(*condition) == Some(true);
+        conditions.iter().all(holds).then_some(found).filter(is_motion)
+    };
+    let among_small = || {
+        let expressions: Vec<Sym> = equations.iter().map(|(equation, _)| *equation).chain([first]).collect();
+        let is_it = |signs: &[i8]| {
+            signs.split_last().is_some_and(|(last, all)| *last != 0 && all.iter().all(|sign| *sign == 0))
+        };
+        let within = |conditions: &[Condition]| search(&expressions, conditions, motion, is_it).filter(is_motion);
+        within(conditions).map(|found| admissible(found, motion, conditions, within))
+    };
+    beside().or_else(by_equations).or_else(among_small)
+}
+
+/// The conditions of a motion, with those under which the model has inertia there: at a pole of its coordinates the equations of motion ask for less.
+fn with_inertia(steady: &SteadyMotion<'_, '_>, first: Sym) -> Option<Vec<Condition>> {
+    let SteadyMotion { motion, equations, conditions, .. } = steady;
+    let regular = motion.reduced(inertia_determinant(motion.trace)?);
+    let expressions = equations.iter().map(|(equation, _)| *equation).chain([first, regular]);
+    let mut inertia: Vec<Sym> = expressions.flat_map(Sym::symbols_of).collect();
+    inertia.retain(|symbol| is_of_inertia(*symbol, motion));
+    inertia.sort_unstable();
+    inertia.dedup();
+    let positive = inertia.into_iter().map(Condition::Positive);
+    Some(conditions.iter().copied().chain(positive).chain([Condition::NonZero(regular)]).collect())
+}
+
+/// Whether a motion that satisfies the equations of motion at an instant goes on to satisfy them.
+pub(crate) fn all_rests(steady: &SteadyMotion<'_, '_>) -> bool {
+    let SteadyMotion { motion, equations, rates, .. } = steady;
+    equations.iter().all(|(equation, _)| lasts(*equation, rates, motion.trace))
+}
+
+/// Whether every equation of motion holds at a point.
+pub(crate) fn is_steady(steady: &SteadyMotion<'_, '_>, found: &Refutation) -> bool {
+    let SteadyMotion { motion, equations, .. } = steady;
+    equations.iter().all(|(equation, _)| {
+        let left = motion.reduced(*equation);
+        decide(left, &motion.hypotheses).is_zero() || found.value(left) == Some(Sym::ZERO)
+    })
+}
+
+/// Whether a printed condition has a value other than zero at a point.
+fn fails_at(printed: Sym, found: &Refutation) -> bool {
+    found.value(printed).is_some_and(|value| value != Sym::ZERO && crate::refutation::sign(value).is_some())
+}
+
+/// Whether an expression stays as it is where these rates vanish.
+fn lasts(expression: Sym, rates: &[(Sym, Sym)], trace: &Trace<'_>) -> bool {
+    crate::letters::rate(trace, expression)
+        .is_ok_and(|rate| decide(rate.substitute(rates), &Hypotheses::none()).is_zero())
+}
