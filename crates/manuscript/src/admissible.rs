@@ -5,12 +5,12 @@ use crate::refutation::{Refutation, sign};
 use claims::Condition;
 use symbolic::{Dimension, Sym};
 
-/// The parameters of a model that a counterexample should have positive.
+/// The parameters of a model that a counterexample should have positive; those that it should have other than zero are the others.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Parameters {
-    All,
-    /// Those that are positive by what they are.
-    Positive,
+enum Wanted {
+    AllPositive,
+    /// Those that are positive by what they are; no other is zero.
+    BodiesPositive,
 }
 
 /// The dimensions of masses, moments of inertia, lengths, stiffnesses, dampings, resistances, inductances and capacitances, as exponents of kg, m, s, A.
@@ -32,13 +32,16 @@ pub(crate) fn admissible(
     conditions: &[Condition],
     again: impl Fn(&[Condition]) -> Option<Refutation>,
 ) -> Refutation {
-    for parameters in [Parameters::All, Parameters::Positive] {
-        let valued = valued(&found, motion, parameters);
-        if valued.iter().all(|(_, sign)| *sign > 0) {
+    for wanted in [Wanted::AllPositive, Wanted::BodiesPositive] {
+        let valued = valued(&found, motion);
+        if valued.iter().all(|parameter| parameter.is_as(wanted)) {
             return found;
         }
-        let positive = valued.into_iter().map(|(parameter, _)| Condition::Positive(motion.reduced(parameter)));
-        let within: Vec<Condition> = conditions.iter().copied().chain(positive).collect();
+        let asked = valued.iter().map(|parameter| match parameter.is_of_body || wanted == Wanted::AllPositive {
+            true => Condition::Positive(motion.reduced(parameter.symbol)),
+            false => Condition::NonZero(motion.reduced(parameter.symbol)),
+        });
+        let within: Vec<Condition> = conditions.iter().copied().chain(asked).collect();
         if let Some(better) = again(&within) {
             return better;
         }
@@ -46,25 +49,52 @@ pub(crate) fn admissible(
     found
 }
 
-/// The parameters that are positive by what they are, and are not at a counterexample.
-pub(crate) fn unusual(found: &Refutation, motion: &Motion<'_, '_>) -> Vec<Sym> {
-    let all = valued(found, motion, Parameters::Positive).into_iter();
-    // a hypothesis may give a parameter its value
-    let is_free = |parameter: &Sym| motion.reduced(*parameter).as_constant().is_none();
-    all.filter(|(_, sign)| *sign <= 0).map(|(parameter, _)| parameter).filter(is_free).collect()
+/// Parameters at a counterexample that was found nowhere with better ones.
+#[derive(Default)]
+pub(crate) struct Unusual {
+    /// Masses, lengths and the like that are not positive.
+    pub not_positive: Vec<Sym>,
+    /// Others that are zero.
+    pub zero: Vec<Sym>,
 }
 
-/// The parameters that have a value at a point, with its sign.
-fn valued(found: &Refutation, motion: &Motion<'_, '_>, parameters: Parameters) -> Vec<(Sym, i32)> {
-    let is_positive = |dimension: Dimension| POSITIVE.iter().any(|&[kg, m, s, a]| dimension == Dimension::of(kg, m, s, a));
-    let chosen = motion.trace.model.parameters.iter().filter(|parameter| match parameters {
-        Parameters::All => true,
-        Parameters::Positive => is_positive(parameter.dimension),
-    });
-    let with_sign = |symbol: Sym| {
+/// The parameters that are unusual at a counterexample.
+pub(crate) fn unusual(found: &Refutation, motion: &Motion<'_, '_>) -> Unusual {
+    let mut all = Unusual::default();
+    // a hypothesis may give a parameter its value
+    let is_free = |parameter: &Valued| motion.reduced(parameter.symbol).as_constant().is_none();
+    for parameter in valued(found, motion).into_iter().filter(is_free) {
+        match parameter.sign {
+            ..=0 if parameter.is_of_body => all.not_positive.push(parameter.symbol),
+            0 => all.zero.push(parameter.symbol),
+            _ => {}
+        }
+    }
+    all
+}
+
+/// A parameter with its sign at a point.
+struct Valued {
+    symbol: Sym,
+    sign: i32,
+    /// Whether it is positive by what it is.
+    is_of_body: bool,
+}
+
+impl Valued {
+    fn is_as(&self, wanted: Wanted) -> bool {
+        self.sign > 0 || wanted == Wanted::BodiesPositive && !self.is_of_body && self.sign != 0
+    }
+}
+
+/// The parameters that have a value at a point.
+fn valued(found: &Refutation, motion: &Motion<'_, '_>) -> Vec<Valued> {
+    let is_of_body = |dimension: Dimension| POSITIVE.iter().any(|&[kg, m, s, a]| dimension == Dimension::of(kg, m, s, a));
+    let all = motion.trace.model.parameters.iter().filter_map(|parameter| {
+        let symbol = Sym::symbol(&parameter.name);
         let own = found.point.iter().find(|(known, _)| *known == symbol).map(|(_, value)| *value);
         let value = own.or_else(|| found.value(motion.reduced(symbol)))?;
-        Some((symbol, sign(value)?))
-    };
-    chosen.filter_map(|parameter| with_sign(Sym::symbol(&parameter.name))).collect()
+        Some(Valued { symbol, sign: sign(value)?, is_of_body: is_of_body(parameter.dimension) })
+    });
+    all.collect()
 }

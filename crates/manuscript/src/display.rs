@@ -1,6 +1,6 @@
 //! Findings in the letters of the paper.
 
-use crate::admissible::unusual;
+use crate::admissible::{Unusual, unusual};
 use crate::claim_text::Kind;
 use crate::finding::Finding;
 use crate::letter_forms::ways_to_tell;
@@ -49,6 +49,7 @@ pub(crate) fn divisors(found: &[Sym], told: Told<'_, '_, '_>) -> Vec<(String, St
         // a quotient is zero where its numerator is; its denominator is a separate divisor
         let parts = normal(divisor, &Hypotheses::none()).map_or(vec![divisor], |form| factors(form.numerator()));
         for part in parts.into_iter().filter(|part| !never_vanishes(*part)) {
+            let part = sine_of(part).unwrap_or(part);
             let own = by_letters(part).unwrap_or_else(|| told.0.told(part));
             if known.iter().any(|of| is_multiple(own, of)) {
                 continue;
@@ -62,6 +63,20 @@ pub(crate) fn divisors(found: &[Sym], told: Told<'_, '_, '_>) -> Vec<(String, St
     }
     all.sort_by_key(|(text, _)| (text.chars().count(), text.clone()));
     all
+}
+
+/// The sine whose square an expression is a multiple of: its normal form has cosines.
+fn sine_of(expression: Sym) -> Option<Sym> {
+    let angles = expression.leaves_of().into_iter().filter_map(|leaf| match leaf.node() {
+        Node::Cos(angle) => Some(angle),
+        _ => None,
+    });
+    let mut sines = angles.map(|angle| Sym::from_node(Node::Sin(angle)));
+    let is_square = |sine: &Sym| {
+        let quotient = normal(expression / (*sine * *sine), &Hypotheses::none());
+        quotient.is_ok_and(|quotient| quotient.to_sym().as_constant().is_some())
+    };
+    sines.find(is_square)
 }
 
 /// The factors of a product, without signs and powers.
@@ -101,7 +116,13 @@ pub(crate) fn tell_point(
         }
     }
     finding.judged.counterexample = listed;
-    finding.unusual = unusual(refutation, motion).into_iter().map(|symbol| told.0.told(symbol).to_string()).collect();
+    let Unusual { not_positive, zero } = unusual(refutation, motion);
+    let listed = |letters: Vec<Sym>| letters.into_iter().map(|one| told.0.told(one).to_string()).collect::<Vec<_>>().join(", ");
+    finding.unusual = match (not_positive.is_empty(), zero.is_empty()) {
+        (true, true) => String::new(),
+        (true, false) => format!("no point was found at which it fails and {} does not vanish", listed(zero)),
+        _ => format!("no point was found at which it fails with positive {}", listed(not_positive)),
+    };
 }
 
 /// Terms that the right side lacks, derived less printed: by the closest equation of motion, or by the derived value.

@@ -25,8 +25,8 @@ pub struct Finding {
     /// The smallest edits of a refuted claim that are proved, all of one size.
     pub corrections: Vec<Correction>,
     pub search: Search,
-    /// Letters of masses, lengths and the like that are not positive at the counterexample.
-    pub(crate) unusual: Vec<String>,
+    /// A sentence on parameters that are not positive at the counterexample; may be empty.
+    pub(crate) unusual: String,
     /// Whether an exact point was found inside everything that a proved claim presupposes.
     pub(crate) has_inside: bool,
     /// Present if it was requested.

@@ -27,7 +27,8 @@ pub(crate) fn known(kind: Kind, letters: &Letters<'_, '_>) -> Vec<String> {
     known
 }
 
-fn is_constant(term: &Term) -> bool {
+/// Whether a term is a constant whose value nobody gives.
+pub(crate) fn is_constant(term: &Term) -> bool {
     matches!(&term.form, Form::Letter(name) if CONSTANTS.contains(&name.as_str()))
 }
 

@@ -193,7 +193,7 @@ fn judge(
         sides: None,
         corrections: Vec::new(),
         search: Search::None,
-        unusual: Vec::new(),
+        unusual: String::new(),
         has_inside: false,
         certificate: None,
     };
@@ -229,8 +229,7 @@ fn judge(
     let excluded = divisors(&positive.collect::<Vec<Sym>>(), Told(letters));
     finding.judged.requires.retain(|line| !excluded.contains(line));
     if finding.judged.verdict == Verdict::Refuted && !finding.unusual.is_empty() {
-        let letters = finding.unusual.join(", ");
-        finding.judged.evidence += &format!("; no point with positive values of {letters} was found at which it fails");
+        finding.judged.evidence += &format!("; {}", finding.unusual);
     }
     finding.judged.expected = claim.expected.unwrap_or(finding.judged.verdict);
     finding.certificate = record.finished(&finding.judged, claim.kind.without_certificate());

@@ -15,7 +15,7 @@ use crate::verdict::{mixed, neither, refute};
 use claims::Verdict;
 use latex::Statement;
 use reader::Issue;
-use symbolic::Sym;
+use symbolic::{Sym, decide};
 
 /// The equations of motion, and the motion about which they are linearised.
 pub(crate) struct Linearisation<'t, 'm> {
@@ -77,8 +77,23 @@ impl<'t, 'm> Linearisation<'t, 'm> {
         all
     }
 
-    /// The letters for differentiation; none if the deviations of a free frame are not those of its coordinates, or if a point would have to give
-    /// a value to the letter pi.
+    /// Whether an expression is of the second order for all small accelerations, so that it says nothing of the motion.
+    pub fn is_of_second_order(&self, expression: Sym) -> bool {
+        let trace = self.base.trace;
+        let by_each = (0..trace.speeds.len()).flat_map(|place| {
+            [
+                trace.by_coordinate(expression, place),
+                trace.by_speed(expression, place),
+                trace.by_acceleration(expression, place),
+            ]
+        });
+        let by_inputs = self.inputs.iter().map(|&input| expression.diff(input));
+        let mut all = std::iter::once(expression).chain(by_each).chain(by_inputs);
+        all.all(|part| decide(self.base.reduced(part), &self.base.hypotheses).is_zero())
+    }
+
+    /// The letters by which is differentiated; none where a free frame has other deviations than its coordinates, or where a point would have to give
+    /// the letter pi a value.
     fn letters(&self, is_refuted: bool) -> Option<Vec<Sym>> {
         let trace = self.base.trace;
         let values = self.base.rounds.iter().flat_map(|round| &round.values);

@@ -222,6 +222,38 @@ pub(crate) fn completed(found: Refutation, conditions: &[Condition]) -> Option<R
     {
         return None;
     }
+    with_whole_circles(&found.point, conditions).into_iter().find_map(|point| {
+        let found = Refutation { point, is_formal: found.is_formal };
+        let is_excluded = conditions.iter().any(|condition| found.satisfies(*condition) == Some(false));
+        if is_excluded { None } else { with_open_letters(found, conditions) }
+    })
+}
+
+/// A point with the other coordinate of each angle of which it gives one, where conditions ask for it, by either root; none of these where a
+/// coordinate is not one of a circle.
+fn with_whole_circles(point: &[(Sym, Sym)], conditions: &[Condition]) -> Vec<Vec<(Sym, Sym)>> {
+    let is_asked = |leaf: &Sym| conditions.iter().any(|condition| condition.expression().leaves_of().contains(leaf));
+    let mut all = vec![point.to_vec()];
+    for &(leaf, value) in point {
+        let other = match leaf.node() {
+            Node::Cos(angle) => Sym::from_node(Node::Sin(angle)),
+            Node::Sin(angle) => Sym::from_node(Node::Cos(angle)),
+            _ => continue,
+        };
+        if !is_asked(&other) || point.iter().any(|(known, _)| *known == other) {
+            continue;
+        }
+        let root = field::Analytic::sqrt(Sym::ONE - value * value);
+        let Ok(root) = normal(root, &Hypotheses::none()).map(|form| form.to_sym()) else { return Vec::new() };
+        let signs = [root, Sym::ZERO - root];
+        let with = |point: &Vec<(Sym, Sym)>, root: Sym| [&point[..], &[(other, root)]].concat();
+        all = signs.iter().flat_map(|&root| all.iter().map(move |point| with(point, root))).collect();
+    }
+    all
+}
+
+/// A point with values for the letters that it leaves open.
+fn with_open_letters(found: Refutation, conditions: &[Condition]) -> Option<Refutation> {
     let open: Vec<Condition> =
         conditions.iter().copied().filter(|condition| found.satisfies(*condition) != Some(true)).collect();
     if open.is_empty() {

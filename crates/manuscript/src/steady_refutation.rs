@@ -6,7 +6,7 @@ use crate::equation::{Outcome, vanishes};
 use crate::inertia::inertia_determinant;
 use crate::refutation::Refutation;
 use crate::resting_equations::SteadyMotion;
-use crate::signs::search;
+use crate::signs::{completed, search};
 use claims::Condition;
 use model::Trace;
 use symbolic::{Hypotheses, Sym, decide};
@@ -19,40 +19,46 @@ pub(crate) fn failing_motion(steady: &SteadyMotion<'_, '_>) -> Option<Refutation
     if !all_rests(steady) {
         return None;
     }
-    let conditions = &with_inertia(steady, first)?[..];
     let is_motion = |found: &Refutation| is_steady(steady, found) && fails_at(first, found);
-    let beside = || {
-        others.iter().find_map(|&other| match step(motion, other, first, conditions) {
-            Step::Fails(found) => Some(found).filter(is_motion),
-            _ => None,
-        })
-    };
-    let by_equations = || {
-        let mut there = motion.clone();
-        for (equation, _) in equations {
-            there.assume(*equation, None).ok()?;
-        }
-        let known: Vec<Condition> =
-            conditions.iter().map(|condition| condition.mapped(|of| there.reduced(of))).collect();
-        let Outcome::NonZero(mut found) = vanishes(&there, first, &known) else { return None };
-        for symbol in there.replaced() {
-            let is_listed = found.point.iter().any(|(known, _)| *known == symbol);
-            if let (false, Some(value)) = (is_listed, found.value(there.reduced(symbol))) {
-                found.point.push((symbol, value));
-            }
-        }
-        let holds = |condition: &Condition| found.satisfies(*condition) == Some(true);
-        conditions.iter().all(holds).then_some(found).filter(is_motion)
-    };
-    let among_small = || {
-        let expressions: Vec<Sym> = equations.iter().map(|(equation, _)| *equation).chain([first]).collect();
-        let is_it = |signs: &[i8]| {
-            signs.split_last().is_some_and(|(last, all)| *last != 0 && all.iter().all(|sign| *sign == 0))
+    let within = |conditions: &[Condition]| {
+        let beside = || others.iter().find_map(|&other| beside(steady, other, conditions).filter(is_motion));
+        let solved = || by_equations(steady, conditions).filter(is_motion);
+        let among_small = || {
+            let expressions: Vec<Sym> = equations.iter().map(|(equation, _)| *equation).chain([first]).collect();
+            let is_it = |signs: &[i8]| {
+                signs.split_last().is_some_and(|(last, all)| *last != 0 && all.iter().all(|sign| *sign == 0))
+            };
+            search(&expressions, conditions, motion, is_it).filter(is_motion)
         };
-        let within = |conditions: &[Condition]| search(&expressions, conditions, motion, is_it).filter(is_motion);
-        within(conditions).map(|found| admissible(found, motion, conditions, within))
+        beside().or_else(solved).or_else(among_small)
     };
-    beside().or_else(by_equations).or_else(among_small)
+    let conditions = with_inertia(steady, first)?;
+    within(&conditions).map(|found| admissible(found, motion, &conditions, within))
+}
+
+/// A point at which another printed condition holds and the first one does not.
+fn beside(steady: &SteadyMotion<'_, '_>, other: Sym, conditions: &[Condition]) -> Option<Refutation> {
+    match step(&steady.motion, other, steady.printed[0], conditions) {
+        Step::Fails(found) => Some(found),
+        _ => None,
+    }
+}
+
+/// A point at which the equations of motion, each solved for a letter, hold and the first printed condition does not.
+fn by_equations(steady: &SteadyMotion<'_, '_>, conditions: &[Condition]) -> Option<Refutation> {
+    let mut there = steady.motion.clone();
+    for (equation, _) in &steady.equations {
+        there.assume(*equation, None).ok()?;
+    }
+    let known: Vec<Condition> = conditions.iter().map(|condition| condition.mapped(|of| there.reduced(of))).collect();
+    let Outcome::NonZero(mut found) = vanishes(&there, steady.printed[0], &known) else { return None };
+    for symbol in there.replaced() {
+        let is_listed = found.point.iter().any(|(known, _)| *known == symbol);
+        if let (false, Some(value)) = (is_listed, found.value(there.reduced(symbol))) {
+            found.point.push((symbol, value));
+        }
+    }
+    completed(found, conditions)
 }
 
 /// The conditions of a motion, with those under which the model has inertia there: at a pole of its coordinates the equations of motion ask for less.

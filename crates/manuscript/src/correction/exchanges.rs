@@ -240,13 +240,28 @@ fn numbers(places: &Places, text: &str) -> Vec<Edit> {
             let plain = if below == 1 { above.to_string() } else { format!(r"\frac{{{above}}}{{{below}}}") };
             let after = if is_bare && (plain.len() > 1) { format!("{{{plain}}}") } else { plain.clone() };
             let words = format!("the number `{plain}` for `{}`", &text[span.clone()]);
-            all.push(Edit::new(EditKind::Number, span.clone(), after, words));
+            // a factor 1 is not written
+            let gone = (plain == "1").then(|| factor_gone(span, places)).flatten();
+            let (span, after) = gone.map_or((span.clone(), after), |gone| (gone, String::new()));
+            all.push(Edit::new(EditKind::Number, span, after, words));
         }
     }
     all
 }
 
-/// A letter that was printed as a number: only one letter has the required dimension.
+/// A factor beside others with the sign of a product between them.
+pub(super) fn factor_gone(factor: &Range<usize>, places: &Places) -> Option<Range<usize>> {
+    let mut places_of = places.summands.iter().filter_map(|summand| {
+        let place = summand.factors.iter().position(|one| one == factor)?;
+        match place.checked_sub(1) {
+            Some(before) => Some(summand.factors[before].end..factor.end),
+            None => summand.factors.get(1).map(|next| factor.start..next.start),
+        }
+    });
+    places_of.next()
+}
+
+/// A letter that was printed as a number: only one of them has the dimension that the formula asks for.
 fn letters_for_numbers(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<Edit> {
     let edit = |span: &Range<usize>, rate: &LetterRate| {
         let words = format!("`{}` for `{}`", rate.latex, &text[span.clone()]);
@@ -256,6 +271,6 @@ fn letters_for_numbers(places: &Places, text: &str, rates: &[LetterRate]) -> Vec
     printed.flat_map(|(span, _)| rates.iter().filter(|rate| rate.order == 0).map(|rate| edit(span, rate))).collect()
 }
 
-fn gcd(a: i64, b: i64) -> i64 {
+pub(super) fn gcd(a: i64, b: i64) -> i64 {
     if b == 0 { a } else { gcd(b, a % b) }
 }

@@ -17,10 +17,10 @@ use crate::steady_motion::Resting;
 use latex::{Statement, read};
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
-use symbolic::{Hypotheses, Node, Sym, decide};
+use symbolic::{Node, Sym, decide};
 
-/// Hypotheses that a letter or rate, which is a single symbol of the model, is zero: inputs first, then by falling order of the rate; letters of
-/// the formula come before others.
+/// Signs of letters; letters and rates that are one symbol of the model, each as zero: inputs first, then what is differentiated most; those of the formula before
+/// the others.
 pub(super) fn candidates(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<String> {
     let names: BTreeSet<&str> = places.atoms.iter().map(|atom| atom.name.as_str()).collect();
     let mut all: Vec<&LetterRate> = rates.iter().filter(|rate| rate.is_symbol).collect();
@@ -31,6 +31,17 @@ pub(super) fn candidates(places: &Places, text: &str, rates: &[LetterRate]) -> V
     let signed = all.iter().filter(|rate| has_root && rate.order == 0 && names.contains(rate.name.as_str()));
     let signs = signed.flat_map(|rate| [r"\geq", r"\leq"].map(|sign| format!("{} {sign} 0", rate.latex)));
     signs.chain(zeros).collect()
+}
+
+/// Signs of parameters under which an inequality may hold; parameters other than zero, by which a condition may be divided.
+pub(super) fn of_parameters(kind: Kind, rates: &[LetterRate]) -> Vec<String> {
+    let signs: &[&str] = match kind {
+        Kind::Inequality => &[r"\geq", ">"],
+        Kind::SteadyMotion | Kind::Equivalence => &[r"\neq"],
+        _ => &[],
+    };
+    let parameters = rates.iter().filter(|rate| rate.is_parameter);
+    parameters.flat_map(|rate| signs.iter().map(|sign| format!("{} {sign} 0", rate.latex))).collect()
 }
 
 /// Whether a claim still states something under its last hypothesis, where that is a letter that is zero: the model keeps its inertia, the equations
@@ -67,9 +78,11 @@ pub(super) fn leaves_something(claim: &ClaimText, letters: &Letters<'_, '_>) -> 
     }
     let there = |own: Sym| own.substitute(&[(zero, Sym::ZERO)]);
     let terms: Vec<Sym> = lines.iter().flat_map(|line| line.own).flat_map(terms).collect();
-    let staying = terms.iter().filter(|term| !decide(there(**term), &Hypotheses::none()).is_zero()).count();
+    // a letter that stands for a product vanishes with each of its factors
+    let stays = |term: &&Sym| !vanishes(term.substitute(&letters.meanings(**term)));
+    let staying = terms.iter().filter(stays).count();
     lines.iter_mut().for_each(|line| line.own = line.own.map(there));
-    2 * staying >= terms.len() && !lines.iter().any(says_nothing)
+    2 * staying > terms.len() && !lines.iter().any(says_nothing)
 }
 
 /// The expressions that a claim on motions says to vanish along them; of an equivalence those of both conditions.

@@ -12,6 +12,7 @@ pub(super) struct LetterRate {
     /// Whether it is one symbol of the model.
     pub is_symbol: bool,
     pub is_input: bool,
+    pub is_parameter: bool,
     /// Over the model.
     pub value: Sym,
     /// Whether it is zero along every motion, such as the rate of an integral: a formula multiplied by it would be empty.
@@ -36,6 +37,7 @@ pub(super) fn rates(letters: &Letters<'_, '_>) -> Vec<LetterRate> {
                 dimension,
                 is_symbol,
                 is_input,
+                is_parameter: trace.parameters.contains(&value),
                 value,
                 vanishes: false,
             });

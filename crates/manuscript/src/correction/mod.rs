@@ -61,9 +61,11 @@ pub(crate) fn corrections(
         let edits = exchanges::signs(&search.places, ground.text()).into_iter().chain(digits);
         return search.proved(edits.map(|edit| vec![edit])).into_iter().take(1).collect();
     }
-    let sizes: [&dyn Fn() -> Vec<Correction>; 3] = [
+    let candidates = || hypotheses::candidates(&search.places, ground.text(), ground.rates());
+    let sizes: [&dyn Fn() -> Vec<Correction>; 4] = [
+        &|| under(&ground, hypotheses::of_parameters(claim.kind, ground.rates())),
         &|| search.small(),
-        &|| under(&ground, hypotheses::candidates(&search.places, ground.text(), ground.rates())),
+        &|| under(&ground, candidates()),
         &|| search.large(),
     ];
     sizes.into_iter().map(|found| found()).find(|found| !found.is_empty()).unwrap_or_default()
@@ -76,9 +78,9 @@ fn under(ground: &TextClaim<'_, '_, '_>, candidates: Vec<String>) -> Vec<Correct
         if found.len() >= MOST_TOLD || !ground.goes_on() {
             break;
         }
-        // a hypothesis on the sign of a letter makes the one that it is zero superfluous
+        // a hypothesis on the sign of a letter makes other ones on it superfluous
         let letter = hypothesis.split(' ').next();
-        if hypothesis.ends_with("= 0") && found.iter().any(|one| one.changes[0].after.split(' ').next() == letter) {
+        if found.iter().any(|one| one.changes[0].after.split(' ').next() == letter) {
             continue;
         }
         let mut claim = ground.claim.clone();

@@ -5,7 +5,7 @@ use super::samples::Samples;
 use crate::claim_text::{ClaimText, Kind};
 use crate::conditions::{Hypothesis, assume, conditions};
 use crate::equation::{Outcome, vanishes};
-use crate::integrals::difference;
+use crate::integrals::{difference, is_constant};
 use crate::letters::{Letters, rate};
 use crate::linearisation::Linearisation;
 use crate::lines::{Line, lines};
@@ -132,7 +132,13 @@ impl<'t, 'm> Probe<'t, 'm> {
         if matches!(self.kind, Kind::IntegralOfMotion | Kind::EquationOfMotion) && zeros.iter().any(is_empty) {
             return Look::Fails;
         }
-        // two sides that are zero by the hypotheses make an empty formula
+        if self.linear.as_ref().is_some_and(|linear| {
+            let printed = crate::lines::lines(claim, statement, letters).unwrap_or_default();
+            printed.iter().any(|line| linear.is_of_second_order(line.model[0] - line.model[1]))
+        }) {
+            return Look::Fails;
+        }
+        // two sides that vanish by the hypotheses say nothing
         let vanishes = |side: Sym| decide(self.assumed.reduced(side), &self.assumed.hypotheses).is_zero();
         if self.linear.is_none()
             && !self.assumed.held.is_empty()
@@ -174,8 +180,11 @@ fn sides_apart(chain: &Chain, letters: &Letters<'_, '_>) -> Option<Sym> {
         Value::Scalar(own) => Some(own),
         Value::Matrix(_) => None,
     };
-    match &chain.sides[..] {
+    // a constant without a value says nothing of the other side
+    let sides: Vec<&Term> = chain.sides.iter().filter(|side| !is_constant(side)).collect();
+    match sides[..] {
         [left, right] => Some(own(left)? - own(right)?),
+        [left] if chain.sides.len() == 2 => own(left),
         _ => None,
     }
 }

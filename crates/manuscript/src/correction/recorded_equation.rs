@@ -98,6 +98,7 @@ impl<'a> Recorded<'a> {
             dimension: dimension(&letter.symbol.to_string()).unwrap_or(Dimension::none()),
             is_symbol: true,
             is_input: false,
+            is_parameter: false,
             value: letter.symbol,
             vanishes: false,
         };

@@ -1,7 +1,8 @@
-//! Parts of a formula that say nothing: terms that cancel or vanish, factors that cancel, quotients of equals or by one.
+//! Parts of a formula that say nothing: terms that vanish, that cancel or are alike, factors that cancel, quotients by one.
 
+use super::exchanges::gcd;
 use latex::{Form, Statement, Term};
-use symbolic::{Hypotheses, Sym, decide};
+use symbolic::{Hypotheses, Sym, decide, normal};
 
 /// The number of such parts, by the values of terms in the letters of the print.
 pub(super) fn redundancies(statement: &Statement, own: &dyn Fn(&Term) -> Option<Sym>) -> usize {
@@ -20,18 +21,13 @@ fn within(term: &Term, own: &dyn Fn(&Term) -> Option<Sym>) -> usize {
                 .collect();
             let vanishing = values.iter().filter(|value| parts.len() > 1 && is_zero(**value)).count();
             let parts: Vec<&Term> = parts.into_iter().map(|(_, part)| part).collect();
-            vanishing + pairs(&values, |a, b| !is_zero(a) && is_zero(a + b)) + inner(&parts)
+            vanishing + pairs(&values, are_alike) + inner(&parts)
         }
-        Form::Product(..) | Form::Dot(..) => {
-            let factors = factors(term);
-            let values: Vec<Sym> = factors.iter().filter_map(|factor| own(factor)).filter(is_open).collect();
-            pairs(&values, |a, b| is_zero(a * b - Sym::ONE)) + inner(&factors)
-        }
+        Form::Product(..) | Form::Dot(..) => cancelling(term, own) + inner(&factors(term)),
         Form::Quotient(above, below) => {
-            let values = |term: &Term| factors(term).into_iter().filter_map(own).collect::<Vec<Sym>>();
-            let (over, under) = (values(above), values(below));
-            let both = over.iter().filter(|a| is_open(a) && under.iter().any(|b| is_zero(**a - *b))).count();
-            both + usize::from(is_reducible(above, below)) + inner(&[above, below])
+            let products = [above, below].map(|side| factors(side));
+            // the factors of both sides are compared here, those of each are not once more
+            cancelling(term, own) + usize::from(is_by_one(below)) + inner(&products.concat())
         }
         Form::Rate(of, _) | Form::Power(of, _) | Form::Root(of) | Form::Function(_, of) | Form::Transposed(of) => {
             within(of, own)
@@ -46,22 +42,57 @@ fn pairs(values: &[Sym], is_one: impl Fn(Sym, Sym) -> bool) -> usize {
     (0..values.len()).map(behind).sum()
 }
 
+/// Whether one term is a multiple of another one by a number.
+fn are_alike(one: Sym, other: Sym) -> bool {
+    let is_number = |value: Sym| normal(value, &Hypotheses::none()).is_ok_and(|form| form.to_sym().as_constant().is_some());
+    !is_zero(one) && !is_zero(other) && is_number(one / other)
+}
+
 fn is_zero(value: Sym) -> bool {
     decide(value, &Hypotheses::none()).is_zero()
 }
 
-/// Whether a value is no number.
-fn is_open(value: &Sym) -> bool {
-    value.as_constant().is_none()
+/// The number of factors of a product that stand above and below a bar.
+fn cancelling(product: &Term, own: &dyn Fn(&Term) -> Option<Sym>) -> usize {
+    let (mut above, mut below) = (Vec::new(), Vec::new());
+    collect(product, [&mut above, &mut below], own);
+    let (numbers, above): (Vec<Sym>, Vec<Sym>) = above.into_iter().partition(|value| value.as_constant().is_some());
+    let (divisors, below): (Vec<Sym>, Vec<Sym>) = below.into_iter().partition(|value| value.as_constant().is_some());
+    let both = above.iter().filter(|value| below.iter().any(|other| is_zero(**value - *other))).count();
+    both + usize::from(is_cancelled(&numbers, &divisors))
 }
 
-/// Whether a quotient is by one, or one of numbers that is not in lowest terms.
-fn is_reducible(above: &Term, below: &Term) -> bool {
-    let (Form::Number(above), Form::Number(below)) = (&above.form, &below.form) else {
-        return matches!(&below.form, Form::Number(value) if *value == field::Rational::new(1, 1));
-    };
-    // a quotient in lowest terms is written with its own numbers
-    (*above / *below).to_string() != format!("{above}/{below}")
+/// Whether whole numbers above and below a bar have a common divisor.
+fn is_cancelled(above: &[Sym], below: &[Sym]) -> bool {
+    let whole = |value: &Sym| value.to_string().parse::<i64>().ok();
+    let product = |all: &[Sym]| all.iter().try_fold(1_i64, |product, value| product.checked_mul(whole(value)?));
+    match (product(above), product(below)) {
+        (Some(above), Some(below)) => gcd(above.abs(), below.abs()) > 1,
+        _ => false,
+    }
+}
+
+/// The bases above and below the bars of a product, numbers among them.
+fn collect(product: &Term, [above, below]: [&mut Vec<Sym>; 2], own: &dyn Fn(&Term) -> Option<Sym>) {
+    match &product.form {
+        Form::Product(a, b) | Form::Dot(a, b) => {
+            collect(a, [above, below], own);
+            collect(b, [above, below], own);
+        }
+        Form::Quotient(a, b) => {
+            collect(a, [above, below], own);
+            collect(b, [below, above], own);
+        }
+        Form::Negation(of) => collect(of, [above, below], own),
+        Form::Power(of, exponent) if *exponent < 0 => collect(of, [below, above], own),
+        Form::Power(of, _) => collect(of, [above, below], own),
+        _ => above.extend(own(product)),
+    }
+}
+
+/// Whether a quotient is by one.
+fn is_by_one(below: &Term) -> bool {
+    matches!(&below.form, Form::Number(value) if *value == field::Rational::new(1, 1))
 }
 
 /// The terms of a sum with their signs: whether each is subtracted.

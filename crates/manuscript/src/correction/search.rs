@@ -119,15 +119,16 @@ impl<'a, G: Ground> Search<'a, G> {
         };
         let adds_nothing = |edits: &[Edit]| !edits.iter().any(adds);
         let one = |edits: Vec<Edit>| edits.into_iter().map(|edit| vec![edit]).collect::<Vec<_>>();
-        let sizes: [&dyn Fn() -> Vec<Vec<Edit>>; 9] = [
+        let sizes: [&dyn Fn() -> Vec<Vec<Edit>>; 10] = [
             &|| combinations::alone(&effects, &residual),
             &|| combinations::pairs(&effects, &residual),
             &|| renamings::renamings(places, text, self.ground.rates()),
             &|| one(self.ground.lost(places, most.min(fewest()))),
             &|| compared().iter().filter(|edits| adds_nothing(edits)).cloned().collect(),
-            &|| values(self.ground, places),
+            &|| values(self.ground, places, false),
             &|| self.beside_lost(&effects),
             &|| if size < LEAST_FOR_THREE { Vec::new() } else { combinations::triples(&effects, &residual) },
+            &|| values(self.ground, places, true),
             &|| compared().clone(),
         ];
         sizes

@@ -10,12 +10,14 @@ use super::redundancy::{redundancies, summands};
 use crate::claim_text::{ClaimText, Kind};
 use crate::conditions::Hypothesis;
 use crate::finding::Finding;
+use crate::inequalities::sides;
 use crate::integrals::known;
 use crate::letters::{Letters, rate};
 use crate::motion::Motion;
+use crate::signs::is_written_as_positive;
 use crate::steady_motion::Resting;
 use claims::Verdict;
-use latex::{NoValue, Statement, Term, Value, value};
+use latex::{Form, NoValue, Statement, Term, Value, value};
 use symbolic::{Hypotheses, Sym, decide, normal};
 
 /// Everything needed to judge an edited claim.
@@ -108,14 +110,24 @@ impl Ground for TextClaim<'_, '_, '_> {
             let rate = scalar(value(term, &self.letters.in_model())).map(|value| rate(self.letters.trace, value));
             matches!(rate, Some(Ok(rate)) if decide(rate, &Hypotheses::none()).is_zero())
         };
-        let constant = match self.claim.kind {
+        let of_kind = match self.claim.kind {
             Kind::IntegralOfMotion => {
                 let sides = statement.chains.iter().flat_map(|chain| &chain.sides);
                 sides.flat_map(summands).map(|(_, term)| term).filter(rests).count()
             }
+            // an inequality that holds for all values of its letters says nothing of the model
+            Kind::Inequality => usize::from(sides(self.claim, statement, self.letters).is_ok_and(|sides| {
+                let [left, right] = sides.own;
+                [left - right, right - left].into_iter().any(|side| is_written_as_positive(side, &[]).is_some())
+            })),
+            // the letter whose value is told stands alone
+            Kind::Formula => {
+                let is_letter = |side: &Term| matches!(side.form, Form::Letter(_) | Form::Rate(..));
+                usize::from(!statement.chains.iter().flat_map(|chain| &chain.sides).any(is_letter))
+            }
             _ => 0,
         };
-        redundancies(statement, &own) + constant
+        redundancies(statement, &own) + of_kind
     }
 
     fn has_points(&self) -> bool {

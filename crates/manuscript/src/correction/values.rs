@@ -31,10 +31,12 @@ struct Part {
     away: Vec<Range<usize>>,
     /// The largest number of terms of its value.
     most: usize,
+    /// Whether nothing of its side stays.
+    is_side: bool,
 }
 
-/// Edits that replace each part by the value that it must have, if this is short; the shortest first.
-pub(super) fn values(ground: &impl Ground, places: &Places) -> Vec<Vec<Edit>> {
+/// Each part by the value that it must have, where that is short; the shortest first. Parts are whole sides, or others.
+pub(super) fn values(ground: &impl Ground, places: &Places, are_sides: bool) -> Vec<Vec<Edit>> {
     let (text, mut known) = (ground.text(), ground.known());
     if known.iter().any(|name| name == SOUGHT) {
         return Vec::new();
@@ -44,6 +46,9 @@ pub(super) fn values(ground: &impl Ground, places: &Places) -> Vec<Vec<Edit>> {
     let printed = places.atoms.len() + places.numbers.len();
     for part in parts(places, text) {
         let is_zero = &text[part.span.clone()] == "0" && part.away.is_empty();
+        if are_sides != (part.is_side && !is_zero) {
+            continue;
+        }
         let most = if is_zero { (MOST_WEIGHT_FOR_ZERO, MOST_TERMS_FOR_ZERO) } else { (MOST_WEIGHT, part.most) };
         if !ground.goes_on() {
             break;
@@ -53,7 +58,10 @@ pub(super) fn values(ground: &impl Ground, places: &Places) -> Vec<Vec<Edit>> {
         };
         let edit = |after: String| {
             let words = format!("the value of `{}`", &text[part.span.clone()]);
-            Edit::new(EditKind::Part, part.span.clone(), after, words)
+            match below(&part, &after, places, text) {
+                Some((term, fraction)) => Edit::new(EditKind::Part, term, fraction, words),
+                None => Edit::new(EditKind::Part, part.span.clone(), after, words),
+            }
         };
         let with = |after: String| {
             let mut edits: Vec<Edit> = part.away.iter().map(gone).collect();
@@ -70,12 +78,42 @@ pub(super) fn values(ground: &impl Ground, places: &Places) -> Vec<Vec<Edit>> {
                 continue;
             }
             let (sign, latex) = signed(value);
-            let after = if sign == "-" { format!(r"\left(-{latex}\right)") } else { latex };
+            let is_first = text[..part.span.start].trim_end().ends_with(['=', '{', '(']) || part.span.start == 0;
+            let is_alone = is_first && is_whole_term(&part, places);
+            let bare = || latex.strip_prefix(r"\left(").and_then(|rest| rest.strip_suffix(r"\right)"));
+            let after = match (sign, bare()) {
+                ("-", _) if is_alone => format!("-{latex}"),
+                ("-", _) => format!(r"\left(-{latex}\right)"),
+                (_, Some(bare)) if is_alone && part.is_side => bare.to_owned(),
+                _ => latex,
+            };
             found.push((weight + 6 * part.away.len(), with(after)));
         }
     }
     found.sort_by_key(|(size, _)| *size);
     found.into_iter().map(|(_, edits)| edits).collect()
+}
+
+/// Whether a part is a term with all of its factors.
+fn is_whole_term(part: &Part, places: &Places) -> bool {
+    places.summands.iter().any(|summand| summand.span == part.span)
+}
+
+/// The term of a factor whose value is a divisor, as a fraction of its other factors; none where these are a fraction themselves.
+fn below(part: &Part, value: &str, places: &Places, text: &str) -> Option<(Range<usize>, String)> {
+    let divisor = value.strip_prefix(r"\frac{1}{")?.strip_suffix('}')?;
+    let term = places.summands.iter().find(|summand| summand.factors.len() > 1 && summand.factors.contains(&part.span))?;
+    let place = term.factors.iter().position(|factor| *factor == part.span)?;
+    // with the sign of a product beside it
+    let others = match place.checked_sub(1) {
+        None => text.get(term.factors[1].start..term.span.end)?.to_owned(),
+        Some(before) => {
+            let end = term.factors[before].end;
+            format!("{}{}", text.get(term.span.start..end)?, text.get(part.span.end..term.span.end)?)
+        }
+    };
+    (!others.contains("frac") && !others.contains('/') && !divisor.contains(r"\frac"))
+        .then(|| (term.span.clone(), format!(r"\frac{{{}}}{{{divisor}}}", others.trim())))
 }
 
 /// The number of letters, numbers and signs of an expression, as it is written.
@@ -98,8 +136,11 @@ fn parts(places: &Places, text: &str) -> Vec<Part> {
     let mut add = |span: Range<usize>, away: Vec<Range<usize>>, terms: usize, is_side: bool| {
         let most = if is_side { MOST_OF_SIDE } else { terms + 1 };
         match all.iter_mut().find(|part| part.span == span && part.away == away) {
-            Some(part) => part.most = part.most.max(most),
-            None => all.push(Part { span, away, most }),
+            Some(part) => {
+                part.most = part.most.max(most);
+                part.is_side |= is_side;
+            }
+            None => all.push(Part { span, away, most, is_side }),
         }
     };
     for (span, _) in &places.numbers {

@@ -49,7 +49,7 @@ fn one_edit_of_each_kind_is_found() {
         (r"m \ddot{x} + c x + k x = F", EditKind::Dot, r"m \ddot{x} + c \dot{x} + k x = F"),
         (r"m \ddot{x} + c \dot{x} + k y = F", EditKind::Letter, r"m \ddot{x} + c \dot{x} + k x = F"),
         (r"m \ddot{x} + c \dot{x} + k x^2 = F", EditKind::Exponent, r"m \ddot{x} + c \dot{x} + k x = F"),
-        (r"m \ddot{x} + 3 c \dot{x} + k x = F", EditKind::Number, r"m \ddot{x} + 1 c \dot{x} + k x = F"),
+        (r"m \ddot{x} + 3 c \dot{x} + k x = F", EditKind::Number, r"m \ddot{x} + c \dot{x} + k x = F"),
         (r"m \ddot{x} + c \dot{x} + x = F", EditKind::MissingFactor, r"m \ddot{x} + c \dot{x} + k x = F"),
         (r"m \ddot{x} + c \dot{x} + k c x = F", EditKind::ExtraFactor, r"m \ddot{x} + c \dot{x} + k x = F"),
         (r"m \ddot{x} + c \dot{x} + k x = F + m g", EditKind::ExtraTerm, r"m \ddot{x} + c \dot{x} + k x = F"),

@@ -1,5 +1,6 @@
 //! Findings on papers of a few lines.
 
+mod admissible;
 mod certificates;
 mod constraints;
 mod corrections;

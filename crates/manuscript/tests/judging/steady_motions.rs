@@ -88,7 +88,7 @@ fn a_wrong_partner_is_refuted_and_corrected_and_the_other_one_is_a_part() {
     assert_eq!(found.iter().map(verdict).collect::<Vec<_>>(), ["undecided", "refuted"], "{}", found[0].text());
     assert!(found[0].judged.evidence.contains("a part of the condition"), "{}", found[0].text());
     let [first, ..] = &found[1].corrections[..] else { panic!("{}", found[1].text()) };
-    assert_eq!(first.formula, r"k (r - l) = 1 m r \Omega^2", "{}", found[1].text());
+    assert_eq!(first.formula, r"k (r - l) = m r \Omega^2", "{}", found[1].text());
 }
 
 #[test]
