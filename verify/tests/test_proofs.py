@@ -57,6 +57,21 @@ def real_roots(edge="-21/10", kind=">"):
     return claim.part([(kind, cube, zero)], {"by": "real_roots"}, [(">", x, claim.number(edge))])
 
 
+
+def half_turn(kind="=", above="2", value=None):
+    """above pi m = 6 m, or >, fails where m = 1: pi is a number, to which the point gives no value."""
+    claim = Claim("refuted")
+    m, pi, zero = claim.letter("m"), claim.letter("pi"), claim.number(0)
+    sides = claim.product(claim.number(above), pi, m), claim.product(claim.number(6), m)
+    point = [[m, claim.number(1)]] + ([] if value is None else [[pi, claim.number(value)]])
+    return claim.part([(kind, *sides)], {"by": "counterexample", "point": point}, [(">", pi, zero)])
+
+
+def digits(printed="6284/1000"):
+    """2 pi is less than a number."""
+    claim = Claim()
+    return claim.part([(">", claim.number(printed), claim.product(claim.number(2), claim.letter("pi")))], {"by": "enclosure"})
+
 def secant(is_square=True):
     """1/cos^2 x >= 1 for every angle at which it has a value; 1/cos x >= 1 fails."""
     claim = Claim()
@@ -242,6 +257,15 @@ class Proofs(unittest.TestCase):
     def test_a_letter_without_a_value_must_cancel(self):
         self.assertEqual(outcome(cancelling()), "accepted")
         self.assertEqual(outcome(cancelling(2)), "rejected")
+
+    def test_pi_is_a_number_to_which_no_point_gives_a_value(self):
+        self.assertEqual(outcome(half_turn()), "confirmed")
+        self.assertEqual(outcome(half_turn(">", "1")), "confirmed")
+        # 2 pi m > 6 m holds there
+        self.assertEqual(outcome(half_turn(">")), "rejected")
+        self.assertEqual(outcome(half_turn(value="1")), "rejected")
+        self.assertEqual(outcome(digits()), "accepted")
+        self.assertEqual(outcome(digits("6283/1000")), "rejected")
 
     def test_no_point_chooses_the_cosine_of_a_number(self):
         self.assertEqual(outcome(cosine_of_one()), "rejected")

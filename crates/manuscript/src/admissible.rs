@@ -32,21 +32,40 @@ pub(crate) fn admissible(
     conditions: &[Condition],
     again: impl Fn(&[Condition]) -> Option<Refutation>,
 ) -> Refutation {
+    let mut best = found;
     for wanted in [Wanted::AllPositive, Wanted::BodiesPositive] {
-        let valued = valued(&found, motion);
-        if valued.iter().all(|parameter| parameter.is_as(wanted)) {
-            return found;
+        let asked = asked(&best, motion, wanted);
+        if asked.iter().all(|(_, holds)| *holds) {
+            return best;
         }
-        let asked = valued.iter().map(|parameter| match parameter.is_of_body || wanted == Wanted::AllPositive {
-            true => Condition::Positive(motion.reduced(parameter.symbol)),
-            false => Condition::NonZero(motion.reduced(parameter.symbol)),
-        });
-        let within: Vec<Condition> = conditions.iter().copied().chain(asked).collect();
-        if let Some(better) = again(&within) {
+        let all: Vec<Condition> = conditions.iter().copied().chain(asked.into_iter().map(|(one, _)| one)).collect();
+        if let Some(better) = again(&all) {
             return better;
         }
     }
-    found
+    // as many of them as can be
+    let mut kept = conditions.to_vec();
+    for (condition, holds) in asked(&best, motion, Wanted::BodiesPositive) {
+        let with = [&kept[..], &[condition]].concat();
+        if let Some(better) = (!holds).then(|| again(&with)).flatten() {
+            (kept, best) = (with, better);
+        } else if holds {
+            kept = with;
+        }
+    }
+    best
+}
+
+/// What is wanted of the parameters at a counterexample, and whether each condition holds there.
+fn asked(found: &Refutation, motion: &Motion<'_, '_>, wanted: Wanted) -> Vec<(Condition, bool)> {
+    let all = valued(found, motion).into_iter().map(|parameter| {
+        let here = motion.reduced(parameter.symbol);
+        match parameter.is_of_body || wanted == Wanted::AllPositive {
+            true => (Condition::Positive(here), parameter.sign > 0),
+            false => (Condition::NonZero(here), parameter.sign != 0),
+        }
+    });
+    all.collect()
 }
 
 /// Parameters at a counterexample that was found nowhere with better ones.
@@ -79,12 +98,6 @@ struct Valued {
     sign: i32,
     /// Whether it is positive by what it is.
     is_of_body: bool,
-}
-
-impl Valued {
-    fn is_as(&self, wanted: Wanted) -> bool {
-        self.sign > 0 || wanted == Wanted::BodiesPositive && !self.is_of_body && self.sign != 0
-    }
 }
 
 /// The parameters that have a value at a point.

@@ -165,14 +165,26 @@ impl<G: Ground> Side<'_, G> {
         }
         let by = if sign < 0 { -by } else { by };
         let turned = (sign < 0).then(|| exchanges::sign(summand_is, text));
-        let number = by.to_string();
-        let number = number.split_once('/').map_or(number.clone(), |(a, b)| format!(r"\frac{{{a}}}{{{b}}}"));
-        let factor =
-            (by != Rational::new(1, 1)).then_some(number).map(|number| factors::before(summand_is, &number, text));
+        let factor = (by != Rational::new(1, 1)).then(|| self.multiplied(summand_is, by));
         Some(turned.into_iter().chain(factor).collect())
     }
 
-    /// The number of letters and numbers of this side that stay.
+    /// A term by a number: the number that stands there takes it up.
+    fn multiplied(&self, summand: &Summand, by: Rational) -> Edit {
+        let text = self.text();
+        let factor = factors::before(summand, &latex(by), text);
+        let is_own = |(span, _): &&(Range<usize>, Rational)| summand.factors.contains(span);
+        let printed = [&self.places.fractions, &self.places.numbers].into_iter().find_map(|all| all.iter().find(is_own));
+        let Some((span, number)) = printed else { return factor };
+        let product = *number * by;
+        let (span, after) = match exchanges::factor_gone(span, self.places).filter(|_| product == Rational::new(1, 1)) {
+            Some(gone) => (gone, String::new()),
+            None => (span.clone(), latex(product)),
+        };
+        Edit::new(factor.kind, span, after, factor.words)
+    }
+
+    /// Letters and numbers of this side that stay.
     fn kept(&self, gone: &[&Range<usize>]) -> usize {
         let places = self.places;
         let stays = |at: &Range<usize>| {
@@ -199,7 +211,13 @@ impl<G: Ground> Side<'_, G> {
     }
 }
 
-/// The most frequent ratio between the right and the printed coefficients of the products of a term, and the number of products with it.
+/// A positive number as a print has it.
+fn latex(number: Rational) -> String {
+    let told = number.to_string();
+    told.split_once('/').map_or(told.clone(), |(above, below)| format!(r"\frac{{{above}}}{{{below}}}"))
+}
+
+/// The number that most products of a term have in the right side beside the print, and how many of them.
 fn most_frequent(own: &Products, lacking: &Products) -> (Rational, usize) {
     let one = Rational::new(1, 1);
     let mut votes: Vec<(Rational, usize)> = Vec::new();

@@ -13,9 +13,12 @@ mod inequalities;
 mod linearisation;
 mod messages;
 mod pendulum;
+mod plain_corrections;
 mod real_signs;
+mod shortfalls;
 mod stability;
 mod steady_motions;
+mod unreadable;
 mod vacuity;
 
 use dalembert_manuscript::{Finding, PaperText};
