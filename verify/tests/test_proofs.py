@@ -58,7 +58,7 @@ def real_roots(edge="-21/10", kind=">"):
 
 
 
-def half_turn(kind="=", above="2", value=None):
+def number_pi(kind="=", above="2", value=None):
     """above pi m = 6 m, or >, fails where m = 1: pi is a number, to which the point gives no value."""
     claim = Claim("refuted")
     m, pi, zero = claim.letter("m"), claim.letter("pi"), claim.number(0)
@@ -69,7 +69,7 @@ def half_turn(kind="=", above="2", value=None):
 
 def digits(printed="6284/1000"):
     """2 pi is less than a number."""
-    claim = Claim()
+    claim = Claim("enclosed")
     return claim.part([(">", claim.number(printed), claim.product(claim.number(2), claim.letter("pi")))], {"by": "enclosure"})
 
 def secant(is_square=True):
@@ -259,11 +259,11 @@ class Proofs(unittest.TestCase):
         self.assertEqual(outcome(cancelling(2)), "rejected")
 
     def test_pi_is_a_number_to_which_no_point_gives_a_value(self):
-        self.assertEqual(outcome(half_turn()), "confirmed")
-        self.assertEqual(outcome(half_turn(">", "1")), "confirmed")
+        self.assertEqual(outcome(number_pi()), "confirmed")
+        self.assertEqual(outcome(number_pi(">", "1")), "confirmed")
         # 2 pi m > 6 m holds there
-        self.assertEqual(outcome(half_turn(">")), "rejected")
-        self.assertEqual(outcome(half_turn(value="1")), "rejected")
+        self.assertEqual(outcome(number_pi(">")), "rejected")
+        self.assertEqual(outcome(number_pi(value="1")), "rejected")
         self.assertEqual(outcome(digits()), "accepted")
         self.assertEqual(outcome(digits("6283/1000")), "rejected")
 
