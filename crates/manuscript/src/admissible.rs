@@ -102,7 +102,8 @@ struct Valued {
 
 /// The parameters that have a value at a point.
 fn valued(found: &Refutation, motion: &Motion<'_, '_>) -> Vec<Valued> {
-    let is_of_body = |dimension: Dimension| POSITIVE.iter().any(|&[kg, m, s, a]| dimension == Dimension::of(kg, m, s, a));
+    let is_of_body =
+        |dimension: Dimension| POSITIVE.iter().any(|&[kg, m, s, a]| dimension == Dimension::of(kg, m, s, a));
     let all = motion.trace.model.parameters.iter().filter_map(|parameter| {
         let symbol = Sym::symbol(&parameter.name);
         let own = found.point.iter().find(|(known, _)| *known == symbol).map(|(_, value)| *value);

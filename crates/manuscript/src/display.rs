@@ -117,7 +117,8 @@ pub(crate) fn tell_point(
     }
     finding.judged.counterexample = listed;
     let Unusual { not_positive, zero } = unusual(refutation, motion);
-    let listed = |letters: Vec<Sym>| letters.into_iter().map(|one| told.0.told(one).to_string()).collect::<Vec<_>>().join(", ");
+    let listed =
+        |letters: Vec<Sym>| letters.into_iter().map(|one| told.0.told(one).to_string()).collect::<Vec<_>>().join(", ");
     finding.unusual = match (not_positive.is_empty(), zero.is_empty()) {
         (true, true) => String::new(),
         (true, false) => format!("no point was found at which it fails and {} does not vanish", listed(zero)),

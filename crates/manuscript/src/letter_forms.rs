@@ -43,7 +43,8 @@ fn letters_for_sums(letters: &Letters<'_, '_>, expression: Sym) -> Vec<ForSum> {
             let factor = value.diff(symbol);
             let rest = value.substitute(&[(symbol, Sym::ZERO)]);
             let solved = (placeholder - rest) / factor;
-            let is_product = || rest == Sym::ZERO && is_of_parameters(letters, value) && divides(expression, symbol, solved);
+            let is_product =
+                || rest == Sym::ZERO && is_of_parameters(letters, value) && divides(expression, symbol, solved);
             if factor.as_constant().is_some() || is_product() {
                 all.push(ForSum { symbol, value: solved, placeholder, own });
             }

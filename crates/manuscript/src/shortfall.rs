@@ -28,7 +28,9 @@ pub(crate) fn tell_shortfall(
         .filter(|own| *own != Sym::ZERO && whole.is_none_or(|whole| length(*own) < length(whole)))
         .min_by_key(|own| length(*own));
     let (own, says) = match (beside, whole) {
-        (Some(own), _) => (own, format!("with the terms below on its right side it is a multiple of the equation of {name}")),
+        (Some(own), _) => {
+            (own, format!("with the terms below on its right side it is a multiple of the equation of {name}"))
+        }
         (None, Some(whole)) => (whole, format!("the expression below, which must vanish, is the equation of {name}")),
         (None, None) => return,
     };

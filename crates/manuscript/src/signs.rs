@@ -188,8 +188,7 @@ pub(crate) fn search(
                 conditions.iter().all(holds)
             };
             let signs = || -> Option<Vec<i8>> {
-                let by_roots =
-                    |each: Sym| if has_root(&each) { there(each)?.as_constant()?.sign() } else { None };
+                let by_roots = |each: Sym| if has_root(&each) { there(each)?.as_constant()?.sign() } else { None };
                 let sign = |each: &Sym| {
                     let found = rational(*each).or_else(|| by_roots(*each)).or_else(|| by_half_turn(*each));
                     found.map(|sign| sign as i8)

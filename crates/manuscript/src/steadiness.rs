@@ -150,20 +150,16 @@ impl Print<'_, '_, '_> {
             _ => format!(", while those of {} do", holding.join(", ")),
         };
         finding.judged.verdict = Verdict::Refuted;
-        finding.judged.evidence =
-            format!("at the exact point the letters rest along a motion, and the printed condition does not hold{beside}");
+        finding.judged.evidence = format!(
+            "at the exact point the letters rest along a motion, and the printed condition does not hold{beside}"
+        );
         finding.judged.difference = None;
         tell_point(self.own, found, motion, Told(self.letters), finding);
     }
 }
 
 /// The verdict on the first of the printed conditions by itself. Whether it was refuted since it asks for too little.
-fn alone(
-    steady: &SteadyMotion<'_, '_>,
-    print: &Print<'_, '_, '_>,
-    finding: &mut Finding,
-    record: &mut Record,
-) -> bool {
+fn alone(steady: &SteadyMotion<'_, '_>, print: &Print<'_, '_, '_>, finding: &mut Finding, record: &mut Record) -> bool {
     let SteadyMotion { motion, equations, printed, conditions, .. } = steady;
     let &Print { is, own, letters, assumed } = print;
     let printed = printed[0];

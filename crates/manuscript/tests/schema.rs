@@ -138,8 +138,12 @@ fn the_schema_is_made_of_the_readers_tables() {
 fn every_paper_has_keys_of_the_schema() {
     let schema = made();
     let papers = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../papers");
-    for entry in std::fs::read_dir(papers).expect("there are papers") {
-        let path = entry.expect("it can be listed").path();
+    let files = |folder: &Path| -> Vec<PathBuf> {
+        let entries = std::fs::read_dir(folder).expect("there are papers");
+        entries.map(|entry| entry.expect("it can be listed").path()).collect()
+    };
+    let all = files(&papers).into_iter().flat_map(|path| if path.is_dir() { files(&path) } else { vec![path] });
+    for path in all {
         let text = std::fs::read_to_string(&path).expect("it can be read");
         let table = DeTable::parse(&text).expect("it is TOML");
         for (key, value) in table.get_ref() {

@@ -105,8 +105,8 @@ fn are_apart(first: &Effect, second: &Effect) -> bool {
 
 /// A measure that puts edits of one symbol before others, and plain factors before powers and quotients.
 pub(super) fn size(edit: &Edit) -> u32 {
-    let is_composed =
-        edit.after.contains("^2") || edit.after.starts_with(r"\frac{") && edit.closing.is_none() && !edit.after.starts_with(r"\frac{1}");
+    let is_composed = edit.after.contains("^2")
+        || edit.after.starts_with(r"\frac{") && edit.closing.is_none() && !edit.after.starts_with(r"\frac{1}");
     match edit.kind {
         EditKind::Sign | EditKind::Dot | EditKind::Function | EditKind::Exponent | EditKind::Direction => 2,
         EditKind::MissingFactor if is_composed => 4,

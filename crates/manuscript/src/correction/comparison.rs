@@ -174,7 +174,8 @@ impl<G: Ground> Side<'_, G> {
         let text = self.text();
         let factor = factors::before(summand, &latex(by), text);
         let is_own = |(span, _): &&(Range<usize>, Rational)| summand.factors.contains(span);
-        let printed = [&self.places.fractions, &self.places.numbers].into_iter().find_map(|all| all.iter().find(is_own));
+        let printed =
+            [&self.places.fractions, &self.places.numbers].into_iter().find_map(|all| all.iter().find(is_own));
         let Some((span, number)) = printed else { return factor };
         let product = *number * by;
         let (span, after) = match exchanges::factor_gone(span, self.places).filter(|_| product == Rational::new(1, 1)) {

@@ -44,7 +44,8 @@ fn pairs(values: &[Sym], is_one: impl Fn(Sym, Sym) -> bool) -> usize {
 
 /// Whether one term is a multiple of another one by a number.
 fn are_alike(one: Sym, other: Sym) -> bool {
-    let is_number = |value: Sym| normal(value, &Hypotheses::none()).is_ok_and(|form| form.to_sym().as_constant().is_some());
+    let is_number =
+        |value: Sym| normal(value, &Hypotheses::none()).is_ok_and(|form| form.to_sym().as_constant().is_some());
     !is_zero(one) && !is_zero(other) && is_number(one / other)
 }
 

@@ -102,7 +102,8 @@ fn is_whole_term(part: &Part, places: &Places) -> bool {
 /// The term of a factor whose value is a divisor, as a fraction of its other factors; none where these are a fraction themselves.
 fn below(part: &Part, value: &str, places: &Places, text: &str) -> Option<(Range<usize>, String)> {
     let divisor = value.strip_prefix(r"\frac{1}{")?.strip_suffix('}')?;
-    let term = places.summands.iter().find(|summand| summand.factors.len() > 1 && summand.factors.contains(&part.span))?;
+    let term =
+        places.summands.iter().find(|summand| summand.factors.len() > 1 && summand.factors.contains(&part.span))?;
     let place = term.factors.iter().position(|factor| *factor == part.span)?;
     // with the sign of a product beside it
     let others = match place.checked_sub(1) {

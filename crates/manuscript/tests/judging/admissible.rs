@@ -30,7 +30,11 @@ fn masses_and_lengths_are_positive_wherever_the_claim_fails_so() {
 fn a_negative_mass_is_told_in_words() {
     let found = on_pendulum("inequality", r"m l^2 \geq 0", "");
     assert!(value(&found, "m").starts_with('-'), "{}", found.text());
-    assert!(found.judged.evidence.ends_with("no point was found at which it fails with positive m"), "{}", found.text());
+    assert!(
+        found.judged.evidence.ends_with("no point was found at which it fails with positive m"),
+        "{}",
+        found.text()
+    );
     // a hypothesis that gives a mass its value is no choice
     let found = on_pendulum("inequality", r"m l^2 \geq 0", "given = ['m = -1']");
     assert!(!found.judged.evidence.contains("no point was found"), "{}", found.text());

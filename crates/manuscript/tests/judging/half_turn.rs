@@ -43,8 +43,11 @@ fn no_counterexample_gives_pi_a_value() {
 
 #[test]
 fn a_letter_that_is_declared_is_what_the_paper_says() {
-    let system = PENDULUM.replace("'h' =", r"'\pi' = 'm*l'
-'h' =");
+    let system = PENDULUM.replace(
+        "'h' =",
+        r"'\pi' = 'm*l'
+'h' =",
+    );
     let found = on(&system, "identity", r"2 \pi = m h", "");
     assert_eq!(verdict(&found), "proved", "{}", found.text());
     let found = on(&system, "identity", r"\pi = m", "");

@@ -59,3 +59,25 @@ fn a_byte_that_is_no_text_is_told_at_its_line() {
     refused(&["derive", file], "the byte 0xf6, in Latin-1 the letter ö");
     std::fs::remove_file(path).expect("it is there");
 }
+
+#[test]
+fn a_formula_that_cannot_be_read_leaves_the_other_claims_judged() {
+    let path = temporary("half_read.toml");
+    let claim = |number: u32, formula: &str| {
+        format!("[[claim]]\nequation = \"{number}\"\nkind = \"formula\"\nformula = '{formula}'\n")
+    };
+    let letters = "[letters]\n'm' = \"(1 kg)\"\n'\\theta' = \"theta\"\n'T' = \"kinetic_energy\"\n";
+    let text = format!("{PENDULUM}\n{letters}{}{}", claim(1, r"T = \sin\theta m"), claim(2, r"T = T"));
+    std::fs::write(&path, text).expect("it is written");
+    let file = path.display().to_string();
+    let output = run(&["judge", &file]);
+    let [told, warned] = [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text).into_owned());
+    assert_eq!(output.status.code(), Some(2), "{told}{warned}");
+    assert!(told.contains("proved    half_read/eq2") && told.ends_with("2 claims: 1 proved, 1 not read\n"), "{told}");
+    assert!(warned.contains("^^^^") && warned.contains("argument of `\\sin` ends"), "{warned}");
+    let output = run(&["judge", &file, "--json"]);
+    let told = String::from_utf8_lossy(&output.stdout).into_owned();
+    let all: serde_json::Value = serde_json::from_str(&told).expect("it is JSON");
+    assert!(all[1]["verdict"].is_null() && all[1]["error"]["line"].is_u64(), "{told}");
+    std::fs::remove_file(&path).expect("it is there");
+}
