@@ -58,7 +58,7 @@ impl Kind {
         match self {
             Self::Number => "the verdict rests on a tie of the last printed digit, or on a number that is not real",
             Self::LinearisedEquation => {
-                "the verdict rests on a free frame, or on a point at half a turn, for which the second checker has no steps yet"
+                "the verdict rests on a free frame, for which the second checker has no steps yet"
             }
             Self::Inequality => {
                 "the verdict rests on several rules at once, or on a point, for which the second checker has no steps yet"

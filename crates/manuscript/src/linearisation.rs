@@ -92,14 +92,11 @@ impl<'t, 'm> Linearisation<'t, 'm> {
         all.all(|part| decide(self.base.reduced(part), &self.base.hypotheses).is_zero())
     }
 
-    /// The letters by which is differentiated; none where a free frame has other deviations than its coordinates, or where a point would have to give
-    /// the letter pi a value.
-    fn letters(&self, is_refuted: bool) -> Option<Vec<Sym>> {
+    /// The letters by which is differentiated; none where a free frame has other deviations than its coordinates.
+    fn letters(&self) -> Option<Vec<Sym>> {
         let trace = self.base.trace;
-        let values = self.base.rounds.iter().flat_map(|round| &round.values);
-        let has_pi = values.flat_map(|(_, value)| value.symbols_of()).any(|symbol| symbol == trace.pi);
         let is_plain = trace.coordinates.len() == trace.speeds.len();
-        (is_plain && !(is_refuted && has_pi)).then(|| [&trace.coordinates[..], &trace.speeds, &self.inputs].concat())
+        is_plain.then(|| [&trace.coordinates[..], &trace.speeds, &self.inputs].concat())
     }
 
     fn record(
@@ -109,7 +106,7 @@ impl<'t, 'm> Linearisation<'t, 'm> {
         failure: Option<(Option<Sym>, &Refutation)>,
         record: &mut Record,
     ) {
-        match self.letters(failure.is_some()) {
+        match self.letters() {
             Some(letters) => {
                 let sides = [difference, self.along.reduced(difference)];
                 record.linear([&self.along, &self.base], assumed, sides, &letters, failure);
