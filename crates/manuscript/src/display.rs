@@ -107,7 +107,9 @@ pub(crate) fn tell_point(
             add(letter.to_string(), value);
         }
     }
-    for &(symbol, value) in &refutation.point {
+    // roots are told by the letters below them
+    let is_told = |symbol: Sym| !matches!(symbol.node(), Node::Product(..) | Node::Root(_));
+    for &(symbol, value) in refutation.point.iter().filter(|(symbol, _)| is_told(*symbol)) {
         add(told.0.told(symbol).to_string(), value);
     }
     for symbol in motion.replaced() {

@@ -8,7 +8,7 @@ use crate::conditions::{Hypothesis, assume, conditions, scalar};
 use crate::display::{Told, divisors, tell_point};
 use crate::equation::Outcome;
 use crate::finding::{Finding, Sides as Values};
-use crate::half_turn::holds_half_turn;
+use crate::half_turn::{enclosed, holds_half_turn};
 use crate::letters::Letters;
 use crate::line_signs::least;
 use crate::lines::Line;
@@ -20,6 +20,7 @@ use crate::refutation::Refutation;
 use crate::signs::{Shown, completed, search, shows};
 use crate::square_sums::square_sum;
 use crate::verdict::{allowed, mixed, neither};
+use claims::certificate::PartProof;
 use claims::{Condition, Verdict};
 use latex::{Relation, Statement};
 use reader::Issue;
@@ -159,6 +160,12 @@ pub(crate) fn inequality(
             if !assumed.iter().any(|hypothesis| hypothesis.scales) {
                 mixed(&[Line { model: [left, right], own }], letters, finding);
             }
+        }
+        None if enclosed(reduced).is_some_and(|value| value.low() > 0.0) => {
+            finding.judged.verdict = Verdict::Enclosed;
+            finding.judged.evidence = "by an enclosure of the difference of both sides, which are numbers".to_owned();
+            let then = [Condition::Positive(greater)];
+            record.part(&motion, assumed, &then, |_| PartProof::Enclosure);
         }
         None => {
             let why = "neither the signs of its terms nor squares, discriminants and real roots show it, and no exact point was found at which it fails";

@@ -22,11 +22,15 @@ pub(crate) fn tell_shortfall(
         plainest(form.to_sym(), own, motion, told).filter(|own| length(*own) <= READABLE)
     };
     let whole = short(equation);
-    let beside = scales(printed, equation, motion)
-        .into_iter()
-        .filter_map(|scale| short(printed - scale * equation))
-        .filter(|own| *own != Sym::ZERO && whole.is_none_or(|whole| length(*own) < length(whole)))
-        .min_by_key(|own| length(*own));
+    let beside = scales(printed, equation, motion).into_iter().filter_map(|scale| {
+        let own = short(printed - scale * equation).filter(|own| *own != Sym::ZERO)?;
+        let moves = scale.symbols_of().iter().any(|symbol| !motion.trace.parameters.contains(symbol));
+        let rank = if scale.as_constant().is_some() { 0 } else { 1 + usize::from(moves) };
+        // by anything but a number the print should be told what it lacks in fewer letters than the equation has
+        let is_less = rank == 0 || whole.is_none_or(|whole| length(own) < length(whole));
+        is_less.then(|| ((rank, length(own)), own))
+    });
+    let beside = beside.min_by_key(|(size, _)| *size).map(|(_, own)| own);
     let (own, says) = match (beside, whole) {
         (Some(own), _) => {
             (own, format!("with the terms below on its right side it is a multiple of the equation of {name}"))

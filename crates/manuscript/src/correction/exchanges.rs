@@ -240,10 +240,10 @@ fn numbers(places: &Places, text: &str) -> Vec<Edit> {
             let plain = if below == 1 { above.to_string() } else { format!(r"\frac{{{above}}}{{{below}}}") };
             let after = if is_bare && (plain.len() > 1) { format!("{{{plain}}}") } else { plain.clone() };
             let words = format!("the number `{plain}` for `{}`", &text[span.clone()]);
-            // a factor 1 is not written
-            let gone = (plain == "1").then(|| factor_gone(span, places)).flatten();
-            let (span, after) = gone.map_or((span.clone(), after), |gone| (gone, String::new()));
-            all.push(Edit::new(EditKind::Number, span, after, words));
+            // a factor 1 is not written where others stand beside it
+            let gone = if plain == "1" { factor_gone(span, places) } else { None };
+            all.extend(gone.map(|gone| Edit::new(EditKind::Number, gone, "", words.clone())));
+            all.push(Edit::new(EditKind::Number, span.clone(), after, words));
         }
     }
     all

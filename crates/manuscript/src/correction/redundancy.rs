@@ -1,12 +1,25 @@
 //! Parts of a formula that say nothing: terms that vanish, that cancel or are alike, factors that cancel, quotients by one.
 
 use super::exchanges::gcd;
-use latex::{Form, Statement, Term};
+use latex::{Chain, Form, Statement, Term};
 use symbolic::{Hypotheses, Sym, decide, normal};
 
 /// The number of such parts, by the values of terms in the letters of the print.
 pub(super) fn redundancies(statement: &Statement, own: &dyn Fn(&Term) -> Option<Sym>) -> usize {
-    statement.chains.iter().flat_map(|chain| &chain.sides).map(|side| within(side, own)).sum()
+    let inside = |chain: &Chain| chain.sides.iter().map(|side| within(side, own)).sum::<usize>();
+    statement.chains.iter().map(|chain| inside(chain) + on_both_sides(chain, own)).sum()
+}
+
+/// The number of terms that stand on one side of an equality and, by another number, in a sum on its other side.
+fn on_both_sides(chain: &Chain, own: &dyn Fn(&Term) -> Option<Sym>) -> usize {
+    let [left, right] = &chain.sides[..] else { return 0 };
+    let values = |side: &Term| summands(side).into_iter().filter_map(|(_, term)| own(term)).collect::<Vec<Sym>>();
+    let (left, right) = (values(left), values(right));
+    // one term on each side is the print itself
+    if left.len() == 1 && right.len() == 1 {
+        return 0;
+    }
+    left.iter().map(|one| right.iter().filter(|other| are_alike(*one, **other)).count()).sum()
 }
 
 fn within(term: &Term, own: &dyn Fn(&Term) -> Option<Sym>) -> usize {
@@ -43,7 +56,7 @@ fn pairs(values: &[Sym], is_one: impl Fn(Sym, Sym) -> bool) -> usize {
 }
 
 /// Whether one term is a multiple of another one by a number.
-fn are_alike(one: Sym, other: Sym) -> bool {
+pub(super) fn are_alike(one: Sym, other: Sym) -> bool {
     let is_number =
         |value: Sym| normal(value, &Hypotheses::none()).is_ok_and(|form| form.to_sym().as_constant().is_some());
     !is_zero(one) && !is_zero(other) && is_number(one / other)

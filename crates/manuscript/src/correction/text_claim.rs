@@ -6,7 +6,7 @@ use super::letter_rates::{LetterRate, rates};
 use super::lost::{lack, lost, sought_values};
 use super::places::Places;
 use super::probe::{Probe, own_difference};
-use super::redundancy::{redundancies, summands};
+use super::redundancy::{are_alike, redundancies, summands};
 use crate::claim_text::{ClaimText, Kind};
 use crate::conditions::Hypothesis;
 use crate::finding::Finding;
@@ -34,6 +34,8 @@ pub(super) struct TextClaim<'a, 't, 'm> {
     pub letters: &'a Letters<'t, 'm>,
     pub judge: &'a Judge<'a>,
     rates: Vec<LetterRate>,
+    /// The differences of the sides of hypotheses, in the letters of the print.
+    given: Vec<Sym>,
     probe: Option<Probe<'t, 'm>>,
 }
 
@@ -64,7 +66,9 @@ impl<'a, 't, 'm> TextClaim<'a, 't, 'm> {
         };
         let with_motion = |rate: LetterRate| LetterRate { vanishes: rate.order > 0 && vanishes(rate.value), ..rate };
         let rates = rates(letters).into_iter().filter(|rate| !rests(rate)).map(with_motion).collect();
-        TextClaim { claim, letters, judge, rates, probe }
+        let equalities = assumed.iter().filter(|hypothesis| hypothesis.equality.is_some());
+        let given = equalities.filter_map(|hypothesis| hypothesis.own).collect();
+        TextClaim { claim, letters, judge, rates, given, probe }
     }
 
     /// The claim with another formula.
@@ -121,13 +125,13 @@ impl Ground for TextClaim<'_, '_, '_> {
                 [left - right, right - left].into_iter().any(|side| is_written_as_positive(side, &[]).is_some())
             })),
             // the letter whose value is told stands alone
-            Kind::Formula => {
-                let is_letter = |side: &Term| matches!(side.form, Form::Letter(_) | Form::Rate(..));
-                usize::from(!statement.chains.iter().flat_map(|chain| &chain.sides).any(is_letter))
-            }
+            Kind::Formula => usize::from(!has_quantity_alone(statement, &own)),
             _ => 0,
         };
-        redundancies(statement, &own) + of_kind
+        // a hypothesis is no correction
+        let is_given = |own: Sym| self.given.iter().any(|given| are_alike(own, *given));
+        let repeated = usize::from(self.own_difference(statement).is_some_and(is_given));
+        redundancies(statement, &own) + of_kind + repeated
     }
 
     fn has_points(&self) -> bool {
@@ -168,8 +172,17 @@ impl Ground for TextClaim<'_, '_, '_> {
     }
 }
 
-/// Whether a claim is proved without objection, and its formula has values inside its domain and not only at its boundary; for printed numbers by
-/// enclosures.
+/// Whether a letter stands alone on one side, and not on the other.
+fn has_quantity_alone(statement: &Statement, own: &dyn Fn(&Term) -> Option<Sym>) -> bool {
+    let sides = || statement.chains.iter().flat_map(|chain| &chain.sides);
+    let is_letter = |side: &Term| matches!(side.form, Form::Letter(_) | Form::Rate(..));
+    sides().enumerate().any(|(place, side)| {
+        let others = || sides().enumerate().filter(|(other, _)| *other != place).filter_map(|(_, other)| own(other));
+        is_letter(side) && own(side).is_some_and(|letter| others().all(|other| !other.symbols_of().contains(&letter)))
+    })
+}
+
+/// Proved without an objection, at more than the edges of what its parts ask for; of printed numbers by enclosures.
 fn is_sound(finding: &Finding, claim: &ClaimText) -> bool {
     let verdict = finding.judged.verdict;
     let is_shown =

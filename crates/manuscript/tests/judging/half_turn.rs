@@ -16,6 +16,8 @@ fn formulas_hold_for_the_number_pi() {
         ("inequality", r"\pi m > 3 m", "given = ['m > 0']", "proved"),
         ("inequality", r"2 \pi m l > 0", "given = ['m > 0', 'l > 0']", "proved"),
         ("inequality", r"\pi l > g", "given = ['g > 0', 'l > g']", "proved"),
+        ("inequality", r"\pi^{10} > 93648", "", "enclosed"),
+        ("inequality", r"\pi^{10} < 93648", "", "refuted"),
         ("number", r"2 \pi m = 6.28", "given = ['m = 1']", "enclosed"),
         ("number", r"2 \pi m = 6.29", "given = ['m = 1']", "refuted"),
     ] {

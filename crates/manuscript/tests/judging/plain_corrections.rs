@@ -68,6 +68,14 @@ fn no_term_stands_beside_its_multiple() {
 }
 
 #[test]
+fn no_correction_tells_a_hypothesis_or_the_letter_by_itself() {
+    let found = on_pendulum("identity", r"l = 2 m", r"given = ['l = \pi m']");
+    assert!(formulas(&found).is_empty(), "{}", found.text());
+    let found = on_pendulum("formula", r"h = m l", "");
+    assert!(formulas(&found).iter().all(|one| one.matches('h').count() == 1), "{}", found.text());
+}
+
+#[test]
 fn an_integral_and_its_opposite_are_one() {
     let found = on_pendulum("integral of motion", r"T - V = \mathrm{const}", "");
     assert_eq!(formulas(&found), [r"T + V = \mathrm{const}"], "{}", found.text());
