@@ -2,13 +2,13 @@
 
 use crate::admissible::admissible;
 use crate::display::{Told, divisors, factors, tell_point};
-use crate::equation::{Outcome, vanishes};
+use crate::equation::{Outcome, vanishes_within};
 use crate::finding::Finding;
 use crate::letters::Letters;
 use crate::motion::{Motion, Solution, solution};
 use crate::real_signs::vanishes_by_signs;
 use crate::refutation::Refutation;
-use crate::signs::{completed, shows};
+use crate::signs::{Effort, completed, shows};
 use crate::verdict::neither;
 use claims::{Condition, Verdict};
 use model::equations::Equations;
@@ -44,10 +44,9 @@ pub(crate) fn written_divisors(expression: Sym) -> Vec<Sym> {
 
 /// Whether `then` is zero where `zero` is and both are defined.
 pub(crate) fn step<'t, 'm>(motion: &Motion<'t, 'm>, zero: Sym, then: Sym, conditions: &[Condition]) -> Step<'t, 'm> {
-    let within = |conditions: &[Condition]| step_within(motion, zero, then, conditions);
-    match within(conditions) {
+    match step_within(motion, zero, then, conditions, Effort::Whole) {
         Step::Fails(refutation) => {
-            let again = |conditions: &[Condition]| match within(conditions) {
+            let again = |within: &[Condition]| match step_within(motion, zero, then, within, Effort::Part) {
                 Step::Fails(refutation) => Some(refutation),
                 _ => None,
             };
@@ -57,7 +56,14 @@ pub(crate) fn step<'t, 'm>(motion: &Motion<'t, 'm>, zero: Sym, then: Sym, condit
     }
 }
 
-fn step_within<'t, 'm>(motion: &Motion<'t, 'm>, zero: Sym, then: Sym, conditions: &[Condition]) -> Step<'t, 'm> {
+/// The step by so many points.
+fn step_within<'t, 'm>(
+    motion: &Motion<'t, 'm>,
+    zero: Sym,
+    then: Sym,
+    conditions: &[Condition],
+    effort: Effort,
+) -> Step<'t, 'm> {
     let mut there = motion.clone();
     let written = [written_divisors(zero), written_divisors(then)].concat();
     if !written.is_empty() && there.assume(zero, None).is_ok() {
@@ -93,7 +99,7 @@ fn step_within<'t, 'm>(motion: &Motion<'t, 'm>, zero: Sym, then: Sym, conditions
     }
     let below = normal(divisor, &Hypotheses::none()).map_or(vec![divisor], |form| factors(form.numerator()));
     let known = reduced(conditions, &there);
-    let outcome = vanishes(&there, then, &known);
+    let outcome = vanishes_within(&there, then, &known, effort);
     let is_zero = matches!(outcome, Outcome::Zero(_));
     if !is_zero && below.iter().all(|factor| !open(factor)) && vanishes_by_signs(there.reduced(then), &known) {
         return Step::Follows(below, Way::Signs);
@@ -102,7 +108,8 @@ fn step_within<'t, 'm>(motion: &Motion<'t, 'm>, zero: Sym, then: Sym, conditions
         Outcome::Zero(_) => match below.iter().copied().filter(open).collect::<Vec<_>>()[..] {
             [] => Step::Follows(below, Way::Solved(Box::new(there))),
             ref divided => {
-                let failing = divided.iter().find_map(|&factor| exhibit(motion, factor, zero, then, conditions));
+                let failing =
+                    divided.iter().find_map(|&factor| exhibit(motion, factor, [zero, then], conditions, effort));
                 failing.map_or_else(|| Step::Open(Outcome::Undecided(undivided(divided[0]))), Step::Fails)
             }
         },
@@ -129,8 +136,14 @@ fn reduced(conditions: &[Condition], motion: &Motion<'_, '_>) -> Vec<Condition> 
     conditions.iter().map(|condition| condition.mapped(|e| motion.reduced(e))).collect()
 }
 
-/// A point at which a divisor is zero, one condition holds and the other one does not.
-fn exhibit(motion: &Motion<'_, '_>, factor: Sym, zero: Sym, then: Sym, conditions: &[Condition]) -> Option<Refutation> {
+/// A point at which a divisor vanishes, a condition holds and the other one does not.
+fn exhibit(
+    motion: &Motion<'_, '_>,
+    factor: Sym,
+    [zero, then]: [Sym; 2],
+    conditions: &[Condition],
+    effort: Effort,
+) -> Option<Refutation> {
     let known = [&motion.trace.coordinates[..], &motion.trace.speeds, &motion.trace.parameters].concat();
     let at_zero = known.iter().filter(|symbol| {
         factor.symbols_of().contains(symbol)
@@ -148,7 +161,7 @@ fn exhibit(motion: &Motion<'_, '_>, factor: Sym, zero: Sym, then: Sym, condition
     }
     places.into_iter().find_map(|there| {
         let known = reduced(conditions, &there);
-        let Outcome::NonZero(mut found) = vanishes(&there, then, &known) else { return None };
+        let Outcome::NonZero(mut found) = vanishes_within(&there, then, &known, effort) else { return None };
         for symbol in there.replaced() {
             let is_listed = found.point.iter().any(|(known, _)| *known == symbol);
             if let (false, Some(value)) = (is_listed, found.value(there.reduced(symbol))) {

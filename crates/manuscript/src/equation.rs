@@ -4,7 +4,7 @@ use crate::admissible::admissible;
 use crate::half_turn::is_half_turn;
 use crate::motion::Motion;
 use crate::refutation::Refutation;
-use crate::signs::{completed, search};
+use crate::signs::{Effort, completed, search};
 use claims::Condition;
 use model::equations::constraints_of;
 use symbolic::{Decision, Identity, Sym, Witness, decide, identified};
@@ -27,29 +27,41 @@ const MOST_EXPANDED: usize = 4_000;
 
 /// Whether an expression is zero along the motion where the conditions hold.
 pub(crate) fn vanishes(motion: &Motion<'_, '_>, expression: Sym, conditions: &[Condition]) -> Outcome {
-    let confirmed = |conditions: &[Condition]| match found(motion, expression, conditions) {
+    vanishes_within(motion, expression, conditions, Effort::Whole)
+}
+
+/// Whether an expression vanishes, as `vanishes` says; else a point of bodies that exist, where one is found.
+pub(crate) fn vanishes_or_fails(motion: &Motion<'_, '_>, expression: Sym, conditions: &[Condition]) -> Outcome {
+    let again = |within: &[Condition]| match vanishes_within(motion, expression, within, Effort::Part) {
+        Outcome::NonZero(refutation) => Some(refutation),
+        _ => None,
+    };
+    match vanishes(motion, expression, conditions) {
+        Outcome::NonZero(refutation) => Outcome::NonZero(admissible(refutation, motion, conditions, again)),
+        outcome => outcome,
+    }
+}
+
+/// Whether an expression vanishes, by so many points.
+pub(crate) fn vanishes_within(
+    motion: &Motion<'_, '_>,
+    expression: Sym,
+    conditions: &[Condition],
+    effort: Effort,
+) -> Outcome {
+    match found(motion, expression, conditions, effort) {
         Outcome::NonZero(refutation) if !refutation.is_confirmed(expression, motion) => {
             let why = "its normal form is not zero, but its value at the exact point that was found was not confirmed";
             Outcome::Undecided(why.to_owned())
         }
         outcome => outcome,
-    };
-    match confirmed(conditions) {
-        Outcome::NonZero(refutation) => {
-            let again = |conditions: &[Condition]| match confirmed(conditions) {
-                Outcome::NonZero(refutation) => Some(refutation),
-                _ => None,
-            };
-            Outcome::NonZero(admissible(refutation, motion, conditions, again))
-        }
-        outcome => outcome,
     }
 }
 
-fn found(motion: &Motion<'_, '_>, expression: Sym, conditions: &[Condition]) -> Outcome {
+fn found(motion: &Motion<'_, '_>, expression: Sym, conditions: &[Condition], effort: Effort) -> Outcome {
     let reduced = motion.reduced(expression);
     if Sym::operations_of(&[reduced]) > MOST_EXPANDED
-        && let Some(found) = at_points(motion, reduced, conditions)
+        && let Some(found) = at_points(motion, reduced, conditions, effort)
     {
         return found;
     }
@@ -60,7 +72,7 @@ fn found(motion: &Motion<'_, '_>, expression: Sym, conditions: &[Condition]) -> 
             Identity::Identified { points, error, .. } => of_identity(points, error),
             _ => Outcome::Undecided(reason),
         },
-        Decision::NonZero(witness) => refuted(motion, reduced, witness, conditions),
+        Decision::NonZero(witness) => refuted(motion, reduced, (witness, effort), conditions),
     }
 }
 
@@ -71,11 +83,11 @@ fn of_identity(points: usize, error: f64) -> Outcome {
     ))
 }
 
-/// The outcome for a long expression by points, without its normal form; none if points do not decide.
-fn at_points(motion: &Motion<'_, '_>, reduced: Sym, conditions: &[Condition]) -> Option<Outcome> {
+/// A long expression without its normal form; none where points do not tell.
+fn at_points(motion: &Motion<'_, '_>, reduced: Sym, conditions: &[Condition], effort: Effort) -> Option<Outcome> {
     match identified(&[reduced]) {
         Identity::Identified { points, error, .. } => Some(of_identity(points, error)),
-        Identity::NotZero => Some(match search(&[reduced], conditions, motion, |signs| signs[0] != 0) {
+        Identity::NotZero => Some(match search(&[reduced], conditions, motion, effort, |signs| signs[0] != 0) {
             Some(refutation) => Outcome::NonZero(refutation),
             None => {
                 let why = "the difference is not zero at a random point of a prime field, and no exact point was found that shows it";
@@ -86,8 +98,13 @@ fn at_points(motion: &Motion<'_, '_>, reduced: Sym, conditions: &[Condition]) ->
     }
 }
 
-/// A witness counts if it satisfies all conditions.
-fn refuted(motion: &Motion<'_, '_>, reduced: Sym, witness: Witness, conditions: &[Condition]) -> Outcome {
+/// A witness counts where it satisfies everything.
+fn refuted(
+    motion: &Motion<'_, '_>,
+    reduced: Sym,
+    (witness, effort): (Witness, Effort),
+    conditions: &[Condition],
+) -> Outcome {
     if let Some(letter) = motion.undetermined(reduced) {
         return Outcome::Undecided(format!(
             "the difference holds {}, which the equations of motion do not determine",
@@ -123,7 +140,7 @@ fn refuted(motion: &Motion<'_, '_>, reduced: Sym, witness: Witness, conditions: 
             return Outcome::NonZero(refutation);
         }
     }
-    match search(&[reduced], conditions, motion, |signs| signs[0] != 0) {
+    match search(&[reduced], conditions, motion, effort, |signs| signs[0] != 0) {
         Some(refutation) => Outcome::NonZero(refutation),
         None => {
             let why = "the difference is not zero, but no exact point was found that satisfies the hypotheses";

@@ -17,7 +17,7 @@ use crate::natural_domain::natural_domain;
 use crate::polynomial_signs;
 use crate::real_signs;
 use crate::refutation::Refutation;
-use crate::signs::{Shown, completed, search, shows};
+use crate::signs::{Effort, Shown, completed, search, shows};
 use crate::square_sums::square_sum;
 use crate::verdict::{allowed, mixed, neither};
 use claims::certificate::PartProof;
@@ -131,14 +131,14 @@ pub(crate) fn inequality(
         return Ok(());
     }
     let fails = |sign: i8| sign == -1 || sign == 0 && is_strict;
-    let found = |conditions: &[Condition]| {
-        search(&[reduced], conditions, &motion, |signs| fails(signs[0]))
+    let found = |conditions: &[Condition], effort: Effort| {
+        search(&[reduced], conditions, &motion, effort, |signs| fails(signs[0]))
             .or_else(|| polynomial_signs::negative_point(reduced, conditions, &motion))
             .or_else(|| failing_point([greater, reduced], conditions, &motion, fails))
     };
-    match found(&conditions) {
+    match found(&conditions, Effort::Whole) {
         Some(refutation) => {
-            let refutation = admissible(refutation, &motion, &conditions, found);
+            let refutation = admissible(refutation, &motion, &conditions, |within| found(within, Effort::Part));
             record.is_below(&motion, assumed, greater, is_strict, &refutation);
             finding.judged.verdict = Verdict::Refuted;
             let value = |side: Sym| refutation.value(motion.reduced(side)).map(|value| value.to_string());

@@ -4,7 +4,7 @@ use crate::certificate::Record;
 use crate::claim_text::{ClaimText, Kind};
 use crate::conditions::{Hypothesis, assume, conditions, scalar};
 use crate::display::{Told, divisors};
-use crate::equation::{Outcome, vanishes};
+use crate::equation::{Outcome, vanishes, vanishes_or_fails};
 use crate::finding::Finding;
 use crate::letters::{Letters, rate};
 use crate::lines::Line;
@@ -87,7 +87,7 @@ pub(crate) fn integral(
         let lasting = persistence(assumed, &free, &motion)?;
         finding.judged.requires.extend(divisors(&lasting, told));
     }
-    match vanishes(&motion, changing, &conditions(&motion, assumed)) {
+    match vanishes_or_fails(&motion, changing, &conditions(&motion, assumed)) {
         Outcome::Zero(found) => {
             record.constant(&motion, assumed, is, None);
             finding.judged.verdict = Verdict::Proved;

@@ -7,7 +7,7 @@ use crate::combination::told_combination;
 use crate::conditions::{Hypothesis, assume, conditions, hypotheses, placed};
 use crate::correction::{Judge, corrections};
 use crate::display::{Told, divisors, missing, shown};
-use crate::equation::{Outcome, vanishes};
+use crate::equation::{Outcome, vanishes, vanishes_or_fails};
 use crate::extent::is_met;
 use crate::finding::Finding;
 use crate::half_turn::bounds;
@@ -274,14 +274,18 @@ fn equalities(
     for line in &lines {
         let difference = line.model[0] - line.model[1];
         let equal = Condition::Equal(line.model[0], line.model[1]);
-        let plain = vanishes(&by_constraints, difference, &conditions(&by_constraints, assumed));
+        let given = conditions(&by_constraints, assumed);
+        let plain = match along {
+            None => vanishes_or_fails(&by_constraints, difference, &given),
+            Some(_) => vanishes(&by_constraints, difference, &given),
+        };
         let (outcome, motion) = match (plain, &along) {
             (Outcome::Zero(divisors), _) => (Outcome::Zero(divisors), &by_constraints),
             (plain, None) => (plain, &by_constraints),
             (_, Some(Err(why))) => (Outcome::Undecided(why.clone()), &by_constraints),
             (_, Some(Ok(motion))) => {
                 is_dynamic = true;
-                (vanishes(motion, difference, &conditions(motion, assumed)), motion)
+                (vanishes_or_fails(motion, difference, &conditions(motion, assumed)), motion)
             }
         };
         // with a divisor that is zero along every motion the formula is undefined

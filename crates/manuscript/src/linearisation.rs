@@ -4,7 +4,7 @@ use crate::certificate::Record;
 use crate::claim_text::ClaimText;
 use crate::conditions::{Hypothesis, assume, conditions};
 use crate::display::{Told, divisors, shown, told_difference};
-use crate::equation::{Outcome, vanishes};
+use crate::equation::{Outcome, vanishes_or_fails};
 use crate::finding::Finding;
 use crate::letters::Letters;
 use crate::lines::{Line, lines};
@@ -143,7 +143,7 @@ pub(crate) fn linearised(
     for line in &lines {
         let difference = line.model[0] - line.model[1];
         for (part, by) in linearisation.parts(difference) {
-            match vanishes(base, part, &known) {
+            match vanishes_or_fails(base, part, &known) {
                 Outcome::Zero(found) => {
                     let found = [&found[..], &base.divisors].concat();
                     finding.judged.requires.extend(divisors(&found, told));

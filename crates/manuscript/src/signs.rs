@@ -151,11 +151,25 @@ pub(crate) fn without_real_value(expression: Sym, motion: &Motion<'_, '_>, condi
 const POINTS: u32 = 4_000;
 const POINTS_OF_ROOTS: u32 = 600;
 
-/// An exact point at which the conditions hold and expressions have the required signs.
+/// How many points a search tries: all of them, or a part where a point is known that is less plain.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Effort {
+    Whole,
+    Part,
+}
+
+impl Effort {
+    fn of(self, points: u32) -> u32 {
+        if self == Effort::Whole { points } else { points / 10 }
+    }
+}
+
+/// An exact point at which the conditions hold and the signs of expressions are as asked.
 pub(crate) fn search(
     expressions: &[Sym],
     conditions: &[Condition],
     motion: &Motion<'_, '_>,
+    effort: Effort,
     asked: impl Fn(&[i8]) -> bool,
 ) -> Option<Refutation> {
     let is_open = |expression: &Sym| motion.undetermined(*expression).is_some();
@@ -172,7 +186,7 @@ pub(crate) fn search(
     let mut draw = Draw::of(all.chain(squares.iter().map(|(_, zero)| *zero)), conditions)?;
     draw.leaves.retain(|leaf| squares.iter().all(|(of, _)| of != leaf));
     draw.find(
-        points,
+        effort.of(points),
         |point| with_squares(point, &squares),
         |point| {
             let values = exact(point);

@@ -18,7 +18,7 @@ use crate::minimum_certificate::minimum;
 use crate::motion::Motion;
 use crate::real_signs;
 use crate::refutation::{Refutation, sign};
-use crate::signs::{Shown, search, shows};
+use crate::signs::{Effort, Shown, search, shows};
 use crate::stability_region::{Criterion, Region, Theorem};
 use crate::steady_motion::Resting;
 use crate::verdict::neither;
@@ -221,8 +221,10 @@ impl Compared<'_, '_, '_> {
                 let is_unstable = signs[last.clone()].contains(&-1);
                 signs[0] == 1 && is_unstable || signs[0] == -1 && is_stable
             };
-            let within = |known: &[Condition]| search(&expressions, known, self.motion, disagree);
-            Some(admissible(within(self.known)?, self.motion, self.known, within))
+            let within =
+                |known: &[Condition], effort: Effort| search(&expressions, known, self.motion, effort, disagree);
+            let found = within(self.known, Effort::Whole)?;
+            Some(admissible(found, self.motion, self.known, |known| within(known, Effort::Part)))
         };
         let with_roots = || if by_roots.is_empty() { None } else { found(&roots, &by_roots) };
         let (refutation, is_by_roots) = match with_roots() {

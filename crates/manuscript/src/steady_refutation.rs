@@ -6,7 +6,7 @@ use crate::equation::{Outcome, vanishes};
 use crate::inertia::inertia_determinant;
 use crate::refutation::Refutation;
 use crate::resting_equations::SteadyMotion;
-use crate::signs::{completed, search};
+use crate::signs::{Effort, completed, search};
 use claims::Condition;
 use model::Trace;
 use symbolic::{Hypotheses, Sym, decide};
@@ -20,7 +20,7 @@ pub(crate) fn failing_motion(steady: &SteadyMotion<'_, '_>) -> Option<Refutation
         return None;
     }
     let is_motion = |found: &Refutation| is_steady(steady, found) && fails_at(first, found);
-    let within = |conditions: &[Condition]| {
+    let within = |conditions: &[Condition], effort: Effort| {
         let beside = || others.iter().find_map(|&other| beside(steady, other, conditions).filter(is_motion));
         let solved = || by_equations(steady, conditions).filter(is_motion);
         let among_small = || {
@@ -28,12 +28,13 @@ pub(crate) fn failing_motion(steady: &SteadyMotion<'_, '_>) -> Option<Refutation
             let is_it = |signs: &[i8]| {
                 signs.split_last().is_some_and(|(last, all)| *last != 0 && all.iter().all(|sign| *sign == 0))
             };
-            search(&expressions, conditions, motion, is_it).filter(is_motion)
+            search(&expressions, conditions, motion, effort, is_it).filter(is_motion)
         };
         beside().or_else(solved).or_else(among_small)
     };
     let conditions = with_inertia(steady, first)?;
-    within(&conditions).map(|found| admissible(found, motion, &conditions, within))
+    let found = within(&conditions, Effort::Whole)?;
+    Some(admissible(found, motion, &conditions, |wanted| within(wanted, Effort::Part)))
 }
 
 /// A point at which another printed condition holds and the first one does not.
