@@ -118,7 +118,9 @@ pub(crate) fn tell_point(
         }
     }
     finding.judged.counterexample = listed;
-    let Unusual { not_positive, zero } = unusual(refutation, motion);
+    let Unusual { not_positive, mut zero } = unusual(refutation, motion);
+    // a print of one letter alone gives it its value
+    zero.retain(|one| (own[0] - own[1]).symbols_of() != [told.0.told(*one)]);
     let listed =
         |letters: Vec<Sym>| letters.into_iter().map(|one| told.0.told(one).to_string()).collect::<Vec<_>>().join(", ");
     finding.unusual = match (not_positive.is_empty(), zero.is_empty()) {

@@ -28,7 +28,8 @@ pub(crate) fn tell_shortfall(
         let rank = if scale.as_constant().is_some() { 0 } else { 1 + usize::from(moves) };
         // by anything but a number the print should be told what it lacks in fewer letters than the equation has
         let is_less = rank == 0 || whole.is_none_or(|whole| length(own) < length(whole));
-        is_less.then(|| ((rank, length(own)), own))
+        let is_fraction = normal(own, &motion.hypotheses).is_ok_and(|form| form.denominator().as_constant().is_none());
+        is_less.then(|| ((is_fraction, rank, length(own)), own))
     });
     let beside = beside.min_by_key(|(size, _)| *size).map(|(_, own)| own);
     let (own, says) = match (beside, whole) {

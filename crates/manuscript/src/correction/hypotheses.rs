@@ -55,16 +55,10 @@ pub(super) fn leaves_something(claim: &ClaimText, letters: &Letters<'_, '_>) -> 
     if is_parameter_of_inertia(last, letters) || takes_inertia(&claim.given, letters) {
         return false;
     }
-    let mut motion = match claim.kind {
-        Kind::SteadyMotion => match Resting::of(claim, letters) {
-            Ok(resting) => Motion::at_rest(letters.trace, &resting.rates(letters)),
-            Err(_) => return false,
-        },
-        _ => Motion::by_constraints(letters.trace),
-    };
-    if !hypotheses(&claim.given, letters).is_ok_and(|assumed| assume(&mut motion, &assumed).is_ok()) {
+    let before = &claim.given[..claim.given.len() - 1];
+    let (Some(motion), Some(free)) = (under(&claim.given, claim, letters), under(before, claim, letters)) else {
         return false;
-    }
+    };
     let vanishes = |side: Sym| decide(motion.reduced(side), &motion.hypotheses).is_zero();
     // what holds without the equations of motion says nothing of them
     if stated(claim, &statement, letters).is_some_and(|zeros| zeros.into_iter().any(vanishes)) {
@@ -78,11 +72,24 @@ pub(super) fn leaves_something(claim: &ClaimText, letters: &Letters<'_, '_>) -> 
     }
     let there = |own: Sym| own.substitute(&[(zero, Sym::ZERO)]);
     let terms: Vec<Sym> = lines.iter().flat_map(|line| line.own).flat_map(terms).collect();
-    // a letter that stands for a product vanishes with each of its factors
-    let stays = |term: &&Sym| !vanishes(term.substitute(&letters.meanings(**term)));
-    let staying = terms.iter().filter(stays).count();
+    // a letter that stands for a product vanishes with each of its factors; a rate that rests vanishes by itself
+    let is_gone = |term: &&Sym| {
+        let meaning = term.substitute(&letters.meanings(**term));
+        vanishes(meaning) && !decide(free.reduced(meaning), &free.hypotheses).is_zero()
+    };
+    let gone = terms.iter().filter(is_gone).count();
     lines.iter_mut().for_each(|line| line.own = line.own.map(there));
-    2 * staying > terms.len() && !lines.iter().any(says_nothing)
+    2 * gone < terms.len() && !lines.iter().any(says_nothing)
+}
+
+/// All that constraints and hypotheses allow, where letters rest as a claim says; none where the hypotheses contradict each other.
+fn under<'t, 'm>(given: &[Passage], claim: &ClaimText, letters: &Letters<'t, 'm>) -> Option<Motion<'t, 'm>> {
+    let mut motion = match claim.kind {
+        Kind::SteadyMotion => Motion::at_rest(letters.trace, &Resting::of(claim, letters).ok()?.rates(letters)),
+        _ => Motion::by_constraints(letters.trace),
+    };
+    assume(&mut motion, &hypotheses(given, letters).ok()?).ok()?;
+    Some(motion)
 }
 
 /// The expressions that a claim on motions says to vanish along them; of an equivalence those of both conditions.

@@ -73,7 +73,10 @@ fn a_formula_that_cannot_be_read_leaves_the_other_claims_judged() {
     let output = run(&["judge", &file]);
     let [told, warned] = [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text).into_owned());
     assert_eq!(output.status.code(), Some(2), "{told}{warned}");
-    assert!(told.contains("proved") && told.contains("half_read/eq2") && told.ends_with("2 claims: 1 proved, 1 not read\n"), "{told}");
+    assert!(
+        told.contains("proved") && told.contains("half_read/eq2") && told.ends_with("2 claims: 1 proved, 1 not read\n"),
+        "{told}"
+    );
     assert!(warned.contains("^^^^") && warned.contains("argument of `\\sin` ends"), "{warned}");
     let output = run(&["judge", &file, "--json"]);
     let told = String::from_utf8_lossy(&output.stdout).into_owned();
