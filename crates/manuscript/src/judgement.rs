@@ -10,7 +10,7 @@ use crate::display::{Told, divisors, missing, shown};
 use crate::equation::{Outcome, vanishes, vanishes_or_fails};
 use crate::extent::is_met;
 use crate::finding::Finding;
-use crate::half_turn::bounds;
+use crate::half_turn_bounds::bounds;
 use crate::implications::equivalence;
 use crate::inequalities::inequality;
 use crate::integrals::{integral, known};

@@ -59,6 +59,7 @@ mod equation;
 mod extent;
 mod finding;
 mod half_turn;
+mod half_turn_bounds;
 mod implications;
 mod inequalities;
 mod inertia;

@@ -1,0 +1,43 @@
+//! Bounds of the number pi as hypotheses of the claims in which it stands.
+
+use crate::claim_text::ClaimText;
+use crate::conditions::Hypothesis;
+use crate::half_turn::holds_half_turn;
+use crate::letters::Letters;
+use claims::Condition;
+use field::Rational;
+use latex::{Statement, value};
+use symbolic::Sym;
+
+/// Bounds of the number pi, 0 < 333/106 < pi < 355/113, as hypotheses of a claim in whose formula or hypotheses it stands.
+pub(crate) fn bounds(
+    claim: &ClaimText,
+    statement: &Statement,
+    assumed: &[Hypothesis],
+    letters: &Letters<'_, '_>,
+) -> Vec<Hypothesis> {
+    let sides = statement.chains.iter().flat_map(|chain| &chain.sides);
+    let printed = sides.filter_map(|side| value(side, &letters.in_model()).ok()).flat_map(|side| side.entries());
+    let given = assumed.iter().filter_map(|one| {
+        let condition = one.condition.map(|condition| condition.expression());
+        condition.or(one.equality.map(|(zero, _)| zero))
+    });
+    if !printed.chain(given).any(holds_half_turn) {
+        return Vec::new();
+    }
+    let pi = letters.trace.pi;
+    let number = |above: i64, below: i64| Sym::constant(Rational::new(above, below));
+    let bound = |greater: Sym, told: &str, latex: &str| Hypothesis {
+        told: (told.to_owned(), latex.to_owned()),
+        own: None,
+        equality: None,
+        scales: false,
+        condition: Some(Condition::Positive(greater)),
+        at: claim.formula.span.clone(),
+    };
+    vec![
+        bound(pi, "pi > 0", r"\pi > 0"),
+        bound(pi - number(333, 106), "pi > 333/106", r"\pi > \frac{333}{106}"),
+        bound(number(355, 113) - pi, "pi < 355/113", r"\pi < \frac{355}{113}"),
+    ]
+}
