@@ -129,6 +129,8 @@ impl Record {
     /// A divisor that is zero on the motion, or a difference that was only shown to be zero in prime fields.
     pub fn undecided(&mut self, motion: &Motion<'_, '_>, assumed: &[Hypothesis], then: Condition, outcome: &Outcome) {
         match outcome {
+            // a division by zero as it is written stands in no program
+            Outcome::Undefined(divisor) if [*divisor, then.expression()].contains(&Sym::UNDEFINED) => self.leave_out(),
             Outcome::Undefined(divisor) => self.part(motion, assumed, &[then], |relations| PartProof::Undefined {
                 divisor: relations.recorder.place(*divisor),
             }),

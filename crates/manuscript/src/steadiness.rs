@@ -18,7 +18,7 @@ use crate::verdict::neither;
 use claims::{Condition, Judged, Verdict};
 use latex::{Statement, read};
 use reader::Issue;
-use symbolic::Sym;
+use symbolic::{Sym, decide};
 
 /// The condition of the motions on which the letters of `resting` are constant: alone, or together with the claims `beside` about this motion.
 pub(crate) fn steady_motion(
@@ -154,7 +154,12 @@ impl Print<'_, '_, '_> {
             "at the exact point the letters rest along a motion, and the printed condition does not hold{beside}"
         );
         finding.judged.difference = None;
-        tell_point(self.own, found, motion, Told(self.letters), finding);
+        let told = Told(self.letters);
+        let is_open = |(equation, _): &&(Sym, String)| !decide(motion.reduced(*equation), &motion.hypotheses).is_zero();
+        if let Some((equation, name)) = equations.iter().find(is_open) {
+            tell_shortfall((printed[0], self.own), (motion.reduced(*equation), name), motion, told, finding);
+        }
+        tell_point(self.own, found, motion, told, finding);
     }
 }
 

@@ -6,7 +6,7 @@ use super::letter_rates::LetterRate;
 use super::lost::{SOUGHT, lost_terms, solved, sought};
 use super::places::Places;
 use super::printed_letters::{DERIVED, Letter, in_print, letters};
-use super::redundancy::redundancies;
+use super::redundancy::{on_both_sides, redundancies};
 use super::samples::Samples;
 use super::search::Search;
 use super::values::weight;
@@ -245,7 +245,8 @@ impl Ground for Recorded<'_> {
     }
 
     fn redundancies(&self, statement: &Statement) -> usize {
-        redundancies(statement, &|term| self.value(term))
+        let own = |term: &Term| self.value(term);
+        redundancies(statement, &own) + on_both_sides(statement, &own)
     }
 
     fn has_points(&self) -> bool {

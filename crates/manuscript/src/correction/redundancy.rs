@@ -4,15 +4,15 @@ use super::exchanges::gcd;
 use latex::{Chain, Form, Statement, Term};
 use symbolic::{Hypotheses, Sym, decide, normal};
 
-/// The number of such parts, by the values of terms in the letters of the print.
-pub(super) fn redundancies(statement: &Statement, own: &dyn Fn(&Term) -> Option<Sym>) -> usize {
-    let inside = |chain: &Chain| chain.sides.iter().map(|side| within(side, own)).sum::<usize>();
-    statement.chains.iter().map(|chain| inside(chain) + on_both_sides(chain, own)).sum()
+/// The number of such parts of sides, by what terms stand for.
+pub(super) fn redundancies(statement: &Statement, meaning: &dyn Fn(&Term) -> Option<Sym>) -> usize {
+    statement.chains.iter().flat_map(|chain| &chain.sides).map(|side| within(side, meaning)).sum()
 }
 
-/// The number of terms that stand on one side of an equality and, by another number, in a sum on its other side.
-fn on_both_sides(chain: &Chain, own: &dyn Fn(&Term) -> Option<Sym>) -> usize {
-    let [left, right] = &chain.sides[..] else { return 0 };
+/// The number of terms that stand on one side of an equality and, by another number, in a sum on its other side, in the letters of the print.
+pub(super) fn on_both_sides(statement: &Statement, own: &dyn Fn(&Term) -> Option<Sym>) -> usize {
+    let [Chain { sides, .. }] = &statement.chains[..] else { return 0 };
+    let [left, right] = &sides[..] else { return 0 };
     let values = |side: &Term| summands(side).into_iter().filter_map(|(_, term)| own(term)).collect::<Vec<Sym>>();
     let (left, right) = (values(left), values(right));
     // one term on each side is the print itself

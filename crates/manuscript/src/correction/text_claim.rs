@@ -6,7 +6,7 @@ use super::letter_rates::{LetterRate, rates};
 use super::lost::{lack, lost, sought_values};
 use super::places::Places;
 use super::probe::{Probe, own_difference};
-use super::redundancy::{are_alike, redundancies, summands};
+use super::redundancy::{are_alike, on_both_sides, redundancies, summands};
 use crate::claim_text::{ClaimText, Kind};
 use crate::conditions::Hypothesis;
 use crate::finding::Finding;
@@ -131,7 +131,9 @@ impl Ground for TextClaim<'_, '_, '_> {
         // a hypothesis is no correction
         let is_given = |own: Sym| self.given.iter().any(|given| are_alike(own, *given));
         let repeated = usize::from(self.own_difference(statement).is_some_and(is_given));
-        redundancies(statement, &own) + of_kind + repeated
+        // letters that stand for products are what they stand for
+        let meaning = |term: &Term| scalar(value(term, &self.letters.in_model()));
+        redundancies(statement, &meaning) + on_both_sides(statement, &own) + of_kind + repeated
     }
 
     fn has_points(&self) -> bool {
