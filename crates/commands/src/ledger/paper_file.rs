@@ -73,13 +73,13 @@ Where a claim is refuted, the smallest edits of its formula that make it true ar
 
 Exit codes:
 
-  0  every claim was judged, each verdict is the one that the file expects (`expect`; without
-     it any verdict counts as expected), and there is no objection
-  1  a verdict is not the expected one, or there is an objection, such as mixed dimensions; or the
-     time was over before every claim had its verdict
-  2  the file cannot be read, or the formula or the hypotheses of a claim cannot: its other
-     claims are judged and printed all the same
-130  interrupted by Ctrl-C; the claims that were judged until then are printed"#;
+    0  every claim was judged, each verdict is the one that the file expects (`expect`; without
+       it any verdict counts as expected), and there is no objection
+    1  a verdict is not the expected one, or there is an objection, such as mixed dimensions; or
+       the time was over before every claim had its verdict
+    2  the file cannot be read, or the formula or the hypotheses of a claim cannot: its other
+       claims are judged and printed all the same
+  130  interrupted by Ctrl-C; the claims that were judged until then are printed"#;
 
 /// Judges every claim and prints the findings.
 pub fn judge(asked: &Asked) -> Result<Exit, Exit> {
