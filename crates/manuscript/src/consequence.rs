@@ -136,7 +136,7 @@ fn reduced(conditions: &[Condition], motion: &Motion<'_, '_>) -> Vec<Condition> 
     conditions.iter().map(|condition| condition.mapped(|e| motion.reduced(e))).collect()
 }
 
-/// A point at which a divisor vanishes, a condition holds and the other one does not.
+/// A point at which a divisor is zero, one condition holds and the other one does not.
 fn exhibit(
     motion: &Motion<'_, '_>,
     factor: Sym,

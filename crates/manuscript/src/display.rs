@@ -17,7 +17,7 @@ use symbolic::{Hypotheses, Node, Sym, normal};
 #[derive(Clone, Copy)]
 pub(crate) struct Told<'a, 't, 'm>(pub &'a Letters<'t, 'm>);
 
-/// A longer difference is not written out.
+/// The largest length of a printed difference.
 pub(crate) const READABLE: usize = 600;
 
 /// An equation as it was read: text and LaTeX.
@@ -150,7 +150,7 @@ pub(crate) fn missing(kind: Kind, line: &Line, motion: &Motion<'_, '_>, told: To
     }
 }
 
-/// The rest of an expression that should vanish, where it can be read.
+/// The value of an expression that should be zero, if it is short enough to read.
 pub(crate) fn told_difference(
     left: Sym,
     print: [Sym; 2],

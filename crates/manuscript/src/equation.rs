@@ -83,7 +83,7 @@ fn of_identity(points: usize, error: f64) -> Outcome {
     ))
 }
 
-/// A long expression without its normal form; none where points do not tell.
+/// The outcome for a long expression by points, without its normal form; none if points do not decide.
 fn at_points(motion: &Motion<'_, '_>, reduced: Sym, conditions: &[Condition], effort: Effort) -> Option<Outcome> {
     match identified(&[reduced]) {
         Identity::Identified { points, error, .. } => Some(of_identity(points, error)),
@@ -98,7 +98,7 @@ fn at_points(motion: &Motion<'_, '_>, reduced: Sym, conditions: &[Condition], ef
     }
 }
 
-/// A witness counts where it satisfies everything.
+/// A witness counts if it satisfies all conditions.
 fn refuted(
     motion: &Motion<'_, '_>,
     reduced: Sym,

@@ -27,7 +27,7 @@ pub struct Finding {
     pub search: Search,
     /// A sentence on parameters that are not positive at the counterexample; may be empty.
     pub(crate) unusual: String,
-    /// Whether an exact point was found inside everything that a proved claim presupposes.
+    /// Whether an exact point was found inside the presuppositions of a proved claim.
     pub(crate) has_inside: bool,
     /// Present if it was requested.
     pub certificate: Option<Certificate>,

@@ -149,7 +149,7 @@ fn of_one_or_two(columns: &[Vec<Rational>], target: &[Rational]) -> Option<Vec<R
     })
 }
 
-/// A polynomial in leaves by its exponents; none where it is long, or no polynomial.
+/// A polynomial in leaves by its exponents; none if it is too long, or not a polynomial.
 fn terms(polynomial: Sym, leaves: &[Sym]) -> Option<Terms> {
     let found = coefficients(polynomial, leaves).ok().filter(|found| found.len() <= MOST_TERMS)?;
     let number = |value: Sym| normal(value, &Hypotheses::none()).ok()?.as_constant();

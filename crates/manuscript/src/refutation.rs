@@ -73,7 +73,7 @@ impl Refutation {
     }
 }
 
-/// The sign of a number: of a fraction exactly, of others where an enclosure shows it.
+/// The sign of a number: exactly for a fraction, otherwise by an enclosure if it excludes zero.
 pub(crate) fn sign(value: Sym) -> Option<i32> {
     let exactly = value.as_constant().map(|value| value.sign());
     exactly.unwrap_or_else(|| enclosed(value)?.sign().filter(|sign| *sign != 0))

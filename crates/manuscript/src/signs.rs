@@ -164,7 +164,7 @@ impl Effort {
     }
 }
 
-/// An exact point at which the conditions hold and the signs of expressions are as asked.
+/// An exact point at which the conditions hold and expressions have the required signs.
 pub(crate) fn search(
     expressions: &[Sym],
     conditions: &[Condition],

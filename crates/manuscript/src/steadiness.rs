@@ -200,7 +200,7 @@ fn alone(steady: &SteadyMotion<'_, '_>, print: &Print<'_, '_, '_>, finding: &mut
         }
     }
     if of_print.is_empty() {
-        // a motion on which all of it rests satisfies every equation
+        // a motion on which all letters are constant satisfies every equation
         let rests = all_rests(steady);
         if let Some(found) = failing.iter().find(|found| rests && is_steady(steady, found)) {
             print.fails(steady, found, &[], finding, record);

@@ -185,7 +185,7 @@ impl<G: Ground> Side<'_, G> {
         Edit::new(factor.kind, span, after, factor.words)
     }
 
-    /// Letters and numbers of this side that stay.
+    /// The number of letters and numbers of this side that stay.
     fn kept(&self, gone: &[&Range<usize>]) -> usize {
         let places = self.places;
         let stays = |at: &Range<usize>| {
@@ -218,7 +218,7 @@ fn latex(number: Rational) -> String {
     told.split_once('/').map_or(told.clone(), |(above, below)| format!(r"\frac{{{above}}}{{{below}}}"))
 }
 
-/// The number that most products of a term have in the right side beside the print, and how many of them.
+/// The most frequent ratio between the right and the printed coefficients of the products of a term, and the number of products with it.
 fn most_frequent(own: &Products, lacking: &Products) -> (Rational, usize) {
     let one = Rational::new(1, 1);
     let mut votes: Vec<(Rational, usize)> = Vec::new();

@@ -261,7 +261,7 @@ pub(super) fn factor_gone(factor: &Range<usize>, places: &Places) -> Option<Rang
     places_of.next()
 }
 
-/// A letter that was printed as a number: only one of them has the dimension that the formula asks for.
+/// A letter that was printed as a number: only one letter has the required dimension.
 fn letters_for_numbers(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<Edit> {
     let edit = |span: &Range<usize>, rate: &LetterRate| {
         let words = format!("`{}` for `{}`", rate.latex, &text[span.clone()]);

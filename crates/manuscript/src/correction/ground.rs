@@ -41,7 +41,7 @@ pub(super) trait Ground {
     /// The number of parts of a formula that say nothing.
     fn redundancies(&self, statement: &Statement) -> usize;
 
-    /// Whether points can tell that an edited formula is false.
+    /// Whether test points can refute an edited formula.
     fn has_points(&self) -> bool;
 
     /// The result of the test points.

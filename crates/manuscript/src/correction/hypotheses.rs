@@ -66,7 +66,7 @@ pub(super) fn leaves_something(claim: &ClaimText, letters: &Letters<'_, '_>) -> 
     }
     // claims of other kinds have other sides
     let Ok(mut lines) = lines(claim, &statement, letters) else { return true };
-    // two sides that vanish by the hypothesis and the constraints say nothing either
+    // a formula is also empty if both sides are zero by the hypothesis and the constraints
     if lines.iter().any(|line| line.model.into_iter().all(vanishes)) {
         return false;
     }

@@ -54,7 +54,7 @@ pub(super) struct Places {
     pub numbers: Vec<(Range<usize>, Rational)>,
     /// Quotients of two numbers.
     pub fractions: Vec<(Range<usize>, Rational)>,
-    /// Sides, contents of groups, numerators, denominators: a term may be added behind them.
+    /// Sides, contents of groups, numerators, denominators: a term may be added at their ends.
     pub sums: Vec<Range<usize>>,
 }
 

@@ -138,7 +138,7 @@ impl<'t, 'm> Probe<'t, 'm> {
         }) {
             return Look::Fails;
         }
-        // two sides that vanish by the hypotheses say nothing
+        // two sides that are zero by the hypotheses make an empty formula
         let vanishes = |side: Sym| decide(self.assumed.reduced(side), &self.assumed.hypotheses).is_zero();
         if self.linear.is_none()
             && !self.assumed.held.is_empty()

@@ -184,7 +184,8 @@ fn has_quantity_alone(statement: &Statement, own: &dyn Fn(&Term) -> Option<Sym>)
     })
 }
 
-/// Proved without an objection, at more than the edges of what its parts ask for; of printed numbers by enclosures.
+/// Whether a claim is proved without objection, and its formula has values inside its domain and not only at its boundary; for printed numbers by
+/// enclosures.
 fn is_sound(finding: &Finding, claim: &ClaimText) -> bool {
     let verdict = finding.judged.verdict;
     let is_shown =
