@@ -90,9 +90,9 @@ fn fault(model: &Model, place: usize, wrong: Wrong) -> Fault {
     let (title, label, accepted) = match wrong {
         Wrong::Line => (
             format!(
-                "guides along a line in space are not there yet: {title} is pressed, or moves, across the plane of N.x and N.y"
+                "guides along a line in space are not supported yet: {title} is pressed, or moves, across the plane of N.x and N.y"
             ),
-            "not there yet",
+            "not supported yet",
             "forces and motions in the plane of N.x and N.y; in space a plane that holds on both sides: of = \"bead\", normal, through, sides = \"both\"",
         ),
         Wrong::Carried => (

@@ -225,7 +225,7 @@ fn law_of(source: &ContactSource) -> Sound<Restitution> {
         _ if source.restitution.is_none() => fault(
             "`impact` names the law of a coefficient of restitution",
             "`restitution` is missing",
-            "restitution = \"0.5\" beside it",
+            "restitution = \"0.5\" in the same table",
         ),
         "newton" => Ok(Restitution::Newton),
         "poisson" => Ok(Restitution::Poisson),

@@ -156,7 +156,7 @@ impl Elaborator<'_> {
             (None, Some([first, second])) => {
                 let frames = [self.turning_frame(first)?, self.turning_frame(second)?];
                 if frames[0] == frames[1] {
-                    let title = "a drive turns one body beside another, and these turn together";
+                    let title = "both bodies of a drive are fixed in one frame, so that they cannot turn relative to each other";
                     return Err(Box::new(Fault::at(second.span(), title, "the frame before", EXAMPLE)));
                 }
                 self.shaft(frames, [first, second])?
@@ -217,7 +217,12 @@ impl Elaborator<'_> {
         if let Some((frame, parent)) = carried {
             let title = format!("this motor sits on the ground, and turns by the angle of `{frame}` in `{parent}`");
             let accepted = format!("between = [\"{parent}\", \"{frame}\"] for a motor that `{parent}` carries");
-            self.model.warnings.push(Fault::at(turns.span(), title, "it is no angle beside the ground", accepted));
+            self.model.warnings.push(Fault::at(
+                turns.span(),
+                title,
+                "it is not an angle relative to the ground",
+                accepted,
+            ));
         }
     }
 

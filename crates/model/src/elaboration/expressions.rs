@@ -292,5 +292,5 @@ fn constraint_names(expression: &Expression) -> Vec<usize> {
 }
 
 pub(super) fn not_yet(span: &Range<usize>, what: &str, accepted: &str) -> Box<Fault> {
-    Box::new(Fault::at(span.clone(), format!("{what} is not there yet"), "not there yet", accepted))
+    Box::new(Fault::at(span.clone(), format!("{what} is not supported yet"), "not supported yet", accepted))
 }

@@ -144,7 +144,7 @@ impl Elaborator<'_> {
         }
         match self.value(text)? {
             Value::Point { base, way } => Ok(Acted::Moving(Material { body: None, point: self.point_of(base, way) })),
-            other => Err(mismatch(&text.span(), "what a force acts on", "a point, or a body at a point,", &other)),
+            other => Err(mismatch(&text.span(), "the target of a force", "a point or a body at a point", &other)),
         }
     }
 }

@@ -107,7 +107,7 @@ impl Elaborator<'_> {
                     Meaning::Value(Value::Frame(frame)) => frame,
                     Meaning::Body(body) => self.turning(span, body)?,
                     Meaning::Value(other) => {
-                        return Err(super::mismatch(span, "what turns", "a frame or a body", &other));
+                        return Err(super::mismatch(span, "the argument", "a frame or a body", &other));
                     }
                     Meaning::Condition(_) => return Err(super::expressions::lone_condition(span.clone())),
                     Meaning::Literal { .. } => {
@@ -280,7 +280,7 @@ impl Elaborator<'_> {
             return Ok(());
         }
         let title = "accelerations and reactions have no rate here";
-        let accepted = "rates of coordinates, speeds and what is made of them; the equations of motion give second rates, and no third ones";
+        let accepted = "rates of coordinates and speeds, and of expressions of these; second rates at most";
         Err(Box::new(Fault::at(span.clone(), title, "this would hold a third rate of a coordinate", accepted)))
     }
 

@@ -42,7 +42,7 @@ impl Elaborator<'_> {
         for (key, text) in [("normal", &source.normal), ("with", &source.with)] {
             if let Some(text) = text {
                 let title = "`between` names the body that has the guide, and its axis";
-                return Err(Box::new(Fault::at(text.span(), title, format!("`{key}` stands beside it"), GUIDE)));
+                return Err(Box::new(Fault::at(text.span(), title, format!("a guide has no `{key}`"), GUIDE)));
             }
         }
         let guide = Guide::of(between)

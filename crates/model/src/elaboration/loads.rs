@@ -159,7 +159,7 @@ impl Elaborator<'_> {
             constraint.gains.as_deref().and_then(|gains| Some(gains.first()?.span().start..gains.last()?.span().end));
         for text in &constraint.zero {
             if super::events::compared(text).is_some() {
-                let accepted = "an expression that is zero; contacts, which hold one side, are not there yet";
+                let accepted = "an expression that is zero; contacts, which hold one side, are not supported yet";
                 let title = "a constraint is an equation";
                 return Err(Box::new(Fault::at(text.span(), title, "an inequality", accepted)));
             }

@@ -23,7 +23,7 @@ impl Elaborator<'_> {
         if !self.orders.of(speed.0).is_some_and(|order| (SPEEDS..ACCELERATIONS).contains(&order)) {
             let accepted = match kind {
                 OneWay::Diode => "the current of a charge, current = \"q'\", or a sum of such",
-                OneWay::Freewheel => "the speed of a shaft, speed = \"a'\", or beside another one, \"a' - n*b'\"",
+                OneWay::Freewheel => "the speed of a shaft, speed = \"a'\", or relative to another one, \"a' - n*b'\"",
             };
             let title = format!("{what} is linear in rates of coordinates");
             return Err(Box::new(Fault::at(source.speed.span(), title, "this is not", accepted)));

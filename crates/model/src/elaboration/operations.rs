@@ -31,7 +31,7 @@ impl Elaborator<'_> {
             }
             (Value::Vector(a), Value::Vector(b)) => Value::Vector(self.vector_sum(span, a, b)?),
             (Value::Point { base, way }, Value::Vector(b)) | (Value::Vector(b), Value::Point { base, way }) => {
-                self.must_measure(span, b.0, "a way between points", Some(Dimension::length()))?;
+                self.must_measure(span, b.0, "a vector between points", Some(Dimension::length()))?;
                 let way = match way {
                     Some(way) => self.vector_sum(span, way, b)?,
                     None => b,

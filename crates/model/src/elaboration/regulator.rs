@@ -48,7 +48,12 @@ impl Elaborator<'_> {
         }
         if let (Some(last), None) = (&source.last, horizon) {
             let title = "a cost of the end belongs to a horizon";
-            return Err(Box::new(Fault::at(last.span(), title, "`horizon` is missing", "horizon = \"5 s\" beside it")));
+            return Err(Box::new(Fault::at(
+                last.span(),
+                title,
+                "`horizon` is missing",
+                "horizon = \"5 s\" in the same table",
+            )));
         }
         let mut displaced = Vec::new();
         for Entry { name, value } in &source.displaced {
@@ -66,7 +71,7 @@ impl Elaborator<'_> {
         if self.orders.of(found.0).is_some_and(|order| order >= ACCELERATIONS) {
             let title = "the cost of a regulator holds accelerations or reactions";
             let accepted = "coordinates, their rates, inputs and parameters";
-            return Err(Box::new(Fault::at(text.span(), title, "not there yet", accepted)));
+            return Err(Box::new(Fault::at(text.span(), title, "not supported yet", accepted)));
         }
         Ok(found)
     }

@@ -33,7 +33,7 @@ pub(super) fn unheld_axes(source: &Source, model: &Model) -> Vec<Fault> {
                     warnings.push(Fault::at(
                         entry.value.span(),
                         format!("the component of `{name}` along {axis} vanishes identically, and has no reaction"),
-                        "this output asks for it, and shows zero for it",
+                        "this output requests it, and shows zero for it",
                         "a coordinate that could move there, so that the constraint holds it; or joint_force of the body",
                     ));
                 }

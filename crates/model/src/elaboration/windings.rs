@@ -29,7 +29,7 @@ impl Elaborator<'_> {
             let title = format!("{what} holds accelerations, or rates of currents");
             let accepted =
                 "positions, speeds, currents and the time; a voltage M i' of another winding is a co-energy M i1 i2";
-            return Err(Box::new(Fault::at(text.span(), title, "not there yet", accepted)));
+            return Err(Box::new(Fault::at(text.span(), title, "not supported yet", accepted)));
         }
         Ok(found)
     }

@@ -17,7 +17,7 @@ pub(super) fn statements(trace: &Trace<'_>) -> Vec<Statement> {
 }
 
 /// The velocities that H counts.
-const CARRIED: &str = " on velocities less the velocities at u = 0";
+const CARRIED: &str = " with velocities less the velocities at u = 0";
 
 fn statement(trace: &Trace<'_>, place: usize, constraint: &Equation, relative: &str) -> Statement {
     let kept = constraint.row.iter().zip(&trace.accelerations);

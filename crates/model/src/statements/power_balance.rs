@@ -125,7 +125,7 @@ fn says(trace: &Trace<'_>, energy: &Energy, by_forces: &Power, powers: &[Reactio
     }
     let sum = if parts.is_empty() { "zero".to_owned() } else { parts.join(" plus ") };
     let is_relative = works && !energy.is_whole || by_forces.is_relative;
-    let relative = if is_relative { "; powers are those on velocities less the velocities at u = 0" } else { "" };
+    let relative = if is_relative { "; powers are computed with velocities less the velocities at u = 0" } else { "" };
     format!("{name} is {sum}{relative}")
 }
 

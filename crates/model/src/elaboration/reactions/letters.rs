@@ -159,7 +159,7 @@ pub(in crate::elaboration) fn with_laws(
         Err(vec![Fault::at(letters[0].at.clone(), title, label, accepted)])
     };
     if let Some(contact) = open.contacts.iter().find(|contact| contact.one_way.is_none()) {
-        let title = format!("reactions in loads do not stand beside the contact `{}` yet", contact.name);
+        let title = format!("reactions in loads are not supported together with the contact `{}` yet", contact.name);
         let accepted =
             "a system without [[contact]], or a friction that the loads write out: mu*abs(reaction(pin))*sign(w)";
         return fault(title, "this reaction", accepted);

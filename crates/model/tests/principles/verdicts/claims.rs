@@ -182,8 +182,8 @@ impl<'t, 'm> At<'_, '_, 't, 'm> {
     }
 }
 
-const RELATIVE: &str = "; powers are those on velocities less the velocities at u = 0";
-const CARRIED: &str = " on velocities less the velocities at u = 0";
+const RELATIVE: &str = "; powers are computed with velocities less the velocities at u = 0";
+const CARRIED: &str = " with velocities less the velocities at u = 0";
 
 /// A sentence without the conditions that stand before it.
 fn bare(says: &str) -> &str {
