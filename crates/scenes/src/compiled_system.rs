@@ -66,7 +66,7 @@ impl fmt::Display for NotCompiled {
                 write!(f, "contact {} has no reaction that the motion determines", contact + 1)
             }
             Self::OfAccelerations { .. } => {
-                write!(f, "a condition that depends on accelerations or reactions is not there yet")
+                write!(f, "a condition that depends on accelerations or reactions is not supported yet")
             }
             Self::Massless { coordinate } => write!(f, "nothing with a mass or an inertia moves with `{coordinate}`"),
             Self::Redundant { constraint } => {

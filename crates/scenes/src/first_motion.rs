@@ -124,7 +124,10 @@ fn resisted_by_nothing(model: &Model, direction: &[f64]) -> Issue {
         && let Some(count) = differentiations(model, largest(direction))
     {
         let (name, at) = moved(model, largest(direction));
-        let title = format!("this system cannot run: its index is {}, and at most 3 is accepted", count + 1);
+        let title = format!(
+            "this system cannot run: the index of its differential-algebraic equations is {}; at most 3 is accepted",
+            count + 1
+        );
         let label = format!(
             "the law of `{name}` does not hold it, and determines it only after it is differentiated {count} times"
         );

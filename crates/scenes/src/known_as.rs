@@ -22,7 +22,9 @@ pub(crate) fn known(At { value, span }: &At<String>) -> Result<&'static Knowledg
         let list = entries.iter().map(|entry| entry.name).collect::<Vec<_>>().join(", ");
         let accepted = match nearest(value, entries.iter().map(|entry| entry.name)) {
             Some(nearest) => format!("is `{nearest}` meant? Known: {list}"),
-            None if list.is_empty() => "a file without `known_as`: this program knows no more of any system".to_owned(),
+            None if list.is_empty() => {
+                "a file without `known_as`: no knowledge about any system is linked into this program".to_owned()
+            }
             None => format!("known: {list}"),
         };
         Issue::at(span.clone(), format!("no system is known as `{value}`"), "not known").accepted(accepted)

@@ -127,7 +127,8 @@ pub(crate) fn leave_out(model: &mut Model, Completed { state, implied }: &Comple
             None => format!("{title} follows from other constraints"),
             Some(start) => format!("{title} follows from other constraints on the branch of the start, {start}"),
         };
-        let label = "its reaction is shown as zero, since nothing determines how it and they share the load";
+        let label =
+            "its reaction is shown as zero, since the division of the load among these constraints is not determined";
         let accepted = "without it the motion is the same";
         model.warnings.push(Fault { span: at, title, label: label.to_owned(), accepted: accepted.to_owned() });
     }
@@ -138,13 +139,16 @@ pub(crate) fn unmet_at(model: &Model, unmet: Unmet) -> Issue {
     match unmet {
         Unmet::Open(open) => inconsistent(model, &open),
         Unmet::Redundant { at, name } => {
-            let title = format!("{name} depends on those before it at the start");
-            let issue =
-                Issue::at(at, title, "a singular position: it has a direction of its own elsewhere, and none there");
+            let title = format!("{name} depends on other constraints at the start");
+            let issue = Issue::at(
+                at,
+                title,
+                "singular position: the constraint is independent at neighbouring positions, but not here",
+            );
             issue.accepted("another start; or constraints that are independent")
         }
         Unmet::Idle { at, name } => {
-            let title = format!("{name} restrains nothing at the start");
+            let title = format!("{name} has no effect at the start");
             let issue = Issue::at(at, title, "every derivative of it by coordinates and speeds is zero there");
             issue.accepted(
                 "another start, since links in one line and a crank at its dead point are singular positions; \
@@ -152,8 +156,8 @@ pub(crate) fn unmet_at(model: &Model, unmet: Unmet) -> Issue {
             )
         }
         Unmet::Multiple { at, name } => {
-            let title = format!("the gradient of {name} vanishes wherever it holds");
-            let issue = Issue::at(at, title, "no reaction along its gradient keeps it: a square, or a sum of squares");
+            let title = format!("the gradient of {name} is zero wherever the constraint holds");
+            let issue = Issue::at(at, title, "no reaction can enforce it; it is a square, or a sum of squares");
             issue.accepted(
                 "its root: x - y in the place of (x - y)^2, a in the place of 1 - cos(a); of a sum of squares a list of its roots, \
                  zero = [\"x\", \"y\"]",
@@ -181,7 +185,7 @@ pub(crate) fn unmet_at(model: &Model, unmet: Unmet) -> Issue {
             Issue::at(at, format!("a programmed constraint of {kind}"), label).accepted(accepted)
         }
         Unmet::Piecewise(at) => {
-            let issue = Issue::at(at, "a constraint that changes at a condition is not there yet", "this one");
+            let issue = Issue::at(at, "a constraint that changes at a condition is not supported yet", "this one");
             issue.accepted("constraints without `if`, `sign`, `abs`, `min`, `max` and `table`")
         }
         Unmet::Fixed { at } => {
@@ -254,7 +258,7 @@ fn sought(model: &Model, all: bool) -> Result<Equilibrium, Issue> {
             NoEquilibrium::NotCompiled(reason) => refused(model, &reason),
             NoEquilibrium::AtCondition { switch } => {
                 let place = model.switch_places[switch].clone();
-                let issue = Issue::at(place, "an equilibrium at which a condition changes is not there yet", "this condition");
+                let issue = Issue::at(place, "an equilibrium at which a condition changes is not supported yet", "this condition");
                 issue.accepted(
                     "a guess of one at which no condition of `if`, `sign`, `abs`, `min`, `max` and `table` is zero; `run` runs to rest",
                 )
@@ -265,8 +269,8 @@ fn sought(model: &Model, all: bool) -> Result<Equilibrium, Issue> {
             }
             NoEquilibrium::Driven { constraint, residual, unit } => {
                 let title = format!("there is no equilibrium: {constraint} moves the system");
-                let label = format!("at rest it is {}, wherever the system stands", measured(residual, &unit));
-                let accepted = "a constraint that rest meets, such as that of a belt which stands; a steady motion is no equilibrium: it \
+                let label = format!("at rest it is {}, in every position", measured(residual, &unit));
+                let accepted = "a constraint that holds at rest, such as that of a belt that does not move; a steady motion is no equilibrium: it \
                                 starts from its speeds";
                 Issue::at(at, title, label).accepted(accepted)
             }

@@ -271,13 +271,13 @@ fn criteria_that_mean_nothing_are_refused_at_their_place() {
         (
             "displaced = { theta = \"5 deg\" }\n",
             "horizon = \"2 s\"\n[[event]]\nwhen = \"x - (1 m)\"\nend = true\n",
-            "over a horizon of a law that changes at conditions or events are not there yet",
+            "over a horizon of a law that changes at conditions or events are not supported yet",
         ),
         ("is = \"u\"", "is = \"u - (1 N)*sign(x')\"", "condition 1 of `if`"),
         (
             "[run]",
             "[[contact]]\nof = \"bob\"\nthrough = \"O - (5 m)*N.x\"\nnormal = \"N.x\"\n[run]",
-            "regulators of a model with contacts are not there yet",
+            "regulators of a model with contacts are not supported yet",
         ),
     ] {
         let why = found(&cart_pole(from, to)).expect_err(to);

@@ -84,7 +84,7 @@ impl Letters<'_> {
         let rate = name.trim_end_matches(['\'', '\u{2032}', '\u{2033}']);
         match name {
             "t" | "time" => Some(
-                "no law of a motor as text knows the time: what turns at constant speed is told by the angle g to the field, as in \
+                "the laws of a motor as text do not depend on time: a field of constant speed is described by the angle g to the field, as in \
                  `supply = \"v*cos(g)\"`"
                     .to_owned(),
             ),
@@ -119,9 +119,9 @@ impl Vocabulary for Letters<'_> {
             (ANGLE, _) => {
                 refused("a moment of the angle comes from `field_energy` or from fluxes, else energy is lost")
             }
-            (SLIP | SPEED, _) => {
-                refused("a law of the angle or the currents knows no speed: speeds stand in `moment_law`")
-            }
+            (SLIP | SPEED, _) => refused(
+                "a law of the angle or the currents does not depend on speeds, which are accepted in `moment_law`",
+            ),
             (_, KnownMotion::Currents) if self.is_current(name) => Ok(Sym::symbol(name)),
             (_, KnownMotion::Rest) if self.is_current(name) => {
                 refused(&format!("the data of a winding do not know the currents: nothing saturates, and {INDUCED}"))

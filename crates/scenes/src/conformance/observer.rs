@@ -101,7 +101,7 @@ pub(super) fn verdict(model: &Model) -> PropertyVerdict {
                 "moved along together, in place or in speed, its bodies exert the same loads on each other".to_owned(),
             ),
             Some((load, what)) => PropertyVerdict::Fails(format!(
-                "{} changes where all bodies move along together: it holds {what} beside the ground",
+                "{} changes if all bodies move together: it depends on {what} relative to the ground",
                 loads[load].title(model)
             )),
         }

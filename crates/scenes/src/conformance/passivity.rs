@@ -33,7 +33,7 @@ pub(super) fn verdict(model: &Model) -> PropertyVerdict {
         let chooses = trace.switches.iter().any(|switch| held.contains(switch));
         if !chooses && !trace.speeds.iter().any(|speed| held.contains(speed)) {
             let rubs = model.contacts.iter().any(|contact| contact.friction.is_some());
-            let beside = if rubs { ", beside friction in contacts" } else { "" };
+            let beside = if rubs { ", apart from friction in contacts" } else { "" };
             return PropertyVerdict::Proved(format!("no force changes with the speeds{beside}"));
         }
         match (!chooses).then(|| quadratic(&trace, &forces)).flatten().map(is_never_positive) {

@@ -118,7 +118,7 @@ fn variables(scene: &ModelScene) -> (Vec<Variable>, Vec<Target>) {
     });
     let turns = model.free.iter().enumerate().map(|(number, frame)| {
         let name = &model.frames[frame.0].name;
-        let meaning = format!("turn of `{name}` about its own axes x, y, z, beside its start");
+        let meaning = format!("turn of `{name}` about its own axes x, y, z, relative to its start");
         (variable("start", name, meaning, "rad".to_owned(), 3), Target::Turn(number))
     });
     let speeds = model.start_speeds.iter().enumerate().map(|(place, given)| {
@@ -364,9 +364,9 @@ impl ParametricSystem for ModelEnsemble {
 fn told(unmet: &Unmet) -> String {
     match unmet {
         Unmet::Open(open) => open.to_string(),
-        Unmet::Redundant { name, .. } => format!("{name} depends on those before it there"),
-        Unmet::Idle { name, .. } => format!("{name} restrains nothing there"),
-        Unmet::Multiple { name, .. } => format!("the gradient of {name} vanishes wherever it holds"),
+        Unmet::Redundant { name, .. } => format!("{name} depends on other constraints there"),
+        Unmet::Idle { name, .. } => format!("{name} has no effect there"),
+        Unmet::Multiple { name, .. } => format!("the gradient of {name} is zero wherever the constraint holds"),
         Unmet::Locked { name, .. } => format!("{name} cannot hold in its position"),
         Unmet::Contradiction { .. } => "two constraints contradict each other".to_owned(),
         Unmet::Gains { .. } | Unmet::Piecewise(_) | Unmet::Fixed { .. } => {

@@ -215,8 +215,8 @@ impl Equilibrium {
         }
         let family = match self.family {
             0 => String::new(),
-            1 => "; it stands in a family of equilibria with one direction".to_owned(),
-            many => format!("; it stands in a family of equilibria with {many} directions"),
+            1 => "; it belongs to a family of equilibria with one parameter".to_owned(),
+            many => format!("; it belongs to a family of equilibria with {many} parameters"),
         };
         let sentence = "constraints hold speeds: this equilibrium is one that motions from the start reach";
         self.is_reached.then(|| format!("{sentence}{family}"))

@@ -183,7 +183,7 @@ impl NoForces {
             ),
             Self::OpenCurrents { .. } => (
                 0..0,
-                "--motion for a current beside it, such as --motion \"id = 0\" or --motion \"motor.i_f = (2 A)\"",
+                "--motion for a current in addition, such as --motion \"id = 0\" or --motion \"motor.i_f = (2 A)\"",
             ),
             Self::Idle { unknown, .. } => {
                 (of_name(unknown), "an unknown that has power on the motion at every instant")

@@ -113,7 +113,7 @@ impl NotLinear {
             Self::DrivenConstraint { constraint, .. } => (
                 constraint.at.clone(),
                 "this one",
-                "inputs of forces; a constraint that is led by the time, without the input",
+                "inputs of forces; a constraint that depends on time, without the input",
             ),
             Self::AtCondition { switch } => (
                 model.switch_places[*switch].clone(),

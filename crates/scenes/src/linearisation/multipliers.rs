@@ -103,7 +103,10 @@ impl fmt::Display for NoMultipliers {
                 write!(f, "the motion does not return: it misses its beginning by {distance:.3e}")
             }
             Self::Short => {
-                write!(f, "the law, or the motion, hardly changes within this time, so that no return can be told")
+                write!(
+                    f,
+                    "the law, or the motion, hardly changes within this time, so that a return cannot be recognised"
+                )
             }
             Self::OtherLaw => {
                 write!(f, "the law is another one a period later: it depends on time, or on an angle beyond its turns")

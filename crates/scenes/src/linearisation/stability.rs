@@ -83,7 +83,7 @@ impl fmt::Display for Stability {
             }
             Stability::Asymptotic { idle } => write!(
                 f,
-                "every eigenvalue has a negative real part but for {idle} zero, of variations that no equation asks for: \
+                "every eigenvalue has a negative real part but for {idle} zero, of variations that appear in no equation: \
                  asymptotically stable in all others"
             ),
             Stability::Undecided(count) => write!(
@@ -91,7 +91,7 @@ impl fmt::Display for Stability {
                 "no eigenvalue has a positive real part, and {count} of them {} zero: the linear equations do not decide stability",
                 if *count == 1 { "has the real part" } else { "have the real part" }
             ),
-            Stability::Nothing => write!(f, "no eigenvalues: nothing can move beside this point"),
+            Stability::Nothing => write!(f, "no eigenvalues: no motion near this point is possible"),
         }
     }
 }

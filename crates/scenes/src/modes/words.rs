@@ -126,7 +126,7 @@ impl Words {
             Phase::Glides { .. } => "slides",
             Phase::Slips { forwards: true, .. } => "slides forwards",
             Phase::Slips { forwards: false, .. } => "slides backwards",
-            Phase::Carried => "is carried",
+            Phase::Carried => "touches without force",
         };
         format!("{} {what}", self.contacts[contact])
     }

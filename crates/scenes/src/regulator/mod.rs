@@ -175,19 +175,22 @@ impl<'a> Task<'a> {
         };
         if model.speeds() + model.constraints.len() > MOST_UNKNOWNS {
             let title = format!(
-                "regulators of a model with more than {MOST_UNKNOWNS} speeds and constraints are not there yet"
+                "regulators of a model with more than {MOST_UNKNOWNS} speeds and constraints are not supported yet"
             );
             return refused(title, "a smaller model");
         }
         if !model.contacts.is_empty() {
-            return refused("regulators of a model with contacts are not there yet".to_owned(), "a law without them");
+            return refused(
+                "regulators of a model with contacts are not supported yet".to_owned(),
+                "a law without them",
+            );
         }
         if is_watched(model) && regulator.horizon.is_some() {
-            let title = "regulators over a horizon of a law that changes at conditions or events are not there yet";
+            let title = "regulators over a horizon of a law that changes at conditions or events are not supported yet";
             return refused(title.to_owned(), "no `horizon`, about an equilibrium; or a law without them");
         }
         if !model.free.is_empty() {
-            let title = "regulators of a model with free frames are not there yet";
+            let title = "regulators of a model with free frames are not supported yet";
             return refused(title.to_owned(), "angles of frames in their place");
         }
         let (cost, last) = forms(model, regulator)?;
@@ -222,7 +225,9 @@ impl<'a> Task<'a> {
         let count = states.kept.len() * self.chosen.len();
         match count {
             0 => {
-                let title = "no equation and no cost asks for any variation: nothing is to be regulated".to_owned();
+                let title =
+                    "neither the linear equations nor the cost depend on any variation: there is nothing to regulate"
+                        .to_owned();
                 Err(self.refused(title, "a cost of coordinates or their rates: (x/(1 m))^2 + (u/(10 N))^2"))
             }
             count if count > MOST => Err(self.refused(format!("this regulator has {count} gains"), "at most 256")),

@@ -17,10 +17,10 @@ use simulation::events::Margin;
 use std::sync::{Arc, Mutex, PoisonError};
 
 const SINGULAR: &str =
-    "its constraints depend on each other at this position, beyond which there may be several motions, or none";
+    "singular position: the constraints are linearly dependent here, and several motions may follow, or none";
 
-const KEPT: &str = "at this position the constraints that are kept depend on each other, and one that follows from them elsewhere, and was \
-     left out, would hold: the run passes where a kept one is taken out of the file instead";
+const KEPT: &str = "the constraints that are used become dependent at this position, but the redundant one, which was left out, would still \
+     hold the system: remove one of the others from the file instead, and the run passes this position";
 
 /// A position is singular where s falls below this part of its value at the start: bars that differ by a millionth pass it.
 const LEAST: f64 = 1e-3;

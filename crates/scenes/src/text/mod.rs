@@ -22,13 +22,13 @@ pub fn source(top: &mut Table<'_>) -> Source {
     for (key, what) in LATER {
         if let Some(span) = top.place_of(key) {
             top.known(&[key]);
-            let issue = Issue::at(span, format!("{what} are not there yet"), "not there yet");
+            let issue = Issue::at(span, format!("{what} are not supported yet"), "not supported yet");
             top.report(issue.accepted("parameters, coordinates, speeds, definitions, frames, points, bodies, energies, forces, torques, constraints, contacts, diodes, freewheels, drives, inputs, events, outputs, start"));
         }
     }
     if let Some(span) = top.place_of("machine") {
         top.known(&["machine"]);
-        let issue = Issue::at(span, "a machine stands in the drive that it moves", "no drive");
+        let issue = Issue::at(span, "a machine belongs to the drive that it moves", "no drive");
         top.report(issue.accepted("[[drive]] with `turns` or `between`, then [drive.machine]"));
     }
     let (start, equilibrium) = start(top);
@@ -255,7 +255,11 @@ fn tensor(body: &mut Table<'_>) -> InertiaSource {
     }
     if table.has("principal") {
         if principal.len() != 3 || entries.iter().any(Option::is_some) {
-            let issue = Issue::at(table.span(), "`principal` has three moments, and no others stand beside it", "here");
+            let issue = Issue::at(
+                table.span(),
+                "`principal` has three moments, and no other moments are given with it",
+                "here",
+            );
             table.report(issue.accepted("principal = [\"A\", \"B\", \"C\"], or xx, yy, zz, xy, xz, yz"));
         }
         for (entry, moment) in entries.iter_mut().zip(&principal) {

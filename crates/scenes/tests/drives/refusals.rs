@@ -15,7 +15,7 @@ fn a_drive_that_means_nothing_is_refused_at_its_place() {
     let pair = "between = [\"carriage\", \"wheel\"]";
     for (from, to, message) in [
         (pair, "", "a drive has one of `turns` and `between`"),
-        (pair, "between = [\"wheel\", \"wheel\"]", "a drive turns one body beside another"),
+        (pair, "between = [\"wheel\", \"wheel\"]", "both bodies of a drive are fixed in one frame"),
         (pair, "between = [\"carriage\"]", "`between` has two places"),
         ("ratio = \"n\"", "ratio = \"L\"", "the ratio of a gear has the dimension"),
         ("inductance = \"L\"", "inductance = \"R\"", "the inductance of a winding has the dimension"),

@@ -124,7 +124,7 @@ fn an_event_ends_a_run_or_stops_a_motion_that_breaks_a_constraint() {
     close(ended.outcome.time, 8f64.sqrt(), 1e-11);
     let held = format!("{}\n[[constraint]]\nzero = \"x - (1 m/s)*t\"\n", event("set = { x = \"0\" }"));
     let broken = runs(&held, Method::Taylor);
-    assert!(broken.stopped().unwrap().contains("breaks a constraint"), "{:?}", broken.stopped());
+    assert!(broken.stopped().unwrap().contains("violates a constraint"), "{:?}", broken.stopped());
     // the state before the event is the last good one
     close(broken.last[0], 4.0, 1e-9);
     close(broken.last[1], 1.0, 1e-9);
@@ -188,7 +188,7 @@ fn the_event_that_ends_a_run_is_told() {
 #[test]
 fn a_start_from_which_two_motions_go_has_no_run() {
     let stopped = runs(&PUSHED.replace("FORCE", "(2 N)*sign(x')"), Method::DormandPrince8).stopped();
-    assert!(stopped.is_some_and(|why| why.starts_with("does not begin: several motions go on from here")));
+    assert!(stopped.is_some_and(|why| why.starts_with("does not begin: several motions are possible from here")));
 }
 
 #[test]
@@ -227,5 +227,5 @@ fn a_condition_at_rest_at_zero_is_decided_by_its_next_rate() {
     close(trajectory.last[0], (2f64.sqrt() * 5.0).cos(), 1e-9);
     let fork = PUSHED.replace("FORCE", "if(x > (1 m), (2 N), -(2 N))") + "[start]\nx = \"1 m\"\n";
     let stopped = runs(&fork, Method::DormandPrince8).stopped();
-    assert!(stopped.is_some_and(|why| why.contains("several motions go on from here")));
+    assert!(stopped.is_some_and(|why| why.contains("several motions are possible from here")));
 }

@@ -12,7 +12,7 @@ fn unknown_letters_are_named_with_what_was_probably_meant() {
     one(&[(start, "theta_dot = \"1 rad/s\"")], &["is `theta'` meant?"]);
     one(&[("\"reach\"", "\"thetaddot\"")], &["is `theta''` meant?"]);
     one(&[("\"l*sin(theta)\"", "\"l*sinn(theta)\"")], &["no function is called `sinn`", "is `sin` meant?"]);
-    one(&[("\"l*sin(theta)\"", "\"l*angular_acceleration(A)\"")], &["`angular_acceleration` is not there yet"]);
+    one(&[("\"l*sin(theta)\"", "\"l*angular_acceleration(A)\"")], &["`angular_acceleration` is not supported yet"]);
 }
 
 #[test]
@@ -132,7 +132,10 @@ fn units_of_engineers_and_spaces_about_a_slash_are_read() {
 
 #[test]
 fn what_the_language_will_have_is_refused_by_name() {
-    one(&[("[outputs]", "[machine]\nmodel = \"text\"\n\n[outputs]")], &["a machine stands in the drive that it moves"]);
+    one(
+        &[("[outputs]", "[machine]\nmodel = \"text\"\n\n[outputs]")],
+        &["a machine belongs to the drive that it moves"],
+    );
     one(&[("width = \"reach\"", "width = \"left.i\"")], &["no drive is called `left`"]);
 }
 

@@ -67,7 +67,7 @@ fn a_start_without_its_unit_is_shown_one_of_its_own() {
 fn a_constraint_without_a_gradient_is_told_with_both_causes() {
     let level = "[[constraint]]\nname = \"top\"\nzero = \"(P - O) . N.y + l\"\n\n[outputs]";
     let parts = [
-        "constraint 1 `top` restrains nothing at the start",
+        "constraint 1 `top` has no effect at the start",
         "every derivative of it by coordinates and speeds is zero there",
         "a crank at its dead point are singular positions",
         "x - y, and not its square",
@@ -88,7 +88,7 @@ fn a_constraint_whose_gradient_vanishes_wherever_it_holds_is_refused() {
         one(
             &[cart[0], cart[1], ("[outputs]", &constraint), ("theta = \"0.3 rad\"", &start)],
             &[
-                "the gradient of constraint 1 `tie` vanishes wherever it holds",
+                "the gradient of constraint 1 `tie` is zero wherever the constraint holds",
                 "its root: x - y in the place of (x - y)^2",
             ],
         );

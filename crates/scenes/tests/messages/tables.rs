@@ -107,9 +107,9 @@ fn reactions_and_conditions_are_refused_where_they_cannot_be() {
     let force = rod("[[force]]\non = \"bob\"\nis = \"(joint_force(bob) . N.x)*N.x\"\n\n[outputs]");
     one(&[("[outputs]", &force)], &["`joint_force` stands in [outputs] only"]);
     let event = "[[event]]\nwhen = \"theta'' - (1 rad/s^2)\"\nend = true\n\n[outputs]";
-    one(&[("[outputs]", event)], &["depends on accelerations or reactions is not there yet", "^^^"]);
+    one(&[("[outputs]", event)], &["depends on accelerations or reactions is not supported yet", "^^^"]);
     let piecewise = "[[constraint]]\nzero = \"if(t < (1 s), theta - 0.3, theta)\"\n\n[outputs]";
-    one(&[("[outputs]", piecewise)], &["a constraint that changes at a condition is not there yet"]);
+    one(&[("[outputs]", piecewise)], &["a constraint that changes at a condition is not supported yet"]);
 }
 
 #[test]

@@ -138,11 +138,11 @@ fn what_depends_on_others_at_the_start_alone_is_refused() {
     let text = "title = \"t\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n[bodies.b]\ncentre = \"O + x*N.x + y*N.y\"\nmass = \"(1 kg)\"\n\
                 [[constraint]]\nzero = \"x^2 + y^2 - (1 m^2)\"\n[[constraint]]\nzero = \"x - (1 m)\"\n[start]\nx = \"1 m\"\n[run]\nspan = \"1 s\"\n";
     let error = ModelScene::parse("t.toml", text).expect_err("it is singular").to_string();
-    assert!(error.contains("depends on those before it at the start"), "{error}");
+    assert!(error.contains("depends on other constraints at the start"), "{error}");
     // one that is led, and need not hold, has nothing to lead
     let led = "[[constraint]]\nzero = \"2*a - 2*b\"\nprogrammed = { gains = [\"(8 1/s)\", \"(16 1/s^2)\"] }\n[outputs]";
     let error = ModelScene::parse("t.toml", &with("[outputs]", led)).expect_err("it is singular").to_string();
-    assert!(error.contains("depends on those before it at the start"), "{error}");
+    assert!(error.contains("depends on other constraints at the start"), "{error}");
 }
 
 #[test]
@@ -222,7 +222,7 @@ fn a_set_of_constraints_that_loses_its_rank_where_all_keep_it_is_told() {
         let choice = scene.run().choice();
         let left = scene.problem(Axes::First).simulate(&choice, |_| {}).left.expect("it ends");
         assert!(
-            left.contains("the constraints that are kept depend on each other, and one that follows from them"),
+            left.contains("the constraints that are used become dependent at this position, but the redundant one"),
             "{left}"
         );
     }

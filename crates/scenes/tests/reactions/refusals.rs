@@ -33,5 +33,5 @@ fn the_reaction_of_a_contact_stands_in_outputs_alone() {
     let text = bead("", "-c*velocity(P)*reaction(floor)", "").replace("[start]", floor);
     refused(&text, &["the reaction of the contact `floor` stands in [outputs] only"]);
     let beside = bead("", "-c*velocity(P)*reaction(wire)", "").replace("[start]", floor);
-    refused(&beside, &["do not stand beside the contact `floor` yet"]);
+    refused(&beside, &["are not supported together with the contact `floor` yet"]);
 }

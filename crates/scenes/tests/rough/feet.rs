@@ -40,7 +40,7 @@ fn a_block_on_twelve_feet_stays_while_friction_holds_it() {
         }
         close(last(&trajectory, "T").abs(), 4.0, 1e-12);
         let then = trajectory.passages[0].then.as_deref().unwrap_or_default();
-        assert_eq!(then.matches("is carried").count(), FEET - 2, "{then}");
+        assert_eq!(then.matches("touches without force").count(), FEET - 2, "{then}");
     }
 }
 

@@ -62,7 +62,7 @@ fn a_rough_guide_along_a_line_in_space_is_refused() {
     let said =
         |text: &str| ModelScene::parse("scene.toml", text).map_or_else(|error| error.to_string(), |_| String::new());
     let rough = "friction = \"0.2\"";
-    assert!(said(&guide("N.z", rough)).contains("guides along a line in space are not there yet"));
+    assert!(said(&guide("N.z", rough)).contains("guides along a line in space are not supported yet"));
     assert_eq!(said(&guide("N.y", rough)), "");
     assert_eq!(said(&guide("N.z", "")), "");
 }

@@ -88,7 +88,7 @@ fn at_the_critical_friction_one_load_gives_motions_without_end() {
         assert_eq!(motions("1.4", "3"), Motions::One, "{across}");
     }
     let run = super::runs(&sliders("1.5", "1", true), integrators::Method::DormandPrince8, 1e-9);
-    assert!(run.stopped().is_some_and(|why| why.starts_with("does not begin: motions without end")));
+    assert!(run.stopped().is_some_and(|why| why.starts_with("does not begin: infinitely many motions")));
 }
 
 /// N = mg cos - F sin is pushed up to what friction holds: at F = f m g exactly on the boundary.

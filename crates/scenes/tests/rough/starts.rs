@@ -31,7 +31,7 @@ fn a_rod_pushed_against_its_contact_has_no_motion() {
 #[test]
 fn several_motions_and_motions_without_end_are_told_by_the_run() {
     let several = begins(&rod("63 deg", "4 rad/s", -4.0));
-    assert!(several.stopped().is_some_and(|why| why.contains("several motions go on from here")));
+    assert!(several.stopped().is_some_and(|why| why.contains("several motions are possible from here")));
 }
 
 /// A force that drives as sign(v) is undecided at rest, one with sign(x) in the middle: the run says where, and what may be meant.

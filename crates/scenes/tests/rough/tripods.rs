@@ -61,7 +61,7 @@ fn no_foot_holds_more_than_its_friction_while_a_load_grows() {
         assert!(held <= friction * pressure * (1.0 + 1e-9), "foot {foot}: {held} N on {pressure} N");
     }
     let said = trajectory.stopped().unwrap_or_default().to_string();
-    assert!(said.contains("rest together"), "{said}");
+    assert!(said.contains("several contacts in space are at rest"), "{said}");
 }
 
 /// A foot that has begun to slide from rest, become fast and slowed down stops by its greatest speed, not by the one of its start.

@@ -27,7 +27,8 @@ const ROUNDING: f64 = 1e-9;
 const HALVINGS: usize = 60;
 
 /// Why a run ends before a pole.
-pub const POLE: &str = "a divisor of its rates passes through zero in the next step, where they grow without bound: no motion goes on there";
+pub const POLE: &str =
+    "a divisor of its rates passes through zero in the next step, where they grow without bound: no motion follows";
 
 /// A run that ends before its last step; deviations of later times are dropped.
 pub(super) fn up_to(outcome: Outcome<f64>, (time, state): (f64, Vec<f64>)) -> Outcome<f64> {

@@ -65,7 +65,10 @@ impl fmt::Display for Unknown {
         match self {
             Unknown::Ends(why) => f.write_str(why),
             Unknown::Blunt { time } => {
-                write!(f, "what happens at t = {time:.9} s is told by a tie, and so not to more digits than that")
+                write!(
+                    f,
+                    "the event at t = {time:.9} s has no signal that passes through zero, so that its time is not known to more digits"
+                )
             }
             Unknown::LastBounce { time } => {
                 write!(f, "infinitely many bounces end at t = {time:.9} s, and each of them would have to be followed")

@@ -67,7 +67,7 @@ impl Formulation {
             Formulation::Momenta => "in momenta",
             Formulation::Bench => "for the motor alone",
             Formulation::Minimal => "in minimal coordinates",
-            Formulation::Given => "in redundant coordinates led by the scene's gains",
+            Formulation::Given => "in redundant coordinates stabilised by the scene's gains",
             Formulation::IndexReduced => "in redundant coordinates after index reduction",
             Formulation::Led => "in redundant coordinates, stabilised",
             Formulation::Projected => "in redundant coordinates, projected",

@@ -56,7 +56,7 @@ pub(super) fn crossed(run: &Samples<'_>) -> Option<RunFailure> {
                     "an [[event]] with `when = \"{argument} - EPS\"`, EPS a small quantity of its dimension, and `end = true`; or, where the motion \
                      passes on, a law that has values there, such as `if({argument} > 0, {text}, 0)`"
                 ),
-                None => "a law that goes on there, with a condition as `if`; or an [[event]] with `end = true` before it".to_owned(),
+                None => "a law that has values there, with a condition as `if`; or an [[event]] with `end = true` before it".to_owned(),
             },
         })
     })

@@ -59,7 +59,7 @@ pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
                 "{} grows by its own size in {now:.1e} s there, and in {then:.1e} s in the middle of the run; the last good state has {told}",
                 run.told(place, near.1[place])
             ),
-            remedy: "an [[event]] with `end = true` before it, or a shorter `span`: no motion goes on behind it; a force that grows faster \
+            remedy: "an [[event]] with `end = true` before it, or a shorter `span`: no motion follows; a force that grows faster \
                      than its speed, where it is not meant, is bounded by `min` and `max`"
                 .to_owned(),
         });

@@ -22,18 +22,18 @@ pub(super) fn named(run: &Samples<'_>) -> Option<RunFailure> {
         _ if contacts.is_empty() => None,
         reasons::NONE => of(
             FailureKind::NoContactMode,
-            format!("neither sticking nor sliding nor opening of {names} agrees with the motion that it gives"),
+            format!("neither sticking nor sliding nor opening of {names} is consistent with its own motion"),
             "`friction` below the critical value that `dalembert regimes` prints; or a spring and a damper as a [[force]] in the place of \
              the rigid contact",
         ),
         reasons::SEVERAL | reasons::CONTINUUM => of(
             FailureKind::SeveralContactModes,
-            format!("more than one motion of {names} goes on from here"),
+            format!("more than one motion of {names} is possible from here"),
             "`dalembert regimes` lists them; a spring and a damper as a [[force]] in the place of a rigid contact chooses one",
         ),
         reasons::JAMS => of(
             FailureKind::Jam,
-            format!("friction makes the reactions of {names} grow beyond every bound"),
+            format!("friction makes the reactions of {names} unbounded"),
             "`friction` below the critical value that `dalembert regimes` prints; or a spring and a damper as a [[force]] in the place of \
              the rigid contact",
         ),
@@ -46,7 +46,7 @@ pub(super) fn unexplained(run: &Samples<'_>) -> Option<RunFailure> {
     (run.trajectory.left == Some(POLE)).then(|| RunFailure {
         kind: FailureKind::Pole,
         at: run.last().0,
-        evidence: "something that the rates are divided by passes through zero".to_owned(),
+        evidence: "a divisor of the rates passes through zero".to_owned(),
         remedy: "a law without this division, such as a distance with a small length added to it; or an [[event]] with `end = true` before \
                  it; `dalembert derive` prints the equations with their divisors"
             .to_owned(),

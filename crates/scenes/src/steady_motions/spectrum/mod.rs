@@ -90,7 +90,7 @@ impl fmt::Display for NotEnclosed {
             ),
             Self::Opposite => write!(
                 f,
-                "at every value some eigenvalues are opposite to others, as they are without damping: no boundary can be told by Hurwitz' determinant"
+                "at every value some eigenvalues are opposite to others, as they are without damping: Hurwitz' determinant gives no boundary"
             ),
             Self::NoMotion => write!(f, "no steady motion is shown to be at the point"),
         }

@@ -78,9 +78,9 @@ fn why_not(why: &NoSteadyMotions) -> &'static str {
         NoSteadyMotions::Changes => "the law changes at conditions or with contacts",
         NoSteadyMotions::FreeFrame { .. } => "a frame turns freely",
         NoSteadyMotions::OfTime => "the law depends on time",
-        NoSteadyMotions::OfSpeeds { .. } => "a constraint of speeds is led, or not solved as it is written",
+        NoSteadyMotions::OfSpeeds { .. } => "a constraint of speeds has gains, or cannot be solved",
         NoSteadyMotions::Singular => "no inertia resists a coordinate",
-        NoSteadyMotions::Unequal { .. } => "steady motions stand side by side",
+        NoSteadyMotions::Unequal { .. } => "steady motions form a family",
         _ => "the equations of steady motions have no values there",
     }
 }
