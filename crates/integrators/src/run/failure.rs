@@ -65,11 +65,11 @@ impl Failure {
             Failure::OutOfTime { .. } => "out of time",
             Failure::Interrupted { .. } => "interrupted",
             Failure::NewtonFailed { .. } => "Newton did not converge",
-            Failure::LeftTheNumbers { .. } => "left the numbers",
-            Failure::Stiff { .. } => "found it stiff",
-            Failure::GoesBack { .. } => "goes back on what fades",
+            Failure::LeftTheNumbers { .. } => "overflow or NaN",
+            Failure::Stiff { .. } => "stiff",
+            Failure::GoesBack { .. } => "backward sub-steps amplify decaying parts",
             Failure::Singular { .. } => "singular matrix",
-            Failure::OtherCourse { .. } => "took another course",
+            Failure::OtherCourse { .. } => "another sequence of events",
         }
     }
 }
@@ -121,7 +121,7 @@ impl fmt::Display for Failure {
             Failure::StepCollapsed { at, step } => {
                 write!(
                     f,
-                    "step collapsed at t = {}: the tolerance asks for a step of {step:.1e}, below rounding",
+                    "step collapsed at t = {}: the tolerance requires a step of {step:.1e}, which is below rounding",
                     Instant(*at)
                 )
             }
@@ -134,7 +134,7 @@ impl fmt::Display for Failure {
                 write!(f, "Newton did not converge at t = {}, with a step down to {step:.1e}", Instant(*at))
             }
             Failure::LeftTheNumbers { at } => {
-                write!(f, "left the numbers: the rates or the state are not finite after t = {}", Instant(*at))
+                write!(f, "overflow or NaN: the rates or the state are not finite after t = {}", Instant(*at))
             }
             Failure::Stiff { at } => {
                 write!(
@@ -147,8 +147,9 @@ impl fmt::Display for Failure {
                 let growth = rate * step * back;
                 write!(
                     f,
-                    "the step goes back at t = {}: by {back:.3} of its {step:.2e}, where what fades at a rate of {rate:.2e} would \
-                     grow by exp({growth:.1}); a step of at most {most:.2e} is accepted, any with Strang's splitting",
+                    "backward sub-steps amplify decaying parts at t = {}: a sub-step goes back by {back:.3} of the step {step:.2e}, and a part that \
+                     decays at a rate of {rate:.2e} would grow by exp({growth:.1}); a step of at most {most:.2e} is accepted, and any step with \
+                     Strang's splitting",
                     Instant(*at)
                 )
             }
@@ -156,7 +157,7 @@ impl fmt::Display for Failure {
                 write!(f, "the matrix of the implicit step is singular at t = {}", Instant(*at))
             }
             Failure::OtherCourse { at } => {
-                write!(f, "took another course: by other events it came to an end at t = {}", Instant(*at))
+                write!(f, "another sequence of events: the run ended at t = {}", Instant(*at))
             }
         }
     }

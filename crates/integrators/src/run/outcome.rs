@@ -113,7 +113,7 @@ impl fmt::Display for Work {
             write!(f, ", {} of the constraints alone", self.constraints)?;
         }
         if self.outputs > 0 {
-            write!(f, "; beside them {} steps for outputs between the steps", self.outputs)?;
+            write!(f, "; in addition {} steps for outputs between the steps", self.outputs)?;
         }
         Ok(())
     }
