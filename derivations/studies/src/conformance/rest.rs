@@ -134,7 +134,7 @@ impl Rest {
                     PropertyVerdict::Fails("a run comes to a state from which its eigenvalues drive it".to_owned())
                 }
                 None if told.is_empty() => {
-                    PropertyVerdict::DoesNotApply("no state is told by its eigenvalues".to_owned())
+                    PropertyVerdict::DoesNotApply("eigenvalues decide the stability of no state".to_owned())
                 }
                 None => {
                     let stable = told.iter().filter(|(decays, _)| *decays).count();

@@ -40,7 +40,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     // uncompiled, the law solves a linear system at each evaluation
     let running = CompiledLaw::of(Arc::clone(&law) as Arc<dyn SymbolicLaw>);
     let digits = Threshold {
-        of: "squared sine of the nutation below which no digit of the accelerations is left".into(),
+        of: "squared sine of the nutation below which the accelerations have no correct digit".into(),
         formula: r"$2^{-53}$".into(),
         exact: Exact::Number(Rational::new(1, 1 << 53)),
         unit: "".into(),

@@ -14,9 +14,9 @@ pub const FAILING: Failing = Failing {
     name: "blow-up",
     title: "a governor that blows up in finite time",
     scene: "governors/blow_up.toml",
-    why: r"To keep the speed of a braked shaft whose partner is free the wheel must move by $\rho\dot\rho=\varepsilon k_1$: $\rho^2$ falls evenly, and at $t_*=-\rho_0^2/(2\varepsilon k_1)$ the wheel is at the axis with infinite speed. After that there is no motion; a constant step lands behind the axis, where the law has values and means nothing.",
-    advice: "Look at the closed form before the run: it says whether and when the wheel comes to the axis; end the programme before, no method goes on.",
-    asked: "to stop at the blow-up and to say so",
+    why: r"To keep the speed of a braked shaft whose partner is free the wheel must move by $\rho\dot\rho=\varepsilon k_1$: $\rho^2$ decreases linearly, and at $t_*=-\rho_0^2/(2\varepsilon k_1)$ the wheel is at the axis with infinite speed. After that there is no motion; a constant step lands behind the axis, where the law has values without a meaning.",
+    advice: "Evaluate the closed form before the run: it gives the instant at which the wheel comes to the axis, if it does; end the programme earlier, since no motion follows.",
+    asked: "a stop at the blow-up, with this reason",
     measure,
 };
 

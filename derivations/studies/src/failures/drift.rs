@@ -20,10 +20,10 @@ use systems::crank_slider::CrankSlider;
 
 pub const FAILING: Failing = Failing {
     name: "constraint",
-    title: "drift of a constraint that is kept only differentiated twice",
+    title: "drift of a constraint that is enforced only in its second derivative",
     scene: "bodies/crank_slider.toml",
-    why: r"Multipliers from $\ddot f=0$ leave $f=f_0+\dot f_0t$ free: the matrix of a step has the double eigenvalue 1 in one Jordan block, for every method and every step. What a method errs in $\dot f$ is summed up, and $f$ drifts as $t$ and as $t^2$.",
-    advice: "Take coordinates that keep the constraint where there are some; otherwise hold the constraint and its rate both (Gear, Gupta, Leimkuhler) or project after each step, and stabilise by gains only inside the region of the method.",
+    why: r"Multipliers from $\ddot f=0$ leave $f=f_0+\dot f_0t$ free: the matrix of a step has the double eigenvalue 1 in one Jordan block, for every method and every step. Errors of a method in $\dot f$ add up, and $f$ drifts as $t$ and as $t^2$.",
+    advice: "Use coordinates that satisfy the constraint where they exist; otherwise enforce both the constraint and its rate (Gear, Gupta, Leimkuhler) or project after each step, and stabilise by gains only inside the stability region of the method.",
     asked: "a violation below a millionth of a square metre for 100 s",
     measure,
 };
@@ -50,7 +50,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     };
     let map = Scheme::RungeKutta4.transition(Rational::zero(), Rational::zero());
     let passed_on = Threshold {
-        of: "share of a violation's rate that each step adds to the violation, any method".into(),
+        of: "growth of a violation per unit of time over its initial rate, any method".into(),
         formula: r"$(f_n-f_0)/(nh\dot f_0)$".into(),
         exact: Exact::Number(map.map_or(Rational::UNDEFINED, |[[_, across], _]| across)),
         unit: "".into(),

@@ -22,7 +22,7 @@ pub const FAILING: Failing = Failing {
     title: "first and second form as D tends to zero",
     scene: "failures/light_carrier.toml",
     why: r"With $l$ and $\Gamma e$ along one principal axis $A'D\,\ddot\varphi=M$: the rotor swings in the field with $\omega^2=b_0/(A'D)$, and an explicit step must follow. The second form has $D=1-A'\,l\cdot A^{*-1}l$ as the difference of two numbers near one, rounded to $\frac32\,2^{-53}$: its accelerations lose the digits of $1/D$, and all of them where $D$ is of that size. The first form divides by $A$, and loses none where $A$ is formed from the bodies and not as $A^*-A'\,l\,l^T$.",
-    advice: "Take the first form, whose tensor A comes from the bodies, and a method whose step follows the swing; at D = 0 the motion is not determined, and the scene is refused.",
+    advice: "Use the first form, whose tensor A comes from the bodies, and a method whose step follows the swing; at D = 0 the motion is not determined, and the scene is refused.",
     asked: "the motion within 1/1000",
     measure,
 };
@@ -69,7 +69,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         }
     });
     let lost = Threshold {
-        of: "D below which the second form has no digit".into(),
+        of: "D below which the second form has no correct digit".into(),
         formula: r"$\frac32\,2^{-53}$".into(),
         exact: Exact::Number(Rational::new(3, 1 << 54)),
         unit: "".into(),

@@ -16,9 +16,9 @@ use symbolic::Sym;
 
 pub const FAILING: Failing = Failing {
     name: "gains",
-    title: "explicit Euler outside the region of its gains",
+    title: "explicit Euler with gains outside its stability region",
     scene: "drive/euler_overdamped.toml",
-    why: r"A violation that is led by $\ddot f=-b\dot f-kf$ is multiplied in a step of Euler by a matrix of $\beta=hb$, $\kappa=h^2k$, whose eigenvalues are inside the unit circle if and only if $0<\kappa<\beta<2+\kappa/2$. Stronger damping than that makes the violation grow, because the step is too long for the damping itself.",
+    why: r"A violation with $\ddot f=-b\dot f-kf$ is multiplied in a step of Euler by a matrix of $\beta=hb$, $\kappa=h^2k$, whose eigenvalues are inside the unit circle if and only if $0<\kappa<\beta<2+\kappa/2$. Stronger damping than that makes the violation grow, because the step is too long for the damping itself.",
     advice: "Take h b = 2, h^2 k = 1 for Euler, any positive gains for backward Euler or the midpoint rule, or no gains at all: coordinates that keep the constraint.",
     asked: "the rod's constraint within a tenth of its length squared",
     measure,
@@ -56,7 +56,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         })
     };
     let thresholds = [
-        one("greatest damping that Euler bears", r"$2/h+hk/2$", below, -0.3, 50),
+        one("largest stable damping of Euler", r"$2/h+hk/2$", below, -0.3, 50),
         one("least damping that Euler needs", r"$hk$", above, 0.5, 20),
     ];
     let problem = scene.problem(Axes::First);

@@ -15,9 +15,9 @@ pub const FAILING: Failing = Failing {
     name: "inclination",
     title: "the moments (19) where p g2 = q g1",
     scene: "failures/nodding_top.toml",
-    why: r"Three moments lead three integrals by equations of the determinant $p\gamma_2-q\gamma_1=-\dot\gamma_3$. Where the axis does not nod (at both ends of every nutation, and always on a permanent rotation) a moment across the plane of axis and vertical changes neither energy nor momentum, and integrals that are off cannot be led: $\frac{d}{dt}(p\gamma_2-q\gamma_1)^2$ stays away from zero, and the moments grow as $(t_*-t)^{-1/2}$.",
-    advice: "Lead the integrals away from the ends of the nutation only, or take the moments of the force function, which exist everywhere; judge p g2 = q g1 by exact arithmetic.",
-    asked: "to stop where the axis does not nod and to say so",
+    why: r"Three moments control three integrals by equations with the determinant $p\gamma_2-q\gamma_1=-\dot\gamma_3$. Where the axis does not nod (at both ends of every nutation, and always on a permanent rotation) a moment across the plane of axis and vertical changes neither energy nor momentum, and wrong integrals cannot be corrected: $\frac{d}{dt}(p\gamma_2-q\gamma_1)^2$ stays away from zero, and the moments grow as $(t_*-t)^{-1/2}$.",
+    advice: "Control the integrals only away from the ends of the nutation, or use the moments of the force function, which exist everywhere; judge p g2 = q g1 by exact arithmetic.",
+    asked: "a stop where the axis does not nod, with this reason",
     measure,
 };
 
@@ -31,7 +31,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     let nodding = run.column(NODDING).zip(run.rows.first());
     let left = nodding.filter(|_| run.stopped().is_some()).map(|(place, first)| run.last[place] / first[place]);
     let threshold = Threshold {
-        of: "what is left of the determinant where the run ends, as a share of the first".into(),
+        of: "determinant at the end of the run, relative to its initial value".into(),
         formula: r"$p\gamma_2-q\gamma_1$".into(),
         exact: Exact::Number(Rational::zero()),
         unit: "".into(),

@@ -22,8 +22,8 @@ pub const FAILING: Failing = Failing {
     title: "Painlevé's region: a state without a motion",
     scene: "friction/jam.toml",
     why: r"The acceleration of the contact is affine in its reaction, with the coefficient $(1+\kappa\cos^2\theta-f\kappa\sin\theta\cos\theta)/m$ for an end that slides ahead of the centre. Where that is negative a push makes the contact approach: no acceleration agrees with Coulomb's law, or two do. No method can be right where the law has no motion.",
-    advice: "Let the run stop there and look at the margins by `dalembert regimes`; beyond the critical angle the contact needs compliance or an impact law, not a smaller step.",
-    asked: "to stop at the critical angle and to say so",
+    advice: "Let the run stop there and read the margins of `dalembert regimes`; beyond the critical angle the contact needs compliance or an impact law, not a smaller step.",
+    asked: "a stop at the critical angle, with this reason",
     measure,
 };
 
@@ -70,7 +70,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     let mut trials: Vec<Trial> = every_method(1_000).filter_map(one).collect();
     let inertia = mass * half_length * half_length / kappa;
     let rod = SlenderRod { mass, inertia, half_length, gravity, friction };
-    trials.push(Trial { by: "slip taken for granted beyond it".to_owned(), fate: granted(rod, 1.2 * at, slide) });
+    trials.push(Trial { by: "sliding assumed beyond it".to_owned(), fate: granted(rod, 1.2 * at, slide) });
     Ok(Found { thresholds, diagnosis: trajectory.stopped().unwrap_or_default(), trials })
 }
 

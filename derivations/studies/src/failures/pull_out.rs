@@ -20,9 +20,9 @@ pub const FAILING: Failing = Failing {
     name: "pull-out",
     title: "pull-out as a saddle-node: root finders near it",
     scene: "pull_out.toml",
-    why: r"In step no current flows, and the rotor stands where $-b_0\sin\gamma=f\Omega$: at two angles, which merge at $\gamma=-\pi/2$ where $f\Omega=b_0$. There the derivative by the angle vanishes; Newton's method converges by halves at the fold, and beyond it never. Along the curve of $(\gamma,f)$ nothing is singular.",
-    advice: "Follow the curve by its arc length, which goes round the fold, or isolate the real roots, which also says that there is none; do not take a root finder's silence for an answer.",
-    asked: "an answer that is right; the motion within 1/1000",
+    why: r"In synchronism no current flows, and the rotor is at rest in the field where $-b_0\sin\gamma=f\Omega$: at two angles, which merge at $\gamma=-\pi/2$ where $f\Omega=b_0$. There the derivative by the angle vanishes; Newton's method only halves its error in each iteration at the fold, and does not converge beyond it. Along the curve of $(\gamma,f)$ nothing is singular.",
+    advice: "Follow the curve by its arc length, which goes round the fold, or isolate the real roots, which also proves that there is none; the failure of a root finder is no proof.",
+    asked: "a correct answer; the motion within 1/1000",
     measure,
 };
 
@@ -68,7 +68,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     let thresholds = vec![
         threshold("greatest friction in step: the fold, by arc length", followed, Within::Share(1_000_000_000)),
         threshold(
-            "the same by runs of the motor alone, 2 s each",
+            "greatest friction in step, by runs of the motor alone, 2 s each",
             edge(0.97 * at, 1.1 * at, 1e-5, holds),
             Within::Share(50),
         ),

@@ -19,10 +19,10 @@ use systems::steered_rod::SteeredRod;
 
 pub const FAILING: Failing = Failing {
     name: "reversal",
-    title: "sliding that stops or turns: chatter",
+    title: "sliding that stops or reverses: chatter",
     scene: "failures/stopping_rod.toml",
-    why: r"Friction as $-fNv/|v|$ jumps at $v=0$ and is undefined there. Where the push is less than friction holds, both sides drive back to rest, which is no solution: a step of Euler crosses it for ever, with a speed of up to $h(fN+X)/m$; an adaptive step collapses or walks the surface. Smoothed, $v/\sqrt{v^2+\varepsilon^2}$, it creeps for ever.",
-    advice: "Let the run end its stretch at the event v = 0 and decide the regime anew; neither a smaller step nor a smoother sign makes rest.",
+    why: r"Friction as $-fNv/|v|$ jumps at $v=0$ and is undefined there. Where friction can hold the push, the law drives the speed back to zero from both sides, but rest is no solution of it: the steps of Euler cross zero for ever, with a speed of up to $h(fN+X)/m$; adaptive steps collapse or chatter. With the smooth sign $v/\sqrt{v^2+\varepsilon^2}$ the body creeps for ever.",
+    advice: "End the interval at the event v = 0 and determine the regime anew; neither a smaller step nor a smoother sign gives rest.",
     asked: "rest at the end of the span",
     measure,
 };
@@ -71,7 +71,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     let turns = -none / (unit - none);
     let at = turns.to_f64();
     let reverses = Threshold {
-        of: "push that makes it turn instead of stay, by events".into(),
+        of: "push at which the body reverses instead of staying at rest, by events".into(),
         formula: r"$-fN$".into(),
         exact: Exact::Number(turns),
         unit: "N".into(),
@@ -82,7 +82,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     let at_start = along(length, slide);
     let (start, span) = ([at_start.place, at_start.velocity].concat(), scene.run().span);
     let chatter = Threshold {
-        of: "greatest speed of Euler's chatter with friction as a sign".into(),
+        of: "greatest speed of Euler's chatter with friction as a sign function".into(),
         formula: r"$h(fN+X)/m$".into(),
         exact: Exact::Number(backwards(exact.drive) * Rational::decimal(span) / Rational::int(STEPS.into())),
         unit: "m/s".into(),

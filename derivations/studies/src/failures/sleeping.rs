@@ -24,9 +24,9 @@ pub const FAILING: Failing = Failing {
     name: "eigenvalues",
     title: "multiple eigenvalues in tests of stability",
     scene: "failures/sleeping_top.toml",
-    why: r"Upright, $\det(\mu-J)=\mu^4+c_2\mu^2+c_4$ for every speed of the rotor: the odd coefficients vanish with Hurwitz' minors, and the sign of $c_2^2-4c_4$ decides. Where it changes, at $(A_3^*\omega_3+A'\dot\varphi)^2=4A\Gamma$ with the momentum of carrier and rotor about the axis, two pairs of imaginary roots meet; a root of multiplicity two moves by the square root of an error of the matrix, and an iteration for eigenvalues in doubles need not come to an end.",
-    advice: "Decide by the exact polynomial, factors and discriminants first; bound every iteration for eigenvalues, and take them for drawing, never for a verdict at a boundary.",
-    asked: "the exact verdict at every speed looked at; the motion within 1/1000",
+    why: r"Upright, $\det(\mu-J)=\mu^4+c_2\mu^2+c_4$ for every speed of the rotor: the odd coefficients vanish with Hurwitz' minors, and the sign of $c_2^2-4c_4$ decides. Where it changes, at $(A_3^*\omega_3+A'\dot\varphi)^2=4A\Gamma$ with the momentum of carrier and rotor about the axis, two pairs of imaginary roots meet; a root of multiplicity two moves by the square root of an error of the matrix, and an iteration for eigenvalues in double precision may not end.",
+    advice: "Decide by the exact polynomial, factors and discriminants first; limit every iteration for eigenvalues, and use its results for pictures, not for a verdict at a boundary.",
+    asked: "the exact verdict at every speed examined; the motion within 1/1000",
     measure,
 };
 
@@ -84,7 +84,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     trials.extend(tried.all(|record| near(record, &right, 1e-3)));
     let minors = hurwitz(characteristic(jacobian(&form(&decimal), Rational::decimal(of_resting_carrier))));
     let vanish = minors.iter().filter(|minor| minor.is_zero()).count();
-    let diagnosis = format!("{vanish} of {} of Hurwitz' minors vanish exactly: they tell nothing", minors.len());
+    let diagnosis = format!("{vanish} of {} of Hurwitz' minors vanish exactly: they do not decide", minors.len());
     Ok(Found { thresholds, diagnosis, trials })
 }
 

@@ -17,8 +17,8 @@ pub const FAILING: Failing = Failing {
     name: "straightening",
     title: "the integrable constraint of the steered rod where sin(theta) goes to zero",
     scene: "failures/straightening_rod.toml",
-    why: r"$\dot\theta=2\dot x\sin\theta/l$ has the integral $x-\frac l2\ln\tan\frac\theta2$, so that the angle alone would be a coordinate, with $\dot x=l\dot\theta/(2\sin\theta)$. But $\tan\frac\theta2$ grows as $\exp(2x/l)$, and the last two floats below $\pi$ meet at $\delta=2^{-52}+\pi-\mathrm{fl}(\pi)$ from it: after $\frac l2\ln\frac2{\delta\tan\theta_0/2}$ an angle rounds to the last one, and says nothing of the place any more. At $\sin\theta=0$ the chart has no rates.",
-    advice: "Take the place along the guide as the coordinate and its rate as the quasi-velocity: their equations have no singular angle.",
+    why: r"$\dot\theta=2\dot x\sin\theta/l$ has the integral $x-\frac l2\ln\tan\frac\theta2$, so that the angle alone would be a coordinate, with $\dot x=l\dot\theta/(2\sin\theta)$. But $\tan\frac\theta2$ grows as $\exp(2x/l)$, and the last two floats below $\pi$ meet at $\delta=2^{-52}+\pi-\mathrm{fl}(\pi)$ from it: after $\frac l2\ln\frac2{\delta\tan\theta_0/2}$ an angle rounds to the last one, and no longer determines the position. At $\sin\theta=0$ the chart has no rates.",
+    advice: "Use the position along the guide as the coordinate and its rate as the quasi-velocity: their equations have no singular angle.",
     asked: "the speed along the guide within 1/1000",
     measure,
 };
@@ -50,7 +50,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     let by_place = ByPlace(rod);
     let start = [0.0, theta, speed];
     let far = Threshold {
-        of: "way after which the angle says nothing of the place".into(),
+        of: "distance after which the angle does not determine the position".into(),
         formula: r"$\frac l2\ln\frac2{\delta\tan\theta_0/2}$".into(),
         exact: Exact::Formula(formula, value),
         unit: "m".into(),

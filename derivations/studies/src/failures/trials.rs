@@ -140,10 +140,10 @@ impl fmt::Display for Fate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Fate::Holds => f.write_str("holds"),
-            Fate::Wrong => f.write_str("off, and says nothing"),
-            Fate::Told(why) => write!(f, "off, and says so: {why}"),
+            Fate::Wrong => f.write_str("wrong, without a message"),
+            Fate::Told(why) => write!(f, "wrong, with a message: {why}"),
             Fate::Stops(why) => write!(f, "stops: {why}"),
-            Fate::Undefined => f.write_str("no number"),
+            Fate::Undefined => f.write_str("NaN"),
         }
     }
 }

@@ -17,8 +17,8 @@ pub const FAILING: Failing = Failing {
     name: "vertical",
     title: "drift of the vertical's length over long times",
     scene: "failures/turning_frame.toml",
-    why: r"In a body that turns evenly $\dot\nu=\nu\times\omega$ has the eigenvalues $\pm i|\omega|$. A step multiplies $|\nu|^2$ by the determinant of the method's map: $1+\kappa$ for Euler, $1-\kappa^3(8-\kappa)/576$ for Runge and Kutta with $\kappa=h^2\omega^2$, exactly 1 for the midpoint rule, Gauss' methods and rotations. What is not 1 is lost in every step, for ever.",
-    advice: "For long runs take a splitting, which turns the vertical by exact rotations, or Gauss' methods; otherwise a tolerance that the whole length of the run can bear.",
+    why: r"In a body with constant angular velocity $\dot\nu=\nu\times\omega$ has the eigenvalues $\pm i|\omega|$. A step multiplies $|\nu|^2$ by the determinant of the method's map: $1+\kappa$ for Euler, $1-\kappa^3(8-\kappa)/576$ for Runge and Kutta with $\kappa=h^2\omega^2$, exactly 1 for the midpoint rule, Gauss' methods and rotations. A factor other than 1 changes the length in every step.",
+    advice: "For long runs use a splitting method, which turns the vertical by exact rotations, or Gauss' methods; otherwise a tolerance that is small enough for the whole run.",
     asked: "the square of the length within 1/10000",
     measure,
 };
@@ -55,7 +55,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     });
     let h = problem.span / f64::from(CONSTANT);
     let lost = Threshold {
-        of: "share of the square of the length that Runge-Kutta 4 loses on the scene".into(),
+        of: "part of the square of the length that Runge-Kutta 4 loses on the scene".into(),
         formula: r"$1-(1-\kappa^3(8-\kappa)/576)^n$".into(),
         exact: lost(square * Rational::decimal(h) * Rational::decimal(h)),
         unit: "".into(),

@@ -14,10 +14,10 @@ use std::path::Path;
 
 pub const FAILING: Failing = Failing {
     name: "windings",
-    title: "windings ever stiffer",
+    title: "increasingly stiff windings",
     scene: "failures/stiff_windings.toml",
-    why: r"$N-2$ combinations of the $N$ bars' currents feel no field and fade as $\exp(-R_2t/L_2)$ exactly. A step multiplies them by the method's factor $\rho(hR_2/L_2)$, which leaves the unit circle at $2$ for Euler and at the root of $\beta^3-4\beta^2+12\beta-24$ for Runge and Kutta, however slow the motion is.",
-    advice: "Take radau_iia or rodas_4, or the currentless motor that is the limit; an explicit method must have steps below 2 L2/R2 for ever.",
+    why: r"$N-2$ combinations of the $N$ bars' currents are not driven by the field and decay as $\exp(-R_2t/L_2)$ exactly. A step multiplies them by the method's factor $\rho(hR_2/L_2)$, which leaves the unit circle at $2$ for Euler and at the root of $\beta^3-4\beta^2+12\beta-24$ for Runge and Kutta, however slow the motion is.",
+    advice: "Use radau_iia or rodas_4, or the motor without currents that is the limit; the steps of an explicit method must stay below 2 L2/R2.",
     asked: "the motion within 1/1000",
     measure,
 };

@@ -68,10 +68,10 @@ fn diagnosis(ended: &Ended<'_>) -> Option<Diagnosis> {
     let what = match foreseen(ended.scene, ended.choice) {
         _ if damping < 0.0 || stiffness < 0.0 => "the violation of the constraint grows: both gains must be positive",
         Foreseen { gains: Some(false), .. } => {
-            "the violation of the constraint grows: the gains are outside what the method bears at its step"
+            "the violation of the constraint grows: the gains are outside the stability region of the method at its step"
         }
         Foreseen { circuit: Some((Bears::Nowhere | Bears::Somewhere, _)), .. } => {
-            "the currents grow: the step is longer than what the method bears of the circuit"
+            "the currents grow: the step is longer than the stability limit of the method for the circuit"
         }
         _ => return None,
     };
@@ -87,9 +87,9 @@ fn theory(scene: &dyn Modelled, choice: &Choice) -> Vec<String> {
     });
     let circuit = circuit.map(|(bears, [least, most])| {
         let bears = match bears {
-            Bears::Everywhere => "bears the circuit at every instant",
-            Bears::Somewhere => "does not bear the circuit at every instant",
-            Bears::Nowhere => "bears the circuit at no instant",
+            Bears::Everywhere => "is stable for the circuit at every instant",
+            Bears::Somewhere => "is stable for the circuit only at some instants",
+            Bears::Nowhere => "is stable for the circuit at no instant",
         };
         format!(
             "Euler {bears} with h = {step} s: its longest steps along the motion are {least:.6} s to {most:.6} s, \

@@ -87,7 +87,7 @@ fn theory(scene: &dyn Modelled) -> Vec<String> {
             "the wheel comes to the axis of the second disc, at a time that doubles do not hold".to_owned()
         }
         ProgrammeEnd::ReachesAxis { time } => {
-            format!("the wheel comes to the axis of the second disc at t = {time:.9} s, and no motion goes on")
+            format!("the wheel comes to the axis of the second disc at t = {time:.9} s, and no motion follows")
         }
         ProgrammeEnd::TendsTo { distance: 0.0 } => {
             "the wheel tends to the axis of the first disc, whose speed grows without bound".to_owned()
@@ -115,9 +115,9 @@ fn diagnosis(run: &Ended<'_>) -> Option<Diagnosis> {
         return None;
     }
     let what = match governor.moments[1].start {
-        0.0 => "the wheel comes to the axis of the second disc: no motion goes on",
+        0.0 => "the wheel comes to the axis of the second disc: no motion follows",
         _ => {
-            "blow-up in finite time: the wheel comes to the axis of the second disc with infinite speed, and no motion goes on"
+            "blow-up in finite time: the wheel comes to the axis of the second disc with infinite speed, and no motion follows"
         }
     };
     Some(Diagnosis { what: what.to_owned(), at })

@@ -52,7 +52,7 @@ impl FirstRun {
             } else if most >= LAST {
                 let told = |failure: Failure| {
                     format!(
-                        "the scene's own model does not reach its end, and tells no error of a smaller one: {failure}"
+                        "the scene's own model does not reach its end, so that errors of smaller ones are not known: {failure}"
                     )
                 };
                 why = outcome.failure().map(told);

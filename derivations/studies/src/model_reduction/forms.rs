@@ -35,7 +35,7 @@ impl Forms {
 pub const SWITCHING: &str = "switching";
 const AXES: [Axes; 2] = [Axes::First, Axes::Second];
 /// The text in place of an estimate, for a model whose error is measured by its run.
-pub(super) const BY_ITS_RUN: &str = "told by its run alone";
+pub(super) const BY_ITS_RUN: &str = "known only from its run";
 /// A smaller model for less than this share of the run is not worth switching to.
 const WORTH_WHILE: f64 = 0.1;
 /// A smaller model whose run over the whole span takes more than this share of the richer model's work is not worth switching to.

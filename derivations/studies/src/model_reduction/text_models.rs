@@ -27,8 +27,8 @@ const SHORTER: f64 = 0.8;
 const WORTH: f64 = 1.0;
 /// A first-order estimate above this multiple of the allowed error rejects a model without a run.
 const DOUBT: f64 = 10.0;
-const OF_RIGID: &str = "the deflection of this element beside the motion";
-const OF_ELEMENT: &str = "the part of this element beside the others";
+const OF_RIGID: &str = "the deflection of this element relative to the motion";
+const OF_ELEMENT: &str = "the part of this element relative to the others";
 
 /// The scene with its models.
 pub struct TextModels {

@@ -127,7 +127,7 @@ pub fn said(stretch: StepInterval) -> &'static str {
         Judgement::Honest => "honest",
         Judgement::Hides => "HIDES GROWTH",
         Judgement::Invents => "invents growth",
-        Judgement::Damps => "damps what stays",
+        Judgement::Damps => "damps an undamped mode",
         Judgement::Confuses => "wrong in some mode",
     }
 }

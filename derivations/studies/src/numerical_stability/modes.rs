@@ -25,7 +25,9 @@ pub fn modes(eigenvalues: &[[f64; 2]], keeps_energy: bool) -> Result<(Vec<Mode>,
         let place = match (im == 0.0, re.abs() <= ROUNDING * largest) {
             (true, _) => HalfPlane::Real(number(re)?),
             (false, true) if keeps_energy => HalfPlane::Imaginary(number(im)?),
-            (false, true) => return Err(format!("a real part vanishes for no known reason, beside {im} 1/s")),
+            (false, true) => {
+                return Err(format!("a real part is zero without a known reason, at the imaginary part {im} 1/s"));
+            }
             (false, false) => HalfPlane::Pair(Rectangle { re: number(re)?, im: number(im)? }),
         };
         modes.push(Mode { place, count: if im == 0.0 { 1 } else { 2 } });

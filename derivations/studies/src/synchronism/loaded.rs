@@ -91,13 +91,13 @@ impl fmt::Display for NoField {
             ),
             Self::Fed { model } => write!(
                 f,
-                "the field holds the rotor of `{model}` through currents that a supply feeds, so that no energy tells who is in \
+                "the field holds the rotor of `{model}` through currents that a supply feeds, so that no energy decides which starts come into \
                  step; a machine without a supply is accepted: synchronous, equivalent_windings, multi_current"
             ),
             Self::Flat { model } => {
                 write!(
                     f,
-                    "the field of `{model}` does not hold its rotor: every angle is as good; b0 > 0 of a synchronous machine is accepted"
+                    "the field of `{model}` does not hold its rotor: every angle is an equilibrium; b0 > 0 of a synchronous machine is accepted"
                 )
             }
         }

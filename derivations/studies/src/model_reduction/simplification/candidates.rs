@@ -70,7 +70,7 @@ pub struct Candidate {
 }
 
 const OF_TRANSIENTS: &str = "time of the slowest transient over that of the run";
-const OF_SQUARES: &str = "squares of the states beside them";
+const OF_SQUARES: &str = "squares of the states relative to the states";
 const OF_RANGES: &str = "range of what is fixed over its size";
 
 /// The exact simplification, which may be empty, and approximations beyond it.

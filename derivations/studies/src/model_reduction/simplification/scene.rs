@@ -55,7 +55,7 @@ impl SimplifiedScene {
         let states = &own.columns[..own.state.len()];
         let lower = lower(&scene.symbolic_law(), states, &own.state, simplification)?;
         let start = lower.kept.iter().flatten().map(|&place| own.state[place]).collect();
-        let loss = Loss::Small { parameter: "time of the transients beside that of the motion" };
+        let loss = Loss::Small { parameter: "time of the transients relative to that of the motion" };
         let reduced = ReducedModel::new("a smaller model", &simplification.dropped(), loss, lower, start);
         let reduced = reduced.ok_or("its equations have no values")?;
         let hidden = match simplification.unfollowed.is_empty() {

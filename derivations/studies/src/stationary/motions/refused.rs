@@ -26,7 +26,7 @@ impl fmt::Display for NoAnswer {
             }
             Self::Motor(reason) => reason.fmt(f),
             Self::NotFinite(value) => write!(f, "{value} is not finite; a finite number is accepted"),
-            Self::TooFine => write!(f, "motions lie closer together than 4096 bits tell apart"),
+            Self::TooFine => write!(f, "motions lie too close together to be separated with 4096 bits"),
         }
     }
 }
