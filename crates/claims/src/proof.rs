@@ -149,7 +149,7 @@ impl Theorem {
         };
         match self.vanishes(gap) {
             proved if proved.verdict == Verdict::Proved => {
-                Finding { evidence: "combination of what is given".into(), ..proved }
+                Finding { evidence: "linear combination of the given equations".into(), ..proved }
             }
             finding => finding,
         }

@@ -114,7 +114,7 @@ pub fn keeps_nothing() {
 /// Prints the reason for which a command stopped by itself, and returns its exit code; `None` where it was not stopped.
 pub fn broke_off() -> Option<u8> {
     let clock = CLOCK.get().filter(|_| PRESSED.load(Relaxed) || was_obeyed())?;
-    clock.tell(if NOTHING.load(Relaxed) { "nothing is kept" } else { "what there is, is kept" });
+    clock.tell(if NOTHING.load(Relaxed) { "nothing is kept" } else { "the results so far are kept" });
     Some(clock.code())
 }
 
@@ -161,7 +161,7 @@ impl Clock {
             // where this cannot be written, the exit code must do
             let _ = io::stdout().write_all(charts::visible(&found).as_bytes()).and_then(|()| io::stdout().flush());
         }
-        self.tell(if found.is_empty() { "nothing is kept" } else { "what was found before is printed" });
+        self.tell(if found.is_empty() { "nothing is kept" } else { "the results so far are printed" });
         process::exit(self.code().into())
     }
 

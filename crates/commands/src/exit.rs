@@ -52,7 +52,7 @@ impl Exit {
         let (reason, remedy) = match error.kind() {
             io::ErrorKind::NotFound => ("there is no such folder".to_owned(), A_FILE),
             io::ErrorKind::IsADirectory => ("this is a folder".to_owned(), A_FILE),
-            io::ErrorKind::NotADirectory => ("what stands before its name is no folder".to_owned(), A_FILE),
+            io::ErrorKind::NotADirectory => ("a part of its path is not a folder".to_owned(), A_FILE),
             io::ErrorKind::InvalidFilename => ("this cannot name a file".to_owned(), A_FILE),
             io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
                 ("this may not be written".to_owned(), "a file that may be written is accepted")

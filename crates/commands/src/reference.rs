@@ -96,7 +96,7 @@ fn place(asked: &Asked) -> PathBuf {
 fn across_events(scene: &dyn Hybrid, title: &str, asked: &Asked) -> Result<Exit, Exit> {
     if asked.until.is_some() {
         return Err(Exit::refused(format!(
-            "{} has a law that changes at events, which its own run tells: it is followed to its end, and --until is not accepted",
+            "{} has a law that changes at events, which its own run determines: it is followed to its end, and --until is not accepted",
             asked.scene.display()
         )));
     }

@@ -73,7 +73,7 @@ impl Answer {
             Motions::OneOnItsBoundary => "one motion, on the boundary of its regime",
             Motions::None => "no motion",
             Motions::Several => "several motions",
-            Motions::Continuum => "motions without end",
+            Motions::Continuum => "infinitely many motions",
             Motions::NotTried => "not decided: more combinations of contacts and conditions than are tried",
         };
         let determined = matches!(found.motions, Motions::One | Motions::OneOnItsBoundary);
@@ -99,7 +99,7 @@ impl Answer {
         if let Some(CriticalFriction { factor, regime }) = &self.critical {
             let _ = writeln!(
                 text,
-                "\nfriction: below {factor:.6} times these coefficients contacts that slide have determined reactions, whatever the loads; at it not where\n  {regime}"
+                "\nfriction: below {factor:.6} times these coefficients the reactions of sliding contacts are unique for all loads; at this multiple they become singular in the regime\n  {regime}"
             );
         }
         let _ = writeln!(text, "\nverdict: {}", self.verdict);

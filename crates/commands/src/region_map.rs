@@ -227,7 +227,7 @@ fn name(class: Class) -> &'static str {
         Class::AsymptoticallyStable => "asymptotically stable modulo the integrals",
         Class::Stable => "stable",
         Class::Unstable => "unstable",
-        Class::Gyroscopic => "held by gyroscopic forces at most: linear analysis cannot tell",
+        Class::Gyroscopic => "stable by gyroscopic forces at most: linear analysis does not decide",
         Class::Undecided => "not decided",
     }
 }
@@ -248,10 +248,10 @@ fn unusual(node: &Node) -> Option<String> {
             let verdicts = families.iter().flat_map(|(_, verdicts)| verdicts);
             let mut names: Vec<&str> = verdicts.map(|verdict| name(Class::from(*verdict))).collect();
             names.dedup();
-            Some(format!("a connected family of motions beside: {}", names.join(", along it also ")))
+            Some(format!("also a connected family of motions: {}", names.join(", along it also ")))
         }
         NodeMotions::PulledOut => Some("the motor is pulled out".into()),
         NodeMotions::NoBodies => Some("no bodies have these data".into()),
-        NodeMotions::TooFine => Some("motions lie closer together than is told apart".into()),
+        NodeMotions::TooFine => Some("motions lie too close together to be separated".into()),
     }
 }

@@ -121,8 +121,8 @@ impl Told<'_> {
                 .collect();
             let name = self.variation(place);
             match with.is_empty() {
-                true => format!("{name} is left out: no equation and no cost asks for it"),
-                false => format!("{name} is left out: the equations and the cost ask for {} alone", with.join(", ")),
+                true => format!("{name} is left out: neither the linear equations nor the cost depend on it"),
+                false => format!("{name} is left out: the equations and the cost depend on {} only", with.join(", ")),
             }
         };
         left_out.iter().map(told).collect()

@@ -44,8 +44,8 @@ fn listed(path: &Path) -> Result<(String, String), usize> {
 fn line(path: &str, scene: Result<(String, String), usize>) -> String {
     match scene {
         Ok((system, title)) => format!("{path:<46} {system:<22} {title}\n"),
-        Err(1) => format!("{path:<46} {:<22} 1 fault; `dalembert run` tells it\n", ""),
-        Err(faults) => format!("{path:<46} {:<22} {faults} faults; `dalembert run` tells them\n", ""),
+        Err(1) => format!("{path:<46} {:<22} 1 fault; `dalembert run` prints it\n", ""),
+        Err(faults) => format!("{path:<46} {:<22} {faults} faults; `dalembert run` prints them\n", ""),
     }
 }
 

@@ -37,7 +37,7 @@ fn zeros(all: &[ZeroReason]) -> String {
     match count(&ZeroReason::SpeedConstraints) {
         0 => {}
         count => parts.push(format!(
-            "{count} of the constraints of speeds, which leave fewer speeds than displacements: positions of rest stand side by side"
+            "{count} of the constraints of speeds, which leave fewer speeds than displacements: equilibria form a family"
         )),
     }
     parts.join("; ")
@@ -96,7 +96,7 @@ pub(crate) fn verdict(found: &EnclosedSpectrum) -> String {
         }
         EnclosedVerdict::Undecided { on_axis, touching: 0 } => {
             format!(
-                "not decided by linear equations: {} on the imaginary axis, {by}, and none right of it{beside}",
+                "not decided by linear equations: {} on the imaginary axis, {by}, and none with positive real part{beside}",
                 many(on_axis)
             )
         }
@@ -105,7 +105,7 @@ pub(crate) fn verdict(found: &EnclosedSpectrum) -> String {
              imaginary axis{beside}"
         ),
         EnclosedVerdict::Undecided { touching, .. } => format!(
-            "not decided: discs of {touching} eigenvalues touch the imaginary axis, and none is known to lie right of it{beside}"
+            "not decided: the discs of {touching} eigenvalues touch the imaginary axis, and none lies completely right of it{beside}"
         ),
     }
 }

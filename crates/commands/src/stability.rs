@@ -137,7 +137,7 @@ fn grows([low, high]: [f64; 2]) -> String {
     }
     let rate = if low > 0.0 { format!("{rate:.1e}") } else { format!("less than {high:.1e}") };
     format!(
-        "no deviation grows by more than {rate} 1/s: nobody sees that, and one digit more of the data may turn its sign"
+        "no deviation grows by more than {rate} 1/s, which is too slow to be observed; one more digit of the data may change its sign"
     )
 }
 
@@ -149,7 +149,7 @@ fn because(judged: &Judged) -> String {
         .filter(|(n, _)| *n == judged.along)
         .map(|(_, name)| name);
     let zeros: Vec<&str> = judged.integrals.iter().map(|integral| letter(*integral)).chain(family).collect();
-    let beside = format!("beside the zeros of {}", zeros.join(", "));
+    let others = format!("other than the zeros of {}", zeros.join(", "));
     let flow = if judged.conservative { "is conserved" } else { "never grows" };
     let energy = judged.energy.map(|Inertia { positive, zero, negative }| {
         format!("E - W p' at fixed integrals: {positive} positive, {zero} vanishing, {negative} negative squares")
@@ -161,26 +161,26 @@ fn because(judged: &Judged) -> String {
         ),
         StabilityVerdict::AsymptoticallyStableModuloIntegrals => {
             let all = judged.roots.map_or(0, |roots| roots.left);
-            format!("all {} lie to the left, {beside} (Routh; Lyapunov, Malkin)", number(all, "root"))
+            format!("all {} {others} have negative real parts (Routh; Lyapunov, Malkin)", number(all, "root"))
         }
         StabilityVerdict::Unstable { right } => {
             let all = judged.roots.map_or(0, |roots| roots.degree());
-            let lie = if right == 1 { "lies" } else { "lie" };
+            let have = if right == 1 { "has a positive real part" } else { "have positive real parts" };
             let growth = judged.growth.map_or_else(String::new, |growth| format!("; {}", grows(growth)));
-            format!("{right} of {} {lie} to the right, {beside} (Routh){growth}", number(all, "root"))
+            format!("{right} of {} {others} {have} (Routh){growth}", number(all, "root"))
         }
         StabilityVerdict::CannotTell(reason) => {
             let why = match reason {
                 Reason::Gyroscopic { .. } => {
-                    "no root to the right, but some on the axis, and the energy is not definite: if it is stable, then by \
-                     gyroscopic forces, and linear analysis cannot tell"
+                    "no root has a positive real part, but some are imaginary, and the energy is not definite: if the motion is stable, \
+                     then by gyroscopic forces, and linear analysis does not decide"
                 }
-                Reason::Neutral => "a further root is zero: motions merge here, or their neighbours are stationary too",
-                Reason::Family => "a family whose numbers are no fractions, and which no symmetry explains",
-                Reason::Edge => "what decides vanishes in this direction",
+                Reason::Neutral => "a further root is zero: motions merge here, or neighbouring motions are steady too",
+                Reason::Family => "the numbers of the family are not rational, and no symmetry explains the family",
+                Reason::Edge => "on a boundary of stability: the deciding quantity is zero",
                 Reason::PullOut => "two states of the rotor merge: a further root is zero",
-                Reason::TooFine => "what decides is nearer to zero than 2048 bits tell",
-                Reason::NotStationary => "the zero roots of the integrals are not there: no stationary motion",
+                Reason::TooFine => "the deciding quantity is too close to zero for 2048 bits",
+                Reason::NotStationary => "not a steady motion: the zero roots of the integrals are missing",
             };
             match energy {
                 Some(energy) => format!("{why}; {energy}"),

@@ -10,7 +10,7 @@ pub(super) fn findings(report: &Report, set: &mut Typesetter) -> Markup {
         @if report.count(Verdict::Refuted) > 0 {
             section #findings {
                 h2 { "Findings" }
-                p.lead { "Printed statements that fail, each with exact values at which it does, and what holds instead." }
+                p.lead { "Refuted statements, each with exact values at which it fails and with the corrected statement." }
                 @for paper in report.papers.iter().filter(failing) {
                     h3.paper { (set.text(&paper.title)) }
                     @for claim in paper.claims.iter().filter(|claim| claim.verdict == Verdict::Refuted) {

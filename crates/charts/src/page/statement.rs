@@ -31,7 +31,7 @@ pub(super) fn whole(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
 const USUAL: [&str; 2] = ["normal form zero", "normal form of the difference is zero"];
 
 /// The sentence that replaces the evidence in `USUAL`, beside the meaning of the verdict.
-pub(super) const UNTOLD: &str = "; where no reason is told: the normal form of the difference is zero";
+pub(super) const UNTOLD: &str = "; if no reason is given, the normal form of the difference is zero";
 
 /// The evidence of a claim; nothing where it is one of `USUAL`.
 pub(super) fn evidence(claim: &ClaimRow, set: &mut Typesetter) -> Markup {

@@ -116,7 +116,7 @@ fn a_receipt_across_events_takes_the_model_of_the_file_and_a_scene_that_stops_ha
     assert_eq!((&receipt["taken"], own), (&"as written in its file".into(), &"as written in its file".into()));
     for (scene, why) in [
         ("jam", "the equations for the reactions of its contacts become singular"),
-        ("painleve", "no case of its conditions and contacts agrees with the motion"),
+        ("painleve", "no combination of cases of conditions and contacts is consistent with its own motion"),
         ("climbed_ladder", "an impact presses other contacts"),
     ] {
         let stops = run(&["choose", &format!("scenes/friction/{scene}.toml")]);

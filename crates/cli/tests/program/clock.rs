@@ -52,7 +52,7 @@ fn an_ensemble_says_where_it_goes_on_when_the_time_is_over() {
     let table = std::fs::read_to_string(&path).expect("it was written");
     [&scene, &path].into_iter().for_each(|path| std::fs::remove_file(path).expect("it is there"));
     assert_eq!(code, Some(1), "{out}{error}");
-    assert!(out.contains("the same command goes on with member ") && table.ends_with('\n'), "{out}");
+    assert!(out.contains("the same command continues with member ") && table.ends_with('\n'), "{out}");
     assert!(error.contains("out of time: `ensemble`"), "{error}");
 }
 

@@ -93,7 +93,11 @@ fn a_force_that_keeps_a_place_through_a_spring_has_index_five() {
         is = \"-k*(y - x)*N.x\"\n[[force]]\nalong = \"u\"\nis = \"(y - a*sin(w*t))*(1 N)\"\n[run]\nspan = \"2 s\"\n";
     let (_, code, message) = ran("index", text, &[]);
     assert_eq!(code, Some(2), "{message}");
-    assert!(message.contains("its index is 5") && message.contains("differentiated 4 times"), "{message}");
+    assert!(
+        message.contains("the index of its differential-algebraic equations is 5")
+            && message.contains("differentiated 4 times"),
+        "{message}"
+    );
 }
 
 /// A law with events keeps a constraint on speeds in differentiated form only.

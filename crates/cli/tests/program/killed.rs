@@ -160,6 +160,6 @@ fn an_ensemble_that_is_interrupted_says_where_it_goes_on() {
     let table = std::fs::read_to_string(&path).expect("it was written");
     std::fs::remove_file(&path).expect("it is there");
     assert_eq!(output.status.code(), Some(130), "{told}");
-    let next = format!("the same command goes on with member {}\n", table.lines().count());
+    let next = format!("the same command continues with member {}\n", table.lines().count());
     assert!(told.ends_with(&next) && table.ends_with('\n'), "{told}");
 }

@@ -201,8 +201,7 @@ fn what_cannot_be_chosen_from_is_refused() {
 #[test]
 fn a_place_that_cannot_be_written_is_told_before_the_work() {
     let begin = std::time::Instant::now();
-    for (place, why) in
-        [("scenes", "this is a folder"), ("README.md/page.html", "what stands before its name is no folder")]
+    for (place, why) in [("scenes", "this is a folder"), ("README.md/page.html", "a part of its path is not a folder")]
     {
         for command in [&["--out", place][..], &["chart", "scenes/spin_up.toml", "--out", place]] {
             let output = run(command);

@@ -49,7 +49,7 @@ pub fn text(title: &str, (receipt, origin): (&Receipt, &str), command: Option<&[
     }
     let told = receipt.lines.iter().skip(1).filter(|line| !hopeless(line)).collect::<Vec<_>>();
     if !told.is_empty() {
-        let _ = writeln!(out, "\nwhat each drops, and why it may");
+        let _ = writeln!(out, "\nterms that each model drops, and the reason");
     }
     for line in told {
         let why = match line.loss {
@@ -62,7 +62,7 @@ pub fn text(title: &str, (receipt, origin): (&Receipt, &str), command: Option<&[
         let not = why_not.map_or_else(String::new, |why| format!("; {why}"));
         let largest = line.model.as_ref().ok().filter(|model| model.first > 0.0 && line.name != SWITCHING);
         let largest = largest.map_or_else(String::new, |model| format!("; its error is largest at {:.4e} s", model.at));
-        let unasked = if line.asked_as.is_none() { "; `dalembert run` cannot be asked for it" } else { "" };
+        let unasked = if line.asked_as.is_none() { "; `dalembert run` has no option for it" } else { "" };
         let _ = writeln!(out, "  {}: {} ({why}){largest}{not}{unasked}", line.name, line.dropped);
     }
     if let (Some(at), Some(command)) = (receipt.taken, command) {
@@ -78,12 +78,12 @@ pub fn text(title: &str, (receipt, origin): (&Receipt, &str), command: Option<&[
         {
             let _ = writeln!(
                 out,
-                "not taken, since `dalembert run` cannot be asked for it: {}, beside which the scene's own takes {saved:.2} times as many evaluations",
+                "not chosen, since `dalembert run` has no option for it: {}; the scene's own model takes {saved:.2} times as many evaluations",
                 receipt.lines[cheapest].name
             );
         }
     } else {
-        let _ = writeln!(out, "\nno model that `dalembert run` can be asked for meets the tolerance");
+        let _ = writeln!(out, "\nno model for which `dalembert run` has an option meets the tolerance");
     }
     let _ = writeln!(out, "{}\n{}", decided(receipt), promise(receipt));
     out
@@ -92,18 +92,18 @@ pub fn text(title: &str, (receipt, origin): (&Receipt, &str), command: Option<&[
 /// The times for which errors are estimated, and the kind of estimate.
 fn promise(receipt: &Receipt) -> String {
     let mut text = format!(
-        "promised: the largest error of the whole run, of a method by a finer run, of a smaller model by its run beside that of the \
-         scene's own; seen at steps and at {LOOKS} even instants and doubled for what lies between (five times, of implicit methods); \
-         no bound"
+        "promised: the largest error of the whole run: of a method the difference from a finer run, of a smaller model the difference from \
+         the run of the scene's own model; taken at steps and at {LOOKS} equidistant instants, and doubled for the instants between (times \
+         five for implicit methods); not a bound"
     );
     if receipt.lines.iter().any(|line| line.model.as_ref().is_ok_and(|model| model.first > 0.0)) {
         text += "\nestimate: to first order, by the defect of the smaller model along a coarse run";
     }
     if receipt.lines.iter().any(|line| line.name == SWITCHING) {
-        text += &format!("\nswitching: promised at the ends of {STRETCHES} stretches alone");
+        text += &format!("\nswitching: promised only at the ends of {STRETCHES} intervals");
     }
     if receipt.lines.iter().any(|line| line.choice.as_ref().is_some_and(|choice| choice.measured.is_some())) {
-        text += &format!("\nmeasured: at the {INSTANTS} instants of the reference alone");
+        text += &format!("\nmeasured: only at the {INSTANTS} instants of the reference");
     }
     text
 }

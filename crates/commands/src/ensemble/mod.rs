@@ -106,6 +106,6 @@ pub fn run(asked: &Asked) -> Result<Exit, Exit> {
         // the exit code of a run that stops, where no member reached its end
         return Ok(if told.reached() > 0 { Exit::Done } else { Exit::Stopped });
     }
-    print(&format!("broken off: the same command goes on with member {}\n", next(told.members)))?;
+    print(&format!("interrupted: the same command continues with member {}\n", next(told.members)))?;
     Ok(Exit::Stopped)
 }

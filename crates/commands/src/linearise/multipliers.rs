@@ -51,17 +51,17 @@ fn reasons(Ones { cyclic, shift, energy }: Ones) -> String {
 fn verdict(found: &Multipliers) -> String {
     match found.orbit() {
         Orbit::Asymptotic if reasons(found.ones).is_empty() => {
-            "every multiplier lies inside the unit circle: asymptotically stable, by numbers".to_owned()
+            "every multiplier lies inside the unit circle: asymptotically stable, numerically".to_owned()
         }
         Orbit::Asymptotic => {
-            "every other multiplier lies inside the unit circle: asymptotically stable but for these, by numbers"
+            "every other multiplier lies inside the unit circle: asymptotically stable apart from these, numerically"
                 .to_owned()
         }
-        Orbit::Unstable(1) => "one multiplier lies outside the unit circle: unstable, by numbers".to_owned(),
-        Orbit::Unstable(count) => format!("{count} multipliers lie outside the unit circle: unstable, by numbers"),
+        Orbit::Unstable(1) => "one multiplier lies outside the unit circle: unstable, numerically".to_owned(),
+        Orbit::Unstable(count) => format!("{count} multipliers lie outside the unit circle: unstable, numerically"),
         Orbit::Undecided(0) => "there is no other multiplier: linear equations do not decide stability".to_owned(),
         Orbit::Undecided(count) => format!(
-            "no other multiplier lies outside the unit circle, and {count} on it as far as numbers tell: linear equations do not decide stability"
+            "no other multiplier lies outside the unit circle, and numerically {count} on it: linear equations do not decide stability"
         ),
     }
 }

@@ -120,7 +120,7 @@ pub(super) fn text(headed: &Headed, Found { linear: found, enclosed }: &Found) -
     let _ = match enclosed {
         _ if eigenvalues.is_empty() => Ok(()),
         Some(Ok(enclosed)) => writeln!(text, "{}{}", spectrum::lines(enclosed), spectrum::verdict(enclosed)),
-        Some(Err(why)) => writeln!(text, "eigenvalues and what they say rest on numbers, without enclosures: {why}"),
+        Some(Err(why)) => writeln!(text, "eigenvalues and stability are numerical, without enclosures: {why}"),
         None => Ok(()),
     };
     text

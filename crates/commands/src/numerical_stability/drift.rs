@@ -151,7 +151,7 @@ impl Found {
             Window::Period(period) => writeln!(out, "the motion from the start returns after {period:.9} s"),
             Window::Span(span) => writeln!(
                 out,
-                "the motion from the start does not return within its span of {span} s: changes are told over the span, and no drift of a million periods follows"
+                "the motion does not return to its start within the span of {span} s: changes are given over the span, without a drift per period"
             ),
         };
         if self.is_metered {
@@ -210,7 +210,7 @@ impl Found {
     fn run(&self, place: usize, row: &Row) -> String {
         match row.measured.as_ref().map(|all| all[place]) {
             Err(why) => format!("no run: {why}"),
-            Ok(None) => "not told: less than two periods".to_owned(),
+            Ok(None) => "not available: less than two periods".to_owned(),
             Ok(Some(Measured { change: None, .. })) => "leaves the motion at once".to_owned(),
             Ok(Some(Measured { change: Some(Slope { drift, windows }), .. })) => {
                 format!("{:.4e} (over {windows})", self.part(place, drift))

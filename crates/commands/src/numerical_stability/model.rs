@@ -80,14 +80,14 @@ pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
 fn judged<'a>(asked: &Asked, found: &'a Found, is_at_condition: bool) -> Vec<Judged<'a>> {
     if !found.motions.families.is_empty() {
         warn(&format!(
-            "warning: {}: motions that stand side by side are left out: families: {}; `stationary` tells them, and a value for one of their \
-             unknowns (--range NAME=VALUE) chooses a motion",
+            "warning: {}: families of connected steady motions are left out: {}; `stationary` lists them, and a value for one of their \
+             unknowns (--range NAME=VALUE) selects a motion",
             asked.scene.display(),
             found.motions.families.len()
         ));
     }
     let equations = match is_at_condition {
-        true => Err("a condition of the law is zero there, and on each side the law is another".to_owned()),
+        true => Err("a condition of the law is zero there, and the law is different on each side".to_owned()),
         false => VariedEquations::of(&found.model, &[]).map_err(|why| why.to_string()),
     };
     let keeps_energy = found.motions.have_potential || ::scenes::keeps_energy(&found.model);

@@ -222,8 +222,8 @@ fn to_device(device: File, content: impl FnOnce(&mut dyn Write) -> io::Result<()
 /// The error of a file that appeared or changed at the destination after the first check.
 fn came_meanwhile(path: &Path, written: Beside) -> Exit {
     let kept = match written.keep() {
-        Ok(kept) => format!("what was computed is kept in {}", kept.display()),
-        Err(error) => format!("what was computed could not be kept: {error}"),
+        Ok(kept) => format!("the results are kept in {}", kept.display()),
+        Err(error) => format!("the results could not be kept: {error}"),
     };
     Exit::refused(format!("{} came into being meanwhile and is left alone; {kept}", path.display()))
 }

@@ -108,11 +108,11 @@ impl Parts {
     pub fn faults(&self) -> Vec<String> {
         let unsound = self.papers.iter().flatten().filter(|(_, sound)| !sound);
         let unsound =
-            unsound.map(|(paper, _)| format!("{}: a claim is not sound; `dalembert ledger` tells which", paper.id));
+            unsound.map(|(paper, _)| format!("{}: a claim is not sound; `dalembert ledger` lists them", paper.id));
         let texts = self.texts.iter().flatten().filter_map(|judged| match judged {
             Ok((_, true)) => None,
             Ok((paper, false)) => Some(format!(
-                "{}: a verdict is not the one that its file expects; `dalembert judge` tells which",
+                "{}: a verdict is not the one that its file expects; `dalembert judge` lists them",
                 paper.id
             )),
             Err(error) => Some(error.to_string()),
@@ -206,8 +206,8 @@ fn found(report: &Report, digits: f64) -> String {
         let count = report.scenes.iter().filter(|scene| !scene.work.is_empty()).count();
         let scenes = if count == 1 { "The scene is".to_owned() } else { format!("The {count} scenes are") };
         text += &format!(
-            "{scenes} measured by references on which two methods agree to {digits:.0} digits or more: look for the one \
-             nearest to your own problem, whose charts tell which method is cheapest at which accuracy."
+            "{scenes} measured by references on which two methods agree to {digits:.0} digits or more: choose the one \
+             nearest to your own problem; its charts show which method is cheapest at which accuracy."
         );
     }
     text.trim_end().to_owned()

@@ -83,8 +83,8 @@ pub fn measured_by(atlas: &Atlas) -> String {
     let models = match across {
         true => "",
         false => {
-            " An approximate model ends at what it is off itself, and is not drawn where that is more than 0.1; an exact one has \
-             the same motion, which is proved."
+            " The curve of an approximate model ends at the error of the model, and is not drawn if that is above 0.1; an exact \
+             model has the same motion, which is proved."
         }
     };
     format!(

@@ -29,7 +29,7 @@ pub fn study(scenes: &[Scene<'_>]) -> Study {
     tables.extend([ERRORS[1], ERRORS[2]].map(|error| methods(scenes, error)));
     Study {
         id: "atlas".into(),
-        title: "Which method, formulation and model for which scene".into(),
+        title: "The best method, formulation and model for each scene".into(),
         lead: "The cost of a choice at an error, read between its measured points, over the least cost of all choices: its \
                regret. A choice that was not seen to reach the error has none."
             .into(),
@@ -164,7 +164,7 @@ fn losses(group: &Group<'_>) -> Table {
             rows.iter_mut().zip(&regrets.rows[best]).for_each(|(row, regret)| row.push(shown(*regret)));
         }
     }
-    Table { caption: format!("What the best single choice loses: {}", group.name), head, rows }
+    Table { caption: format!("Regret of the best single choice: {}", group.name), head, rows }
 }
 
 /// The table of methods, each in its best formulation with its best model: a row for each scene, a column for each method.

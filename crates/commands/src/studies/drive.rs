@@ -70,7 +70,7 @@ fn study(exact: Result<(Vec<Sample>, f64), Failure>, bearable: Result<Bearable, 
     let mut filling = portrait("capacitor", &[&first, &second, &third], ["q3, A s", "f3 = f4 - f5, A"], |state| {
         (state[2], state[3] - state[4])
     });
-    filling.note = format!("The first {FILLS} s, in which it fills.");
+    filling.note = format!("The first {FILLS} s, in which it charges.");
     study.pictures.push(filling);
     study.pictures.push(constraint(&all));
     study.tables.push(table(&all));
@@ -163,7 +163,7 @@ fn bounds(digits: f64, bearable: Result<Bearable, Failure>, most_damping: f64) -
     };
     let stiffness = FASTEST.1;
     format!(
-        r"The reference is a motion on which two methods of different families agree to {digits:.0} digits. {step} At $h=0.01$ s Euler bears gains in the triangle $0<h^2k<hb<2+h^2k/2$: with $k={}$/s² that is $b<{}$/s by theory, and $b<{}$/s by measurement. A source of 50 Hz is out of reach: in steps of half a period $\sin(100\pi t)$ is zero at each.",
+        r"The reference is a motion on which two methods of different families agree to {digits:.0} digits. {step} At $h=0.01$ s Euler is stable for gains in the triangle $0<h^2k<hb<2+h^2k/2$: with $k={}$/s² that is $b<{}$/s by theory, and $b<{}$/s by measurement. A source of 50 Hz cannot be represented: with steps of half a period $\sin(100\pi t)$ is zero at each.",
         significant(stiffness, 3),
         significant((2.0 + stiffness * STEP * STEP / 2.0) / STEP, 4),
         significant(most_damping, 4),

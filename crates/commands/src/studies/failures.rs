@@ -39,9 +39,9 @@ impl Failures {
         (!found.is_empty()).then(|| Study {
             id: "failures".into(),
             title: "How methods fail".into(),
-            lead: "Every way in which methods fail here, on a scene of its own: theory's threshold, computed from the scene's decimals exactly, beside the one that runs show, by halving between a run that holds and one that does not. Below, what the program says where it happens, and what became of every method under a budget of 200 000 evaluations (3 000 in Euler's angles, 21 000 where friction is a sign): it held, was off without a word, or stopped with a reason. None ended in a number that is none.".into(),
+            lead: "Each failure has a scene, with its theoretical threshold, computed exactly from the scene's decimals, and the threshold measured by halving between a run that holds and one that fails. Below are the message of the program and the result of every method under a budget of 200 000 evaluations (3 000 in Euler's angles, 21 000 where friction is a sign function): it held, was wrong without a message, or stopped with a reason. No run ended with NaN.".into(),
             tables: vec![thresholds(&found), fates(&found)],
-            note: format!("The same by `dalembert failures`, with all methods.{missed}"),
+            note: format!("`dalembert failures` prints these results.{missed}"),
             ..Study::default()
         })
     }
@@ -59,9 +59,7 @@ fn thresholds(found: &[(Way, Found)]) -> Table {
     });
     Table {
         caption: "Thresholds by theory and by runs".into(),
-        head: ["Way to fail", "What", "By theory, exactly", "That is", "Measured", "Judgement"]
-            .map(String::from)
-            .into(),
+        head: ["Failure", "Threshold", "Theory, exact", "Value", "Measured", "Comparison"].map(String::from).into(),
         rows: rows.collect(),
     }
 }
@@ -76,8 +74,8 @@ fn fates(found: &[(Way, Found)]) -> Table {
         vec![way.title().to_owned(), why, found.diagnosis.clone(), holds, others.join(". "), way.advice().to_owned()]
     });
     Table {
-        caption: "Why, what is said, what survives, what to do".into(),
-        head: ["Way to fail", "Why", "The program says", "Holds", "Does not", "Advice"].map(String::from).into(),
+        caption: "Cause, message, methods that hold, remedy".into(),
+        head: ["Failure", "Cause", "Message", "Methods that hold", "Other methods", "Remedy"].map(String::from).into(),
         rows: rows.collect(),
     }
 }

@@ -39,8 +39,8 @@ impl ForeignProblems {
             ["problem", "states", "method", "tolerance", "evaluations", "error at the end", "digits of the reference"];
         (!rows.is_empty()).then(|| Study {
             id: "foreign".into(),
-            title: "Problems of others".into(),
-            lead: "Problems of public collections and reports, each by the method and the tolerance of its file, up to the end of its \
+            title: "Problems of public collections".into(),
+            lead: "Problems of public collections and reports, each run by the method and the tolerance of its file, up to the end of its \
                    reference, which two methods confirm. The file names the source and its figures, which the tests compare; errors are \
                    relative to the size of each component."
                 .into(),

@@ -65,7 +65,7 @@ impl Gains {
         let mut study = Study {
             id: "gains".into(),
             title: "Gains of a stabilised constraint".into(),
-            lead: r"A violation $y$ of a constraint is led by $\ddot y=-b\dot y-ky$. In steps $h$ its fate depends on the method, $hb$ and $h^2k$ alone. Coloured: what became of a violation of a crank and slider, run by the integrator. Curves: the exact edge, as it is proved in the ledger.".into(),
+            lead: r"A violation $y$ of a constraint satisfies $\ddot y=-b\dot y-ky$. With steps $h$ its decay or growth depends only on the method, $hb$ and $h^2k$. Colours: results of runs of a crank and slider with a violated constraint. Curves: the exact boundary, proved in the ledger.".into(),
             note: failed.map_or_else(|| note().into(), missing),
             ..Study::default()
         };
@@ -87,14 +87,14 @@ fn map(map: Map) -> Areas {
     let name = map.scheme.name();
     let note = match map.scheme {
         Scheme::Euler => {
-            "The triangle with the corners (0, 0), (2, 0), (4, 4). At (2, 1) a violation is gone after two steps."
+            "The triangle with the corners (0, 0), (2, 0), (4, 4). At (2, 1) a violation is zero after two steps."
         }
-        Scheme::RungeKutta4 => "At (3.459, 3.781) a violation is gone after one step.",
-        Scheme::ImplicitMidpoint => "All positive gains. At (4, 4) a violation is gone after two steps.",
+        Scheme::RungeKutta4 => "At (3.459, 3.781) a violation is zero after one step.",
+        Scheme::ImplicitMidpoint => "All positive gains. At (4, 4) a violation is zero after two steps.",
         Scheme::BackwardEuler => "All positive gains; the larger, the faster.",
     };
     Areas {
-        title: format!("Gains that {name} bears"),
+        title: format!("Stable gains of {name}"),
         x: ("h b".into(), [0.0, map.most.0]),
         y: ("h² k".into(), [0.0, map.most.1]),
         names: Vec::new(),
@@ -107,9 +107,6 @@ fn map(map: Map) -> Areas {
             .collect(),
         dots: Vec::new(),
         marks: best.into_iter().collect(),
-        note: format!(
-            "{note} {} of {cells} cells are on the other side of the exact edge than their run.",
-            map.mistaken
-        ),
+        note: format!("{note} In {} of {cells} cells the run and the exact boundary disagree.", map.mistaken),
     }
 }

@@ -34,9 +34,9 @@ impl NumericalStability {
     pub fn study(self) -> Study {
         let mut study = Study {
             id: "steps-and-stability".into(),
-            title: "Numerical stability of stationary motions".into(),
-            lead: r"Near a stationary motion $\dot x=Ax$ a Runge-Kutta method has the matrix $R(hA)$. A mode $\mu$ fades, stays or grows in the map as $|R(h\mu)|$ is below, at or above one, which need not be what it does in the motion: a method hides growth (phantom stability) or invents it. Every step $h$ is judged: thresholds are roots of one polynomial for each mode, all of them isolated. What integrals and idle windings explain is split off exactly.".into(),
-            note: r"Splittings have a stationary motion of their own near the law's, followed here from short steps to 1 s: what their step's matrix does there is proved over ranges of steps, with Taylor models, as far as the row says, and tested at eight steps a decade elsewhere; windows are found that lie between the tested steps. Dark lines: thresholds by runs of the program near the motion, each as long as the growth beside the threshold and the slowest of the other modes ask for; where that is more than 40 000 steps, as for Euler near lightly damped motions, there is none. Honest means the right sign, not the right rate: what the classical Runge-Kutta method and backward Euler damp may still be far more than what the motion does.".into(),
+            title: "Numerical stability of steady motions".into(),
+            lead: r"Near a steady motion $\dot x=Ax$ a Runge-Kutta method has the matrix $R(hA)$. A mode $\mu$ decays, keeps its size or grows in the numerical map if $|R(h\mu)|$ is below, at or above one, which may differ from the motion: a method hides growth (phantom stability) or invents it. The verdicts cover every step $h$ (in s): thresholds are roots of one polynomial for each mode, and all of them are isolated. Modes that follow from integrals and from windings without effect are split off exactly.".into(),
+            note: r"Splitting methods have a steady motion of their own near that of the law, followed here from short steps to 1 s. The stability of their one-step matrix is proved with Taylor models over the ranges of steps that a row states, and tested at eight steps per decade elsewhere; windows between the tested steps are found too. Dark lines: thresholds from runs near the motion, each as long as the growth near the threshold and the slowest of the other modes require; if that is more than 40 000 steps, as for Euler near lightly damped motions, there is no line. Honest means the correct sign of the growth, not the correct rate: the classical Runge-Kutta method and backward Euler may damp much more than the motion.".into(),
             ..Study::default()
         };
         for found in self.scenes.into_iter().flatten() {
@@ -55,7 +55,7 @@ impl NumericalStability {
 /// The kinds of a picture, in the order of its legend.
 const KINDS: [&str; 6] = [
     "honest",
-    "damps what stays",
+    "damps an undamped mode",
     "HIDES GROWTH",
     "invents growth",
     "wrong in some mode",

@@ -35,9 +35,9 @@ pub fn study(scenes: &Path) -> Study {
     let table = |Summary { caption, head, rows }| Table { caption, head, rows };
     Study {
         id: "peers".into(),
-        title: "Beside other tools".into(),
+        title: "Comparison with other tools".into(),
         lead: "The same law, from the same file, by every tool; an error counts against a reference that two methods of ours \
-               confirm, and every tool's result is compared with it first."
+               confirm, and the result of every tool is compared with it first."
             .into(),
         tables: tables.into_iter().map(table).collect(),
         note,

@@ -6,7 +6,7 @@ use studies::stabilisation::treatments::{Line, Measure, SPAN, Scan};
 
 /// The note below the table: definitions of its errors and times, and the orders that theory gives.
 pub fn note() -> &'static str {
-    r"Critically damped, $b=2w$, $k=w^2$. Error: the largest of angle, place and their rates at 100 times, relative to the size of each. A Jacobian counts as the evaluations of its columns. Time: medians of runs that take turns within one run of the program while nothing else runs; 1 is the fastest of the table. Gains that grow as $1/h$ and $1/h^2$ bring a violation back fastest and make the equations stiff at every step: the classical Runge-Kutta method then has order 1. With gains that stay as they are the error is $h^pe(w)$ plus higher powers, $e$ the same for all steps: so the gain of the least error is a time of the motion, not of the step, which the rows with twice the steps confirm where the error is small enough for its first power to lead. Which time that is, is measured, not derived. Gear-Gupta-Leimkuhler is half-explicit for Euler (order 1) and for the classical coefficients (order 3), Radau IIA with one stage for backward Euler (order 1), and Gauss with one stage, projected at the end of each step, for the midpoint rule (order 2; without the projection the error of the constraint changes its sign at each step instead of decaying)."
+    r"Critically damped, $b=2w$, $k=w^2$. Error: the largest error of angle, position and their rates at 100 instants, relative to the size of each. A Jacobian counts as the evaluations of its columns. Time: medians of runs that take turns within one run of the program while nothing else runs; 1 is the fastest of the table. Gains that grow as $1/h$ and $1/h^2$ remove a violation fastest and make the equations stiff at every step: the classical Runge-Kutta method then has order 1. With constant gains the error is $h^pe(w)$ plus higher powers, with one function $e$ for all steps: the gain of the least error is therefore a time scale of the motion, not of the step, which the rows with twice the steps confirm where the error is small enough for its lowest power to dominate. This time scale is measured, not derived. Gear-Gupta-Leimkuhler is half-explicit for Euler (order 1) and for the classical coefficients (order 3), Radau IIA with one stage for backward Euler (order 1), and Gauss with one stage, projected at the end of each step, for the midpoint rule (order 2; without the projection the error of the constraint changes its sign at each step instead of decaying)."
 }
 
 /// A picture of scans over gains on logarithmic axes, with a mark at the least error.
@@ -29,8 +29,8 @@ pub fn scanned(scans: &[&Scan], title: &str, label: &str, value: impl Fn(&Measur
         dots: Vec::new(),
         marks: scans.iter().step_by(2).filter_map(|scan| scan.best()).map(mark).collect(),
         note: format!(
-            "Critically damped, {SPAN} s of the crank and slider. An explicit method's curve ends where it bears no more, an \
-             implicit one's at h w = 10. Marked: the rate of the least error."
+            "Critically damped, {SPAN} s of the crank and slider. The curve of an explicit method ends at its stability \
+             limit, that of an implicit one at h w = 10. Marked: the rate with the least error."
         ),
         ..Areas::default()
     }
@@ -63,7 +63,7 @@ pub fn table(lines: &[Line], times: &[Option<f64>]) -> Table {
         }
         cells
     };
-    let caption = "A crank and slider over nine turns, by what is done about its constraint".into();
+    let caption = "A crank and slider over nine revolutions, by treatment of its constraint".into();
     let rows = lines.iter().zip(times).map(row).collect();
     Table { caption, head: head.map(String::from).into(), rows }
 }

@@ -43,7 +43,7 @@ fn inputs_of_the_file_empty_states_and_equilibria_are_accepted() {
     std::fs::write(&path, held).expect("it is written");
     let text = printed(&["linearise", &file]);
     assert!(text.contains("x is empty: the constraints determine every coordinate and every speed"), "{text}");
-    assert!(text.contains("nothing can move beside this point") && !text.contains("eigenvalues\n"), "{text}");
+    assert!(text.contains("no motion near this point is possible") && !text.contains("eigenvalues\n"), "{text}");
     let fast =
         input.replace("[points]", "[speeds]\nv = \"2*x'\"\n[points]").replace("[run]", "[start]\nv = \"3 m/s\"\n[run]");
     std::fs::write(&path, fast).expect("it is written");

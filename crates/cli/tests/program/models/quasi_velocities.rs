@@ -216,7 +216,7 @@ fn an_equilibrium_that_motions_reach_is_told() {
     assert_eq!(output.status.code(), Some(0), "{told}");
     assert!(text.contains("z = -0.5, z' = 0"), "{text}");
     assert!(
-        told.contains("this equilibrium is one that motions from the start reach; it stands in a family of equilibria with one direction"),
+        told.contains("this equilibrium is one that motions from the start reach; it belongs to a family of equilibria with one parameter"),
         "{told}"
     );
     std::fs::remove_file(path).expect("it is there");

@@ -50,8 +50,8 @@ impl Carried {
             )
         };
         format!(
-            "In the gyrostat the pull-out is that of the bench, {} N m: in step nothing accelerates. Its carrier gives way, so that against a \
-             moment between them the rotor is as light as {} kg m², not {}. Pull-in of a rotor of {} kg m²: {}; of one of {}: {}. ",
+            "In the gyrostat the pull-out is that of the bench, {} N m: in synchronism nothing accelerates. Its carrier moves too, so that for a \
+             torque between them the rotor has the effective moment of inertia {} kg m², not {}. Pull-in of a rotor of {} kg m²: {}; of one of {}: {}. ",
             significant(*pull_out, 6),
             significant(*light, 4),
             significant(*own, 4),

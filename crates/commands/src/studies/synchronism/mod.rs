@@ -87,13 +87,13 @@ impl Synchronism {
             id: "motor-under-load".into(),
             title: "A synchronous motor under load".into(),
             lead: format!(
-                r"{}, with a further constant moment $M$ against the rotor's turning. It can stand in step up to the pull-out, $M+f\Omega=b_0$, whatever its damper; from the pull-in on it can slip for ever, and between the two the start decides. Both are found by continuation: the angles over the load, and the slipping motions as those that repeat after a turn, with the multipliers of the turn. What becomes of a grid of starts is run beside that; a start counts as in step when its energy $V$, which never grows, is below both balances about it, and that is for ever.",
+                r"{}, with an additional constant torque $M$ (in N m) against the rotation of the rotor. Up to the pull-out torque, $M+f\Omega=b_0$, the motor can run in synchronism, whatever its damper; from the pull-in torque on it can slip for ever, and between the two the start decides. Both are found by continuation: of the synchronous angles over the load, and of the slipping motions, which repeat after one revolution, with the Floquet multipliers of this revolution. In addition a grid of starts is run; a start counts as synchronous if its energy $V$, which never grows, is below that of both unstable equilibria next to it, so that the motor stays in synchronism for ever.",
                 self.title
             ),
             pictures,
             tables: std::iter::once(table(&all, self.pull_out)).chain(carried.as_ref().map(Carried::table)).collect(),
             note: carried.as_ref().map(Carried::told).unwrap_or_default()
-                + r"Pull-in by a balance: with ever longer turns the slipping comes from one angle that does not hold to the next. By a fold: a stable and an unstable slipping motion merge; the moment of a damper with three bars or more has a hump over the slip as Kloss' has, beyond which a load that asks for more is left to friction. Without currents the pull-in is Tricomi's curve, which begins as $\frac4\pi$ of the damping and meets the pull-out at the damping 1.19. In a gyrostat the carrier gives way and swings: there a start counts as in step when the field has not lost the rotor in the last quarter of the time. One scene: dalembert motor scenes/bench.toml, or scenes/spin_up.toml.",
+                + r"Pull-in at an equilibrium: the period of the slipping motion tends to infinity, and the motion connects one unstable equilibrium with the next. Pull-in at a fold: a stable and an unstable slipping motion merge; the torque of a damper with three bars or more has a maximum over the slip, as Kloss' torque, beyond which friction alone balances a larger load. Without currents the pull-in is Tricomi's curve, which begins as $\frac4\pi$ of the damping and meets the pull-out at the damping 1.19. In a gyrostat the carrier moves too: there a start counts as synchronous if the rotor has not slipped in the last quarter of the time. One scene: dalembert motor scenes/bench.toml, or scenes/spin_up.toml.",
             ..Study::default()
         })
     }
@@ -156,7 +156,7 @@ fn table(all: &[OfBars], pull_out: f64) -> Table {
 /// The kind of onset of slipping, in words.
 pub fn onset(by: Onset) -> String {
     match by {
-        Onset::Balance => "with ever longer turns, from a balance to the next".into(),
+        Onset::Balance => "with a period that tends to infinity, from one unstable equilibrium to the next".into(),
         Onset::Fold { slip } => format!("with a fold at a mean slip of {} rad/s", significant(slip, 4)),
         Onset::PullOut => "at the pull-out: no hysteresis".into(),
         Onset::End { slip } => format!("at the fastest slip that was followed, {} rad/s", significant(slip, 4)),

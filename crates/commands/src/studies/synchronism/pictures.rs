@@ -79,7 +79,7 @@ pub fn slipping(all: &[OfBars], pull_out: f64, field_speed: f64) -> Areas {
         x: ("load M, N m".into(), [0.0, MOST * pull_out]),
         y: ("mean slip / Ω".into(), [-3.0, 0.15]),
         curves,
-        note: "Under a load with a slip beside the line in step both are stable, and the start decides. Beyond -1 the load turns \
+        note: "Under a load with both a synchronous and a slipping motion both are stable, and the start decides. Below -1 the load turns \
                the rotor backwards."
             .into(),
         ..Areas::default()
@@ -146,11 +146,14 @@ pub fn by_bars(all: &[OfBars], pull_out: f64) -> Areas {
     areas.curves = vec![
         AreaCurve { name: "pull-in, by continuation".into(), points: all.iter().filter_map(point).collect() },
         AreaCurve { name: "pull-out".into(), points: vec![(pull_out, -0.5), (pull_out, most)] },
-        AreaCurve { name: "slipping with ever longer turns".into(), points: all.iter().filter_map(long).collect() },
+        AreaCurve {
+            name: "slipping with a period that tends to infinity".into(),
+            points: all.iter().filter_map(long).collect(),
+        },
     ];
     areas.note =
-        "Starts from standstill to synchronism: some of what slips at the pull-in is faster than these. One and two bars are one winding and brake in two places of a turn; \
-                  three or more are two windings and brake evenly."
+        "Starts from standstill to synchronism: some motions that slip at the pull-in are faster than these. One and two bars are one winding, whose torque depends on the angle; \
+                  three or more are two windings with a uniform torque."
             .into();
     areas
 }
