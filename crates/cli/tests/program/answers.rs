@@ -72,7 +72,7 @@ fn each_stationary_motion_has_a_verdict_for_each_angle_of_the_rotor() {
         let [driven_away, held] = &motion["stability"].as_array().expect("a list")[..] else { panic!("two angles") };
         assert_eq!(driven_away["verdict"], "unstable");
         assert_eq!(held["structural_zeros"], serde_json::json!(["|v|", "x.v"]));
-        // with a motor no root is on the axis, and the energy's negative squares are the roots to the right
+        // with a motor no root is on the axis, and the energy's negative squares are the roots with positive real parts
         let (roots, energy) = (&held["roots"], &held["energy"]);
         assert_eq!((roots["axis"].as_u64(), &roots["right"]), (Some(0), &energy["negative"]));
         asymptotically += usize::from(held["verdict"] == "asymptotically stable modulo the integrals");
@@ -82,7 +82,7 @@ fn each_stationary_motion_has_a_verdict_for_each_angle_of_the_rotor() {
     let text = String::from_utf8_lossy(&text.stdout).into_owned();
     for words in [
         "stable: E - W p' at fixed integrals is definite",
-        "not decided: no root to the right",
+        "not decided: no root has a positive real part",
         "unstable: 2 of 4 roots",
     ] {
         assert!(text.contains(words), "{words} in {text}");
@@ -115,7 +115,7 @@ fn a_receipt_across_events_takes_the_model_of_the_file_and_a_scene_that_stops_ha
     let own = &receipt["models"][0]["model"];
     assert_eq!((&receipt["taken"], own), (&"as written in its file".into(), &"as written in its file".into()));
     for (scene, why) in [
-        ("jam", "the equations for the reactions of its contacts become singular"),
+        ("jam", "the equations for the reactions of the contacts become singular"),
         ("painleve", "no combination of cases of conditions and contacts is consistent with its own motion"),
         ("climbed_ladder", "an impact presses other contacts"),
     ] {

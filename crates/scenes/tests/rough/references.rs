@@ -68,7 +68,7 @@ fn every_motion_has_a_reference_of_25_digits_that_is_its_own() {
 fn a_start_without_a_motion_has_no_reference() {
     let unknown = open("friction/painleve").exact(PATIENCE).map(|exact| exact.reference.digits);
     assert!(
-        matches!(unknown, Err(Unknown::Ends(why)) if why.contains("no case of its conditions and contacts agrees"))
+        matches!(unknown, Err(Unknown::Ends(why)) if why.contains("no combination of cases of conditions and contacts is consistent"))
     );
 }
 

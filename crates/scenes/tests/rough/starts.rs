@@ -18,7 +18,10 @@ fn a_rod_pushed_against_its_contact_has_no_motion() {
     let choice = scene.run().choice();
     let trajectory = scene.problem(Axes::First).simulate(&choice, |_| ());
     let stopped = trajectory.stopped().expect("it does not begin");
-    assert!(stopped.starts_with("does not begin: no case of its conditions and contacts agrees"), "{stopped}");
+    assert!(
+        stopped.starts_with("does not begin: no combination of cases of conditions and contacts is consistent"),
+        "{stopped}"
+    );
     assert!(!trajectory.outcome.reached() && trajectory.outcome.time == 0.0);
     assert!(trajectory.passages.is_empty() && trajectory.rows.is_empty());
     // the state is there, reactions are not
