@@ -63,7 +63,7 @@ fn a_damper_between_bodies_takes_energy_whoever_looks() {
     assert!(matches!(verdict(&relative, "frame"), PropertyVerdict::Tested(_)));
     let by_letters = blocks("between = [\"a\", \"b\"]\nis = \"-c*y'\"");
     assert!(
-        matches!(verdict(&by_letters, "frame"), PropertyVerdict::Fails(says) if says.contains("a velocity beside the ground"))
+        matches!(verdict(&by_letters, "frame"), PropertyVerdict::Fails(says) if says.contains("a velocity relative to the ground"))
     );
     let by_place = blocks("between = [\"a\", \"b\"]\nis = \"-(3 N/m)*x\"");
     assert!(
