@@ -56,7 +56,7 @@ fn a_damper_between_bodies_takes_energy_whoever_looks() {
     // where the blocks have passed each other, y' - x' is no rate of their distance
     let passed = blocks("between = [\"a\", \"b\"]\nis = \"-c*(y' - x')\"");
     assert!(matches!(verdict(&passed, "passivity"), PropertyVerdict::Tested(says) if says.contains("away from it")));
-    // drag by the velocity beside the ground is no force between two bodies
+    // drag by the velocity relative to the ground is no force between two bodies
     let of_ground = blocks("between = [\"a\", \"b\"]\nis = \"-c*(velocity(Q) . N.x)\"");
     assert!(matches!(verdict(&of_ground, "frame"), PropertyVerdict::Fails(says) if says.contains("`a` and `b`")));
     let relative = blocks("between = [\"a\", \"b\"]\nis = \"-c*((velocity(Q) - velocity(P)) . N.x)\"");
@@ -67,7 +67,7 @@ fn a_damper_between_bodies_takes_energy_whoever_looks() {
     );
     let by_place = blocks("between = [\"a\", \"b\"]\nis = \"-(3 N/m)*x\"");
     assert!(
-        matches!(verdict(&by_place, "frame"), PropertyVerdict::Fails(says) if says.contains("a place beside the ground"))
+        matches!(verdict(&by_place, "frame"), PropertyVerdict::Fails(says) if says.contains("a place relative to the ground"))
     );
     let alone = blocks("on = \"b\"\nis = \"-c*y'*N.x\"");
     assert!(
