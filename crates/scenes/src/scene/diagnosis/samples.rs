@@ -9,9 +9,10 @@ use simulation::{Choice, Trajectory};
 /// A state that is larger than all in the first half of a run by this factor is none to look at coordinates in.
 const OVERFLOWN: f64 = 1e6;
 
-/// From so many rejected steps on, and from this part of all steps on, a run was held up by something.
-const REJECTED: u64 = 20;
-const PART_REJECTED: f64 = 0.2;
+/// From so many rejected steps on, and from this part of all steps on, a run was held up by something: the control of the step foresees most of
+/// what would be rejected.
+const REJECTED: u64 = 5;
+const PART_REJECTED: f64 = 0.02;
 
 /// A run with its states alone.
 pub(super) struct Samples<'a> {
