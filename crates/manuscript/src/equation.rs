@@ -1,7 +1,7 @@
 //! Equality of two sides along motions: a proof, or an exact point at which they differ.
 
 use crate::admissible::admissible;
-use crate::half_turn::is_half_turn;
+use crate::half_turn::is_number_of_half_turn;
 use crate::motion::Motion;
 use crate::refutation::Refutation;
 use crate::signs::{Effort, completed, search};
@@ -118,7 +118,7 @@ fn refuted(
     }
     let found = |witness: Witness| Refutation {
         is_formal: !witness.formal.is_empty(),
-        point: witness.point.into_iter().filter(|(leaf, _)| !is_half_turn(*leaf)).collect(),
+        point: witness.point.into_iter().filter(|(leaf, _)| !is_number_of_half_turn(*leaf)).collect(),
     };
     if let Some(refutation) = completed(found(witness), conditions) {
         return Outcome::NonZero(refutation);

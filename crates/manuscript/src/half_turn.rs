@@ -15,6 +15,12 @@ pub(crate) fn holds_half_turn(expression: Sym) -> bool {
     expression.symbols_of().into_iter().any(is_half_turn)
 }
 
+/// Whether an expression is a number by pi alone, such as cos(pi/5): no point gives it a value.
+pub(crate) fn is_number_of_half_turn(expression: Sym) -> bool {
+    let symbols = expression.symbols_of();
+    !symbols.is_empty() && symbols.into_iter().all(is_half_turn)
+}
+
 /// The enclosure of an expression without letters other than pi.
 pub(crate) fn enclosed(number: Sym) -> Option<Interval> {
     // the double-precision number lies below pi

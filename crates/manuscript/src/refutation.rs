@@ -1,6 +1,6 @@
 //! Exact points at which a claim fails.
 
-use crate::half_turn::{enclosed, holds_half_turn, is_half_turn};
+use crate::half_turn::{enclosed, holds_half_turn, is_half_turn, is_number_of_half_turn};
 use crate::motion::{Motion, solution};
 use claims::{Condition, Point};
 use symbolic::{Hypotheses, Node, Sym, decide, normal};
@@ -26,7 +26,8 @@ impl Refutation {
 
     /// Whether an expression has a nonzero value there, and all constraints and hypotheses of the motion hold.
     pub fn is_confirmed(&self, expression: Sym, motion: &Motion<'_, '_>) -> bool {
-        self.value(motion.reduced(expression)).is_some_and(is_apart) && self.is_on(motion)
+        let is_possible = !self.point.iter().any(|(leaf, _)| is_number_of_half_turn(*leaf));
+        is_possible && self.value(motion.reduced(expression)).is_some_and(is_apart) && self.is_on(motion)
     }
 
     /// Whether constraints and hypotheses hold there as stated, for some values of the symbols that the point leaves open.

@@ -39,6 +39,11 @@ pub(super) fn stability(motion: &SteadyMotion, found: &SteadyMotions) -> String 
              {}, by numbers",
             cyclic.join(", ")
         ),
+        SteadyStability::Linear(found)
+            if matches!(found.linear.stability, Stability::Asymptotic { idle } if !has_reasons(found, idle)) =>
+        {
+            "not decided by linear equations: every eigenvalue has a negative real part but for zeros without a known reason".to_owned()
+        }
         SteadyStability::Linear(found) => {
             let linear = &found.linear;
             let largest = linear.eigenvalues.iter().map(|value| value[0]).fold(f64::NEG_INFINITY, f64::max);
@@ -66,6 +71,11 @@ pub(super) fn stability(motion: &SteadyMotion, found: &SteadyMotions) -> String 
 fn decides(found: &Eigenvalues) -> Option<&EnclosedSpectrum> {
     let is_known = |found: &&EnclosedSpectrum| !matches!(found.verdict(), EnclosedVerdict::Undecided { touching, .. } if touching > 0);
     found.enclosed.as_ref().ok().filter(is_known)
+}
+
+/// Whether so many zeros have reasons in the equations of motion, such as a cyclic coordinate: the force x^3 has none in the linear equations alone.
+fn has_reasons(found: &Eigenvalues, zeros: usize) -> bool {
+    zeros == 0 || found.enclosed.as_ref().is_ok_and(|enclosed| enclosed.zeros.len() >= zeros)
 }
 
 /// Eigenvalues below this part of the largest one are zero.
@@ -96,7 +106,7 @@ pub fn verdict(motion: &SteadyMotion, cyclic: &[String]) -> (&'static str, bool)
             _ if found.linear.standing == Standing::Moving => ("not decided", false),
             _ if fades(&found.linear, cyclic.len()) => ("asymptotically stable", false),
             Stability::Unstable(_) => ("unstable", false),
-            Stability::Asymptotic { .. } => ("asymptotically stable", false),
+            Stability::Asymptotic { idle } if has_reasons(found, idle) => ("asymptotically stable", false),
             _ => ("not decided", false),
         },
         SteadyStability::AtCondition(_) | SteadyStability::Unknown(_) => ("not known", false),

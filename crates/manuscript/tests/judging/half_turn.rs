@@ -64,3 +64,19 @@ fn an_angle_has_one_value() {
     let told = refused(&format!("{PENDULUM}\n{claim}given = ['\\pi > 4']\n"));
     assert!(told.contains("contradict each other"), "{told}");
 }
+
+/// Cosines of parts of a half turn are numbers, which no point chooses.
+#[test]
+fn no_point_gives_a_value_to_the_cosine_of_a_part_of_a_half_turn() {
+    for (formula, may_be) in [
+        (r"\cos\frac{\pi}{5} - \cos\frac{2\pi}{5} = \frac12", ["proved", "undecided"]),
+        (r"\sin(1000\pi) = 0", ["proved", "undecided"]),
+        (r"m \sqrt{\pi^2} = \pi m", ["proved", "undecided"]),
+        (r"\sin\frac{\pi}{5} = \frac35", ["refuted", "refuted"]),
+        (r"m \sin\frac{\pi}{5} = \frac{3 m}{5}", ["refuted", "refuted"]),
+    ] {
+        let found = on_pendulum("identity", formula, "");
+        assert!(may_be.contains(&verdict(&found)), "{}", found.text());
+        assert!(found.judged.counterexample.iter().all(|(name, _)| !name.contains("pi")), "{}", found.text());
+    }
+}

@@ -32,10 +32,10 @@ use std::sync::{Arc, Mutex, PoisonError};
 use symbolic::{Sym, substitute_all};
 
 /// The residual, in roundings of its size, up to which a state is not corrected.
-const LEFT: f64 = 16.0;
+const LEFT: f64 = 8.0;
 
 /// The residual, in roundings of its size, at which the correction ends.
-const MET: f64 = 8.0;
+const MET: f64 = 4.0;
 
 /// The largest number of corrections of positions and speeds: the first one leaves the square of a step's error, the second rounding.
 const ROUNDS: usize = 4;

@@ -44,7 +44,8 @@ pub enum Stability {
     Moving,
     /// The number of eigenvalues with positive real parts.
     Unstable(usize),
-    /// All eigenvalues have negative real parts, except `idle` zeros of variations on which no equation depends.
+    /// All eigenvalues have negative real parts, except `idle` zeros of variations on which no linear equation depends. They decide nothing where
+    /// the equations of motion depend on these, as on x by x^3.
     Asymptotic { idle: usize },
     /// No eigenvalue has a positive real part; this number of them has the real part zero.
     Undecided(usize),
@@ -83,8 +84,8 @@ impl fmt::Display for Stability {
             }
             Stability::Asymptotic { idle } => write!(
                 f,
-                "every eigenvalue has a negative real part but for {idle} zero, of variations that appear in no equation: \
-                 asymptotically stable in all others"
+                "every eigenvalue has a negative real part but for {idle} zero, of variations that appear in no linear equation: \
+                 asymptotically stable in all others, unless the equations of motion depend on these"
             ),
             Stability::Undecided(count) => write!(
                 f,
