@@ -136,7 +136,8 @@ impl<'a> DormandPrince<'a> {
     }
 
     /// The divisor of the next step where the error goes on growing as it has grown since the last one: a change of the motion is then met with
-    /// fewer rejections. 17 to 20 % less work on Andrews' mechanism and the Pleiades, none more than 2 % more.
+    /// fewer rejections. The work to equal errors falls by 17 to 20 % on Andrews' mechanism and the Pleiades; over the scenes of
+    /// `snapshots/atlas` it stays the same on average.
     fn predicted(&self, stretch: f64, step: f64, error: f64) -> f64 {
         let growth = (error.max(LEAST_ERROR) / self.last_error).powf(self.pair.exponent);
         self.last_step.map_or(0.0, |last| stretch * last / step * growth)
