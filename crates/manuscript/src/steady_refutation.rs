@@ -9,6 +9,7 @@ use crate::resting_equations::SteadyMotion;
 use crate::signs::{Effort, completed, search};
 use claims::Condition;
 use model::Trace;
+use model::equations::constraints_of;
 use symbolic::{Hypotheses, Sym, decide};
 
 /// An exact point of such a motion at which the first printed condition fails: where one of the other printed ones holds, where the equations of motion
@@ -19,7 +20,8 @@ pub(crate) fn failing_motion(steady: &SteadyMotion<'_, '_>) -> Option<Refutation
     if !all_rests(steady) {
         return None;
     }
-    let is_motion = |found: &Refutation| is_steady(steady, found) && fails_at(first, found);
+    let is_motion =
+        |found: &Refutation| is_steady(steady, found) && keeps_constraints(steady, found) && fails_at(first, found);
     let within = |conditions: &[Condition], effort: Effort| {
         let beside = || others.iter().find_map(|&other| beside(steady, other, conditions).filter(is_motion));
         let solved = || by_equations(steady, conditions).filter(is_motion);
@@ -86,6 +88,16 @@ pub(crate) fn is_steady(steady: &SteadyMotion<'_, '_>, found: &Refutation) -> bo
     let SteadyMotion { motion, equations, .. } = steady;
     equations.iter().all(|(equation, _)| {
         let left = motion.reduced(*equation);
+        decide(left, &motion.hypotheses).is_zero() || found.value(left) == Some(Sym::ZERO)
+    })
+}
+
+/// Whether the accelerations at a point are those that the constraints allow: where one speed rests, one that a constraint ties to it does not change.
+fn keeps_constraints(steady: &SteadyMotion<'_, '_>, found: &Refutation) -> bool {
+    let SteadyMotion { motion, rates, .. } = steady;
+    constraints_of(motion.trace).iter().filter(|constraint| constraint.gains.is_none()).all(|constraint| {
+        let Ok(change) = crate::letters::rate(motion.trace, constraint.rate) else { return false };
+        let left = motion.reduced(change.substitute(rates));
         decide(left, &motion.hypotheses).is_zero() || found.value(left) == Some(Sym::ZERO)
     })
 }

@@ -247,3 +247,47 @@ fn a_loop_is_closed_at_an_exact_point_too() {
         }
     }
 }
+
+/// A disc that rolls down a slope: where the speed of its centre rests, that of its angle does, since the constraint ties them.
+#[test]
+fn a_speed_that_a_constraint_ties_to_one_at_rest_rests_too() {
+    let system = r#"
+title = 'A disc on a slope'
+[parameters]
+m = 'kg'
+R = 'm'
+J = 'kg m^2'
+g = 'm/s^2'
+al = 'rad'
+[coordinates]
+s = 'm'
+p = 'rad'
+[frames]
+I = 'N turned -al about z'
+D = 'N turned -p about z'
+[points]
+C = 'O + s*I.x + R*I.y'
+[bodies.disc]
+frame = 'D'
+centre = 'C'
+mass = 'm'
+inertia = 'J'
+[[force]]
+on = 'disc'
+is = '-m*g*N.y'
+[[constraint]]
+name = 'rolling'
+zero = "s' - R*p'"
+[letters]
+'m' = 'm'
+'R' = 'R'
+'J' = 'J'
+'g' = 'g'
+'\alpha' = 'al'
+'s' = 's'
+"#;
+    let given = r"given = ['g > 0', 'm > 0', 'R > 0', 'J > 0']
+resting = ['\dot s']";
+    let found = on(system, "steady motion", r"\sin\alpha = 0", given);
+    assert_ne!(verdict(&found), "refuted", "{}", found.text());
+}
