@@ -101,6 +101,7 @@ fn text(found: &AlongFound) -> String {
         }
     }
     lines.extend(last);
+    let is_even = lines.len() <= 1;
     for (told, from, to) in lines {
         let _ = match from == to {
             true => writeln!(out, "  {name} = {}{unit}: {told}", number(from)),
@@ -114,7 +115,13 @@ fn text(found: &AlongFound) -> String {
         let _ = writeln!(out, "  before {}; behind {}", counted(before), counted(after));
     }
     if along.bifurcations.is_empty() {
-        let _ = writeln!(out, "\nno change is seen between these values");
+        let told = match is_even {
+            true => "no change is seen between these values",
+            false => {
+                "where the motions change between these values is not located; other values (--values) may show it"
+            }
+        };
+        let _ = writeln!(out, "\n{told}");
     }
     out
 }

@@ -88,3 +88,20 @@ fn eigenvalues_along_a_parameter_speak_of_zeros_where_there_are_some() {
     let told = printed(&["linearise", &cyclic.path(), "--along", "k=1..3"]);
     assert!(told.contains("every eigenvalue but 2 zeros with reasons left of the imaginary axis"), "{told}");
 }
+
+#[test]
+fn changes_that_the_table_shows_are_not_denied_and_a_cubic_force_decides_nothing() {
+    let text = |is: &str, unit: &str| {
+        format!(
+            "title = \"One\"\n[parameters]\np = \"3 {unit}\"\n[coordinates]\nx = \"m\"\n[bodies]\nb = {{ centre = \"O + x*N.x\", mass = \"1 kg\" }}\n\
+             [[force]]\nalong = \"x\"\nis = \"{is}\"\n[run]\nspan = \"1 s\"\n"
+        )
+    };
+    let rough = Scene::of("rough.toml", &text("-(4 N/m)*x - p*sign(x')", "N"));
+    let told = printed(&["stationary", &rough.path(), "--range", "x=-1..1", "--along", "p=-3..3", "--values", "7"]);
+    assert!(told.contains("p = 0 N: one motion") && !told.contains("no change is seen"), "{told}");
+    // x = 0 is unstable, and its linear equations do not contain x
+    let cubic = Scene::of("cubic.toml", &text("p*x^3/(1 m^2) - (1 N s/m)*x'", "N/m"));
+    let told = printed(&["stationary", &cubic.path(), "--range", "x=-2..2"]);
+    assert!(told.contains("not decided by linear equations") && !told.contains("asymptotically stable"), "{told}");
+}
