@@ -96,8 +96,10 @@ pub fn judge(asked: &Asked) -> Result<Exit, Exit> {
         )));
     }
     let so_far = |findings: &[Finding]| {
-        // JSON is printed as one complete list
-        if !asked.json && !asked.test {
+        // the exit code says that a list is not whole
+        if asked.json {
+            clock::publish(format!("{:#}\n", findings.iter().map(object).collect::<serde_json::Value>()));
+        } else if !asked.test {
             clock::publish(findings.iter().map(Finding::text).collect());
         }
     };
