@@ -56,7 +56,7 @@ pub(crate) fn admissible(
     best
 }
 
-/// What is wanted of the parameters at a counterexample, and whether each condition holds there.
+/// The conditions that the parameters should satisfy at a counterexample, and whether each holds there.
 fn asked(found: &Refutation, motion: &Motion<'_, '_>, wanted: Wanted) -> Vec<(Condition, bool)> {
     let all = valued(found, motion).into_iter().map(|parameter| {
         let here = motion.reduced(parameter.symbol);

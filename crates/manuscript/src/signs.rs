@@ -151,7 +151,7 @@ pub(crate) fn without_real_value(expression: Sym, motion: &Motion<'_, '_>, condi
 const POINTS: u32 = 4_000;
 const POINTS_OF_ROOTS: u32 = 600;
 
-/// How many points a search tries: all of them, or a part where a point is known that is less plain.
+/// The number of points that a search tries: all, or a part if a less plain point is known already.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Effort {
     Whole,

@@ -12,7 +12,7 @@ const LITTLE: f64 = 0.1;
 /// between them, but for a factor.
 const EVEN: f64 = 3.0;
 
-/// That factor.
+/// The factor by which the own bounds at the ends of such an interval may be exceeded within.
 const BETWEEN: f64 = 1.5;
 
 /// Bounds of the rate of a distance of the order of one, 1/s.

@@ -24,9 +24,9 @@ pub struct Gear {
 /// An angle of a gear.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GearTurn {
-    /// Of a frame beside the carrier of the gear, about an axis of both.
+    /// The angle of a frame relative to the carrier of the gear, about an axis of both.
     Frame { carrier: FrameId, frame: FrameId, axis: usize },
-    /// Of a coordinate that turns no frame.
+    /// A coordinate that turns no frame.
     Coordinate(usize),
 }
 

@@ -6,14 +6,14 @@
 mod contact_places;
 mod figure;
 mod gears;
-mod hinged;
+mod hinges;
 mod inertia;
 mod rigid;
 mod wheels;
 
 pub use figure::{Figure, Touch};
 pub use gears::{GearPair, GearWheel};
-pub use hinged::{Joint, Rotary};
+pub use hinges::{Joint, Rotary};
 pub use inertia::Ellipsoid;
 pub use rigid::Link;
 
