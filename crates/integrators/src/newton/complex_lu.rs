@@ -2,13 +2,16 @@
 //!
 //! The pairs of complex eigenvalues of a collocation method lead to matrices (lambda / h) I - J with the real Jacobian J.
 
+use super::condensation::Condensation;
+use super::lu::by_couplings;
+use nalgebra::Complex;
 use pulp::{Arch, Simd, WithSimd};
 
-use super::lu::by_couplings;
-
-/// A square complex matrix mu I - J and its factors.
+/// What is left of a complex matrix mu I - J, and its factors.
 pub(crate) struct ComplexLu {
     size: usize,
+    /// The matrix, row after row.
+    rows: Vec<(f64, f64)>,
     /// The factors, column after column: real parts, then imaginary ones.
     columns: Vec<f64>,
     order: Option<Vec<usize>>,
@@ -22,6 +25,7 @@ impl ComplexLu {
     pub fn new(size: usize) -> Self {
         ComplexLu {
             size,
+            rows: vec![(0.0, 0.0); size * size],
             columns: vec![0.0; 2 * size * size],
             order: None,
             pivots: vec![0; size],
@@ -31,16 +35,26 @@ impl ComplexLu {
         }
     }
 
-    /// Makes the factors of (shift.0 + i shift.1) I - J, J by rows; false if that is singular or not finite.
-    pub fn factorise(&mut self, shift: (f64, f64), jacobian: &[f64]) -> bool {
-        let n = self.size;
-        let order = self.order.get_or_insert_with(|| by_couplings(jacobian, n));
+    /// Makes the factors of what is left of mu I - J; false if that is singular or not finite.
+    pub fn factorise(&mut self, mu: Complex<f64>, jacobian: &Condensation) -> bool {
+        if self.size != jacobian.size() {
+            *self = ComplexLu::new(jacobian.size());
+        }
+        let (n, inverse) = (self.size, mu.inv());
+        for (to, (own, through)) in self.rows.iter_mut().zip(jacobian.entries()) {
+            *to = (-own - inverse.re * through, -inverse.im * through);
+        }
+        self.rows.iter_mut().step_by(n + 1).for_each(|(re, im)| (*re, *im) = (*re + mu.re, *im + mu.im));
+        let rows = &self.rows;
+        let order = self.order.get_or_insert_with(|| {
+            let sizes: Vec<f64> = rows.iter().map(|(re, im)| re.abs() + im.abs()).collect();
+            by_couplings(&sizes, n)
+        });
         for (place, &row) in order.iter().enumerate() {
-            let entries = &jacobian[row * n..][..n];
+            let entries = &self.rows[row * n..][..n];
             let mut largest = 0.0_f64;
             for (column, &from) in self.columns.chunks_exact_mut(2 * n).zip(order.iter()) {
-                let diagonal = if from == row { shift } else { (0.0, 0.0) };
-                let entry = (diagonal.0 - entries[from], diagonal.1);
+                let entry = entries[from];
                 (column[place], column[n + place]) = entry;
                 largest = largest.max(entry.0.abs() + entry.1.abs());
             }
@@ -177,7 +191,7 @@ impl WithSimd for Substitute<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::ComplexLu;
+    use super::*;
 
     /// Every size up to three registers, with a Jacobian that needs pivots, rows in units far apart, and zeros in many places.
     #[test]
@@ -189,7 +203,7 @@ mod tests {
                 if coupled { unit * ((3 * i + 7 * j + n) as f64).sin() } else { 0.0 }
             };
             let jacobian: Vec<f64> = (0..n * n).map(|place| entry(place / n, place % n)).collect();
-            let shift = (2.0, 3.0);
+            let shift = Complex::new(2.0, 3.0);
             let solution: Vec<(f64, f64)> = (0..n).map(|j| (1.0 + j as f64, 0.5 - j as f64)).collect();
             let side = |part: &dyn Fn((f64, f64), f64, f64) -> f64| -> Vec<f64> {
                 let row = |i: usize| {
@@ -197,11 +211,17 @@ mod tests {
                 };
                 (0..n).map(row).collect()
             };
-            let mut real = side(&|x, unit, slope| (unit * shift.0 - slope) * x.0 - unit * shift.1 * x.1);
-            let mut imaginary = side(&|x, unit, slope| (unit * shift.0 - slope) * x.1 + unit * shift.1 * x.0);
+            let mut real = side(&|x, unit, slope| (unit * shift.re - slope) * x.0 - unit * shift.im * x.1);
+            let mut imaginary = side(&|x, unit, slope| (unit * shift.re - slope) * x.1 + unit * shift.im * x.0);
             let mut lu = ComplexLu::new(n);
-            assert!(lu.factorise(shift, &jacobian), "{n}");
-            lu.solve(&mut real, &mut imaginary);
+            let mut condensation = Condensation::new(n);
+            condensation.take(&jacobian);
+            let inverse = shift.inv();
+            let (mut left_real, mut left_imaginary) = (vec![0.0; condensation.size()], vec![0.0; condensation.size()]);
+            assert!(lu.factorise(shift, &condensation), "{n}");
+            condensation.condense_complex([&real, &imaginary], inverse, [&mut left_real, &mut left_imaginary]);
+            lu.solve(&mut left_real, &mut left_imaginary);
+            condensation.expand_complex([&left_real, &left_imaginary], inverse, [&mut real, &mut imaginary]);
             for (j, exact) in solution.iter().enumerate() {
                 let error = (real[j] - exact.0).abs() + (imaginary[j] - exact.1).abs();
                 assert!(error < 1e-9 * n as f64, "{n}: {error}");
@@ -211,7 +231,8 @@ mod tests {
 
     #[test]
     fn a_shift_onto_an_eigenvalue_is_refused() {
-        let rotation = [0.0, -1.0, 1.0, 0.0];
-        assert!(!ComplexLu::new(2).factorise((0.0, 1.0), &rotation));
+        let mut rotation = Condensation::new(2);
+        rotation.take(&[0.0, -1.0, 1.0, 0.0]);
+        assert!(!ComplexLu::new(2).factorise(Complex::new(0.0, 1.0), &rotation));
     }
 }

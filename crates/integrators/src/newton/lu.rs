@@ -5,6 +5,7 @@
 //! widest registers there are. Equations and unknowns are taken in the order of their couplings, fewest first, and zeros
 //! are passed over: circuits that are coupled only through the rotor cost little.
 
+use super::condensation::Condensation;
 use pulp::{Arch, Simd, WithSimd};
 
 /// A square matrix and its factors.
@@ -64,9 +65,30 @@ impl Lu {
         self.arch.dispatch(Eliminate(self))
     }
 
+    /// Makes the factors of what is left of mu I - J; false if that is singular or not finite.
+    pub fn factorise_shifted(&mut self, mu: f64, jacobian: &Condensation) -> bool {
+        if self.size != jacobian.size() {
+            *self = Lu::new(jacobian.size());
+        }
+        let inverse = mu.recip();
+        for (to, (own, through)) in self.rows.iter_mut().zip(jacobian.entries()) {
+            *to = -own - inverse * through;
+        }
+        self.rows.iter_mut().step_by(self.size + 1).for_each(|diagonal| *diagonal += mu);
+        self.factorise()
+    }
+
     /// Replaces the right-hand side by the solution.
     pub fn solve(&mut self, b: &mut [f64]) {
         self.arch.dispatch(Substitute(self, b));
+    }
+
+    /// Replaces b by the solution x of (mu I - J) x = b, with room for the equations that are left.
+    pub fn solve_shifted(&mut self, mu: f64, jacobian: &Condensation, room: &mut [f64], b: &mut [f64]) {
+        let (left, inverse) = (&mut room[..jacobian.size()], mu.recip());
+        jacobian.condense(b, inverse, left);
+        self.solve(left);
+        jacobian.expand(left, inverse, b);
     }
 
     #[inline(always)]

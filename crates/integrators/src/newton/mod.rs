@@ -2,11 +2,15 @@
 //! measure of stiffness.
 
 mod complex_lu;
+mod condensation;
 mod convergence;
 mod lu;
+mod shifted;
 mod spectral;
 
 pub(crate) use complex_lu::ComplexLu;
+pub(crate) use condensation::Condensation;
 pub(crate) use convergence::Newton;
 pub(crate) use lu::Lu;
+pub(crate) use shifted::Shifted;
 pub(crate) use spectral::SpectralRadius;

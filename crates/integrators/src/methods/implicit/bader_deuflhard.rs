@@ -17,7 +17,7 @@ use crate::Tolerance;
 use crate::law::jacobian::Jacobian;
 use crate::methods::extrapolation_control::Columns;
 use crate::methods::implicit::linearisation::Linearised;
-use crate::newton::Lu;
+use crate::newton::Shifted;
 use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::stepping::{Attempt, Cause, Stepper};
 
@@ -37,7 +37,7 @@ pub(crate) struct BaderDeuflhard<'a> {
     /// The last row of the table, T_{j,1} .., less y_0: the sums of small steps keep their digits.
     table: Vec<Vec<f64>>,
     linear: Linearised<'a>,
-    lu: Lu,
+    matrix: Shifted,
     y: Vec<f64>,
     /// z_k and D_k.
     z: Vec<f64>,
@@ -60,7 +60,7 @@ impl<'a> BaderDeuflhard<'a> {
             factors: (0..SUBSTEPS.len()).map(|j| (1..=j).map(|k| factor(j, k)).collect()).collect(),
             table: SUBSTEPS.map(|_| zeros()).to_vec(),
             linear: Linearised::new(jacobian, dimension),
-            lu: Lu::new(dimension),
+            matrix: Shifted::new(dimension),
             y: zeros(),
             z: zeros(),
             difference: zeros(),
@@ -74,15 +74,17 @@ impl<'a> BaderDeuflhard<'a> {
         self.columns.order()
     }
 
-    /// Factors of I - h J.
-    fn factorise(&mut self, h: f64, meter: &BudgetedRhs<f64>) -> Result<(), Cause> {
-        let n = self.y.len();
-        for (i, (row, slopes)) in self.lu.rows().zip(self.linear.matrix.chunks(n)).enumerate() {
-            row.iter_mut().zip(slopes).for_each(|(entry, slope)| *entry = -h * slope);
-            row[i] += 1.0;
+    /// Linearises the law at the start of a step, unless it is done already.
+    fn linearise(&mut self, tau: f64, before: &[f64], meter: &BudgetedRhs<f64>) {
+        if self.linear.at(tau, before, meter) {
+            self.matrix.take(&self.linear.matrix);
         }
+    }
+
+    /// Factors of 1/h I - J.
+    fn factorise(&mut self, h: f64, meter: &BudgetedRhs<f64>) -> Result<(), Cause> {
         meter.count_factorisation();
-        if self.lu.factorise() {
+        if self.matrix.factorise(1.0 / h) {
             return Ok(());
         }
         Err(self.linear.unfactorised())
@@ -94,9 +96,9 @@ impl<'a> BaderDeuflhard<'a> {
         let h = step / substeps as f64;
         self.factorise(h, meter)?;
         for ((change, slope), drift) in self.difference.iter_mut().zip(&self.linear.slope).zip(&self.linear.drift) {
-            *change = h * slope + h * h * drift;
+            *change = slope + h * drift;
         }
-        self.lu.solve(&mut self.difference);
+        self.matrix.solve(&mut self.difference);
         self.z.copy_from_slice(&self.difference);
         self.mean.fill(0.0);
         for k in 1..=substeps + BEYOND {
@@ -116,9 +118,9 @@ impl<'a> BaderDeuflhard<'a> {
             }
             meter.rates(tau + h * k as f64, &self.y, &mut self.change);
             for (change, difference) in self.change.iter_mut().zip(&self.difference) {
-                *change = h * *change - difference;
+                *change -= difference / h;
             }
-            self.lu.solve(&mut self.change);
+            self.matrix.solve(&mut self.change);
             for ((z, difference), change) in self.z.iter_mut().zip(&mut self.difference).zip(&self.change) {
                 *difference += 2.0 * change;
                 *z += *difference;
@@ -140,7 +142,7 @@ impl<'a> BaderDeuflhard<'a> {
 
 impl Stepper<f64> for BaderDeuflhard<'_> {
     fn attempt(&mut self, tau: f64, before: &[f64], step: f64, after: &mut [f64], meter: &BudgetedRhs<f64>) -> Attempt {
-        self.linear.at(tau, before, meter);
+        self.linearise(tau, before, meter);
         for j in 1..=self.columns.last() {
             if let Err(cause) = self.row(j, tau, before, step, meter) {
                 return self.columns.fail(step, cause);
@@ -177,7 +179,7 @@ mod tests {
         let mut y = [1.0];
         for k in 0..steps {
             let tau = step * f64::from(k);
-            method.linear.at(tau, &y, &meter);
+            method.linearise(tau, &y, &meter);
             for j in 1..=rows {
                 assert!(method.row(j, tau, &y, step, &meter).is_ok());
             }
@@ -233,7 +235,7 @@ mod tests {
         let span = Span::new(0.0, step, &start);
         let meter = BudgetedRhs::new(&Follower, &span);
         let mut method = BaderDeuflhard::new(Jacobian::new(&Follower), &Tolerance::both(1e-2), 3);
-        method.linear.at(0.0, &start, &meter);
+        method.linearise(0.0, &start, &meter);
         for j in 1..=6 {
             assert!(method.row(j, 0.0, &start, step, &meter).is_ok());
         }

@@ -6,7 +6,6 @@
 //! s - 1 for Radau IIA): the integral is a z^m where z is small, with a = c / prod_{k <= m} 2 (2 k - 1) and c = 1 / (2 s + 1) for Gauss, 1 /
 //! (2 (2 s - 1)) for Radau. Where z is large it falls as 1 / z for Gauss, and as s / z^2 for Radau, whose M is zero at the end. With w = z /
 //! (1 - g z) and the pole 1 / g of the present factors,
-//! end. With w = z / (1 - g z) and the pole 1 / g of the factors that are there,
 //!
 //! w^m (a - b w) / (1 - g z)^p,  p = 1 or 2,
 //!

@@ -22,10 +22,10 @@ impl<'a> Linearised<'a> {
         Linearised { jacobian, matrix: vec![0.0; dimension * dimension], drift: zeros(), slope: zeros(), at: None }
     }
 
-    /// Linearises the law at the start of a step, unless it is done already.
-    pub fn at(&mut self, tau: f64, y: &[f64], meter: &BudgetedRhs<f64>) {
+    /// Linearises the law at the start of a step; false where that is done already.
+    pub fn at(&mut self, tau: f64, y: &[f64], meter: &BudgetedRhs<f64>) -> bool {
         if self.at == Some(tau) {
-            return;
+            return false;
         }
         let t = meter.time(tau);
         self.jacobian.matrix(t, y, &mut self.matrix);
@@ -35,6 +35,7 @@ impl<'a> Linearised<'a> {
         meter.count_jacobian();
         meter.rates(tau, y, &mut self.slope);
         self.at = Some(tau);
+        true
     }
 
     /// Why a matrix made of J could not be factorised.

@@ -9,7 +9,7 @@
 use crate::Tolerance;
 use crate::law::jacobian::Jacobian;
 use crate::methods::implicit::linearisation::Linearised;
-use crate::newton::Lu;
+use crate::newton::Shifted;
 use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::stepping::{Attempt, Cause, Stepper};
 
@@ -54,7 +54,7 @@ pub(crate) struct Rodas4<'a> {
     coefficients: Coefficients,
     tolerance: Tolerance,
     linear: Linearised<'a>,
-    lu: Lu,
+    matrix: Shifted,
     stages: [Vec<f64>; STAGES],
     point: Vec<f64>,
     slope: Vec<f64>,
@@ -68,7 +68,7 @@ impl<'a> Rodas4<'a> {
             coefficients: RODAS4,
             tolerance: tolerance.clone(),
             linear: Linearised::new(jacobian, dimension),
-            lu: Lu::new(dimension),
+            matrix: Shifted::new(dimension),
             stages: std::array::from_fn(|_| zeros()),
             point: zeros(),
             slope: zeros(),
@@ -78,13 +78,8 @@ impl<'a> Rodas4<'a> {
 
     /// Factors of 1/(h g) I - J; false if singular or not finite.
     fn factorise(&mut self, step: f64, meter: &BudgetedRhs<f64>) -> bool {
-        let n = self.point.len();
-        for (i, (row, slopes)) in self.lu.rows().zip(self.linear.matrix.chunks(n)).enumerate() {
-            row.iter_mut().zip(slopes).for_each(|(entry, slope)| *entry = -slope);
-            row[i] += 1.0 / (step * self.coefficients.gamma);
-        }
         meter.count_factorisation();
-        self.lu.factorise()
+        self.matrix.factorise(1.0 / (step * self.coefficients.gamma))
     }
 
     /// U_i, from the point where f is taken and the stages before.
@@ -100,13 +95,15 @@ impl<'a> Rodas4<'a> {
             let memory: f64 = before.iter().zip(&c[i]).map(|(stage, c)| c * stage[k]).sum();
             *u = self.slope[k] + memory / step + step * drift[i] * self.linear.drift[k];
         }
-        self.lu.solve(&mut rest[0]);
+        self.matrix.solve(&mut rest[0]);
     }
 }
 
 impl Stepper<f64> for Rodas4<'_> {
     fn attempt(&mut self, tau: f64, before: &[f64], step: f64, after: &mut [f64], meter: &BudgetedRhs<f64>) -> Attempt {
-        self.linear.at(tau, before, meter);
+        if self.linear.at(tau, before, meter) {
+            self.matrix.take(&self.linear.matrix);
+        }
         if !self.factorise(step, meter) {
             return Attempt::Rejected { next: 0.5 * step, cause: self.linear.unfactorised() };
         }

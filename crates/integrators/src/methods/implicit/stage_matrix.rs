@@ -6,7 +6,7 @@
 //! precision: there every stage has its own Jacobian, and few corrections are left to make.
 
 use super::stage_modes::{StageMode, stage_modes};
-use crate::newton::{ComplexLu, Lu};
+use crate::newton::{ComplexLu, Condensation, Lu, Shifted};
 
 /// The factors of (lambda / h) I - J.
 enum Factors {
@@ -16,9 +16,14 @@ enum Factors {
 
 /// The matrices of a method by its eigenvalues, and the buffers of a solution.
 struct Uncoupled {
+    condensation: Condensation,
+    /// Whether the Jacobian is one that was not condensed yet.
+    renewed: bool,
     modes: Vec<(StageMode, Factors)>,
     real: Vec<f64>,
     imaginary: Vec<f64>,
+    /// Right sides and solutions of the equations that are left.
+    left: [Vec<f64>; 2],
     sum: Vec<f64>,
 }
 
@@ -31,8 +36,8 @@ pub(crate) struct StageMatrix {
     uncoupled: Option<Uncoupled>,
     /// The whole matrix, where every stage has its own Jacobian.
     whole: Option<Lu>,
-    /// I - h g J with a g of its own, where no eigenvalue is real.
-    filter: Option<Lu>,
+    /// 1/(h g) I - J with a g of its own, where no eigenvalue is real.
+    filter: Option<Shifted>,
     own_pole: f64,
 }
 
@@ -49,9 +54,12 @@ impl StageMatrix {
                 (mode, if real { Factors::Real(Lu::new(n)) } else { Factors::Complex(ComplexLu::new(n)) })
             };
             Uncoupled {
+                condensation: Condensation::new(n),
+                renewed: true,
                 modes: modes.into_iter().map(factors).collect(),
                 real: vec![0.0; n],
                 imaginary: vec![0.0; n],
+                left: [vec![0.0; n], vec![0.0; n]],
                 sum: vec![0.0; stages * n],
             }
         });
@@ -60,7 +68,7 @@ impl StageMatrix {
             step: 0.0,
             jacobians: vec![0.0; if uncoupled.is_some() { n * n } else { stages * n * n }],
             whole: if uncoupled.is_some() { None } else { Some(Lu::new(stages * n)) },
-            filter: if one_real { None } else { Some(Lu::new(n)) },
+            filter: if one_real { None } else { Some(Shifted::new(n)) },
             own_pole,
             matrix,
             uncoupled,
@@ -74,6 +82,7 @@ impl StageMatrix {
 
     /// The Jacobians to be filled, by rows: one, or one for each stage.
     pub fn jacobians(&mut self) -> std::slice::ChunksMut<'_, f64> {
+        self.uncoupled.iter_mut().for_each(|uncoupled| uncoupled.renewed = true);
         self.jacobians.chunks_mut(self.n * self.n)
     }
 
@@ -102,16 +111,22 @@ impl StageMatrix {
             whole.factorise()
         });
         let jacobian = &self.jacobians[..n * n];
-        let modes = self.uncoupled.as_mut().is_none_or(|uncoupled| {
-            uncoupled.modes.iter_mut().all(|(mode, factors)| {
+        let modes = self.uncoupled.as_mut().is_none_or(|Uncoupled { condensation, renewed, modes, .. }| {
+            if std::mem::take(renewed) {
+                condensation.take(jacobian);
+            }
+            modes.iter_mut().all(|(mode, factors)| {
                 let shift = mode.eigenvalue / step;
                 match factors {
-                    Factors::Real(lu) => shifted(lu, (1.0, shift.re), jacobian),
-                    Factors::Complex(lu) => lu.factorise((shift.re, shift.im), jacobian),
+                    Factors::Real(lu) => lu.factorise_shifted(shift.re, condensation),
+                    Factors::Complex(lu) => lu.factorise(shift, condensation),
                 }
             })
         });
-        let filter = self.filter.as_mut().is_none_or(|lu| shifted(lu, (step * self.own_pole, 1.0), jacobian));
+        let filter = self.filter.as_mut().is_none_or(|filter| {
+            filter.take(jacobian);
+            filter.factorise((step * self.own_pole).recip())
+        });
         whole && modes && filter
     }
 
@@ -121,7 +136,10 @@ impl StageMatrix {
             whole.solve(residual);
         }
         let n = self.n;
-        let Some(Uncoupled { modes, real, imaginary, sum }) = &mut self.uncoupled else { return };
+        let Some(Uncoupled { condensation, modes, real, imaginary, left, sum, .. }) = &mut self.uncoupled else {
+            return;
+        };
+        let [left, left_imaginary] = left.each_mut().map(|each| &mut each[..condensation.size()]);
         sum.fill(0.0);
         for (mode, factors) in modes {
             let shift = mode.eigenvalue / self.step;
@@ -133,8 +151,13 @@ impl StageMatrix {
                 imaginary.iter_mut().zip(residual).for_each(|(sum, residual)| *sum += part.im * residual);
             }
             match factors {
-                Factors::Real(lu) => lu.solve(real),
-                Factors::Complex(lu) => lu.solve(real, imaginary),
+                Factors::Real(lu) => lu.solve_shifted(shift.re, condensation, left, real),
+                Factors::Complex(lu) => {
+                    let inverse = shift.inv();
+                    condensation.condense_complex([real, imaginary], inverse, [left, left_imaginary]);
+                    lu.solve(left, left_imaginary);
+                    condensation.expand_complex([left, left_imaginary], inverse, [real, imaginary]);
+                }
             }
             for (shape, sum) in mode.shape.iter().zip(sum.chunks_exact_mut(n)) {
                 let parts = real.iter().zip(imaginary.iter());
@@ -153,22 +176,17 @@ impl StageMatrix {
     /// Replaces a defect d by (I - h g J)^-1 d.
     pub fn filter(&mut self, defect: &mut [f64]) {
         if let Some(filter) = &mut self.filter {
+            defect.iter_mut().for_each(|entry| *entry /= self.step * self.own_pole);
             return filter.solve(defect);
         }
-        for (mode, factors) in self.uncoupled.iter_mut().flat_map(|uncoupled| &mut uncoupled.modes) {
-            if let Factors::Real(lu) = factors {
-                defect.iter_mut().for_each(|entry| *entry *= mode.eigenvalue.re / self.step);
-                return lu.solve(defect);
-            }
+        let Some(Uncoupled { condensation, modes, left, .. }) = &mut self.uncoupled else { return };
+        let real = modes.iter_mut().find_map(|(mode, factors)| match factors {
+            Factors::Real(lu) => Some((mode.eigenvalue.re / self.step, lu)),
+            Factors::Complex(_) => None,
+        });
+        if let Some((shift, lu)) = real {
+            defect.iter_mut().for_each(|entry| *entry *= shift);
+            lu.solve_shifted(shift, condensation, &mut left[0], defect);
         }
     }
-}
-
-/// Factorises b I - a J.
-fn shifted(lu: &mut Lu, (a, b): (f64, f64), jacobian: &[f64]) -> bool {
-    for (i, (row, slopes)) in lu.rows().zip(jacobian.chunks(jacobian.len().isqrt().max(1))).enumerate() {
-        row.iter_mut().zip(slopes).for_each(|(entry, slope)| *entry = -a * slope);
-        row[i] += b;
-    }
-    lu.factorise()
 }

@@ -6,8 +6,7 @@
 
 use crate::Real;
 use crate::law::jacobian::Jacobian;
-use crate::newton::Lu;
-use crate::newton::Newton;
+use crate::newton::{Newton, Shifted};
 use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::stepping::{Attempt, Cause, Stepper};
 
@@ -17,7 +16,7 @@ pub(crate) struct Theta<'a, S> {
     node: S,
     jacobian: Jacobian<'a>,
     matrix: Vec<f64>,
-    lu: Lu,
+    newton_matrix: Shifted,
     stage: Vec<S>,
     slope: Vec<S>,
     plain: Vec<f64>,
@@ -31,7 +30,7 @@ impl<'a, S: Real> Theta<'a, S> {
             node,
             jacobian,
             matrix: vec![0.0; dimension * dimension],
-            lu: Lu::new(dimension),
+            newton_matrix: Shifted::new(dimension),
             stage: vec![S::zero(); dimension],
             slope: vec![S::zero(); dimension],
             plain: vec![0.0; dimension],
@@ -39,22 +38,18 @@ impl<'a, S: Real> Theta<'a, S> {
         }
     }
 
-    /// The factors of I - c h J at the stage.
+    /// The factors of 1/(c h) I - J at the stage.
     fn linearise(&mut self, tau: S, reach: S, meter: &BudgetedRhs<S>) -> Result<(), Cause> {
         self.plain.iter_mut().zip(&self.stage).for_each(|(plain, y)| *plain = y.approx());
         self.jacobian.matrix(meter.time(tau).approx(), &self.plain, &mut self.matrix);
         meter.count_jacobian();
-        let factor = -(reach * meter.direction).approx();
-        let n = self.plain.len();
-        for (i, (row, slopes)) in self.lu.rows().zip(self.matrix.chunks(n)).enumerate() {
-            row.iter_mut().zip(slopes).for_each(|(entry, slope)| *entry = factor * slope);
-            row[i] += 1.0;
-        }
+        self.matrix.iter_mut().for_each(|slope| *slope *= meter.direction.approx());
         if !self.matrix.iter().all(|slope| slope.is_finite()) {
             return Err(Cause::Undefined);
         }
         meter.count_factorisation();
-        if self.lu.factorise() { Ok(()) } else { Err(Cause::Singular) }
+        self.newton_matrix.take(&self.matrix);
+        if self.newton_matrix.factorise(reach.approx().recip()) { Ok(()) } else { Err(Cause::Singular) }
     }
 
     /// Solves for the stage, from its present value.
@@ -66,9 +61,9 @@ impl<'a, S: Real> Theta<'a, S> {
             }
             meter.rates(tau, &self.stage, &mut self.slope);
             for (c, correction) in self.correction.iter_mut().enumerate() {
-                *correction = (before[c] + reach * self.slope[c] - self.stage[c]).approx();
+                *correction = ((before[c] + reach * self.slope[c] - self.stage[c]) / reach).approx();
             }
-            self.lu.solve(&mut self.correction);
+            self.newton_matrix.solve(&mut self.correction);
             let mut scale = 0.0_f64;
             for (y, correction) in self.stage.iter_mut().zip(&self.correction) {
                 *y += S::lift(*correction);
