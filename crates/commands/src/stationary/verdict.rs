@@ -31,9 +31,10 @@ pub(super) fn stability(motion: &SteadyMotion, found: &SteadyMotions) -> String 
             decides(found).map(spectrum::verdict).unwrap_or_default()
         }
         // linear equations at one instant of a moving state decide nothing, but without cyclic coordinates they are constant
-        SteadyStability::Linear(found) if found.linear.standing == Standing::Moving && found.enclosed.is_ok() => {
-            found.enclosed.as_ref().map(spectrum::verdict).unwrap_or_default()
-        }
+        SteadyStability::Linear(found) if found.linear.standing == Standing::Moving => match &found.enclosed {
+            Ok(enclosed) => spectrum::verdict(enclosed),
+            Err(why) => format!("not decided: eigenvalues are not enclosed, since {why}"),
+        },
         SteadyStability::Linear(found) if fades(&found.linear, cyclic.len()) => format!(
             "every eigenvalue has a negative real part but for zeros, which cyclic coordinates and their momenta have: asymptotically stable but for \
              {}, by numbers",

@@ -19,7 +19,7 @@ use super::surplus::Selection;
 use super::tapes::{self, Expressions, Tapes};
 use super::{Asked, NoSteadyMotions, Range};
 use field::Interval;
-use model::equations::{implied_constraints, vanishes};
+use model::equations::vanishes;
 use model::{Model, Trace};
 use std::f64::consts::PI;
 use symbolic::{Sym, Tape, substitute_all};
@@ -274,7 +274,7 @@ impl SteadyEquations {
         let expressions = Expressions {
             loads,
             surplus,
-            implied: put(&substitute_all(&implied_constraints(&trace), &at_rest)),
+            implied: put(&substitute_all(&rows.implied, &at_rest)),
             sides: put(&sides),
             values,
         };

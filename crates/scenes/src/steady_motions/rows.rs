@@ -12,7 +12,7 @@ use super::NoSteadyMotions;
 use super::determinacy::{Data, Solution, Wanted, solutions};
 use super::potential::{EnergyIntegral, energy_integral, momenta_kept};
 use crate::letters::Letters;
-use model::equations::{Equation, Level, Residuals, constraints_of, vanishes};
+use model::equations::{Equation, Level, Residuals, constraints_of, implied_constraints, vanishes};
 use model::{Contact, Model, Sides, Trace};
 use symbolic::{Sym, substitute_all};
 
@@ -23,6 +23,8 @@ pub(super) struct Rows {
     /// Constraints of positions, and their functions.
     pub constraints: Vec<Equation>,
     pub zeros: Vec<Sym>,
+    /// Constraints that were left out, since they follow from others near the start.
+    pub implied: Vec<Sym>,
     /// Conditions at which the law changes, then the gaps of contacts; and the letters that are 1 where the first are positive and 0 where
     /// they are negative.
     pub conditions: Vec<Sym>,
@@ -78,6 +80,7 @@ impl Rows {
         let put = |all: &[Sym]| letters.put_into(trace, all);
         let residuals = put(&equations.residuals[..model.speeds()]);
         let zeros = put(&constraints.iter().map(|one| one.zero).collect::<Vec<_>>());
+        let implied = put(&implied_constraints(trace));
         let energy = put(&[trace.kinetic_energy()])[0];
         let plain = |row: Sym| if vanishes(row) { Sym::ZERO } else { row };
         let gaps = model.contacts.iter().map(|contact| contact.gap);
@@ -101,6 +104,7 @@ impl Rows {
                 residuals: residuals.into_iter().map(plain).collect(),
                 constraints: constraints.clone(),
                 zeros: zeros.clone(),
+                implied: moving(trace, &implied, &determined),
                 conditions: moving(trace, &conditions, &determined),
                 condition_letters: trace.switches.clone(),
                 contacts: contacts
@@ -175,6 +179,7 @@ impl Rows {
         let none: Vec<(Sym, Sym)> = cyclic.map(|(symbol, _)| (*symbol, Sym::ZERO)).collect();
         self.residuals = substitute_all(&self.residuals, &none);
         self.zeros = substitute_all(&self.zeros, &none);
+        self.implied = substitute_all(&self.implied, &none);
         self.conditions = substitute_all(&self.conditions, &none);
         self.contacts.iter_mut().for_each(|contact| contact.slides = substitute_all(&contact.slides, &none));
         let rates: Vec<Sym> = self.determined.iter().map(|(_, rate)| *rate).collect();

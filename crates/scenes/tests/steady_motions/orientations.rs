@@ -2,7 +2,10 @@
 
 use super::asked;
 use algebra::real::Root;
-use dalembert_scenes::steady_motions::{Along, Asked, Change, Orientation, Range, SteadyMotions, SteadyStability};
+use dalembert_scenes::steady_motions::{
+    Along, Asked, Change, EnclosedSpectrum, EnclosedVerdict, Orientation, Range, SteadyMotion, SteadyMotions,
+    SteadyStability,
+};
 use dalembert_scenes::{Task, parse_with_source};
 use field::Rational;
 use mechanics::steady_rotations::Body;
@@ -215,4 +218,55 @@ fn a_ball_rests_in_every_orientation() {
         inertia = { principal = [\"20 g m^2\", \"20 g m^2\", \"20 g m^2\"] }\n[run]\nspan = \"1 s\"\n";
     let all = found(text, &[]);
     assert!(all.iter().any(|(_, own)| !own.families.is_empty()) && all.iter().all(|(_, own)| own.motions.is_empty()));
+}
+
+/// A ball that spins on a plane with its centre of mass below or above its centre; its height is a coordinate, so that the vertical part of rolling
+/// follows from the contact.
+const ROLLING: &str = r#"
+title = "A ball that rolls"
+gravity = "-(9.81 m/s^2)*N.z"
+[coordinates]
+x = "m"
+y = "m"
+z = "m"
+[frames]
+F = "N free"
+[points]
+E = "O + x*N.x + y*N.y + z*N.z"
+K = "E - (10 cm)*N.z"
+G = "E - (1 cm)*F.z"
+[bodies.ball]
+frame = "F"
+centre = "G"
+mass = "1 kg"
+inertia = { principal = ["(3 g m^2)", "(4 g m^2)", "(5 g m^2)"] }
+[[constraint]]
+name = "rolling"
+zero = "velocity(ball at K)"
+[[constraint]]
+name = "touching"
+zero = "(K - O) . N.z"
+[start]
+z = "guess 0.1 m"
+F = "10 deg about x"
+"F.wz" = "2 rad/s"
+[run]
+span = "1 s"
+"#;
+
+#[test]
+fn a_ball_that_rolls_spins_steadily_with_its_centre_of_mass_below_and_above() {
+    let stability = |motion: &SteadyMotion| match &motion.stability {
+        SteadyStability::Linear(found) => found.enclosed.as_ref().map(EnclosedSpectrum::verdict).ok(),
+        _ => None,
+    };
+    let verdict_at = |from: f64, to: f64| {
+        let all = found(ROLLING, &[("z", 0.05, 0.2), ("F.pitch", -0.5, 0.5), ("F.roll", from, to)]);
+        let [(_, spins)] = &all[..] else { panic!("one set of angles is asked for: {}", all.len()) };
+        let [motion] = &spins.motions[..] else { panic!("{:?}", spins.motions) };
+        assert!(spins.is_complete());
+        stability(motion)
+    };
+    assert_eq!(verdict_at(-0.5, 0.5), Some(EnclosedVerdict::Undecided { on_axis: 4, touching: 0 }));
+    assert_eq!(verdict_at(2.6, 3.6), Some(EnclosedVerdict::Unstable(2)));
 }
