@@ -60,7 +60,10 @@ impl Beside {
     ///
     /// # Errors
     /// Those of the system; then nothing is left behind.
-    pub fn write(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<Self> {
+    pub fn write(
+        path: &Path,
+        content: impl FnOnce(&mut BufWriter<NamedTempFile>) -> io::Result<()>,
+    ) -> io::Result<Self> {
         let file = part(path)?;
         let part = Part::of(&file);
         let mut out = BufWriter::new(file);

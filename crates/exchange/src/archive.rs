@@ -37,22 +37,41 @@ pub fn write(out: impl Write, entries: &[Entry<'_>]) -> io::Result<()> {
     written().map_err(io::Error::other)
 }
 
-/// Writes an archive with a last file that holds the hash of the others.
+/// The last file of an archive, which holds the hash of the others.
+#[derive(Clone, Copy, Debug)]
+pub struct Seal {
+    pub path: &'static str,
+    /// The file for a line that says the hash.
+    pub file: fn(String) -> Vec<u8>,
+}
+
+impl Seal {
+    fn of<'a>(&self, files: impl Iterator<Item = (&'a str, &'a [u8])>) -> Vec<u8> {
+        (self.file)(sealing(files))
+    }
+
+    /// Whether an archive holds the files, and no others, that its seal was written for; `None` where none of its files is a seal.
+    pub fn holds(&self, archive: &[u8]) -> Option<bool> {
+        // an archive that cannot be read is none that was written here
+        let Ok(mut files) = files(archive) else { return Some(false) };
+        if !files.iter().any(|(path, _)| path == self.path) {
+            return None;
+        }
+        let (path, bytes) = files.pop()?;
+        let others = files.iter().map(|(path, bytes)| (path.as_str(), bytes.as_slice()));
+        Some(path == self.path && bytes == self.of(others))
+    }
+}
+
+/// Writes an archive with a seal.
 ///
 /// # Errors
 /// The output fails.
-pub fn write_sealed(out: impl Write, entries: &[Entry<'_>], seal: &str) -> io::Result<()> {
-    let text = sealing(entries.iter().map(|entry| (entry.path.as_str(), entry.bytes)));
+pub fn write_sealed(out: impl Write, entries: &[Entry<'_>], seal: Seal) -> io::Result<()> {
+    let bytes = seal.of(entries.iter().map(|entry| (entry.path.as_str(), entry.bytes)));
     let own = entries.iter().map(|entry| Entry { path: entry.path.clone(), bytes: entry.bytes });
-    let last = Entry { path: seal.to_owned(), bytes: text.as_bytes() };
+    let last = Entry { path: seal.path.to_owned(), bytes: &bytes };
     write(out, &own.chain([last]).collect::<Vec<_>>())
-}
-
-/// Whether an archive holds the files, and no others, that its seal was written for.
-pub fn is_whole(archive: &[u8], seal: &str) -> bool {
-    let Ok(mut files) = files(archive) else { return false };
-    let Some((path, text)) = files.pop() else { return false };
-    path == seal && text == sealing(files.iter().map(|(path, bytes)| (path.as_str(), bytes.as_slice()))).as_bytes()
 }
 
 /// The hash of paths and contents, each behind its length.
@@ -101,14 +120,16 @@ mod tests {
 
     #[test]
     fn a_seal_breaks_where_a_file_is_changed_added_or_lost() {
+        let seal = Seal { path: "seal.txt", file: String::into_bytes };
         let archive = |files: &[(&str, &str)]| {
             let entries = files.iter().map(|(path, text)| Entry { path: (*path).to_owned(), bytes: text.as_bytes() });
             let mut archive = Vec::new();
-            write_sealed(&mut archive, &entries.collect::<Vec<_>>(), "seal.txt").expect("memory takes it");
+            write_sealed(&mut archive, &entries.collect::<Vec<_>>(), seal).expect("memory takes it");
             archive
         };
         let whole = archive(&[("a", "one"), ("b", "two")]);
-        assert!(is_whole(&whole, "seal.txt") && !is_whole(&whole, "other.txt"));
+        assert_eq!(seal.holds(&whole), Some(true));
+        assert_eq!(Seal { path: "other.txt", ..seal }.holds(&whole), None);
         let text = super::files(&whole).expect("it can be read").pop().expect("it has a seal").1;
         for files in [&[("a", "one"), ("b", "twO")][..], &[("a", "one")], &[("a", "onet"), ("b", "wo")]] {
             let mut entries: Vec<Entry> =
@@ -116,8 +137,8 @@ mod tests {
             entries.push(Entry { path: "seal.txt".into(), bytes: &text });
             let mut changed = Vec::new();
             write(&mut changed, &entries).expect("memory takes it");
-            assert!(!is_whole(&changed, "seal.txt"), "{files:?}");
+            assert_eq!(seal.holds(&changed), Some(false), "{files:?}");
         }
-        assert!(!is_whole(b"", "seal.txt") && !is_whole(&whole[..whole.len() - 1], "seal.txt"));
+        assert!([&b""[..], &whole[..whole.len() - 1]].iter().all(|cut| seal.holds(cut) == Some(false)));
     }
 }

@@ -1,6 +1,6 @@
 //! NumPy's archives: named arrays in one file, which `numpy.load` opens.
 
-use crate::archive::{self, Entry};
+use crate::archive::{self, Entry, Seal};
 use std::io::{self, Write};
 
 /// An array.
@@ -13,12 +13,20 @@ pub enum Array {
     Texts(Vec<String>),
 }
 
-/// Writes arrays under their names; of two arrays with one name the later gets a suffix.
+/// The last array, a text: the hash of the others.
+const SEAL: Seal = Seal { path: "sha256.npy", file: |said| Array::Texts(vec![said.trim_end().to_owned()]).bytes() };
+
+/// Whether an archive holds the arrays that its seal was written for; `None` where it has no seal.
+pub fn seal_holds(archive: &[u8]) -> Option<bool> {
+    SEAL.holds(archive)
+}
+
+/// Writes arrays under their names, and their hash under the name `sha256`; of two arrays with one name the later gets a suffix.
 ///
 /// # Errors
 /// The output fails.
 pub fn write(out: impl Write, arrays: &[(String, Array)]) -> io::Result<()> {
-    let mut names: Vec<String> = Vec::new();
+    let mut names = vec!["sha256".to_owned()];
     for (name, _) in arrays {
         // a slash would make a folder
         let mut name = name.replace(['/', '\\'], " per ");
@@ -28,8 +36,8 @@ pub fn write(out: impl Write, arrays: &[(String, Array)]) -> io::Result<()> {
         names.push(name);
     }
     let bytes: Vec<Vec<u8>> = arrays.iter().map(|(_, array)| array.bytes()).collect();
-    let entries = names.iter().zip(&bytes).map(|(name, bytes)| Entry { path: format!("{name}.npy"), bytes });
-    archive::write(out, &entries.collect::<Vec<_>>())
+    let entries = names.iter().skip(1).zip(&bytes).map(|(name, bytes)| Entry { path: format!("{name}.npy"), bytes });
+    archive::write_sealed(out, &entries.collect::<Vec<_>>(), SEAL)
 }
 
 impl Array {
@@ -100,5 +108,16 @@ mod tests {
         write(&mut archive, &arrays).expect("memory takes it");
         let text = String::from_utf8_lossy(&archive);
         assert!(["x.npy", "x_.npy", "m per s.npy"].iter().all(|name| text.contains(name)));
+    }
+
+    #[test]
+    fn an_archive_is_sealed_and_a_column_may_have_the_name_of_the_seal() {
+        let mut archive = Vec::new();
+        write(&mut archive, &[("sha256".to_owned(), Array::Numbers(vec![0.5]))]).expect("memory takes it");
+        assert_eq!(seal_holds(&archive), Some(true));
+        assert!(String::from_utf8_lossy(&archive).contains("sha256_.npy"));
+        let place = archive.windows(8).position(|part| part == 0.5_f64.to_le_bytes()).expect("it is there");
+        archive[place] ^= 1;
+        assert_eq!(seal_holds(&archive), Some(false));
     }
 }

@@ -1,13 +1,16 @@
 //! The forms of output files, and the marks by which a command recognises its own files.
 //!
-//! A program in another language and a picture end with a hash of their lines, a functional mock-up unit holds one of its files, so that
-//! what was changed by hand is never replaced. A picture begins with a comment that names the command, a page names the command as its generator, a reference says which
+//! Every form but the table of an ensemble holds a hash of itself, a seal, so that what was changed by hand is never replaced: a table in its
+//! first comment, an archive and a functional mock-up unit in a file of their own, the others in their last line. A program, a picture
+//! and a unit without a seal are not replaced either; tables, archives, pages, references and certificates had none in earlier versions
+//! and are. A picture begins with a comment that names the command, a page names the command as its generator, a reference says which
 //! command made it. A table begins with comments, `# ...`, on its origin (`pandas.read_csv(..., comment="#")`); it is
 //! recognised by the line after them, the names of its columns with their units.
 
-use super::seal::{Comment, is_whole};
-use std::fs::File;
-use std::io::{self, Read};
+use super::seal::last_line::Around;
+use super::seal::{first_line, last_line};
+use std::fs::{self, File};
+use std::io::{self, BufReader, Read};
 use std::path::Path;
 
 /// The form of an output file.
@@ -37,6 +40,7 @@ pub struct Source {
     ends: &'static [&'static str],
     /// The sign before a comment.
     pub comment: &'static str,
+    seal: Around,
 }
 
 /// The maker of a file that stands where another is to be written.
@@ -46,14 +50,16 @@ pub enum Origin {
     Own,
     /// The command wrote it, and it was changed since.
     Changed,
+    /// It has the mark of the command, and not the seal that its form always has.
+    Unsealed,
     Other,
 }
 
 impl Source {
-    pub const C: Source = Source { ends: &["c"], comment: "//" };
-    pub const MODELICA: Source = Source { ends: &["mo"], comment: "//" };
-    pub const PYTHON: Source = Source { ends: &["py"], comment: "#" };
-    pub const RUST: Source = Source { ends: &["rs"], comment: "//" };
+    pub const C: Source = Source { ends: &["c"], comment: "//", seal: Around::SLASHES };
+    pub const MODELICA: Source = Source { ends: &["mo"], comment: "//", seal: Around::SLASHES };
+    pub const PYTHON: Source = Source { ends: &["py"], comment: "#", seal: Around::SHARP };
+    pub const RUST: Source = Source { ends: &["rs"], comment: "//", seal: Around::SLASHES };
 }
 
 /// The command that writes; the report's has no name.
@@ -118,13 +124,20 @@ impl Form {
         }
     }
 
-    /// The signs about the seal at the end of a file of this form.
-    pub fn seal(&self) -> Option<Comment> {
+    /// The text around the seal in the last line of a file of this form.
+    pub fn last_line(&self) -> Option<Around> {
         match self {
-            Form::Program(source) => Some(Comment { opens: source.comment, closes: "" }),
-            Form::Picture => Some(Comment { opens: "<!--", closes: " -->" }),
-            _ => None,
+            Form::Program(source) => Some(source.seal),
+            Form::Picture | Form::Page => Some(Around::MARKUP),
+            Form::Reference => Some(Around::SHARP),
+            Form::Certificates => Some(Around::JSON),
+            Form::Table(_) | Form::Archive | Form::Unit => None,
         }
+    }
+
+    /// Whether every version has sealed its files of this form.
+    fn is_always_sealed(&self) -> bool {
+        matches!(self, Form::Program(_) | Form::Picture | Form::Unit)
     }
 
     /// Whether this command wrote a file, by its mark and its seal.
@@ -135,13 +148,22 @@ impl Form {
         if !self.is_marked(maker, file)? {
             return Ok(Origin::Other);
         }
-        let is_whole = match (self, self.seal()) {
-            (Form::Unit, _) => exchange::fmu::is_whole(&std::fs::read(file)?),
-            (_, Some(comment)) => is_whole(&std::fs::read(file)?, comment),
-            (_, None) => true,
-        };
-        let is_empty = std::fs::metadata(file)?.len() == 0;
-        Ok(if is_whole || is_empty { Origin::Own } else { Origin::Changed })
+        let is_empty = fs::metadata(file)?.len() == 0;
+        Ok(match self.seal_holds(file)? {
+            Some(false) => Origin::Changed,
+            None if self.is_always_sealed() && !is_empty => Origin::Unsealed,
+            Some(true) | None => Origin::Own,
+        })
+    }
+
+    /// Whether the seal of a file is that of its content; `None` where it has none.
+    fn seal_holds(&self, file: &Path) -> io::Result<Option<bool>> {
+        Ok(match (self, self.last_line()) {
+            (_, Some(around)) => last_line::holds(&fs::read(file)?, around),
+            (Form::Unit, None) => exchange::fmu::seal_holds(&fs::read(file)?),
+            (Form::Archive, None) => exchange::npz::seal_holds(&fs::read(file)?),
+            (_, None) => first_line::holds(BufReader::new(File::open(file)?))?,
+        })
     }
 
     /// Whether a file is empty, or has the mark of this command in this form.

@@ -2,8 +2,8 @@
 //!
 //! * The extension of a name determines the form, and a command refuses extensions of forms that it does not write.
 //! * Folders that are missing are made when the file is written.
-//! * An existing file is replaced only if this command wrote it, as its first lines show (see [`Form`]), or with `--force`; a
-//!   file that the command reads is never replaced, under any of its names.
+//! * An existing file is replaced only if this command wrote it, as its first lines show (see [`Form`]), and nobody changed it since, as
+//!   its seal shows, or with `--force`; a file that the command reads is never replaced, under any of its names.
 //! * All of this is checked before the work and again when the file is written: a file that appeared meanwhile is left alone,
 //!   and the results are kept beside it.
 //! * A pipe or a device is written to directly, under any name; a pipe without a reader is refused.
@@ -136,7 +136,8 @@ impl Rights {
         let (form, maker) = (form.said(), self.maker.name());
         let is = match origin {
             Origin::Own => return Ok(true),
-            Origin::Changed => {
+            Origin::Changed => format!("is no unchanged {form} of `{maker}`: it was edited since it was written"),
+            Origin::Unsealed => {
                 format!("is no unchanged {form} of `{maker}`: it was edited, or written by an earlier version")
             }
             Origin::Other => format!("is no {form} of `{maker}`"),
@@ -167,15 +168,19 @@ impl Output {
             out.write_all(mark.as_bytes())?;
             content(out)
         };
-        let marked = |out: &mut dyn Write| match form.seal() {
-            Some(comment) => seal::sealed(out, comment, marked),
+        let ended = |out: &mut dyn Write| match form.last_line() {
+            Some(around) => seal::last_line::sealed(out, around, marked),
             None => marked(out),
         };
         match place {
-            Target::Device(device) => to_device(device, marked).map_err(unwritable)?,
+            Target::Device(device) => to_device(device, ended).map_err(unwritable)?,
             Target::File(file) => {
                 std::fs::create_dir_all(atomic_write::folder(&file)).map_err(unwritable)?;
-                let written = Beside::write(&file, marked).map_err(unwritable)?;
+                let written = Beside::write(&file, |out| match form {
+                    Form::Table(_) => seal::first_line::sealed(out, ended),
+                    _ => ended(out),
+                });
+                let written = written.map_err(unwritable)?;
                 match rights.admit(&path, &file, &form) {
                     Ok(true) => written.replace().map_err(unwritable)?,
                     Ok(false) => match written.take() {

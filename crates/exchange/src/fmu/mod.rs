@@ -7,7 +7,7 @@ mod description;
 
 pub use binary::{Binary, NoBinary, platform};
 
-use crate::archive::{self, Entry};
+use crate::archive::{self, Entry, Seal};
 use siphasher::sip128::{Hasher128, SipHasher13};
 use std::fmt::Write as _;
 use std::hash::Hasher;
@@ -62,11 +62,11 @@ const SOURCES: [(&str, &str); 7] = [
 ];
 
 /// The file with the hash of the others, in the folder that the standard leaves to tools.
-const SEAL: &str = "extra/dalembert/sha256.txt";
+const SEAL: Seal = Seal { path: "extra/dalembert/sha256.txt", file: String::into_bytes };
 
-/// Whether an archive is a unit as it was written.
-pub fn is_whole(archive: &[u8]) -> bool {
-    archive::is_whole(archive, SEAL)
+/// Whether a unit holds the files that its seal was written for; `None` where it has no seal.
+pub fn seal_holds(unit: &[u8]) -> Option<bool> {
+    SEAL.holds(unit)
 }
 
 impl Unit {

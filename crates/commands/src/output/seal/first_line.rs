@@ -1,0 +1,170 @@
+//! The hash at the end of a table's first comment, of the whole table without it.
+//!
+//! The comments above a table keep their number, and its last line is a row: readers that skip so many lines, or take the last one, go on.
+//! Rows that are added or cut off break this seal, where they would take one at the end away.
+
+use super::{Hashed, hex};
+use hmac_sha256::Hash;
+use std::io::{self, BufRead, Seek, SeekFrom, Write};
+
+const BEFORE: &str = "; sha256 of all else here: ";
+
+/// The number of hexadecimal digits of a hash.
+const DIGITS: usize = 64;
+
+/// Writes content from the beginning of a file. Where its first line is a comment, that line ends with the hash of the content.
+pub fn sealed<W: Write + Seek>(
+    out: &mut W,
+    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
+    let mut opened = Opened { out, length: 0, digits: Digits::Unknown };
+    let mut hashed = Hashed::of(&mut opened);
+    content(&mut hashed)?;
+    let hash = hashed.hash;
+    let Opened { out, digits, .. } = opened;
+    if let Digits::At(place) = digits {
+        out.seek(SeekFrom::Start(place))?;
+        out.write_all(hex(hash).as_bytes())?;
+        out.seek(SeekFrom::End(0))?;
+    }
+    Ok(())
+}
+
+/// The place of the digits of the hash.
+#[derive(Clone, Copy)]
+enum Digits {
+    /// The first line has not ended.
+    Unknown,
+    At(u64),
+    /// The first line is no comment.
+    Nowhere,
+}
+
+/// A writer that leaves room for the hash at the end of the first line.
+struct Opened<'a, W> {
+    out: &'a mut W,
+    /// Bytes of the first line so far.
+    length: u64,
+    digits: Digits,
+}
+
+impl<W: Write> Write for Opened<'_, W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if let (Digits::Unknown, 0, Some(first)) = (self.digits, self.length, bytes.first())
+            && *first != b'#'
+        {
+            self.digits = Digits::Nowhere;
+        }
+        let Digits::Unknown = self.digits else { return self.out.write(bytes) };
+        let Some(end) = bytes.iter().position(|byte| *byte == b'\n') else {
+            self.out.write_all(bytes)?;
+            self.length += bytes.len() as u64;
+            return Ok(bytes.len());
+        };
+        self.out.write_all(&bytes[..end])?;
+        self.digits = Digits::At(self.length + (end + BEFORE.len()) as u64);
+        write!(self.out, "{BEFORE}{:0>DIGITS$}", "")?;
+        self.out.write_all(b"\n")?;
+        Ok(end + 1)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush()
+    }
+}
+
+/// Whether the hash in the first line is that of the table; `None` where its comments have none.
+///
+/// # Errors
+/// The table cannot be read.
+pub fn holds(mut table: impl BufRead) -> io::Result<Option<bool>> {
+    let mut first = Vec::new();
+    table.read_until(b'\n', &mut first)?;
+    let seal = first.len().checked_sub(BEFORE.len() + DIGITS + 1).filter(|at| first[*at..].starts_with(BEFORE.as_bytes()));
+    let Some(seal) = seal else { return in_other_comments(&first, table) };
+    let mut hash = Hash::new();
+    hash.update(&first[..seal]);
+    hash.update(b"\n");
+    loop {
+        let read = table.fill_buf()?;
+        if read.is_empty() {
+            break;
+        }
+        hash.update(read);
+        let length = read.len();
+        table.consume(length);
+    }
+    let told = &first[seal + BEFORE.len()..first.len() - 1];
+    Ok(Some(told == hex(hash).as_bytes()))
+}
+
+/// A hash that is no longer at the end of the first line does not hold.
+fn in_other_comments(first: &[u8], table: impl BufRead) -> io::Result<Option<bool>> {
+    let is_seal = |line: &[u8]| line.windows(BEFORE.len()).any(|part| part == BEFORE.as_bytes());
+    if is_seal(first) {
+        return Ok(Some(false));
+    }
+    for line in table.split(b'\n') {
+        let line = line?;
+        if !line.starts_with(b"#") {
+            break;
+        }
+        if is_seal(&line) {
+            return Ok(Some(false));
+        }
+    }
+    Ok(None)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{holds, sealed};
+    use std::io::{Cursor, Write};
+
+    fn of(parts: &[&str]) -> String {
+        let mut text = Cursor::new(Vec::new());
+        let content = |out: &mut dyn Write| parts.iter().try_for_each(|part| out.write_all(part.as_bytes()));
+        sealed(&mut text, content).expect("memory can be written");
+        String::from_utf8(text.into_inner()).expect("it is text")
+    }
+
+    fn told(text: &str) -> Option<bool> {
+        holds(text.as_bytes()).expect("memory can be read")
+    }
+
+    #[test]
+    fn the_first_comment_ends_with_the_hash_and_no_line_is_added() {
+        for parts in [&["# made by: x\n# b\nx,y\n1,2\n"][..], &["# made", " by: x", "\n# b\nx,y\n", "1,2\n"]] {
+            let text = of(parts);
+            assert!(text.starts_with("# made by: x; sha256 of all else here: ") && text.ends_with("\n# b\nx,y\n1,2\n"));
+            assert_eq!((text.lines().count(), told(&text)), (4, Some(true)));
+        }
+        assert_eq!(of(&["# only a comment"]), "# only a comment");
+    }
+
+    #[test]
+    fn every_change_breaks_it() {
+        let text = of(&["# made by: x\n# b\nx,y\n1,2\n"]);
+        for changed in [
+            text.replace("1,2", "1,3"),
+            text.replace("# b\n", ""),
+            text.replace("made", "Made"),
+            format!("{text}3,4\n"),
+            text.replace("1,2\n", ""),
+            text.trim_end().to_owned(),
+            format!("# mine\n{text}"),
+            text.replacen('\n', " \n", 1),
+            text.replace('\n', "\r\n"),
+        ] {
+            assert_eq!(told(&changed), Some(false), "{changed}");
+        }
+    }
+
+    #[test]
+    fn a_table_without_comments_has_no_seal() {
+        for text in ["x,y\n1,2\n", "", "#", "# made by: x\nx,y\n1,2\n"] {
+            assert_eq!(told(text), None, "{text}");
+        }
+        assert_eq!(of(&["x,y\n", "# 1,2\n"]), "x,y\n# 1,2\n");
+    }
+}

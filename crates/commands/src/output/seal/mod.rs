@@ -1,0 +1,39 @@
+//! Seals: hashes within files, by which a file that was changed by hand is told from one that a command wrote.
+
+pub mod first_line;
+pub mod last_line;
+
+use hmac_sha256::Hash;
+use std::io::{self, Write};
+
+/// A hash in hexadecimal digits.
+fn hex(hash: Hash) -> String {
+    hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// A writer that hashes what it passes on.
+struct Hashed<'a> {
+    out: &'a mut dyn Write,
+    hash: Hash,
+    /// The last byte so far.
+    last: u8,
+}
+
+impl<'a> Hashed<'a> {
+    fn of(out: &'a mut dyn Write) -> Self {
+        Hashed { out, hash: Hash::new(), last: b'\n' }
+    }
+}
+
+impl Write for Hashed<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let written = self.out.write(bytes)?;
+        self.hash.update(&bytes[..written]);
+        self.last = bytes[..written].last().copied().unwrap_or(self.last);
+        Ok(written)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush()
+    }
+}
