@@ -2,12 +2,13 @@
 
 use crate::arguments::{finite, whole};
 use crate::csv;
-use crate::exit::{Exit, placed, print, warn};
+use crate::exit::{Exit, print, warn};
 use crate::progress::Progress;
 use ::scenes::inverse::{AlongMotion, Forces, inverse};
-use ::scenes::{read_prescribed, unit_of, unit_of_rate};
+use ::scenes::{SystemText, parse_prescribed, unit_of, unit_of_rate};
 use clap::{Args, ValueEnum};
-use serde_json::json;
+use reader::SceneError;
+use serde_json::{Value, json};
 use std::path::PathBuf;
 
 /// Arguments of `inverse`: the prescribed motion and the unknown parameters.
@@ -55,21 +56,63 @@ fn positive(text: &str) -> Result<f64, String> {
 
 /// Prints the motion with the forces that it needs.
 pub fn show(asked: &Asked) -> Result<Exit, Exit> {
-    let (model, prescribed) = read_prescribed(&asked.scene, &asked.motions)?;
-    let _progress = Progress::new("inverse dynamics");
+    let text = SystemText::read(&asked.scene)?;
     let times: Vec<f64> = (0..=asked.samples).map(|k| asked.span * f64::from(k) / f64::from(asked.samples)).collect();
+    let wanted = Wanted { motions: &asked.motions, unknowns: &asked.unknowns, times: &times, called: "--motion" };
+    let progress = Progress::new("inverse dynamics");
+    let found = forces_along(&text, &wanted)?;
+    drop(progress);
+    for warning in &found.left_out {
+        warn(&format!("warning: {}: {warning}", asked.scene.display()));
+    }
+    print(&match asked.format {
+        Form::Json => format!("{:#}\n", found.object()),
+        Form::Csv => found.table(),
+    })?;
+    Ok(Exit::Done)
+}
+
+/// A prescribed motion, and the unknown forces that are sought.
+#[derive(Clone, Copy, Debug)]
+pub struct Wanted<'a> {
+    /// Names of coordinates, free frames and currents, each with an expression of the time.
+    pub motions: &'a [(String, String)],
+    /// Parameters and inputs that are sought; a name that stands twice counts once.
+    pub unknowns: &'a [String],
+    /// Instants, in seconds, which rise.
+    pub times: &'a [f64],
+    /// The name of the motions in messages.
+    pub called: &'a str,
+}
+
+/// The forces along a prescribed motion.
+#[derive(Clone, Debug)]
+pub struct ForceTable {
+    /// Names with units: time, coordinates, speeds, accelerations, unknowns, multipliers of constraints.
+    pub columns: Vec<(String, String)>,
+    /// A row for each instant, in SI units.
+    pub rows: Vec<Vec<f64>>,
+    /// Names of the columns of unknowns, each once, and of multipliers.
+    pub unknowns: Vec<String>,
+    pub multipliers: Vec<String>,
+    /// Warnings of constraints that follow from others, and have no column.
+    pub left_out: Vec<String>,
+}
+
+/// The forces under which a system that is written as text moves as prescribed.
+///
+/// # Errors
+/// All that is wrong with the system and with the motions, and the reason for which there are no forces.
+pub fn forces_along(text: &SystemText, wanted: &Wanted<'_>) -> Result<ForceTable, SceneError> {
+    let (model, prescribed) = parse_prescribed(text, wanted.motions, wanted.called)?;
     let mut unknowns: Vec<String> = Vec::new();
-    for name in &asked.unknowns {
+    for name in wanted.unknowns {
         if !unknowns.contains(name) {
             unknowns.push(name.clone());
         }
     }
-    let found = inverse(&model, &prescribed, &unknowns, &times);
-    let AlongMotion { forces, constraints, left_out, charges } =
-        found.map_err(|why| placed(&asked.scene, why.at(&model)))?;
-    for follows in left_out {
-        warn(&format!("warning: {}: {}: it has no column", asked.scene.display(), follows.title));
-    }
+    let found = inverse(&model, &prescribed, &unknowns, wanted.times).map_err(|why| text.with_issue(why.at(&model)))?;
+    let AlongMotion { forces, constraints, left_out, charges } = found;
     let with_unit = |name: &String| (name.clone(), unit_of(&model, name));
     let state: Vec<(String, String)> = model.state_names().iter().map(|(name, _)| with_unit(name)).collect();
     let speeds = &state[model.positions()..];
@@ -88,18 +131,20 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
         let coordinates: Vec<f64> = (0..coordinates.len()).filter(is_shown).map(|place| coordinates[place]).collect();
         [&[*time][..], &coordinates, speeds, accelerations, unknowns, multipliers].concat()
     };
-    let rows: Vec<Vec<f64>> = forces.iter().map(row).collect();
-    print(&match asked.format {
-        Form::Json => {
-            let (names, units): (Vec<&String>, Vec<&String>) = columns.iter().map(|(name, unit)| (name, unit)).unzip();
-            format!("{:#}\n", json!({ "columns": names, "units": units, "rows": rows }))
-        }
-        Form::Csv => {
-            let line =
-                |row: &Vec<f64>| row.iter().map(|value| format!("{value:?}")).collect::<Vec<_>>().join(",") + "\n";
-            let heading: Vec<String> = columns.iter().map(|(name, unit)| csv::headed(name, unit)).collect();
-            format!("{}\n{}", csv::line(&heading), rows.iter().map(line).collect::<String>())
-        }
-    })?;
-    Ok(Exit::Done)
+    let left_out = left_out.into_iter().map(|follows| format!("{}: it has no column", follows.title)).collect();
+    let multipliers = constraints.iter().map(|known| known.multiplier()).collect();
+    Ok(ForceTable { columns, rows: forces.iter().map(row).collect(), unknowns, multipliers, left_out })
+}
+
+impl ForceTable {
+    fn object(&self) -> Value {
+        let (names, units): (Vec<&String>, Vec<&String>) = self.columns.iter().map(|(name, unit)| (name, unit)).unzip();
+        json!({ "columns": names, "units": units, "rows": self.rows })
+    }
+
+    fn table(&self) -> String {
+        let line = |row: &Vec<f64>| row.iter().map(|value| format!("{value:?}")).collect::<Vec<_>>().join(",") + "\n";
+        let heading: Vec<String> = self.columns.iter().map(|(name, unit)| csv::headed(name, unit)).collect();
+        format!("{}\n{}", csv::line(&heading), self.rows.iter().map(line).collect::<String>())
+    }
 }

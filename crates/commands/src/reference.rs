@@ -5,14 +5,15 @@ use crate::clock;
 use crate::exit::{Exit, print};
 use crate::output::{Form, Output, Writes};
 use clap::Args;
-use integrators::{ENOUGH_DIGITS, Method};
+use field::DoubleDouble;
+use integrators::{ENOUGH_DIGITS, Method, Reference};
 use reader::Family;
-use simulation::references::Event;
-use simulation::references::Owner;
-use simulation::work_precision::Hybrid;
-use simulation::{Axes, Choice, Stored, references};
+use serde_json::{Value, json};
+use simulation::references::{Event, Exact, Owner};
+use simulation::{Axes, Choice, IvpScene, Problem, Stored, references};
 use std::fmt::Write;
 use std::path::PathBuf;
+use std::time::{Duration, Instant};
 use studies::AnyScene;
 
 /// Arguments of `reference`.
@@ -37,94 +38,142 @@ pub struct Asked {
 pub fn reference(asked: &Asked) -> Result<Exit, Exit> {
     let scene = AnyScene::open(&asked.scene)?;
     let smooth = scene.smooth();
-    if let Some(hybrid) = smooth.hybrid() {
-        return across_events(hybrid, smooth.title(), asked);
-    }
     let mut problem = smooth.problem(Axes::default());
-    if let Some(end) = asked.until {
-        if !(end > 0.0 && end <= problem.span) {
+    match (asked.until, smooth.hybrid()) {
+        (None, _) => {}
+        (Some(_), Some(_)) => {
+            return Err(Exit::refused(format!(
+                "{} has a law that changes at events, which its own run determines: it is followed to its end, and --until is not accepted",
+                asked.scene.display()
+            )));
+        }
+        (Some(end), None) if end > 0.0 && end <= problem.span => problem.span = end,
+        (Some(end), None) => {
             return Err(Exit::refused(format!(
                 "--until {end}: a time above 0 and up to {} s is accepted",
                 problem.span
             )));
         }
-        problem.span = end;
     }
-    let output = output(asked)?;
-    let run = problem.simulate(&following(smooth.run().choice()), |_| ());
-    if run.left.is_some() || run.ends_before(problem.span) {
-        let told = || smooth.told(&smooth.run().choice(), &run).diagnosis.unwrap_or_default();
-        let (why, last) = (run.stopped().unwrap_or_else(told), run.outcome.time);
-        let accepted = format!("--until with a time up to {last} s is accepted");
-        return Err(Exit::refused(format!("{}: {why}; {accepted}", asked.scene.display())));
-    }
-    match problem.reference(clock::left()) {
-        Ok(found) => {
-            let [one, other] = found.methods;
-            let enough = lacking(found.is_trusted());
-            print(&format!("{}\n{one} and {other} share {:.1} digits{enough}\n", smooth.title(), found.digits))?;
-            if !found.is_trusted() {
-                return Ok(Exit::Stopped);
-            }
-            keep(output, &problem, &Stored::of(&problem, found, Vec::new()), asked)
-        }
-        Err(failure) => {
-            clock::keeps_nothing();
-            print(&format!("{}\nno reference: {failure}\n", smooth.title()))?;
-            Ok(Exit::Stopped)
-        }
-    }
-}
-
-/// The end of the sentence about too few digits.
-fn lacking(is_trusted: bool) -> String {
-    if is_trusted { String::new() } else { format!(": no reference, which needs {ENOUGH_DIGITS}") }
-}
-
-/// The destination of the reference, checked before the work.
-fn output(asked: &Asked) -> Result<Output, Exit> {
     let writes = Writes { command: "reference", force: asked.force, reads: vec![&asked.scene] };
-    writes.output(&place(asked), &[Form::Reference])
-}
-
-/// The path of the reference.
-fn place(asked: &Asked) -> PathBuf {
-    asked.out.clone().unwrap_or_else(|| references::place(&asked.scene))
-}
-
-/// Computes the reference of a motion across events, and prints these too.
-fn across_events(scene: &dyn Hybrid, title: &str, asked: &Asked) -> Result<Exit, Exit> {
-    if asked.until.is_some() {
-        return Err(Exit::refused(format!(
-            "{} has a law that changes at events, which its own run determines: it is followed to its end, and --until is not accepted",
-            asked.scene.display()
-        )));
-    }
-    let output = output(asked)?;
-    let found = match scene.exact(clock::left()) {
+    let output = writes.output(&place(asked), &[Form::Reference])?;
+    let found = match found(smooth, &problem, clock::left()) {
         Ok(found) => found,
-        Err(unknown) => {
+        Err(Unknown::EndsBefore { why, last }) => {
+            let accepted = format!("--until with a time up to {last} s is accepted");
+            return Err(Exit::refused(format!("{}: {why}; {accepted}", asked.scene.display())));
+        }
+        Err(Unknown::Other(why)) => {
             clock::keeps_nothing();
-            print(&format!("{title}\nno reference: {unknown}\n"))?;
+            print(&format!("{}\nno reference: {why}\n", smooth.title()))?;
             return Ok(Exit::Stopped);
         }
     };
-    let ([one, other], digits) = (found.reference.methods, found.reference.digits);
-    let enough = lacking(found.reference.is_trusted());
+    print(&text(smooth.title(), &found))?;
+    let Exact { reference, events } = found;
+    match smooth.hybrid() {
+        _ if !reference.is_trusted() => Ok(Exit::Stopped),
+        None => keep(output, &problem, &Stored::of(&problem, reference, events), asked),
+        Some(hybrid) => {
+            let owner = hybrid.owner();
+            keep(output, &*owner, &Stored::of(&*owner, reference, events), asked)
+        }
+    }
+}
+
+/// A reference as text, and as an object for programs, whose numbers are texts with all digits.
+#[derive(Debug)]
+pub struct ReferenceTold {
+    pub text: String,
+    pub object: Value,
+}
+
+/// The motion of a scene to all digits that two methods share, which take so long at most.
+///
+/// # Errors
+/// The reason for which the motion is not known to enough digits, a sentence.
+pub fn reference_solution(scene: &dyn IvpScene, allowed: Duration) -> Result<ReferenceTold, String> {
+    let problem = scene.problem(Axes::default());
+    let found = found(scene, &problem, allowed).map_err(|unknown| match unknown {
+        Unknown::EndsBefore { why, last } => format!("{why}; a `span` up to {last} s is accepted"),
+        Unknown::Other(why) => format!("no reference: {why}"),
+    })?;
+    let text = text(scene.title(), &found);
+    if !found.reference.is_trusted() {
+        return Err(text.lines().last().unwrap_or_default().to_owned());
+    }
+    let Exact { reference, events } = found;
+    let Reference { times, states, digits, sizes, methods: [one, other], .. } = &reference;
+    let row = |state: &[DoubleDouble]| -> Vec<String> {
+        state.iter().zip(sizes).map(|(number, size)| references::decimals(*number, *size, *digits)).collect()
+    };
+    let names = &problem.columns[..problem.state.len()];
+    let event = |event: &Event| {
+        let time = references::decimals(event.time, event.time.hi(), *digits);
+        json!({ "time": time, "what": event.what, "regime": event.regime, "state": row(&event.state) })
+    };
+    let object = json!({
+        "title": scene.title(),
+        "digits": digits,
+        "methods": [one.to_string(), other.to_string()],
+        "names": names,
+        "units": names.iter().map(|name| scene.unit(name)).collect::<Vec<_>>(),
+        "sizes": sizes,
+        "times": times,
+        "states": states.iter().map(|state| row(state)).collect::<Vec<_>>(),
+        "events": events.iter().map(event).collect::<Vec<_>>(),
+    });
+    Ok(ReferenceTold { text, object })
+}
+
+/// The reason for which a motion is not known.
+enum Unknown {
+    /// It ends at a time before the end of its span.
+    EndsBefore {
+        why: String,
+        last: f64,
+    },
+    Other(String),
+}
+
+/// The motion as two methods find it, across its events where it has some.
+fn found(scene: &dyn IvpScene, problem: &Problem, allowed: Duration) -> Result<Exact, Unknown> {
+    if let Some(hybrid) = scene.hybrid() {
+        return hybrid.exact(allowed).map_err(|why| Unknown::Other(why.to_string()));
+    }
+    let begun = Instant::now();
+    let choice = scene.run().choice();
+    let run = problem.simulate(&following(choice), |_| ());
+    if run.left.is_some() || run.ends_before(problem.span) {
+        let told = || scene.told(&choice, &run).diagnosis.unwrap_or_default();
+        return Err(Unknown::EndsBefore { why: run.stopped().unwrap_or_else(told), last: run.outcome.time });
+    }
+    let reference = problem.reference(allowed.saturating_sub(begun.elapsed()));
+    let reference = reference.map_err(|failure| Unknown::Other(failure.to_string()))?;
+    Ok(Exact { reference, events: Vec::new() })
+}
+
+/// The methods with their digits, and the events.
+fn text(title: &str, Exact { reference, events }: &Exact) -> String {
+    let ([one, other], digits) = (reference.methods, reference.digits);
+    let enough = match reference.is_trusted() {
+        true => String::new(),
+        false => format!(": no reference, which needs {ENOUGH_DIGITS}"),
+    };
     let mut text = format!("{title}\n{one} and {other} share {digits:.1} digits{enough}\n");
-    for event @ Event { what, regime, .. } in &found.events {
+    for event @ Event { what, regime, .. } in events {
         // writing to a string cannot fail
         let _ = writeln!(text, "t = {} s  {what}", event.instant(digits.max(0.0) as usize));
         if !regime.is_empty() {
             let _ = writeln!(text, "    -> {regime}");
         }
     }
-    print(&text)?;
-    if !found.reference.is_trusted() {
-        return Ok(Exit::Stopped);
-    }
-    let owner = scene.owner();
-    keep(output, &*owner, &Stored::of(&*owner, found.reference, found.events), asked)
+    text
+}
+
+/// The path of the reference.
+fn place(asked: &Asked) -> PathBuf {
+    asked.out.clone().unwrap_or_else(|| references::place(&asked.scene))
 }
 
 /// The method that searches for the end of a law: constant steps may leave the law's domain where the motion does not.

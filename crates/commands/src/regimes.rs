@@ -4,6 +4,8 @@ use crate::arguments::Format;
 use crate::exit::{Exit, placed, print};
 use ::scenes::{CriticalFriction, Motions, Regimes, Task, read_titled, regimes};
 use clap::Args;
+use model::Model;
+use reader::Issue;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -22,12 +24,34 @@ pub struct Asked {
 /// Prints the consistent regimes at the start of a scene.
 pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     let (title, model) = read_titled(&asked.scene, Task::Run)?;
-    let answer = Answer::of(regimes(model).map_err(|issue| placed(&asked.scene, issue))?);
+    let found = consistent_regimes(&title, model).map_err(|issue| placed(&asked.scene, issue))?;
     print(&match asked.format {
-        Format::Text => format!("{title}\n{}", answer.text()),
-        Format::Json => format!("{:#}\n", answer.object(&title)),
+        Format::Text => found.text,
+        Format::Json => format!("{:#}\n", found.object),
     })?;
-    Ok(if answer.determined { Exit::Done } else { Exit::Stopped })
+    Ok(if found.is_determined { Exit::Done } else { Exit::Stopped })
+}
+
+/// The consistent regimes at a start, as text and as an object for programs.
+#[derive(Debug)]
+pub struct RegimesTold {
+    pub text: String,
+    pub object: Value,
+    /// Whether there is one motion from the start.
+    pub is_determined: bool,
+}
+
+/// Every regime of the contacts and conditions of a model that is consistent at its start.
+///
+/// # Errors
+/// The reason for which the model cannot be at its start, or has no regimes, at its place in the text.
+pub fn consistent_regimes(title: &str, model: Model) -> Result<RegimesTold, Issue> {
+    let answer = Answer::of(regimes(model)?);
+    Ok(RegimesTold {
+        text: format!("{title}\n{}", answer.text()),
+        object: answer.object(title),
+        is_determined: answer.determined,
+    })
 }
 
 /// The regimes of contacts and conditions that are consistent at the start.

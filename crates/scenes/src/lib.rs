@@ -88,7 +88,7 @@ pub use equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
 pub use failure_entry::{FailureEntry, TriedEntry};
 pub use integrals::KeptScene;
 pub use modes::{Case, CriticalFriction, Face, Margin, Mode, Motions, Phase, Regime, Regimes};
-pub use motions::{PrescribedMotion, read_prescribed};
+pub use motions::{PrescribedMotion, parse_prescribed, read_prescribed};
 pub use named_systems::{NamedSystem, with_tables};
 pub use no_system::with_ways_to_a_system;
 pub use readiness::{equilibrium_of, independent_at, independent_start, start_of, starting, without_law};

@@ -1,9 +1,10 @@
 //! Prescribed motions: expressions of the time, in the letters of a file.
 
 use crate::scene::model;
+use crate::system_text::SystemText;
 use crate::warnings::warn_of;
 use model::{Coordinate, Entry, Fault, Model, ScalarId, Text, bare_angle};
-use reader::{Issue, SceneError, read_text, tables};
+use reader::{Issue, SceneError, tables};
 use std::ops::Range;
 use std::path::Path;
 use symbolic::Dimension;
@@ -37,12 +38,23 @@ pub fn read_prescribed(
     path: &Path,
     motions: &[(String, String)],
 ) -> Result<(Model, Vec<PrescribedMotion>), SceneError> {
-    let text = read_text(path)?;
+    parse_prescribed(&SystemText::read(path)?, motions, "--motion")
+}
+
+/// The system of a text, with its values, and prescribed motions, which messages call by the last argument.
+///
+/// # Errors
+/// All that is wrong with the system, and with the motions.
+pub fn parse_prescribed(
+    system: &SystemText,
+    motions: &[(String, String)],
+    called: &str,
+) -> Result<(Model, Vec<PrescribedMotion>), SceneError> {
+    let SystemText { name: file, text, .. } = system;
     let behind = text.len();
-    let file = path.display().to_string();
     let options = Options::of(motions);
     let mut wrong: Vec<Issue> = Vec::new();
-    let read = tables(&file, &text, |top, issues| {
+    let read = tables(file, text, |top, issues| {
         top.known(&["title", "description", "known_as", "run", "ensemble", "failure"]);
         let (own, mut source) = model(top, issues)?;
         let mut all: Vec<Written<'_>> = Vec::new();
@@ -80,7 +92,7 @@ pub fn read_prescribed(
             let place = within(fault.span.start)..within(fault.span.end);
             Issue::at(place, format!("a prescribed motion: {}", fault.title), fault.label).accepted(fault.accepted)
         };
-        warn_of(&file, &text, &own.warnings);
+        warn_of(file, text, &own.warnings);
         let model = Model::of(&source).map_err(|faults| wrong.extend(faults.into_iter().map(told))).ok()?;
         let place = |at: Range<usize>| at.start.saturating_sub(behind)..at.end.saturating_sub(behind);
         let of_motions = model.warnings.iter().filter(|warning| warning.span.start >= behind);
@@ -93,7 +105,7 @@ pub fn read_prescribed(
                 bare_angle(start..start + is.len(), is, "({} deg)")
             }));
         }
-        warn_of("--motion", &options.text, &bare);
+        warn_of(called, &options.text, &bare);
         let mut expressions = model.outputs.iter().enumerate().skip(own.outputs.len());
         let mut next = || expressions.next().map(|(place, output)| (place, output.is));
         let mut prescribed = Vec::with_capacity(all.len());
@@ -109,10 +121,11 @@ pub fn read_prescribed(
         }
         Some((model, prescribed))
     });
-    match wrong.is_empty() {
-        true => read,
-        false => Err(SceneError { path: "--motion".to_owned(), text: options.text, issues: wrong }),
+    if !wrong.is_empty() {
+        return Err(SceneError { path: called.to_owned(), text: options.text, issues: wrong });
     }
+    let (model, prescribed) = read?;
+    Ok((system.with_its_values(model)?, prescribed))
 }
 
 /// The motions as they were written, a line each.

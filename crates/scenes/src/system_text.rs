@@ -10,7 +10,7 @@ use crate::size::{Task, too_large};
 use crate::text::OF_PAPERS;
 use crate::warnings::warn_of;
 use model::{Entry, Model, Source};
-use reader::{SceneError, read_text, tables};
+use reader::{Issue, SceneError, read_text, tables};
 use simulation::models::holds_model;
 use std::path::Path;
 
@@ -55,6 +55,11 @@ impl SystemText {
             return Ok(model);
         }
         Err(SceneError { path: self.name.clone(), text: self.text.clone(), issues })
+    }
+
+    /// A fault of the system, at its place in this text.
+    pub fn with_issue(&self, issue: Issue) -> SceneError {
+        SceneError { path: self.name.clone(), text: self.text.clone(), issues: vec![issue] }
     }
 
     /// The system for printing equations: without the equations of redundant constraints.

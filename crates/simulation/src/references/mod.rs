@@ -6,7 +6,7 @@ mod stored;
 
 pub use across_events::{At, Event, Exact, Followed, Unknown, agreed, instants};
 pub use flow::Means;
-pub use stored::{Owner, Stored, place};
+pub use stored::{Owner, Stored, decimals, place};
 
 use crate::Problem;
 use integrators::{Failure, Reference, Span, reference};

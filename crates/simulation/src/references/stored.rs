@@ -59,7 +59,7 @@ impl Stored {
         let reference = Reference { digits: (reference.digits * 10.0).floor() / 10.0, ..reference };
         let Reference { sizes, digits, .. } = &reference;
         let rounded =
-            |(number, size): (&DoubleDouble, &f64)| from_decimal(&written(*number, *size, *digits)).unwrap_or(*number);
+            |(number, size): (&DoubleDouble, &f64)| from_decimal(&decimals(*number, *size, *digits)).unwrap_or(*number);
         let row = |state: &[DoubleDouble]| state.iter().zip(sizes).map(rounded).collect();
         let states = reference.states.iter().map(|state| row(state)).collect();
         let event = |event: Event| {
@@ -114,7 +114,7 @@ impl Stored {
         line("times", format!("{times:?}"));
         let row = |numbers: &[DoubleDouble], sizes: &[f64], digits: f64| {
             let written =
-                numbers.iter().zip(sizes).map(|(number, size)| format!("\"{}\"", written(*number, *size, digits)));
+                numbers.iter().zip(sizes).map(|(number, size)| format!("\"{}\"", decimals(*number, *size, digits)));
             format!("[{}]", written.collect::<Vec<_>>().join(", "))
         };
         let rows: Vec<String> = states.iter().map(|state| format!("  {},\n", row(state, sizes, *digits))).collect();
@@ -124,7 +124,7 @@ impl Stored {
         if !self.events.is_empty() {
             let sizes = &self.reference.sizes;
             let event = |Event { time, state, what, regime }: &Event| {
-                let time = written(*time, time.hi(), *digits);
+                let time = decimals(*time, time.hi(), *digits);
                 let state = row(state, sizes, *digits);
                 format!("  {{ time = \"{time}\", what = {what:?}, regime = {regime:?}, state = {state} }},\n")
             };
@@ -171,7 +171,7 @@ impl Stored {
 }
 
 /// A number with so many digits, counted from the size of its component, and one more.
-fn written(number: DoubleDouble, size: f64, digits: f64) -> String {
+pub fn decimals(number: DoubleDouble, size: f64, digits: f64) -> String {
     let places = (digits + 1.0 - size.log10()).ceil().clamp(0.0, 60.0) as usize;
     decimal(number, places).unwrap_or_default()
 }

@@ -1,88 +1,32 @@
-//! `dalembert regulate`: the optimal regulator of a system, its run on the nonlinear model, and the cost compared with Riccati's.
+//! A regulator for a reader, and for programs.
 
-use crate::arguments::Format;
-use crate::exit::{Exit, placed, print};
-use crate::output::{Provenance, Writes};
-use crate::progress::Progress;
+use super::{columns, stopped};
 use crate::summary::{passed, told_passages};
-use crate::{clock, csv};
-use ::scenes::regulator::{ClosedRun, Controllability, Regulated, States, loop_choice, regulated};
-use ::scenes::{ModelScene, unit_of};
-use clap::Args;
-use model::{Model, Regulator};
+use ::scenes::ModelScene;
+use ::scenes::regulator::{ClosedRun, Controllability, Regulated, States};
+use model::Regulator;
 use nalgebra::{Complex, DMatrix};
-use reader::read_text;
-use serde_json::json;
+use serde_json::{Value, json};
 use simulation::events::Passage;
 use std::fmt::Write;
-use std::path::{Path, PathBuf};
-
-/// Arguments of `regulate`.
-#[derive(Args, Debug)]
-pub struct Asked {
-    /// A file with `[coordinates]` and `[regulator]`
-    #[arg(value_name = "SCENE.toml")]
-    pub scene: PathBuf,
-    /// Writes the regulated motion as a table, each column with its unit: time, states, inputs, cost
-    #[arg(long, value_name = "FILE.csv")]
-    pub out: Option<PathBuf>,
-    /// Replaces the file of --out even where `regulate` did not write what stands there
-    #[arg(long)]
-    pub force: bool,
-    /// The format of the answer
-    #[arg(long, value_enum, default_value_t)]
-    pub format: Format,
-}
-
-/// Finds the regulator, runs its loop and prints both.
-pub fn show(asked: &Asked) -> Result<Exit, Exit> {
-    let path: &Path = &asked.scene;
-    let text = read_text(path)?;
-    let scene = ModelScene::parse(&path.display().to_string(), &text)?;
-    let model = &*scene.model;
-    let names: Vec<String> = model.state_names().into_iter().map(|(name, _)| name).collect();
-    let chosen =
-        model.regulator.iter().flat_map(|regulator| &regulator.inputs).map(|&input| model.inputs[input].name.clone());
-    let chosen: Vec<String> = chosen.collect();
-    let headed = |name: &String| csv::headed(name, &unit_of(model, name));
-    let columns: Vec<String> = names.iter().chain(&chosen).map(headed).chain(["cost".to_owned()]).collect();
-    let writes = Writes { command: "regulate", force: asked.force, reads: vec![path] };
-    let provenance = Provenance::of(writes.maker(), path).of_run(&loop_choice(&scene));
-    let table = csv::Table::at(&writes, asked.out.as_deref(), &columns, provenance)?;
-    let work = Progress::new("the regulator");
-    let found = regulated(&scene, clock::left()).map_err(|issue| placed(path, issue))?;
-    drop(work);
-    let Regulated { run, .. } = &found;
-    let rows: Vec<Vec<f64>> = (run.states.iter().zip(&run.inputs).zip(&run.costs))
-        .map(|((state, inputs), cost)| [&state[..], inputs, &[*cost]].concat())
-        .collect();
-    let told = Told { model, found: &found, names: &names, chosen: &chosen };
-    print(&match asked.format {
-        Format::Text => told.text(&scene.title),
-        Format::Json => format!("{:#}\n", told.object()),
-    })?;
-    if let Some(row) = rows.last()
-        && let Some(written) = table.write(&run.times, &rows, (run.outcome.time, row))?
-    {
-        written.tell(asked.format)?;
-    }
-    Ok(if stopped(run).is_some() { Exit::Stopped } else { Exit::Done })
-}
-
-/// The reason for which a run does not reach its end; `None` where it does.
-fn stopped(run: &ClosedRun) -> Option<String> {
-    run.left.map(str::to_owned).or_else(|| run.outcome.failure().map(|failure| failure.to_string()))
-}
 
 /// A regulator with its names.
-struct Told<'a> {
-    model: &'a Model,
+pub(super) struct Told<'a> {
+    scene: &'a ModelScene,
     found: &'a Regulated,
-    names: &'a [String],
-    chosen: &'a [String],
+    names: Vec<String>,
+    chosen: Vec<String>,
+    units: Vec<String>,
 }
 
-impl Told<'_> {
+impl<'a> Told<'a> {
+    pub(super) fn of(scene: &'a ModelScene, found: &'a Regulated) -> Self {
+        let (mut names, units): (Vec<String>, Vec<String>) = columns(scene).into_iter().unzip();
+        let inputs = scene.model.regulator.as_ref().map_or(0, |regulator| regulator.inputs.len());
+        let chosen = names.split_off(names.len() - inputs);
+        Told { scene, found, names, chosen, units }
+    }
+
     /// The name of a variation.
     fn variation(&self, place: usize) -> &str {
         &self.names[self.found.places[place]]
@@ -133,11 +77,11 @@ impl Told<'_> {
         self.found.run.costs.last().copied().unwrap_or(0.0) + self.found.left
     }
 
-    fn text(&self, title: &str) -> String {
+    pub(super) fn text(&self) -> String {
         let Regulated { controllability, gains, value, residual, open, closed, predicted, left, run, .. } = self.found;
-        let horizon = self.model.regulator.as_ref().and_then(|Regulator { horizon, .. }| *horizon);
+        let horizon = self.scene.model.regulator.as_ref().and_then(|Regulator { horizon, .. }| *horizon);
         let states = self.states();
-        let mut text = format!("{title}\n\n");
+        let mut text = format!("{}\n\n", self.scene.title);
         let mut line = |name: &str, value: String| {
             let _ = writeln!(text, "{name:<21}{value}");
         };
@@ -154,7 +98,7 @@ impl Told<'_> {
             line("of the closed loop", eigenvalues(closed));
         }
         let _ = writeln!(text, "gains K, u = u0 - K (x - x0){}", if horizon.is_some() { ", at the start" } else { "" });
-        table(&mut text, self.chosen, &states, gains);
+        table(&mut text, &self.chosen, &states, gains);
         let _ = writeln!(text, "P of the least cost x^T P x{}", if horizon.is_some() { ", at the start" } else { "" });
         table(&mut text, &states, &states, value);
         let mut line = |name: &str, value: String| {
@@ -190,7 +134,7 @@ impl Told<'_> {
         text
     }
 
-    fn object(&self) -> serde_json::Value {
+    pub(super) fn object(&self) -> Value {
         let Regulated { controllability, gains, value, residual, open, closed, predicted, run, .. } = self.found;
         let rows = |matrix: &DMatrix<f64>| -> Vec<Vec<f64>> {
             matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
@@ -212,7 +156,9 @@ impl Told<'_> {
             "cost_of_run": self.cost(),
             "reached": stopped(run).is_none(),
             "events": run.passages.iter().map(passed).collect::<Vec<_>>(),
+            "stopped": stopped(run),
             "columns": self.names,
+            "units": self.units,
             "run": { "times": times, "states": states, "inputs": inputs, "costs": costs },
         })
     }
