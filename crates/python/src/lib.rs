@@ -6,9 +6,12 @@ mod errors;
 mod judgement;
 mod linear;
 mod model;
+mod motions;
 mod peer;
 mod results;
+mod time_limit;
 mod trajectory;
+mod wording;
 
 // they bring motors and knowledge, by being linked
 use dalembert::scenes::derivation::NamedPrinciple;
@@ -40,7 +43,7 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<callables::RightHandSide>()?;
     module.add_class::<callables::JacobianMatrix>()?;
     module.add_function(wrap_pyfunction!(results::judge_paper, module)?)?;
-    module.add_function(wrap_pyfunction!(results::end_process_after, module)?)?;
+    module.add_function(wrap_pyfunction!(time_limit::end_process_after, module)?)?;
     errors::add(module)?;
     module.add("METHODS", dalembert::simulation::methods::list().map(|(name, _)| name).collect::<Vec<_>>())?;
     let principles = NamedPrinciple::all().into_iter().map(NamedPrinciple::name);

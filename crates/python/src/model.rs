@@ -5,6 +5,7 @@ use crate::equations::Equations;
 use crate::errors::{refused, scene_error};
 use crate::judgement::Judgement;
 use crate::linear::LinearEquations;
+use crate::motions;
 use crate::peer::checked;
 use crate::results;
 use crate::trajectory::{Beside, NativeTrajectory};
@@ -234,6 +235,32 @@ impl NativeModel {
             return Err(refused(py, &self.text.name, why));
         }
         results::ensemble(py, &scene, first..=last, threads, seconds)
+    }
+
+    /// Forces along prescribed motions: names and texts of these, unknowns, instants.
+    fn inverse<'py>(
+        &self,
+        py: Python<'py>,
+        motions: Vec<(String, String)>,
+        unknowns: Vec<String>,
+        times: Vec<f64>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        motions::inverse(py, &self.text, &motions, &unknowns, &times)
+    }
+
+    /// The optimal regulator of the text's table [regulator]: JSON, and a text.
+    fn regulate(&self, py: Python<'_>, seconds: f64) -> PyResult<(String, String)> {
+        motions::regulate(py, &self.text, usual(), seconds)
+    }
+
+    /// The consistent regimes at the start: JSON, and a text.
+    fn regimes(&self, py: Python<'_>) -> PyResult<(String, String)> {
+        motions::regimes(py, &self.text, &self.title)
+    }
+
+    /// The motion to all digits that two methods share: JSON, and a text.
+    fn reference(&self, py: Python<'_>, span: Option<f64>, seconds: f64) -> PyResult<(String, String)> {
+        motions::reference(py, &self.text, usual(), span, seconds)
     }
 
     fn linearise(&self, py: Python<'_>, equilibrium: bool, inputs: Vec<String>) -> PyResult<LinearEquations> {

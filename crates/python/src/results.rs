@@ -2,6 +2,8 @@
 //! print it.
 
 use crate::errors::{refused, scene_error};
+use crate::time_limit::{end_after, left};
+use crate::wording::{in_python, of_python};
 use dalembert::commands::{Charted, ChosenModel, SteadyTold, charted, chosen_model, finding_object, steady_motions};
 use dalembert::manuscript::{Finding, PaperText};
 use dalembert::scenes::steady_motions::{Asked, Range};
@@ -16,21 +18,7 @@ use std::ops::{ControlFlow, RangeInclusive};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::thread::available_parallelism;
-use std::time::{Duration, Instant};
-
-/// A computation ends so long before its time is over, so that its results can be handed on.
-const KEPT: Duration = Duration::from_millis(400);
-
-/// The moment at which so many seconds are over, in a year at the latest.
-fn end_after(seconds: f64) -> Instant {
-    Instant::now() + Duration::try_from_secs_f64(seconds).unwrap_or_default().min(Duration::from_secs(366 * 86_400))
-}
-
-/// Ends every run of this process after so many seconds: for processes that do one thing.
-#[pyfunction]
-pub fn end_process_after(seconds: f64) {
-    dalembert::integrators::clock::set_deadline(end_after(seconds) - KEPT);
-}
+use std::time::Instant;
 
 /// Judges the claims of a paper: a file, or a text beside whose name files lie. `tell` hears of each claim as soon as it has a verdict.
 #[pyfunction]
@@ -61,7 +49,7 @@ pub fn judge_paper<'py>(
         }
         told = findings.len();
     };
-    let goes_on = || Instant::now() + KEPT < end;
+    let goes_on = || Instant::now() < end;
     let findings = py.detach(|| paper.judge_each(hear, goes_on)).map_err(|error| scene_error(py, &error))?;
     if let Some(failed) = failed {
         return Err(failed);
@@ -86,30 +74,9 @@ pub fn steady(
     let ranges = ranges.into_iter().map(|(name, from, to)| (name, Range { from, to })).collect();
     let asked = Asked { ranges, boxes, ..Asked::default() };
     let end = end_after(seconds);
-    let found = py.detach(|| steady_motions(text, &asked, || Instant::now() + KEPT < end));
-    let SteadyTold { text, object } = found.map_err(|mut error| {
-        error.issues.iter_mut().for_each(|issue| issue.title = in_python(&issue.title));
-        scene_error(py, &error)
-    })?;
+    let found = py.detach(|| steady_motions(text, &asked, || Instant::now() < end));
+    let SteadyTold { text, object } = found.map_err(|error| scene_error(py, &of_python(error)))?;
     Ok((object.to_string(), text))
-}
-
-/// A sentence for readers of a command line, in words of Python: `--range "x=-1..1"` is ranges={"x": (-1, 1)}.
-fn in_python(said: &str) -> String {
-    let mut parts = said.split("--range \"");
-    let mut told = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
-        let range = part.split_once('"').and_then(|(range, rest)| {
-            let (name, ends) = range.split_once('=')?;
-            let (from, to) = ends.split_once("..")?;
-            Some((format!("ranges={{\"{name}\": ({from}, {to})}}"), rest))
-        });
-        match range {
-            Some((range, rest)) => told += &format!("{range}{rest}"),
-            None => told += part,
-        }
-    }
-    told.replace("--range ", "range of ").replace("--seconds", "`seconds`").replace("--boxes ", "boxes=")
 }
 
 /// The choice of a model: JSON, the same for reading, and a picture.
@@ -130,8 +97,8 @@ pub fn chart(
     (scene, name): (&Arc<dyn Modelled>, &str),
     seconds: f64,
 ) -> PyResult<(String, String, [String; 2])> {
-    let end = end_after(seconds) - KEPT;
-    let found = py.detach(|| charted(scene, || end.saturating_duration_since(Instant::now())));
+    let end = end_after(seconds);
+    let found = py.detach(|| charted(scene, || left(end)));
     let Charted { text, object, pictures } = found.map_err(|why| refused(py, name, in_python(why.trim_end())))?;
     Ok((object.to_string(), text, pictures))
 }
@@ -175,7 +142,7 @@ pub fn ensemble<'py>(
         }
         numbers.resize(length, f64::NAN);
         stopped.push(row.stopped);
-        if Instant::now() + KEPT < end { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        if Instant::now() < end { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     };
     let asked = members.end() + 1 - members.start();
     py.detach(|| scene.run(members, threads, take));

@@ -31,9 +31,14 @@ from inspect import Parameter, Signature
 from ._model import Model
 from ._builder import ModelBuilder
 from ._check import Check, CheckedEquation, check
+from ._columns import TimedColumns
+from ._forces import Forces
 from ._ledger import Claim, Correction, Ledger, judge
 from ._native import METHODS, PRINCIPLES, VERSION, Equations, Judgement, LinearEquations, ModelError, JacobianMatrix, RightHandSide
 from ._proofs import Judgements
+from ._reference import Reference, ReferenceEvent
+from ._regimes import Margin, Regime, Regimes
+from ._regulator import Regulator
 from ._results import Chart, Ensemble, ModelChoice, SteadyMotion, SteadyMotions
 from ._sympy import from_sympy
 from ._trajectory import Trajectory
@@ -54,18 +59,26 @@ __all__ = [
     "Correction",
     "Ensemble",
     "Equations",
+    "Forces",
     "JacobianMatrix",
     "Judgement",
     "Judgements",
     "Ledger",
     "LinearEquations",
+    "Margin",
     "Model",
     "ModelBuilder",
     "ModelChoice",
     "ModelError",
+    "Reference",
+    "ReferenceEvent",
+    "Regime",
+    "Regimes",
+    "Regulator",
     "RightHandSide",
     "SteadyMotion",
     "SteadyMotions",
+    "TimedColumns",
     "Trajectory",
     "check",
     "from_sympy",

@@ -11,14 +11,20 @@ import numpy
 
 from ._apart import apart
 from ._builder import ModelBuilder, ensemble_text
+from ._forces import Forces
 from ._native import Equations, JacobianMatrix, LinearEquations, NativeModel, RightHandSide
 from ._parts import in_parts
 from ._proofs import Judgements
+from ._reference import Reference
+from ._regimes import Regimes
+from ._regulator import Regulator
 from ._results import Chart, Ensemble, ModelChoice, SteadyMotions
 from ._trajectory import Trajectory
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
+
+    from numpy.typing import ArrayLike
 
     from ._check import Check
 
@@ -36,6 +42,25 @@ def _number(name: str, value: float) -> float:
         return float(value)
     except (TypeError, ValueError, OverflowError):
         raise TypeError(f"`{name}` is {value!r}; a number in SI units is accepted") from None
+
+
+# instants of forces, at most: as many as the command takes
+_MOST_INSTANTS = 1_000_001
+
+
+def _instants(span: float, samples: int, times: ArrayLike | None) -> list[float]:
+    """Instants from 0 to a span, or those that are given."""
+    if times is not None:
+        given = numpy.atleast_1d(numpy.asarray(times, dtype=float))
+        if given.ndim != 1 or not 1 <= len(given) < _MOST_INSTANTS or not numpy.isfinite(given).all() or not (numpy.diff(given) > 0).all():
+            raise ValueError(f"`times` is {times!r}; from one to {_MOST_INSTANTS - 1} finite times in seconds that rise are accepted")
+        return given.tolist()
+    span = _number("span", span)
+    if not 0 < span < float("inf"):
+        raise ValueError(f"`span` is {span}; a positive time in seconds is accepted")
+    if isinstance(samples, bool) or int(samples) != samples or not 1 <= samples < _MOST_INSTANTS:
+        raise ValueError(f"`samples` is {samples!r}; a whole number from 1 to {_MOST_INSTANTS - 1} is accepted")
+    return [span * place / int(samples) for place in range(int(samples) + 1)]
 
 
 def _restored(text: str, name: str, values: list[tuple[str, float]]) -> Model:
@@ -237,6 +262,70 @@ class Model:
             raise TypeError(f"`method` is {method!r}; a name of dalembert.METHODS is accepted")
         limit = _LONGEST if seconds is None else min(_number("seconds", seconds), _LONGEST)
         return Trajectory(self._native.run(span, method, tolerance, samples and int(samples), limit), self.title)
+
+    def inverse(
+        self,
+        motions: Mapping[str, str],
+        unknowns: Iterable[str] = (),
+        *,
+        span: float = 1.0,
+        samples: int = 10,
+        times: ArrayLike | None = None,
+        seconds: float | None = 300.0,
+    ) -> Forces:
+        """The forces under which this system moves as prescribed (inverse dynamics).
+
+        motions: for each coordinate that the constraints leave open an expression of the time `t` and of parameters, {"theta": "0.5*sin(t*(2 rad/s))"}; a
+        free frame by turns, {"F": "w*t about z, then (10 deg) about x"}; a current, {"motor.i_f": "(2 A)"}, where the motion leaves it open.
+        unknowns: parameters and inputs that are sought, such as a force; the forces must be linear in them. The instants are `samples` + 1 from 0 to
+        `span` in seconds, or `times`, which rise. seconds: TimeoutError then; None for no limit. Ctrl-C breaks it off.
+
+            >>> forces = model.inverse({"theta": "0.5*sin(t*(2 rad/s))"}, "T", span=3.0, samples=300)
+            >>> forces["T"], forces["theta''"], forces.time
+        """
+        if not isinstance(motions, Mapping) or not motions or not all(isinstance(part, str) for pair in motions.items() for part in pair):
+            raise TypeError(f"`motions` is {motions!r}; a dictionary of expressions is accepted, {{name: expression}}, such as {{'x': '(0.1 m)*sin(t*(2 rad/s))'}}")
+        sought = [unknowns] if isinstance(unknowns, str) else list(unknowns)
+        if not all(isinstance(name, str) for name in sought):
+            raise TypeError(f"`unknowns` is {unknowns!r}; names of parameters and inputs are accepted")
+        arguments = (self, list(motions.items()), sought, _instants(span, samples, times))
+        return Forces(apart("inverse", arguments, seconds), self.title)
+
+    def regulate(self, *, seconds: float | None = 300.0) -> Regulator:
+        """The optimal regulator of the table [regulator] of the text, and the run of its closed loop on the nonlinear model.
+
+        The span of the run is that of [run], 10 s without one, or the horizon of the criterion. seconds: the run is stopped then, and TimeoutError
+        is raised where there is no regulator yet; None for no limit. Ctrl-C breaks it off.
+
+            >>> regulator = model.regulate()
+            >>> regulator.K, regulator.eigenvalues_closed, regulator.run["x"]
+        """
+        return Regulator(*apart("regulate", (self,), seconds), self.title)
+
+    def regimes(self, *, seconds: float | None = 300.0) -> Regimes:
+        """Every regime of contacts and conditions that is consistent at the start: one motion, none, several or infinitely many.
+
+        seconds: TimeoutError then; None for no limit. Ctrl-C breaks it off.
+
+            >>> regimes = model.regimes()
+            >>> regimes.verdict, [regime.name for regime in regimes]
+        """
+        return Regimes(*apart("regimes", (self,), seconds))
+
+    def reference(self, span: float | None = None, *, seconds: float | None = 300.0) -> Reference:
+        """The motion over `span` seconds to all digits that two methods of different families share, 20 or more.
+
+        Without `span` that of the table [run] of the text, or 10 s. A motion that is known to fewer digits raises ModelError with the reason. seconds: the
+        methods have so much time together; None for no limit. Ctrl-C breaks it off.
+
+            >>> reference = model.reference(span=2.0)
+            >>> reference.digits, reference["theta"], reference.decimals["theta"][-1]
+        """
+        if span is not None:
+            span = _number("span", span)
+            if not 0 < span < float("inf"):
+                raise ValueError(f"`span` is {span}; a positive time in seconds is accepted")
+        return Reference(*apart("reference", (self, span), seconds))
 
     def linearise(self, about: Literal["start", "equilibrium"] = "start", inputs: Iterable[str] = ()) -> LinearEquations:
         """Linear equations x' = A x + B w about the start, or about an equilibrium near it (about="equilibrium").

@@ -35,7 +35,7 @@ def plot(run, names, figure=None):
         own.set_ylabel(", ".join(columns) + _label(unit) if len(columns) == 1 else _label(unit).strip() or "1")
         if len(columns) > 1:
             own.legend(loc="upper right", fontsize="small")
-        for time, _, then in run.events[1:]:
+        for time in run._marks():
             own.axvline(time, color="0.8", linewidth=0.6, zorder=0)
         own.grid(alpha=0.3)
     axes[0].set_title(run.title)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import json
 from base64 import b64encode
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from html import escape
 from typing import Any
 
 import numpy
 
+from ._columns import Columns, of_unit
 from ._html import table
 
 __all__ = ["Chart", "Ensemble", "ModelChoice", "SteadyMotion", "SteadyMotions"]
@@ -187,7 +187,7 @@ class Chart:
         return f"<b>{escape(self.data['title'])}</b><ul>{advice}</ul>" + _picture(self.svg) + _picture(self.svg_time)
 
 
-class Ensemble:
+class Ensemble(Columns):
     """The ends of the members of an ensemble.
 
     ensemble["x"] is a column, a number for each member; `array` has a row for each member, its columns as in `names`: the numbers that vary, the time of
@@ -195,39 +195,18 @@ class Ensemble:
     stopped before its end, None where it did not; reached: the same as truth values. broken_off: why members are missing; None where all are there.
     """
 
-    __slots__ = ("array", "broken_off", "names", "stopped", "title", "units", "_places")
+    __slots__ = ("broken_off", "stopped")
 
     def __init__(self, told: dict[str, Any], title: str) -> None:
-        self.array: numpy.ndarray = told["rows"]
-        self.names: list[str] = [name for name, _ in told["columns"]]
-        self.units: dict[str, str] = dict(told["columns"])
+        super().__init__(told["rows"], told["columns"], title)
         self.stopped: list[str | None] = told["stopped"]
-        self.title = title
         missing = told["members"] - len(self.stopped)
         self.broken_off = f"{missing} of {told['members']} members have not run: the time was over" if missing else None
-        self._places = {name: place for place, name in enumerate(self.names)}
 
     @property
     def reached(self) -> numpy.ndarray:
         """Whether each member reached its end."""
         return numpy.array([why is None for why in self.stopped])
-
-    def __getitem__(self, name: str | list[str]) -> numpy.ndarray:
-        if isinstance(name, list):
-            return numpy.column_stack([self[one] for one in name])
-        if name not in self._places:
-            raise KeyError(f"no column is called {name!r}; there are {', '.join(self.names)}")
-        return self.array[:, self._places[name]]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self.names)
-
-    def __contains__(self, name: str) -> bool:
-        return name in self._places
-
-    def keys(self) -> list[str]:
-        """Names of the columns: dict(ensemble) has them all."""
-        return self.names
 
     def __len__(self) -> int:
         return len(self.stopped)
@@ -250,8 +229,7 @@ class Ensemble:
         for name in self.names:
             values = self[name][numpy.isfinite(self[name])]
             if len(values):
-                unit = "" if self.units[name] == "1" else self.units[name]
-                rows.append([name, unit] + [f"{value:.6g}" for value in (values.min(), values.mean(), values.max(), values.std())])
+                rows.append([name, of_unit(self.units[name])] + [f"{value:.6g}" for value in (values.min(), values.mean(), values.max(), values.std())])
         return rows
 
     def __repr__(self) -> str:

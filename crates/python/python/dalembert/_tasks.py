@@ -10,7 +10,7 @@ from typing import Any
 from ._model import Model
 from ._native import end_process_after, judge_paper
 
-__all__ = ["chart", "check", "choose", "ensemble", "judge", "stationary"]
+__all__ = ["chart", "check", "choose", "ensemble", "inverse", "judge", "reference", "regimes", "regulate", "stationary"]
 
 Tell = Callable[[Any], None]
 
@@ -45,3 +45,23 @@ def chart(seconds: float, tell: Tell, model: Model) -> tuple[str, str, tuple[str
 def ensemble(seconds: float, tell: Tell, model: Model, members: tuple[int, int] | None, threads: int | None) -> dict[str, Any]:
     """Members of an ensemble, from one to another."""
     return model._native.ensemble(members, threads, seconds)
+
+
+def inverse(seconds: float, tell: Tell, model: Model, motions: list[tuple[str, str]], unknowns: list[str], times: list[float]) -> dict[str, Any]:
+    """Forces along a prescribed motion."""
+    return model._native.inverse(motions, unknowns, times)
+
+
+def regulate(seconds: float, tell: Tell, model: Model) -> tuple[str, str]:
+    """The optimal regulator of a model."""
+    return model._native.regulate(seconds)
+
+
+def regimes(seconds: float, tell: Tell, model: Model) -> tuple[str, str]:
+    """The consistent regimes at the start of a model."""
+    return model._native.regimes()
+
+
+def reference(seconds: float, tell: Tell, model: Model, span: float | None) -> tuple[str, str]:
+    """The motion to all digits that two methods share."""
+    return model._native.reference(span, seconds)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
 from html import escape
 from types import SimpleNamespace
 from typing import Any
 
 import numpy
 
+from ._columns import TimedColumns, of_unit
 from ._native import NativeTrajectory
 
 __all__ = ["Trajectory"]
@@ -22,78 +22,24 @@ def _restored(kept: dict[str, Any], title: str) -> Trajectory:
     return Trajectory(SimpleNamespace(**kept), title)
 
 
-class Trajectory:
+class Trajectory(TimedColumns):
     """A run of a model.
 
-    run["x"] is a column, run["time"] or run.time the times, run[["x", "y"]] some columns side by side; run.array has a row for each time,
-    its columns as in run.names. `run.ok` says whether the run reached its end and nothing was found wrong with its numbers; `run.stopped`, `run.lost` and
-    `run.undefined` say why not.
+    run["x"] is a column, run["time"] or run.time the times in seconds, run[["x", "y"]] some columns side by side; run.array has a row for each
+    time, its columns as in run.names: states, outputs, energies; run.units has their units. `run.ok` says whether the run reached its end and
+    nothing was found wrong with its numbers; `run.stopped`, `run.lost` and `run.undefined` say why not.
     """
 
-    __slots__ = ("_native", "_places", "title")
+    __slots__ = ("_native",)
 
     def __init__(self, native: NativeTrajectory | SimpleNamespace, title: str) -> None:
+        super().__init__(native.time, native.rows, zip(native.names, native.units), title)
         self._native = native
-        native.time.setflags(write=False)
-        native.rows.setflags(write=False)
-        self._places = {name: place for place, name in enumerate(native.names)}
-        self.title = title
-
-    @property
-    def time(self) -> numpy.ndarray:
-        """Times in seconds."""
-        return self._native.time
-
-    @property
-    def array(self) -> numpy.ndarray:
-        """A row for each time: states, outputs, energies; not copied."""
-        return self._native.rows
-
-    @property
-    def names(self) -> list[str]:
-        """Names of the columns."""
-        return self._native.names
-
-    @property
-    def units(self) -> dict[str, str]:
-        """Units of the columns."""
-        return dict(zip(self._native.names, self._native.units))
-
-    def __getitem__(self, name: str | list[str]) -> numpy.ndarray:
-        if isinstance(name, list):
-            return numpy.column_stack([self[one] for one in name])
-        if name == "time" and name not in self._places:
-            return self.time
-        if name not in self._places:
-            raise KeyError(f"no column is called {name!r}; there are {', '.join(self.names)}")
-        return self.array[:, self._places[name]]
-
-    def __contains__(self, name: str) -> bool:
-        return name == "time" or name in self._places
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self.names)
-
-    def items(self) -> list[tuple[str, numpy.ndarray]]:
-        """Names and columns."""
-        return [(name, self[name]) for name in self.names]
-
-    def keys(self) -> list[str]:
-        """Names of the columns: dict(run) has them all."""
-        return self.names
-
-    def __len__(self) -> int:
-        return len(self.names)
 
     @property
     def states(self) -> list[str]:
         """Names of the columns that are the state."""
         return self.names[: self._native.states]
-
-    @property
-    def last(self) -> dict[str, float]:
-        """The last row by its names."""
-        return dict(zip(self.names, map(float, self.array[-1])))
 
     @property
     def ok(self) -> bool:
@@ -165,29 +111,13 @@ class Trajectory:
         """Counts of evaluations, Jacobians, factorisations, steps."""
         return self._native.work
 
-    def to_dataframe(self) -> Any:
-        """A pandas DataFrame, indexed by time; pandas must be installed."""
-        import pandas
-
-        return pandas.DataFrame(self.array, index=pandas.Index(self.time, name="time"), columns=self.names)
-
-    def plot(self, *names: str | Iterable[str], figure: Any = None) -> Any:
-        """Draws columns over time, one picture for each unit; without names all of them. Gives the figure of matplotlib."""
-        from ._plot import plot
-
-        flat = [one for name in names for one in ([name] if isinstance(name, str) else name)]
-        return plot(self, flat or self._usual(), figure)
-
-    def phase(self, abscissa: str, ordinate: str, axes: Any = None) -> Any:
-        """Draws one column over another: run.phase("theta", "theta'"). Gives the axes of matplotlib."""
-        from ._plot import phase
-
-        return phase(self, abscissa, ordinate, axes)
-
     def _usual(self) -> list[str]:
         energies = {"kinetic_energy", "potential_energy"}
         chosen = [name for name in self.names if name not in energies]
         return chosen + [name for name in self.names if name in energies and numpy.ptp(self[name]) > 0]
+
+    def _marks(self) -> list[float]:
+        return [time for time, *_ in self.events[1:]]
 
     def _facts(self) -> list[tuple[str, str]]:
         facts = [("method", f"{self._native.method}, tolerance {self._native.tolerance:g}")]
@@ -216,18 +146,14 @@ class Trajectory:
 
     def __repr__(self) -> str:
         lines = [self.title or "a run"] + [f"  {name:<18} {value}" for name, value in self._facts()]
-        lines += [f"  {name:<18} {value:.9g} {_unit(self.units[name])}".rstrip() for name, value in self.last.items()]
+        lines += [f"  {name:<18} {value:.9g} {of_unit(self.units[name])}".rstrip() for name, value in self.last.items()]
         return "\n".join(lines)
 
     def _repr_html_(self) -> str:
         rows = [(name, value) for name, value in self._facts()]
-        rows += [(name, f"{value:.9g} {_unit(self.units[name])}") for name, value in self.last.items()]
+        rows += [(name, f"{value:.9g} {of_unit(self.units[name])}") for name, value in self.last.items()]
         cells = "".join(
             f'<tr><td style="text-align:left">{escape(name)}</td><td style="text-align:left">{escape(value)}</td></tr>'
             for name, value in rows
         )
         return f"<b>{escape(self.title or 'a run')}</b><table>{cells}</table>"
-
-
-def _unit(unit: str) -> str:
-    return "" if unit == "1" else unit

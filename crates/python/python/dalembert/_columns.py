@@ -1,0 +1,106 @@
+"""Columns of numbers, each with a name and a unit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import numpy
+
+__all__ = ["Columns", "TimedColumns", "of_unit"]
+
+
+def of_unit(unit: str) -> str:
+    """A unit behind a number; nothing for a pure number."""
+    return "" if unit == "1" else unit
+
+
+class Columns:
+    """Columns of numbers: columns["x"] is one, columns[["x", "y"]] has some side by side, `array` all of them, as in `names`.
+
+    `units` has the unit of each name; dict(columns) has the columns by their names.
+    """
+
+    __slots__ = ("array", "names", "title", "units", "_places")
+
+    def __init__(self, array: numpy.ndarray, columns: Iterable[tuple[str, str]], title: str) -> None:
+        known = list(columns)
+        self.array = array
+        self.names: list[str] = [name for name, _ in known]
+        self.units: dict[str, str] = dict(known)
+        self.title = title
+        self._places = {name: place for place, name in enumerate(self.names)}
+
+    def __getitem__(self, name: str | list[str]) -> numpy.ndarray:
+        if isinstance(name, list):
+            return numpy.column_stack([self[one] for one in name])
+        if name not in self._places:
+            raise KeyError(f"no column is called {name!r}; there are {', '.join(self.names)}")
+        return self.array[:, self._places[name]]
+
+    def __contains__(self, name: str) -> bool:
+        return name in self._places
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.names)
+
+    def keys(self) -> list[str]:
+        """Names of the columns."""
+        return self.names
+
+    def items(self) -> list[tuple[str, numpy.ndarray]]:
+        """Names and columns."""
+        return [(name, self[name]) for name in self.names]
+
+    def __len__(self) -> int:
+        return len(self.names)
+
+
+class TimedColumns(Columns):
+    """Columns with a row for each of the times `time`, which columns["time"] has too."""
+
+    __slots__ = ("time",)
+
+    def __init__(self, time: numpy.ndarray, array: numpy.ndarray, columns: Iterable[tuple[str, str]], title: str) -> None:
+        super().__init__(array, columns, title)
+        time.setflags(write=False)
+        array.setflags(write=False)
+        self.time = time
+
+    def __getitem__(self, name: str | list[str]) -> numpy.ndarray:
+        return self.time if isinstance(name, str) and name == "time" and name not in self._places else super().__getitem__(name)
+
+    def __contains__(self, name: str) -> bool:
+        return name == "time" or name in self._places
+
+    @property
+    def last(self) -> dict[str, float]:
+        """The last row by its names."""
+        return dict(zip(self.names, map(float, self.array[-1])))
+
+    def to_dataframe(self) -> Any:
+        """A pandas DataFrame, indexed by time; pandas must be installed."""
+        import pandas
+
+        return pandas.DataFrame(self.array, index=pandas.Index(self.time, name="time"), columns=self.names)
+
+    def plot(self, *names: str | Iterable[str], figure: Any = None) -> Any:
+        """Draws columns over time, one picture for each unit; without names all of them. Gives the figure of matplotlib."""
+        from ._plot import plot
+
+        flat = [one for name in names for one in ([name] if isinstance(name, str) else name)]
+        return plot(self, flat or self._usual(), figure)
+
+    def phase(self, abscissa: str, ordinate: str, axes: Any = None) -> Any:
+        """Draws one column over another: run.phase("theta", "theta'"). Gives the axes of matplotlib."""
+        from ._plot import phase
+
+        return phase(self, abscissa, ordinate, axes)
+
+    def _usual(self) -> list[str]:
+        """The columns of a picture where none are named."""
+        return self.names
+
+    def _marks(self) -> list[float]:
+        """Times that a picture marks."""
+        return []
