@@ -40,9 +40,9 @@ class Workbench:
         names = [name.rsplit(" [", 1)[0] for name in rows[0]]
         return dict(zip(names, np.array([[float(cell or "nan") for cell in row] for row in rows[1:]]).T))
 
-    def export(self, scene, option, file, accepted=True):
+    def export(self, scene, option, file, *more, accepted=True):
         path = self.folder / file
-        found = self.call("export", self.scene(scene), option, path, "--force", accepted=accepted)
+        found = self.call("export", self.scene(scene), option, path, *more, "--force", accepted=accepted)
         return path if accepted else found
 
 

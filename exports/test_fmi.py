@@ -1,4 +1,4 @@
-"""Units of FMI 3.0: FMPy validates and simulates them to the end of our own runs."""
+"""Units of FMI 3.0 and 2.0: FMPy validates and simulates them to the end of our own runs."""
 
 import subprocess
 import zipfile
@@ -7,6 +7,7 @@ from pathlib import Path
 import fmpy
 import numpy as np
 import pytest
+from fmpy.fmi2 import FMU2Model
 from fmpy.fmi3 import FMU3Model
 from fmpy.validation import validate_fmu
 
@@ -48,6 +49,9 @@ span = "5 s"
 """
 
 
+# versions of the standard
+FMI = ["3", "2"]
+
 # FMPy's CVODE for model exchange, a stiff method of low order; for co-simulation the unit's own steps
 TOLERANCES = {"ModelExchange": (1e-9, 5e-6), "CoSimulation": (1e-10, 2e-7)}
 
@@ -67,15 +71,16 @@ def simulate(unit, own, kind, tolerance, **others):
 
 @pytest.mark.parametrize("scene", SCENES)
 @pytest.mark.parametrize("kind", ["ModelExchange", "CoSimulation"])
-def test_a_unit_comes_to_the_end_of_our_own_run(workbench, scene, kind):
+@pytest.mark.parametrize("fmi", FMI)
+def test_a_unit_comes_to_the_end_of_our_own_run(workbench, scene, kind, fmi):
     own = workbench.run(scene)
-    unit = workbench.export(scene, "--fmu", "unit.fmu")
-    assert validate_fmu(str(unit)) == []
+    unit = workbench.export(scene, "--fmu", "unit.fmu", "--fmi", fmi)
+    assert validate_fmu(str(unit)) == [] and fmpy.read_model_description(str(unit)).fmiVersion == f"{fmi}.0"
     tolerance, bound = TOLERANCES[kind]
     found = simulate(unit, own, kind, tolerance)
     assert found.dtype.names[1:] == tuple(names(own))
     largest = max(difference(own, name, found["time"], found[name]) for name in names(own))
-    print(f"{scene} {kind} at {tolerance:.0e}: {largest:.1e}")
+    print(f"{scene} FMI {fmi} {kind} at {tolerance:.0e}: {largest:.1e}")
     assert largest < bound
 
 
@@ -98,10 +103,11 @@ def test_events_that_follow_each_other_within_one_step_of_communication_are_foun
 
 
 @pytest.mark.parametrize("kind", ["ModelExchange", "CoSimulation"])
-def test_parameters_and_inputs_can_be_changed(workbench, kind):
+@pytest.mark.parametrize("fmi", FMI)
+def test_parameters_and_inputs_can_be_changed(workbench, kind, fmi):
     pushed = DRIVEN.replace("PUSH", '{ unit = "N", value = "3 N" }').replace('"30 N/m"', '"45 N/m"')
     own = workbench.run(pushed)
-    unit = workbench.export(DRIVEN.replace("PUSH", '"N"'), "--fmu", "unit.fmu")
+    unit = workbench.export(DRIVEN.replace("PUSH", '"N"'), "--fmu", "unit.fmu", "--fmi", fmi)
     assert validate_fmu(str(unit)) == []
     signal = np.array([(0.0, 3.0), (10.0, 3.0)], dtype=[("time", float), ("push", float)])
     tolerance, bound = TOLERANCES[kind]
@@ -110,13 +116,17 @@ def test_parameters_and_inputs_can_be_changed(workbench, kind):
 
 
 @pytest.mark.parametrize("scene", ["models/slider_crank.toml", "models/series_motor.toml", DRIVEN.replace("PUSH", '"N"')])
-def test_directional_derivatives_are_quotients_of_differences(workbench, scene):
-    unit = workbench.export(scene, "--fmu", "unit.fmu")
+@pytest.mark.parametrize("fmi", FMI)
+def test_directional_derivatives_are_quotients_of_differences(workbench, scene, fmi):
+    unit = workbench.export(scene, "--fmu", "unit.fmu", "--fmi", fmi)
     description = fmpy.read_model_description(str(unit))
     folder = fmpy.extract(str(unit))
-    model = FMU3Model(guid=description.guid, unzipDirectory=folder, instanceName="one",
-                      modelIdentifier=description.modelExchange.modelIdentifier)
+    model = (FMU3Model if fmi == "3" else FMU2Model)(guid=description.guid, unzipDirectory=folder, instanceName="one",
+                                                     modelIdentifier=description.modelExchange.modelIdentifier)
+    read, write = (model.getFloat64, model.setFloat64) if fmi == "3" else (model.getReal, model.setReal)
     model.instantiate()
+    if fmi == "2":
+        model.setupExperiment()
     model.enterInitializationMode()
     model.exitInitializationMode()
     model.enterContinuousTimeMode()
@@ -125,16 +135,16 @@ def test_directional_derivatives_are_quotients_of_differences(workbench, scene):
     rates = [unknown.variable.valueReference for unknown in description.derivatives]
     outputs = [unknown.variable.valueReference for unknown in description.outputs]
     given = [variable.valueReference for variable in named.values() if variable.causality in ("parameter", "input")]
-    first = np.array(model.getFloat64([state.valueReference for state in states])) + 0.05
-    values = np.array(model.getFloat64(given))
+    first = np.array(read([state.valueReference for state in states])) + 0.05
+    values = np.array(read(given))
     unknowns = rates + outputs
 
     def at(state, data):
         model.enterEventMode()
-        model.setFloat64(given, list(data))
+        write(given, list(data))
         model.enterContinuousTimeMode()
         model.setContinuousStates((np.ctypeslib.as_ctypes(np.ascontiguousarray(state))), len(state))
-        return np.array(model.getFloat64(unknowns))
+        return np.array(read(unknowns))
 
     for place, known in enumerate([state.valueReference for state in states] + given):
         size = first[place] if place < len(states) else values[place - len(states)]
@@ -166,18 +176,20 @@ def test_a_changed_length_leaves_the_start_on_the_constraints(workbench):
 
 def test_the_sources_fit_the_headers_of_the_standard_and_have_no_warnings(workbench):
     headers = Path(fmpy.__file__).parent / "c-code"
-    for scene in ["models/slider_crank.toml", "models/bouncing_ball.toml", "models/double_pendulum.toml"]:
-        unit = workbench.export(scene, "--fmu", "unit.fmu")
+    scenes = ["models/slider_crank.toml", "models/bouncing_ball.toml", "models/double_pendulum.toml"]
+    for scene, fmi in [(scene, fmi) for scene in scenes for fmi in FMI]:
+        unit = workbench.export(scene, "--fmu", "unit.fmu", "--fmi", fmi)
         with zipfile.ZipFile(unit) as archive:
             archive.extractall(workbench.folder / "unit")
         sources = workbench.folder / "unit" / "sources"
-        for more in ([], ["-include", headers / "fmi3Functions.h"], ["-DFMI3_FUNCTION_PREFIX=one_"]):
-            warned = ["cc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", *map(str, more), "fmi3.c"]
+        for more in ([], ["-include", headers / f"fmi{fmi}Functions.h"], [f"-DFMI{fmi}_FUNCTION_PREFIX=one_"]):
+            warned = ["cc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", *map(str, more), f"fmi{fmi}.c"]
             said = subprocess.run(warned, cwd=sources, capture_output=True, text=True)
             assert said.returncode == 0, said.stderr
 
 
-def test_an_event_ends_the_run(workbench):
+@pytest.mark.parametrize("fmi", FMI)
+def test_an_event_ends_the_run(workbench, fmi):
     falling = """title = "A stone falls"
 gravity = "-(9.81 m/s^2)*N.y"
 [parameters]
@@ -197,7 +209,7 @@ y = "1 m"
 [run]
 span = "3 s"
 """
-    unit = workbench.export(falling, "--fmu", "unit.fmu")
+    unit = workbench.export(falling, "--fmu", "unit.fmu", "--fmi", fmi)
     for kind in ["ModelExchange", "CoSimulation"]:
         found = fmpy.simulate_fmu(str(unit), fmi_type=kind, output_interval=0.01, relative_tolerance=1e-9, stop_time=3.0)
         assert abs(found["time"][-1] - np.sqrt(2 / 9.81)) < 0.011, kind

@@ -106,7 +106,7 @@ pub enum Command {
     Derive(derive::Asked),
     /// A sketch of a system, drawn from its model: bodies, joints, springs, surfaces; still, or moving as a run does
     Draw(draw::Asked),
-    /// A system that is written in its file, for other programs: a unit of FMI 3.0, a Modelica model, code that runs
+    /// A system that is written in its file, for other programs: a unit of FMI 3.0 or 2.0, a Modelica model, code that runs
     #[command(after_long_help = export::HELP)]
     Export(export::Asked),
     /// Whether every principle gives the same equations of motion, for a system that is written in its file

@@ -6,7 +6,7 @@ use crate::output::{Form, Format, Output, Provenance, Source, Writes};
 use ::scenes::SystemText;
 use ::scenes::exchange::{Program, program, unit};
 use clap::Args;
-use exchange::fmu::{Binary, NoBinary};
+use exchange::fmu::{Binary, NoBinary, Unit, Version};
 use std::path::{Path, PathBuf};
 
 /// The C compiler for the sources of a functional mock-up unit.
@@ -14,7 +14,7 @@ const COMPILER: &str = "cc";
 
 /// The end of the long help.
 pub const HELP: &str = "\
-A unit of FMI 3.0 is for model exchange and for co-simulation. Its parameters can be changed, its inputs are those of the file that have no
+A unit of FMI 3.0, or of FMI 2.0, is for model exchange and for co-simulation. Its parameters can be changed, its inputs are those of the file that have no
 value, its events are those of the file and the conditions of `if`, `sign`, `abs`, `min`, `max` and `table`; it has directional derivatives.
 It holds its sources, and a binary for this platform where the C compiler `cc` is found.
 
@@ -29,6 +29,9 @@ pub struct Asked {
     pub scene: PathBuf,
     #[command(flatten)]
     pub target: Target,
+    /// The version of the standard of --fmu: 3 or 2
+    #[arg(long, value_name = "VERSION", default_value = "3", value_parser = version, requires = "fmu")]
+    pub fmi: Version,
     /// Replaces a file even where `export` did not write what stands there
     #[arg(long)]
     pub force: bool,
@@ -38,7 +41,7 @@ pub struct Asked {
 #[derive(Args, Debug)]
 #[group(required = true, multiple = false)]
 pub struct Target {
-    /// A functional mock-up unit of FMI 3.0
+    /// A functional mock-up unit of FMI 3.0, or of FMI 2.0 with --fmi 2
     #[arg(long, value_name = "FILE.fmu")]
     pub fmu: Option<PathBuf>,
     /// A flat Modelica model with its events; its name is that of the file
@@ -58,6 +61,14 @@ pub struct Target {
     pub casadi: Option<PathBuf>,
 }
 
+fn version(text: &str) -> Result<Version, String> {
+    match text {
+        "2" | "2.0" => Ok(Version::Two),
+        "3" | "3.0" => Ok(Version::Three),
+        _ => Err("2 and 3 are accepted".to_owned()),
+    }
+}
+
 /// Writes the file.
 pub fn export(asked: &Asked) -> Result<Exit, Exit> {
     let writes = Writes { command: "export", force: asked.force, reads: vec![&asked.scene] };
@@ -74,6 +85,7 @@ pub fn export(asked: &Asked) -> Result<Exit, Exit> {
     let written = if let Some(path) = fmu {
         let output = writes.output(path, &[Form::Unit])?;
         let unit = unit(&text()?, &identifier(path), &provenance.line(), &writes.maker().generator())?;
+        let unit = Unit { version: asked.fmi, ..unit };
         let binary = compiled(&output, &unit)?;
         output.write(|out| unit.write(out, binary.as_ref()))?
     } else {
@@ -93,7 +105,7 @@ pub fn export(asked: &Asked) -> Result<Exit, Exit> {
 }
 
 /// The binary of a functional mock-up unit; `None`, with a warning, where there is no compiler.
-fn compiled(output: &Output, unit: &exchange::fmu::Unit) -> Result<Option<Binary>, Exit> {
+fn compiled(output: &Output, unit: &Unit) -> Result<Option<Binary>, Exit> {
     let folder = tempfile::tempdir().map_err(Exit::refused)?;
     match Binary::of(unit, COMPILER, folder.path(), || clock::goes_on().is_continue()) {
         Ok(binary) => Ok(Some(binary)),

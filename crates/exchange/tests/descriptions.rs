@@ -1,6 +1,6 @@
 //! The description of a unit.
 
-use dalembert_exchange::fmu::{Unit, Variable};
+use dalembert_exchange::fmu::{Unit, Variable, Version, seal_holds};
 
 fn variable(name: &str, unit: &str) -> Variable {
     Variable { name: name.to_owned(), unit: unit.to_owned(), description: String::new(), value: 0.5 }
@@ -8,6 +8,7 @@ fn variable(name: &str, unit: &str) -> Variable {
 
 fn unit() -> Unit {
     Unit {
+        version: Version::Three,
         identifier: "one".to_owned(),
         title: "A \"title\" <with> signs & a\nline".to_owned(),
         origin: "an origin */ of its own".to_owned(),
@@ -72,4 +73,32 @@ fn another_source_has_another_token() {
     let other = Unit { source: "/* something */\n".to_owned(), ..unit() };
     assert_eq!(token(&unit()), token(&unit()));
     assert_ne!(token(&unit()), token(&other));
+}
+
+#[test]
+fn version_2_counts_from_one_and_has_no_variables_of_indicators() {
+    let unit = Unit { version: Version::Two, ..unit() };
+    let text = written(&unit);
+    for part in [
+        "fmiVersion=\"2.0\"",
+        "numberOfEventIndicators=\"1\"",
+        "<File name=\"fmi2.c\"/>",
+        // the state is the second variable, its derivative the fourth
+        "name=\"time\" valueReference=\"1\"",
+        "<Real unit=\"m\" start=\"0.5\"/>",
+        "name=\"der(time)\" valueReference=\"3\"",
+        "<Real derivative=\"2\"/>",
+        "<Unknown index=\"4\"/>",
+    ] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    assert!(!text.contains("event 1\" valueReference") && !text.contains("buildDescription"));
+    assert!(text.contains("sources/fmi2.c") && text.contains("sources/fmi3.c"));
+}
+
+#[test]
+fn a_unit_is_sealed() {
+    let mut bytes = Vec::new();
+    unit().write(&mut bytes, None).expect("memory takes it");
+    assert_eq!(seal_holds(&bytes), Some(true));
 }

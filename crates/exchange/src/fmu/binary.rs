@@ -1,6 +1,6 @@
 //! The binary of a functional mock-up unit, compiled by the C compiler of this computer.
 
-use super::Unit;
+use super::{Unit, Version};
 use std::env::consts::{ARCH, DLL_EXTENSION, OS};
 use std::fmt;
 use std::io;
@@ -47,17 +47,29 @@ impl From<io::Error> for NoBinary {
     }
 }
 
-/// The name of this platform in FMI 3.0.
-pub fn platform() -> String {
-    format!("{ARCH}-{}", if OS == "macos" { "darwin" } else { OS })
+impl Version {
+    /// The name of this platform.
+    fn platform(self) -> String {
+        let system = if OS == "macos" { "darwin" } else { OS };
+        match (self, ARCH, OS) {
+            (Version::Two, "x86_64", "linux" | "macos") => format!("{system}64"),
+            (Version::Two, "x86", "linux") => "linux32".to_owned(),
+            (Version::Two, "x86_64", "windows") => "win64".to_owned(),
+            (Version::Two, "x86", "windows") => "win32".to_owned(),
+            // FMI 2.0 names no others
+            _ => format!("{ARCH}-{system}"),
+        }
+    }
+}
+
+impl Unit {
+    /// The path of the binary among binaries.
+    pub(super) fn library(&self) -> String {
+        format!("{}/{}.{DLL_EXTENSION}", self.version.platform(), self.identifier)
+    }
 }
 
 impl Binary {
-    /// The path of the binary in the archive.
-    pub(super) fn path(&self, identifier: &str) -> String {
-        format!("{}/{identifier}.{DLL_EXTENSION}", platform())
-    }
-
     /// Compiles a unit in an empty folder; `goes_on` is asked repeatedly whether to continue.
     ///
     /// # Errors
@@ -80,7 +92,11 @@ impl Binary {
             "-o",
             &library,
         ]);
-        command.args(["fmi3.c", "-lm"]).current_dir(folder).stdin(Stdio::null()).stdout(Stdio::null());
+        command
+            .args([unit.version.main_source(), "-lm"])
+            .current_dir(folder)
+            .stdin(Stdio::null())
+            .stdout(Stdio::null());
         command.stderr(std::fs::File::create(&said)?);
         let mut child = command.spawn().map_err(|error| match error.kind() {
             io::ErrorKind::NotFound => NoBinary::NoCompiler(compiler.to_owned()),

@@ -1,11 +1,12 @@
-//! A functional mock-up unit of FMI 3.0: its description, its sources, and its binary.
+//! A functional mock-up unit of FMI 3.0 or 2.0: its description, its sources, and its binary.
 //!
-//! The C functions of the system are given by the caller; the functions of the standard, which call them, stand in `sources/`.
+//! The C functions of the system are given by the caller; the functions of the standard, which call them, stand in `sources/`. Those of FMI 2.0
+//! call those of FMI 3.0.
 
 mod binary;
 mod description;
 
-pub use binary::{Binary, NoBinary, platform};
+pub use binary::{Binary, NoBinary};
 
 use crate::archive::{self, Entry, Seal};
 use siphasher::sip128::{Hasher128, SipHasher13};
@@ -24,9 +25,28 @@ pub struct Variable {
     pub value: f64,
 }
 
+/// A version of the standard.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Version {
+    Two,
+    #[default]
+    Three,
+}
+
+impl Version {
+    /// The file that a compiler is given.
+    pub(crate) fn main_source(self) -> &'static str {
+        match self {
+            Version::Two => "fmi2.c",
+            Version::Three => "fmi3.c",
+        }
+    }
+}
+
 /// A system as a unit.
 #[derive(Clone, Debug)]
 pub struct Unit {
+    pub version: Version,
     /// An identifier of C.
     pub identifier: String,
     pub title: String,
@@ -61,6 +81,10 @@ const SOURCES: [(&str, &str); 7] = [
     ("others.h", include_str!("sources/others.h")),
 ];
 
+/// The functions of FMI 2.0 over them.
+const SOURCES_OF_2: [(&str, &str); 2] =
+    [("fmi2.c", include_str!("sources/fmi2.c")), ("types2.h", include_str!("sources/types2.h"))];
+
 /// The file with the hash of the others, in the folder that the standard leaves to tools.
 const SEAL: Seal = Seal { path: "extra/dalembert/sha256.txt", file: String::into_bytes };
 
@@ -89,7 +113,8 @@ impl Unit {
             "\nstatic const char *const indicator_names[] = {{\n{}    \"\"\n}};",
             names.collect::<String>()
         );
-        let own = SOURCES.iter().map(|&(name, text)| (name, text.to_owned()));
+        let of_2: &[(&str, &str)] = if self.version == Version::Two { &SOURCES_OF_2 } else { &[] };
+        let own = SOURCES.iter().chain(of_2).map(|&(name, text)| (name, text.to_owned()));
         own.chain([("system.h", system)]).collect()
     }
 
@@ -102,9 +127,9 @@ impl Unit {
         let sources = self.sources();
         let mut entries = vec![Entry { path: "modelDescription.xml".to_owned(), bytes: &model }];
         if let Some(binary) = binary {
-            entries.push(Entry { path: format!("binaries/{}", binary.path(&self.identifier)), bytes: &binary.bytes });
+            entries.push(Entry { path: format!("binaries/{}", self.library()), bytes: &binary.bytes });
         }
-        entries.push(Entry { path: "sources/buildDescription.xml".to_owned(), bytes: &build });
+        entries.extend(build.iter().map(|bytes| Entry { path: "sources/buildDescription.xml".to_owned(), bytes }));
         let files = sources.iter();
         entries.extend(files.map(|(name, text)| Entry { path: format!("sources/{name}"), bytes: text.as_bytes() }));
         archive::write_sealed(out, &entries, SEAL)

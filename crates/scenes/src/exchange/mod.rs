@@ -7,7 +7,7 @@ use crate::readiness::ready;
 use crate::row_units::unit_of;
 use crate::scene::called;
 use crate::system_text::SystemText;
-use exchange::fmu::{Unit, Variable};
+use exchange::fmu::{Unit, Variable, Version};
 use jumps::sticking;
 use model::principles::Principle;
 use model::{MatrixForm, Model, Trace};
@@ -138,6 +138,7 @@ pub fn unit(text: &SystemText, identifier: &str, origin: &str, tool: &str) -> Re
         value: 0.0,
     });
     Ok(Unit {
+        version: Version::default(),
         identifier: identifier.to_owned(),
         title: if titled.is_empty() { identifier.to_owned() } else { titled },
         origin: origin.to_owned(),

@@ -39,11 +39,15 @@ typedef void (*fmi3UnlockPreemptionCallback)(void);
 #endif
 
 #if defined _WIN32
-#define EXPORT __declspec(dllexport)
+#define VISIBLE __declspec(dllexport)
 #elif defined __GNUC__
-#define EXPORT __attribute__((visibility("default")))
+#define VISIBLE __attribute__((visibility("default")))
 #else
-#define EXPORT
+#define VISIBLE
+#endif
+/* a unit of FMI 2.0 keeps these functions to itself */
+#ifndef EXPORT
+#define EXPORT VISIBLE
 #endif
 
 /* units that are linked together have prefixes */

@@ -1,6 +1,9 @@
 //! The description of a unit: its variables with their causality and variability, and the states, derivatives and outputs among them.
 
-use super::{Unit, Variable};
+mod version_2;
+mod version_3;
+
+use super::{Unit, Variable, Version};
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, Event};
 use std::collections::BTreeSet;
@@ -32,6 +35,28 @@ enum Kind {
 type Attributes = Vec<(&'static str, String)>;
 
 impl Unit {
+    /// `modelDescription.xml`.
+    pub(super) fn description(&self) -> io::Result<Vec<u8>> {
+        match self.version {
+            Version::Two => version_2::description(self),
+            Version::Three => version_3::description(self),
+        }
+    }
+
+    /// `buildDescription.xml`, which version 2.0 does not have.
+    pub(super) fn build_description(&self) -> io::Result<Option<Vec<u8>>> {
+        match self.version {
+            Version::Two => Ok(None),
+            Version::Three => version_3::build_description(self).map(Some),
+        }
+    }
+
+    /// The span and the tolerance of a usual simulation.
+    fn experiment(&self) -> Attributes {
+        let experiment = [("startTime", 0.0), ("stopTime", self.span), ("tolerance", self.tolerance)];
+        experiment.into_iter().map(|(name, value)| (name, format!("{value:?}"))).collect()
+    }
+
     /// All variables in the order of their value references.
     fn variables(&self) -> Vec<Listed<'_>> {
         let listed = |kind: Kind| move |variable| Listed::of(variable, kind);
@@ -66,60 +91,6 @@ impl Unit {
         }
         all
     }
-
-    /// `modelDescription.xml`.
-    pub(super) fn description(&self) -> io::Result<Vec<u8>> {
-        let variables = self.variables();
-        let mut xml = begun()?;
-        let root = [
-            ("fmiVersion", "3.0".to_owned()),
-            ("modelName", self.title.clone()),
-            ("instantiationToken", self.token()),
-            ("description", self.origin.clone()),
-            ("generationTool", self.tool.clone()),
-            ("variableNamingConvention", "flat".to_owned()),
-        ];
-        let offers = || -> Attributes {
-            vec![
-                ("modelIdentifier", self.identifier.clone()),
-                ("canGetAndSetFMUState", "true".to_owned()),
-                ("providesDirectionalDerivatives", "true".to_owned()),
-            ]
-        };
-        element(&mut xml, "fmiModelDescription", &root, |xml| {
-            let mut exchange = offers();
-            exchange.push(("needsCompletedIntegratorStep", "true".to_owned()));
-            empty(xml, "ModelExchange", &exchange)?;
-            let mut steps = offers();
-            steps.push(("canHandleVariableCommunicationStepSize", "true".to_owned()));
-            empty(xml, "CoSimulation", &steps)?;
-            element(xml, "UnitDefinitions", &[], |xml| measures(xml, &variables))?;
-            element(xml, "LogCategories", &[], |xml| empty(xml, "Category", &[("name", "system".to_owned())]))?;
-            let experiment = [("startTime", 0.0), ("stopTime", self.span), ("tolerance", self.tolerance)];
-            let experiment: Attributes =
-                experiment.into_iter().map(|(name, value)| (name, format!("{value:?}"))).collect();
-            empty(xml, "DefaultExperiment", &experiment)?;
-            element(xml, "ModelVariables", &[], |xml| {
-                variables.iter().enumerate().try_for_each(|(place, variable)| variable.write(xml, place))
-            })?;
-            element(xml, "ModelStructure", &[], |xml| structure(xml, &variables))
-        })?;
-        Ok(xml.into_inner())
-    }
-
-    /// `buildDescription.xml`.
-    pub(super) fn build_description(&self) -> io::Result<Vec<u8>> {
-        let mut xml = begun()?;
-        element(&mut xml, "fmiBuildDescription", &[("fmiVersion", "3.0".to_owned())], |xml| {
-            element(xml, "BuildConfiguration", &[("modelIdentifier", self.identifier.clone())], |xml| {
-                element(xml, "SourceFileSet", &[("language", "C99".to_owned())], |xml| {
-                    empty(xml, "SourceFile", &[("name", "fmi3.c".to_owned())])
-                })?;
-                empty(xml, "Library", &[("name", "m".to_owned())])
-            })
-        })?;
-        Ok(xml.into_inner())
-    }
 }
 
 impl<'a> Listed<'a> {
@@ -129,29 +100,34 @@ impl<'a> Listed<'a> {
         Listed { name: name.clone(), unit, description, kind, start }
     }
 
-    fn write(&self, xml: &mut Xml, reference: usize) -> io::Result<()> {
-        let mut attributes: Attributes = vec![("name", self.name.clone()), ("valueReference", reference.to_string())];
-        let (causality, variability, initial) = match self.kind {
+    /// Causality, variability and initial value by the words of the standard.
+    fn words(&self) -> (&'static str, &'static str, Option<&'static str>) {
+        match self.kind {
             Kind::Time => ("independent", "continuous", None),
             Kind::State => ("local", "continuous", Some("exact")),
             Kind::Parameter => ("parameter", "tunable", Some("exact")),
             Kind::Input => ("input", "continuous", None),
             Kind::Output => ("output", "continuous", Some("calculated")),
             Kind::Derivative(_) | Kind::Local | Kind::Indicator => ("local", "continuous", Some("calculated")),
-        };
+        }
+    }
+
+    /// The attributes of a variable with a value reference that both versions of the standard have in one place.
+    fn attributes(&self, reference: usize) -> Attributes {
+        let (causality, variability, initial) = self.words();
+        let mut attributes: Attributes = vec![("name", self.name.clone()), ("valueReference", reference.to_string())];
         if !self.description.is_empty() {
             attributes.push(("description", self.description.to_owned()));
         }
         attributes.extend([("causality", causality.to_owned()), ("variability", variability.to_owned())]);
         attributes.extend(initial.map(|initial| ("initial", initial.to_owned())));
-        if !self.unit.is_empty() && self.unit != "1" {
-            attributes.push(("unit", self.unit.to_owned()));
-        }
-        attributes.extend(self.start.map(|start| ("start", format!("{start:?}"))));
-        if let Kind::Derivative(of) = self.kind {
-            attributes.push(("derivative", of.to_string()));
-        }
-        empty(xml, "Float64", &attributes)
+        attributes
+    }
+
+    /// The unit and the start, where there are some.
+    fn unit_and_start(&self) -> Attributes {
+        let unit = Some(self.unit).filter(|unit| !matches!(*unit, "" | "1")).map(|unit| ("unit", unit.to_owned()));
+        unit.into_iter().chain(self.start.map(|start| ("start", format!("{start:?}")))).collect()
     }
 }
 
@@ -170,24 +146,6 @@ fn measures(xml: &mut Xml, variables: &[Listed<'_>]) -> io::Result<()> {
         }
         element(xml, "Unit", &[("name", name.to_owned())], |xml| empty(xml, "BaseUnit", &base))
     })
-}
-
-/// The model structure: outputs, derivatives of states, initial unknowns, event indicators.
-fn structure(xml: &mut Xml, variables: &[Listed<'_>]) -> io::Result<()> {
-    let is_derivative = |kind: Kind| matches!(kind, Kind::Derivative(_));
-    let is_output = |kind: Kind| kind == Kind::Output;
-    let parts: [(&str, &dyn Fn(Kind) -> bool); 4] = [
-        ("Output", &is_output),
-        ("ContinuousStateDerivative", &is_derivative),
-        ("InitialUnknown", &|kind| is_output(kind) || is_derivative(kind)),
-        ("EventIndicator", &|kind| kind == Kind::Indicator),
-    ];
-    for (name, is_of) in parts {
-        for (reference, _) in variables.iter().enumerate().filter(|(_, variable)| is_of(variable.kind)) {
-            empty(xml, name, &[("valueReference", reference.to_string())])?;
-        }
-    }
-    Ok(())
 }
 
 type Xml = Writer<Vec<u8>>;
