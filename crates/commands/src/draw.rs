@@ -83,7 +83,11 @@ pub fn draw(asked: &Asked) -> Result<Exit, Exit> {
     let towards = asked.view.map(|Direction(direction)| direction);
     let work = Progress::new("draw");
     let (drawn, ending) = match (asked.animate, asked.time) {
-        (false, None) => (still(&asked.scene, &text, towards)?, Exit::Done),
+        (false, None) => {
+            let (title, model) = ::scenes::parse_titled(&text.name, &text.text, Task::Run)?;
+            text.check_run(&model)?;
+            (still_of(&asked.scene, (&title, model), towards)?, Exit::Done)
+        }
         (false, Some(time)) => (at_time(&asked.scene, &text, time, towards)?, Exit::Done),
         (true, _) => moving(&asked.scene, &text, (asked.span, towards))?,
     };
@@ -96,13 +100,18 @@ pub fn draw(asked: &Asked) -> Result<Exit, Exit> {
     Ok(ending)
 }
 
-/// The sketch of a text at its start; parameters without values count as one, inputs as zero.
+/// The sketch of a text at its start, whatever its run is.
 pub fn still(path: &Path, text: &SystemText, towards: Option<[f64; 3]>) -> Result<Sketch, Exit> {
-    let (title, mut model) = ::scenes::parse_titled(&text.name, &text.text, Task::Run)?;
+    let (title, model) = ::scenes::parse_titled(&text.name, &text.text, Task::Run)?;
+    still_of(path, (&title, model), towards)
+}
+
+/// The sketch of a model at its start; parameters without values count as one, inputs as zero.
+fn still_of(path: &Path, (title, mut model): (&str, Model), towards: Option<[f64; 3]>) -> Result<Sketch, Exit> {
     let open = close(&mut model)?;
     let start = start_of(&model).map_err(|issue| placed(path, issue))?;
     let geometry = geometry(path, &Arc::new(model), &start)?;
-    let mut drawn = sketch(&title, &geometry, &[geometry.first_figure(&start)], towards);
+    let mut drawn = sketch(title, &geometry, &[geometry.first_figure(&start)], towards);
     if !open.is_empty() {
         drawn.note += &format!(" Parameters without a value are drawn as 1: {}.", open.join(", "));
     }

@@ -5,13 +5,15 @@ use crate::branch::{on_branch, without_implied};
 use crate::known_as::known;
 use crate::quoted_keys::with_quoted_primes;
 use crate::readiness::{start_of, starting};
+use crate::row_units::columns;
 use crate::scene::{KNOWN_AS, TITLE, VALUES, model_with, written};
 use crate::size::{Task, too_large};
 use crate::text::OF_PAPERS;
 use crate::warnings::warn_of;
 use model::{Entry, Model, Source};
 use reader::{Issue, SceneError, read_text, tables};
-use simulation::models::holds_model;
+use simulation::models::{has_model, holds_model};
+use simulation::run;
 use std::path::Path;
 
 /// A text with `[coordinates]`, and its name in messages.
@@ -60,6 +62,21 @@ impl SystemText {
     /// A fault of the system, at its place in this text.
     pub fn with_issue(&self, issue: Issue) -> SceneError {
         SceneError { path: self.name.clone(), text: self.text.clone(), issues: vec![issue] }
+    }
+
+    /// Checks the table [run], where the text has one, for tasks that need no run.
+    ///
+    /// # Errors
+    /// All that is wrong with it, each at its place.
+    pub fn check_run(&self, model: &Model) -> Result<(), SceneError> {
+        let names = columns(model);
+        // outputs of a scene with a law of its own have the names of that
+        let known = (holds_model(&self.text) || !has_model(&self.text)).then_some(names.as_slice());
+        tables(&self.name, &self.text, |top, issues| {
+            top.known_all();
+            let is_sound = !top.has("run") || run::read(top, issues, known).is_some();
+            is_sound.then_some(())
+        })
     }
 
     /// The system for printing equations: without the equations of redundant constraints.

@@ -179,6 +179,30 @@ fn torques_linear_in_an_angle_are_springs_at_its_joint_and_others_are_torques() 
     assert_eq!(geometry.couples.iter().map(at).collect::<Vec<_>>(), ["O", "O", ""]);
 }
 
+#[test]
+fn a_spring_between_two_bodies_stands_at_their_hinge_where_no_place_tells_it() {
+    let text = TWO_BARS
+        .replace("points = { P = \"O - l*A.y\", Q = \"P - l*B.y\" }\n", "")
+        .replace("P - l/2*B.y", "O - l*A.y - l/2*B.y")
+        .replace("run = {", "start = { alpha = \"20 deg\", beta = \"-50 deg\" }\nrun = {");
+    let scene = scene(&text);
+    let geometry = geometry(&scene);
+    let [alpha, beta] = [20.0_f64, -50.0].map(f64::to_radians);
+    let figure = geometry.figure(0.0, &[alpha, beta, 0.0, 0.0]);
+    let spot = |joint: &Joint| {
+        let axes = figure.frames[joint.frames[0]];
+        let way = (0..3).map(|k| joint.way[k] * axes[k]).sum::<nalgebra::Vector3<f64>>();
+        <[f64; 3]>::from(figure.places[joint.at.expect("it has a place")] + way)
+    };
+    let mut found: Vec<[f64; 3]> = geometry.rotaries.iter().map(|one| spot(&one.joint)).collect();
+    found.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let hinge = [0.5 * alpha.sin(), -0.5 * alpha.cos(), 0.0];
+    assert_eq!(found.len(), 3);
+    for (found, wanted) in found.into_iter().zip([[0.0; 3], hinge, hinge]) {
+        near(found, wanted, 1e-9);
+    }
+}
+
 const WHEELS: &str = r#"
 title = "A gear and a belt"
 parameters = { J = "1e-3 kg m^2", m = "1 kg", d = "0.4 m" }

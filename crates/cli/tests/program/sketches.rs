@@ -140,3 +140,27 @@ fn a_place_that_is_too_far_is_told_with_its_coordinate_and_its_line() {
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(said.contains("far.toml:4:") && said.contains("it is -2e120 m at the start"), "{said}");
 }
+
+#[test]
+fn values_of_a_run_that_is_not_drawn_are_checked_as_everywhere() {
+    let text = |run: &str| {
+        format!(
+            "coordinates = {{ x = \"m\" }}\nparameters = {{ m = \"kg\" }}\nbodies = {{ bob = {{ centre = \"O + x*N.x\", mass = \"m\" }} }}\n{run}"
+        )
+    };
+    for run in ["", "[run]\nspan = \"1 s\"\noutputs = [\"x\"]\n"] {
+        assert_eq!(of_text("sound_run.toml", &text(run), &[]).status.code(), Some(0), "{run}");
+    }
+    for (run, why) in [
+        ("span = \"-1 s\"", "`span` must be positive"),
+        ("span = \"1 m\"", "span"),
+        ("span = \"1 s\"\ntolerance = 2", "`tolerance` is out of range"),
+        ("span = \"1 s\"\noutputs = [\"y\"]", "y"),
+        ("span = \"1 s\"\nspam = 1", "spam"),
+        ("tolerance = 1e-8", "span"),
+    ] {
+        let output = of_text("wrong_run.toml", &text(&format!("[run]\n{run}\n")), &[]);
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.code() == Some(2) && said.contains(why), "{run}: {said}");
+    }
+}

@@ -74,8 +74,15 @@ fn about_axes(parts: &mut Parts<'_>) {
 }
 
 /// The place of a joint; where it has none, the middle of a body that turns there, else the origin.
-fn middle(parts: &Parts<'_>, joint: &Joint) -> usize {
-    joint.at.or_else(|| parts.middles[joint.body?]).unwrap_or(0)
+fn middle(parts: &mut Parts<'_>, joint: &Joint) -> usize {
+    let Joint { frames, at, way, body } = *joint;
+    match at {
+        Some(at) if way != Vector3::zeros() => parts.place(move |figure| {
+            let [x, y, z] = figure.frames[frames[0]];
+            figure.places[at] + way.x * x + way.y * y + way.z * z
+        }),
+        _ => at.or_else(|| parts.middles[body?]).unwrap_or(0),
+    }
 }
 
 /// The direction of a vector, of any unit; zero of one that has none.

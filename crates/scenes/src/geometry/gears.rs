@@ -43,7 +43,7 @@ impl Geometry {
     fn pair(&self, gear: &Gear, samples: &[Figure]) -> Option<GearPair> {
         let wheel = |turn: &GearTurn| match turn {
             GearTurn::Frame { carrier, frame, axis } => {
-                let centre = self.joint([carrier.0, frame.0]).at?;
+                let centre = self.axle([carrier.0, frame.0])?;
                 Some(GearWheel { centre, radius: 0.0, frame: frame.0, axis: *axis })
             }
             GearTurn::Coordinate(_) => None,

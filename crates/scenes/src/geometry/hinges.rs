@@ -1,8 +1,15 @@
 //! Elements and torques about the axes of frames, each at the joint where it acts.
 
 use super::Geometry;
-use super::figure::Symbolic;
+use super::figure::{Figure, Symbolic};
 use model::geometry::Action;
+use nalgebra::{DMatrix, DVector, Vector3};
+
+/// Singular values below this part of the largest one are taken for zero.
+const RANK: f64 = 1e-9;
+
+/// Places that are apart by less than this part of the size of a system are one.
+const SAME: f64 = 1e-6;
 
 /// A torsion spring or a rotary dashpot.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,36 +25,89 @@ pub struct Rotary {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joint {
     pub frames: [usize; 2],
-    /// A place that is fixed in both, else the centre of the second; none where no place tells it.
+    /// A place that is fixed in both, else one from which such a point is told, else the centre of the second; none where no place tells it.
     pub at: Option<usize>,
+    /// The way from that place to the point that is fixed in both, along the axes of the first frame.
+    pub way: Vector3<f64>,
     /// A body that turns with the second frame, else with the first.
     pub body: Option<usize>,
 }
 
 impl Geometry {
     /// Springs and dashpots about axes.
-    pub(super) fn rotaries_of(&self, symbolic: &Symbolic) -> Vec<Rotary> {
+    pub(super) fn rotaries_of(&self, symbolic: &Symbolic, samples: &[Figure]) -> Vec<Rotary> {
         let one = |torsion: &model::geometry::Torsion| {
             let frames = torsion.frames.map(|frame| frame.0);
-            Rotary { joint: self.joint(frames), axis: torsion.axis, action: torsion.action }
+            Rotary { joint: self.joint(frames, samples), axis: torsion.axis, action: torsion.action }
         };
         symbolic.torsions.iter().map(one).collect()
     }
 
     /// The joint of each torque.
-    pub(super) fn couples_of(&self, symbolic: &Symbolic) -> Vec<Joint> {
-        symbolic.couples.iter().map(|frames| self.joint(frames.map(|frame| frame.0))).collect()
+    pub(super) fn couples_of(&self, symbolic: &Symbolic, samples: &[Figure]) -> Vec<Joint> {
+        symbolic.couples.iter().map(|frames| self.joint(frames.map(|frame| frame.0), samples)).collect()
     }
 
     /// Where two frames turn beside each other.
-    pub(super) fn joint(&self, frames: [usize; 2]) -> Joint {
+    fn joint(&self, frames: [usize; 2], samples: &[Figure]) -> Joint {
+        let pivot = || self.pivot(frames, samples);
+        let at = self.shared_place(frames).map(|at| (at, Vector3::zeros())).or_else(pivot);
+        let body = frames.iter().rev().find_map(|frame| self.body_in(*frame));
+        match at {
+            Some((at, way)) => Joint { frames, at: Some(at), way, body },
+            None => Joint { frames, at: self.centre_in(frames[1]), way: Vector3::zeros(), body },
+        }
+    }
+
+    /// A place that is fixed in two frames, or that a constraint keeps at one in the other.
+    fn shared_place(&self, frames: [usize; 2]) -> Option<usize> {
         let [first, second] = frames.map(|frame| self.fixed_in(frame));
         let shared = first.iter().copied().filter(|place| second.contains(place));
-        // two places that a constraint keeps together
         let meet = |place: &usize| second.iter().any(|other| self.meets(*place, *other));
-        let at = shared.min_by_key(|place| self.names[*place].is_empty()).or_else(|| first.iter().copied().find(meet));
-        let body = frames.iter().rev().find_map(|frame| self.body_in(*frame));
-        Joint { frames, at: at.or_else(|| self.centre(self.body_in(frames[1])?)), body }
+        shared.min_by_key(|place| self.names[*place].is_empty()).or_else(|| first.iter().copied().find(meet))
+    }
+
+    /// The place about which a frame turns in another: one that is fixed in both, else the centre of its body.
+    pub(super) fn axle(&self, frames: [usize; 2]) -> Option<usize> {
+        self.shared_place(frames).or_else(|| self.centre_in(frames[1]))
+    }
+
+    /// The point that is fixed in two frames, where they turn about one: a place of the first, and the way from there along its axes.
+    ///
+    ///   a + R p = b + S q  at every sample for some p and q,
+    ///
+    /// with places a, b that are fixed in the frames, whose axes are the columns of R, S. About one axis p and q are those that lie nearest.
+    fn pivot(&self, frames: [usize; 2], samples: &[Figure]) -> Option<(usize, Vector3<f64>)> {
+        let [one, other] = frames.map(|frame| self.anchor(frame));
+        let (one, other) = (one?, other?);
+        let mut matrix = DMatrix::zeros(3 * samples.len(), 6);
+        let mut apart = DVector::zeros(3 * samples.len());
+        for (number, at) in samples.iter().enumerate() {
+            for axis in 0..3 {
+                matrix.view_mut((3 * number, axis), (3, 1)).copy_from(&at.frames[frames[0]][axis]);
+                matrix.view_mut((3 * number, 3 + axis), (3, 1)).copy_from(&-at.frames[frames[1]][axis]);
+            }
+            apart.rows_mut(3 * number, 3).copy_from(&(at.places[other] - at.places[one]));
+        }
+        let decomposed = matrix.clone().svd(true, true);
+        let least = RANK * decomposed.singular_values.amax();
+        // frames that keep an angle have no one point about which they turn
+        if decomposed.rank(least) < 5 {
+            return None;
+        }
+        let found = decomposed.solve(&apart, least).ok()?;
+        let is_fixed = (matrix * &found - apart).amax() <= SAME * self.size;
+        is_fixed.then(|| (one, Vector3::new(found[0], found[1], found[2])))
+    }
+
+    /// A place that is fixed in a frame.
+    fn anchor(&self, frame: usize) -> Option<usize> {
+        self.centre_in(frame).or_else(|| self.fixed_in(frame).first().copied())
+    }
+
+    /// The centre of a body that turns with a frame.
+    fn centre_in(&self, frame: usize) -> Option<usize> {
+        self.centre(self.body_in(frame)?)
     }
 
     /// A body that turns with a frame.
@@ -68,6 +128,6 @@ impl Geometry {
 
     /// Whether two places are one at the start.
     fn meets(&self, one: usize, other: usize) -> bool {
-        (self.at_start[one] - self.at_start[other]).norm() <= 1e-6 * self.size
+        (self.at_start[one] - self.at_start[other]).norm() <= SAME * self.size
     }
 }

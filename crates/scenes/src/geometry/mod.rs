@@ -144,8 +144,8 @@ impl Geometry {
             at_start,
             recorded,
         };
-        geometry.rotaries = geometry.rotaries_of(&symbolic);
-        geometry.couples = geometry.couples_of(&symbolic);
+        geometry.rotaries = geometry.rotaries_of(&symbolic, &samples);
+        geometry.couples = geometry.couples_of(&symbolic, &samples);
         (geometry.gears, geometry.told_gears) = geometry.gears_of(&symbolic, &samples);
         Ok(geometry)
     }
