@@ -172,6 +172,15 @@ fn parts_are_joined_to_the_table_of_one_run_whatever_was_killed() {
     assert!(code == Some(0) && said.starts_with("20 members: 20 reached the end"), "{said}");
     assert_eq!(folder.read("joined.csv"), folder.read("whole.csv"));
     assert!(run(&scene, &joined, &[]).status.success(), "it is a table like any other");
+    // a row that was edited is not lost
+    let whole = folder.read("joined.csv");
+    let edited = whole.replacen(",0.", ",0.9", 3);
+    std::fs::write(&joined, &edited).expect("it can be written");
+    let (code, said) = of_tables(&scene, "--merge", &[first, second, third], &out);
+    assert!(code == Some(2) && said.contains("would be lost") && folder.read("joined.csv") == edited, "{said}");
+    assert_eq!(of_tables(&scene, "--merge", &[first, second, third], &[&out[..], &["--force"]].concat()).0, Some(0));
+    assert_eq!(of_tables(&scene, "--merge", &[first, second, third], &out).0, Some(0));
+    assert_eq!(folder.read("joined.csv"), whole);
 }
 
 #[test]

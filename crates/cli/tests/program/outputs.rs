@@ -62,6 +62,11 @@ fn every_command_replaces_its_own_file_and_no_other() {
             // a reference as good as the new one is kept, with a message
             assert!(String::from_utf8_lossy(&output.stdout).contains(name), "{command:?}");
         }
+        let mut edited = std::fs::read(folder.at(name)).expect("it is there");
+        edited.extend(b"\n");
+        std::fs::write(folder.at(name), &edited).expect("it can be written");
+        folder.refused(&[command, &[name]].concat(), "exists and is no unchanged ");
+        assert!(std::fs::read(folder.at(name)).expect("it is there") == edited, "{command:?}");
         std::fs::write(folder.at(name), "precious").expect("it can be written");
         folder.refused(&[command, &[name]].concat(), "exists and is no ");
         assert_eq!(folder.read(name), "precious");

@@ -9,8 +9,10 @@ fn a_reference_gives_way_to_a_better_one_only() {
     let read = || std::fs::read_to_string(&path).expect("it was written");
     assert!(run(&asked).status.success());
     let made = read();
-    // a comment that a newly written reference would not have
-    let marked = format!("{made}# kept\n");
+    let (unsealed, seal) = made.trim_end().rsplit_once('\n').expect("it has lines");
+    assert!(seal.starts_with("# sha256 of the lines above: "), "{seal}");
+    // as an earlier version wrote it, with a comment that a newly written reference would not have
+    let marked = format!("{unsealed}\n# kept\n");
     std::fs::write(&path, &marked).expect("it can be written");
     let output = run(&asked);
     assert!(output.status.success() && String::from_utf8_lossy(&output.stdout).contains("is kept: its methods share"));
@@ -19,6 +21,10 @@ fn a_reference_gives_way_to_a_better_one_only() {
     std::fs::write(&path, marked.replace(digits, "digits = 20.5")).expect("it can be written");
     assert!(run(&asked).status.success());
     let again = read();
+    let edited = made.replace(digits, "digits = 20.5");
+    std::fs::write(&path, &edited).expect("it can be written");
+    let refused = run(&asked);
+    assert!(refused.status.code() == Some(2) && read() == edited, "an edited reference is the user's");
     std::fs::remove_file(&path).expect("it is there");
     assert_eq!(again, made);
 }

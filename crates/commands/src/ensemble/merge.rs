@@ -110,13 +110,20 @@ pub fn merge(
     let output = writes.output(out, &[Form::Table(heading.trim_end().to_owned())])?;
     // all tables are checked before anything is written
     let (mut absent, mut fates) = (Vec::new(), Fates::default());
+    let mut standing = Standing { rows: if writes.force { None } else { of_this(scene, out) }, path: out };
     joined(scene, paths, makers, |joined| {
         match joined {
-            Joined::Row(_, member, stopped) => fates.add(member, stopped),
+            Joined::Row(text, member, stopped) => {
+                standing.meets(Some(text))?;
+                fates.add(member, stopped);
+            }
             Joined::Missing(members) => absent.push(told(&members)),
         }
         Ok(())
     })?;
+    if absent.is_empty() {
+        standing.meets(None)?;
+    }
     if !absent.is_empty() {
         let which = absent.join(", ");
         return Err(Exit::refused(format!(
@@ -152,6 +159,41 @@ pub fn merge(
     let _ = written?;
     print(&fates.text(out, 0, |member| scene.failures(member, &|| clock::goes_on().is_continue())))?;
     Ok(if fates.reached() > 0 { Exit::Done } else { Exit::Stopped })
+}
+
+/// A table of this ensemble that stands where the joined one is to be written: its rows are those of the parts, unless it was edited.
+struct Standing<'a> {
+    path: &'a Path,
+    rows: Option<Rows<'a, BufReader<File>>>,
+}
+
+/// The table at a path, if its first row is one of this ensemble.
+fn of_this<'a>(scene: &'a EnsembleScene, path: &Path) -> Option<Rows<'a, BufReader<File>>> {
+    // reading a pipe would wait for a writer
+    let open =
+        || Rows::of(BufReader::new(File::open(path).ok().filter(|_| path.is_file())?), scene, Makers::This).ok()?;
+    open()?.next_row().ok()??;
+    open()
+}
+
+impl Standing<'_> {
+    /// Refuses a next row that is another than that of the parts; one that ends early loses nothing.
+    fn meets(&mut self, wanted: Option<&[u8]>) -> Result<(), Exit> {
+        let Some(rows) = &mut self.rows else { return Ok(()) };
+        match rows.next_row() {
+            Ok(Some(_)) if wanted == Some(rows.text()) => Ok(()),
+            Ok(None) => {
+                self.rows = None;
+                Ok(())
+            }
+            _ => Err(Exit::refused(format!(
+                "{}, line {}: this row is none of the tables that are joined, and would be lost; a name that is free is accepted, and \
+                 --force, which replaces the file",
+                self.path.display(),
+                rows.line()
+            ))),
+        }
+    }
 }
 
 fn told(members: &RangeInclusive<u64>) -> String {

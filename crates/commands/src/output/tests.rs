@@ -52,6 +52,39 @@ fn a_table_of_our_own_is_replaced_and_that_of_another_only_by_force() {
 }
 
 #[test]
+fn a_file_that_was_edited_is_replaced_by_force_alone_and_one_of_an_earlier_version_as_before() {
+    let folder = Folder::new();
+    let scene = folder.at("scene.toml");
+    let page = "<meta name=\"generator\" content=\"dalembert run, version 9\">\n<p>old</p>\n";
+    let reference = "# Reference of x: so\n# Made by: dalembert run x\ndigits = 20 # old\n";
+    for (name, form, content) in [
+        ("a.csv", table()[0].clone(), "# made by: dalembert run, version 9\ntime [s],x [m]\n0,\"old\"\n"),
+        ("a.html", Form::Page, page),
+        ("a.reference", Form::Reference, reference),
+        // the seal closes the object
+        ("a.json", Form::Certificates, "{\"made_by\":\"dalembert run, version 9\",\"x\":\"old\""),
+    ] {
+        let (path, forms) = (folder.at(name), [form]);
+        let write = |force: bool| {
+            let said = |ending| format!("{ending:?}");
+            let output = writes(&scene, force).output(&path, &forms).map_err(said)?;
+            output.write_text(content).map(drop).map_err(said)
+        };
+        assert_eq!((write(false), write(false)), (Ok(()), Ok(())), "{name}");
+        let made = folder.read(name);
+        for edited in [made.replace("old", "new"), format!("{made}\n"), made.replacen('\n', "\nnew\n", 1)] {
+            fs::write(&path, &edited).expect("it can be written");
+            let refused = write(false).expect_err(name);
+            assert!(refused.contains("it was edited since") && refused.contains("--force"), "{refused}");
+            assert_eq!(folder.read(name), edited);
+        }
+        assert_eq!((write(true), folder.read(name)), (Ok(()), made), "{name}");
+        fs::write(&path, content).expect("it can be written");
+        assert_eq!(write(false), Ok(()), "{name} of an earlier version");
+    }
+}
+
+#[test]
 fn what_is_read_is_never_written_by_any_name() {
     let folder = Folder::new();
     let read = folder.at("read.csv");

@@ -38,9 +38,8 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     let path: &Path = &asked.scene;
     let text = read_text(path)?;
     let scene = ModelScene::parse(&path.display().to_string(), &text)?;
-    let columns: Vec<String> = (columns(&scene).iter().map(|(name, unit)| csv::headed(name, unit)))
-        .chain(["cost".to_owned()])
-        .collect();
+    let columns: Vec<String> =
+        (columns(&scene).iter().map(|(name, unit)| csv::headed(name, unit))).chain(["cost".to_owned()]).collect();
     let writes = Writes { command: "regulate", force: asked.force, reads: vec![path] };
     let provenance = Provenance::of(writes.maker(), path).of_run(&loop_choice(&scene));
     let table = csv::Table::at(&writes, asked.out.as_deref(), &columns, provenance)?;

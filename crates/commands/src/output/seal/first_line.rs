@@ -13,10 +13,7 @@ const BEFORE: &str = "; sha256 of all else here: ";
 const DIGITS: usize = 64;
 
 /// Writes content from the beginning of a file. Where its first line is a comment, that line ends with the hash of the content.
-pub fn sealed<W: Write + Seek>(
-    out: &mut W,
-    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-) -> io::Result<()> {
+pub fn sealed<W: Write + Seek>(out: &mut W, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     let mut opened = Opened { out, length: 0, digits: Digits::Unknown };
     let mut hashed = Hashed::of(&mut opened);
     content(&mut hashed)?;
@@ -80,7 +77,8 @@ impl<W: Write> Write for Opened<'_, W> {
 pub fn holds(mut table: impl BufRead) -> io::Result<Option<bool>> {
     let mut first = Vec::new();
     table.read_until(b'\n', &mut first)?;
-    let seal = first.len().checked_sub(BEFORE.len() + DIGITS + 1).filter(|at| first[*at..].starts_with(BEFORE.as_bytes()));
+    let seal =
+        first.len().checked_sub(BEFORE.len() + DIGITS + 1).filter(|at| first[*at..].starts_with(BEFORE.as_bytes()));
     let Some(seal) = seal else { return in_other_comments(&first, table) };
     let mut hash = Hash::new();
     hash.update(&first[..seal]);
