@@ -56,13 +56,13 @@ def test_motions_that_are_none_are_refused_with_what_is_accepted():
         dalembert.Model.from_file(MODELS / "slider_crank.toml").inverse({"theta": "phi"}, "T")
     with pytest.raises(dalembert.ModelError, match="an unknown must be one"):
         driven().inverse({"x": "(0.1 m)"}, "v")
-    for wrong in ({}, "x = 2", {"x": 0.1}, None):
+    for wrong in ({}, "x = 2", {"x": 0.1}, {"x": " "}, None):
         with pytest.raises(TypeError, match="`motions`"):
             driven().inverse(wrong, "u")
-    for wrong in ([], [1, 0], [0, float("nan")], [[0, 1]]):
+    for wrong in ([], [1, 0], [0, float("nan")], [[0, 1]], ["a"]):
         with pytest.raises(ValueError, match="`times`"):
             driven().inverse({"x": "(0.1 m)"}, "u", times=wrong)
-    for name, wrong in (("span", 0), ("span", float("inf")), ("samples", 0), ("samples", 2.5), ("samples", 1_000_001)):
+    for name, wrong in (("span", 0), ("span", float("inf")), ("samples", 0), ("samples", 2.5), ("samples", 1_000_001), ("samples", "ten")):
         with pytest.raises(ValueError, match=f"`{name}`"):
             driven().inverse({"x": "(0.1 m)"}, "u", **{name: wrong})
 
@@ -82,11 +82,11 @@ def test_a_regulator_has_the_gains_of_riccatis_equation():
 
 def test_a_regulator_acts_on_the_nonlinear_model_or_is_refused_at_its_place():
     found = cart_pole().regulate()
-    assert found.run["theta"][0] == pytest.approx(np.radians(5)) and abs(found.run.last["theta"]) < 1e-6 and found.K.shape == (1, 4)
+    assert found.run["theta"][0] == pytest.approx(np.radians(5)) and abs(found.run.last["theta"]) < 1e-4 and found.K.shape == (1, 4)
     heavier = cart_pole().with_values(m=0.2).regulate()
     assert not np.allclose(heavier.K, found.K)
     with pytest.raises(dalembert.ModelError, match="regulator"):
-        driven().regulate()
+        dalembert.Model.from_text(OSCILLATOR).regulate()
     with pytest.raises(dalembert.ModelError) as raised:
         dalembert.Model.from_text(REGULATED.replace("is = \"u*N.x\"", "is = \"0*u*N.x\"")).regulate()
     assert raised.value.remedy
@@ -101,7 +101,7 @@ def test_regimes_are_counted_with_their_margins():
     apart = resting.regimes()
     assert apart.determined and apart.verdict == "one motion" and len(apart) == 1
     [touching] = resting.with_values(x=0.0).regimes()
-    assert touching.margins and touching.margins[0].of == "floor"
+    assert touching.margins and touching.margins[0].of == "contact `floor`"
     found = resting.with_values(x=0.0).regimes()
     assert "<td" in found._repr_html_() and pickle.loads(pickle.dumps(found))[0] == found[0]
     with pytest.raises(dalembert.ModelError, match="this system has one regime"):
@@ -112,8 +112,8 @@ def test_a_reference_has_the_digits_of_the_closed_form():
     reference = dalembert.Model.from_text(OSCILLATOR).reference(span=2.0)
     assert reference.digits > 25 and reference.time[0] < reference.time[-1] == 2.0 and reference.names == ["x", "x'"]
     assert np.abs(reference["x"] - 0.1 * np.cos(2 * reference.time)).max() < 1e-16 and len(set(reference.methods)) == 2
-    # cos 4 to 35 digits
-    exact = Decimal("-0.65364362086361191463916818309775038") / 10
+    # cos 4 to 35 digits; the start is the number of 64 bits nearest to 0.1
+    exact = Decimal("-0.65364362086361191463916818309775038") * Decimal(0.1)
     assert abs(reference.decimals["x"][-1] - exact) < Decimal("1e-25")
     assert "<code>" in reference._repr_html_() and str(reference.decimals["x"][-1]) in repr(reference)
     assert np.array_equal(pickle.loads(pickle.dumps(reference)).array, reference.array)

@@ -44,23 +44,35 @@ def _number(name: str, value: float) -> float:
         raise TypeError(f"`{name}` is {value!r}; a number in SI units is accepted") from None
 
 
+def _whole(name: str, value: int, most: int | None = None) -> int:
+    try:
+        is_whole = not isinstance(value, (bool, str, bytes)) and int(value) == value and 1 <= value <= (most or value)
+    except (TypeError, ValueError, OverflowError):
+        is_whole = False
+    if not is_whole:
+        raise ValueError(f"`{name}` is {value!r}; a whole number from 1 {'on' if most is None else f'to {most}'} is accepted")
+    return int(value)
+
+
 # instants of forces, at most: as many as the command takes
-_MOST_INSTANTS = 1_000_001
+_MOST_INSTANTS = 1_000_000
 
 
 def _instants(span: float, samples: int, times: ArrayLike | None) -> list[float]:
     """Instants from 0 to a span, or those that are given."""
     if times is not None:
-        given = numpy.atleast_1d(numpy.asarray(times, dtype=float))
-        if given.ndim != 1 or not 1 <= len(given) < _MOST_INSTANTS or not numpy.isfinite(given).all() or not (numpy.diff(given) > 0).all():
-            raise ValueError(f"`times` is {times!r}; from one to {_MOST_INSTANTS - 1} finite times in seconds that rise are accepted")
+        try:
+            given = numpy.atleast_1d(numpy.asarray(times, dtype=float))
+        except (TypeError, ValueError):
+            given = numpy.empty(0)
+        if given.ndim != 1 or not 1 <= len(given) <= _MOST_INSTANTS or not numpy.isfinite(given).all() or not (numpy.diff(given) > 0).all():
+            raise ValueError(f"`times` is {times!r}; from one to {_MOST_INSTANTS} finite times in seconds that rise are accepted")
         return given.tolist()
     span = _number("span", span)
     if not 0 < span < float("inf"):
         raise ValueError(f"`span` is {span}; a positive time in seconds is accepted")
-    if isinstance(samples, bool) or int(samples) != samples or not 1 <= samples < _MOST_INSTANTS:
-        raise ValueError(f"`samples` is {samples!r}; a whole number from 1 to {_MOST_INSTANTS - 1} is accepted")
-    return [span * place / int(samples) for place in range(int(samples) + 1)]
+    count = _whole("samples", samples, _MOST_INSTANTS)
+    return [span * place / count for place in range(count + 1)]
 
 
 def _restored(text: str, name: str, values: list[tuple[str, float]]) -> Model:
@@ -177,9 +189,7 @@ class Model:
             if not low <= high < float("inf") or low == float("-inf"):
                 raise ValueError(f"the range of `{name}` is {range_!r}; two finite numbers that rise are accepted")
             asked.append((name, low, high))
-        if isinstance(boxes, bool) or int(boxes) != boxes or boxes < 1:
-            raise ValueError(f"`boxes` is {boxes!r}; a whole number from 1 on is accepted")
-        return SteadyMotions(*apart("stationary", (self, asked, int(boxes)), seconds))
+        return SteadyMotions(*apart("stationary", (self, asked, _whole("boxes", boxes)), seconds))
 
     def choose(self, tolerance: float = 1e-6, outputs: Iterable[str] = (), *, seconds: float | None = 300.0) -> ModelChoice:
         """The smallest model of this system that meets a tolerance in the outputs that matter, and the method that runs it the cheapest.
@@ -254,14 +264,13 @@ class Model:
         method: one of dalembert.METHODS, such as "taylor", "radau_5" or "implicit_midpoint:1000" with its number of steps.
         seconds: after so long the run is stopped, and what there is is kept; None for no limit. Ctrl-C breaks it off.
         """
-        if samples is not None and (isinstance(samples, bool) or int(samples) != samples or samples < 1):
-            raise ValueError(f"`samples` is {samples!r}; a whole number from 1 on is accepted")
+        kept = None if samples is None else _whole("samples", samples)
         span = None if span is None else _number("span", span)
         tolerance = None if tolerance is None else _number("tolerance", tolerance)
         if method is not None and not isinstance(method, str):
             raise TypeError(f"`method` is {method!r}; a name of dalembert.METHODS is accepted")
         limit = _LONGEST if seconds is None else min(_number("seconds", seconds), _LONGEST)
-        return Trajectory(self._native.run(span, method, tolerance, samples and int(samples), limit), self.title)
+        return Trajectory(self._native.run(span, method, tolerance, kept, limit), self.title)
 
     def inverse(
         self,
@@ -283,7 +292,7 @@ class Model:
             >>> forces = model.inverse({"theta": "0.5*sin(t*(2 rad/s))"}, "T", span=3.0, samples=300)
             >>> forces["T"], forces["theta''"], forces.time
         """
-        if not isinstance(motions, Mapping) or not motions or not all(isinstance(part, str) for pair in motions.items() for part in pair):
+        if not isinstance(motions, Mapping) or not motions or not all(isinstance(part, str) and part.strip() for pair in motions.items() for part in pair):
             raise TypeError(f"`motions` is {motions!r}; a dictionary of expressions is accepted, {{name: expression}}, such as {{'x': '(0.1 m)*sin(t*(2 rad/s))'}}")
         sought = [unknowns] if isinstance(unknowns, str) else list(unknowns)
         if not all(isinstance(name, str) for name in sought):

@@ -61,10 +61,10 @@ class Reference(TimedColumns):
 
     def __repr__(self) -> str:
         lines = [self.text.rstrip(), f"at t = {self.time[-1]:.9g} s"]
-        return "\n".join(lines + [f"  {name:<18} {values[-1]} {of_unit(self.units[name])}".rstrip() for name, values in self.decimals.items()])
+        return "\n".join(lines + [f"  {name:<18} {values[-1]:f} {of_unit(self.units[name])}".rstrip() for name, values in self.decimals.items()])
 
     def _repr_html_(self) -> str:
         head, *rest = self.text.rstrip().splitlines()
-        rows = [[escape(name), escape(of_unit(self.units[name])), f"<code>{values[-1]}</code>"] for name, values in self.decimals.items()]
+        rows = [[escape(name), escape(of_unit(self.units[name])), f"<code>{values[-1]:f}</code>"] for name, values in self.decimals.items()]
         facts = "<br>".join(map(escape, rest))
         return f"<b>{escape(head or 'a reference')}</b><br>{facts}" + table(["state", "unit", f"at t = {self.time[-1]:.9g} s"], rows)
