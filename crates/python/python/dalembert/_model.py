@@ -324,7 +324,7 @@ class Model:
     def reference(self, span: float | None = None, *, seconds: float | None = 300.0) -> Reference:
         """The motion over `span` seconds to all digits that two methods of different families share, 20 or more.
 
-        Without `span` that of the table [run] of the text, or 10 s. A motion that is known to fewer digits raises ModelError with the reason. seconds: the
+        It is told at eight instants up to its end. Without `span` that of the table [run] of the text, or 10 s. A motion that is known to fewer digits raises ModelError with the reason. seconds: the
         methods have so much time together; None for no limit. Ctrl-C breaks it off.
 
             >>> reference = model.reference(span=2.0)

@@ -90,7 +90,7 @@ class Regimes(list[Regime]):
         if self.critical_friction is not None:
             factor, where = self.critical_friction
             head += f"<br><small>reactions of sliding contacts become singular at {factor:.6g} times this friction: {escape(where)}</small>"
-        return head + table(["regime", "contact", "condition", "margin"], rows)
+        return head + (table(["regime", "contact", "condition", "margin"], rows) if rows else "")
 
 
 def _regime(told: dict[str, Any]) -> Regime:

@@ -18,6 +18,10 @@ def _complex(values: list[list[float]]) -> numpy.ndarray:
     return numpy.array([complex(*value) for value in values])
 
 
+def _shown(value: complex) -> str:
+    return f"{value.real:.6g}" if value.imag == 0 else f"{value.real:.6g} {'-' if value.imag < 0 else '+'} {abs(value.imag):.6g} i"
+
+
 def _matrix(head: list[str], side: list[str], matrix: numpy.ndarray) -> str:
     rows = [[f"<b>{escape(name)}</b>"] + [f"{value:.9g}" for value in row] for name, row in zip(side, matrix)]
     return table(["", *head], rows)
@@ -114,7 +118,7 @@ class Regulator:
 
     def _repr_html_(self) -> str:
         number = lambda value: "" if value is None else f"{value:.9g}"  # noqa: E731
-        listed = lambda values: ", ".join(f"{value:.6g}" for value in values)  # noqa: E731
+        listed = lambda values: ", ".join(map(_shown, values))  # noqa: E731
         facts = [
             ("inputs", ", ".join(self.inputs)),
             ("controllability", self.controllability),
