@@ -16,6 +16,10 @@ pub struct Entry<'a> {
 /// The earliest time in a zip archive, the beginning of 1980, in Unix seconds.
 const FIRST: i64 = 315_532_800;
 
+/// The first bytes of an archive with files, and of its last part, with the length of that without a comment.
+const BEGIN: &[u8] = b"PK\x03\x04";
+const END: (&[u8], usize) = (b"PK\x05\x06", 22);
+
 /// Writes an archive.
 ///
 /// # Errors
@@ -52,8 +56,12 @@ impl Seal {
 
     /// Whether an archive holds the files, and no others, that its seal was written for; `None` where none of its files is a seal.
     pub fn holds(&self, archive: &[u8]) -> Option<bool> {
-        // an archive that cannot be read is none that was written here
+        // an archive that cannot be read, or with bytes behind its end, is none that was written here
         let Ok(mut files) = files(archive) else { return Some(false) };
+        let ends = archive.len().checked_sub(END.1).is_some_and(|at| archive[at..].starts_with(END.0));
+        if !(ends && archive.starts_with(BEGIN)) {
+            return Some(false);
+        }
         if !files.iter().any(|(path, _)| path == self.path) {
             return None;
         }
@@ -139,6 +147,9 @@ mod tests {
             write(&mut changed, &entries).expect("memory takes it");
             assert_eq!(seal.holds(&changed), Some(false), "{files:?}");
         }
-        assert!([&b""[..], &whole[..whole.len() - 1]].iter().all(|cut| seal.holds(cut) == Some(false)));
+        let (longer, before) = ([&whole[..], b"\n"].concat(), [b"\n", &whole[..]].concat());
+        for changed in [&b""[..], &whole[..whole.len() - 1], &longer, &before] {
+            assert_eq!(seal.holds(changed), Some(false));
+        }
     }
 }
