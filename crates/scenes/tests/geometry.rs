@@ -168,14 +168,14 @@ fn torques_linear_in_an_angle_are_springs_at_its_joint_and_others_are_torques() 
     let scene = scene(TWO_BARS);
     let geometry = geometry(&scene);
     assert!(geometry.elements.is_empty(), "{:?}", geometry.elements);
-    let at = |joint: &Joint| joint.at.map_or("", |place| geometry.names[place].as_str());
+    let at = |joint: &Joint| joint.at.map_or("", |spot| geometry.names[spot.place].as_str());
     let mut found: Vec<(Action, &str)> = geometry.rotaries.iter().map(|one| (one.action, at(&one.joint))).collect();
     found.sort_unstable();
     assert_eq!(found, [(Action::Elastic, "O"), (Action::Elastic, "P"), (Action::Viscous, "P")]);
     let figure = geometry.figure(0.0, &scene.start);
     let torques: Vec<f64> = figure.torques.iter().map(|torque| torque.z).collect();
     assert_eq!(torques, [-1.0, 0.0, 1.0]);
-    // the angle of the lower bar counts from the ground, with which it has no joint: the torque acts at its centre
+    // the angle of the lower bar counts from the ground, with which it has no joint
     assert_eq!(geometry.couples.iter().map(at).collect::<Vec<_>>(), ["O", "O", ""]);
 }
 
@@ -189,11 +189,7 @@ fn a_spring_between_two_bodies_stands_at_their_hinge_where_no_place_tells_it() {
     let geometry = geometry(&scene);
     let [alpha, beta] = [20.0_f64, -50.0].map(f64::to_radians);
     let figure = geometry.figure(0.0, &[alpha, beta, 0.0, 0.0]);
-    let spot = |joint: &Joint| {
-        let axes = figure.frames[joint.frames[0]];
-        let way = (0..3).map(|k| joint.way[k] * axes[k]).sum::<nalgebra::Vector3<f64>>();
-        <[f64; 3]>::from(figure.places[joint.at.expect("it has a place")] + way)
-    };
+    let spot = |joint: &Joint| <[f64; 3]>::from(joint.at.expect("it has a point").in_figure(&figure));
     let mut found: Vec<[f64; 3]> = geometry.rotaries.iter().map(|one| spot(&one.joint)).collect();
     found.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let hinge = [0.5 * alpha.sin(), -0.5 * alpha.cos(), 0.0];
@@ -201,6 +197,33 @@ fn a_spring_between_two_bodies_stands_at_their_hinge_where_no_place_tells_it() {
     for (found, wanted) in found.into_iter().zip([[0.0; 3], hinge, hinge]) {
         near(found, wanted, 1e-9);
     }
+}
+
+#[test]
+fn a_spring_to_a_body_whose_centre_is_the_hinge_stands_there_and_one_between_shafts_has_no_hinge() {
+    let text =
+        TWO_BARS.replace("points = { P = \"O - l*A.y\", Q = \"P - l*B.y\" }\n", "").replace("P - l/2*B.y", "O - l*A.y");
+    let scene = scene(&text);
+    let found = geometry(&scene);
+    let figure = found.figure(0.0, &scene.start);
+    let hinge = found.rotaries.iter().filter(|one| one.joint.frames[0] != 0).map(|one| one.joint.at);
+    for at in hinge {
+        near(at.expect("it has a point").in_figure(&figure).into(), [0.0, -0.5, 0.0], 1e-9);
+    }
+    let shafts = r#"
+title = "Two rotors on shafts of their own"
+parameters = { J = "1 kg m^2", m = "1 kg", k = "3 N m", d = "1 m" }
+coordinates = { a = "rad", b = "rad" }
+frames = { A = "N turned a about z", B = "N turned b about z" }
+points = { Q = "O + d*N.x" }
+energies = { potential = "k*(b - a)^2/2" }
+run = { span = "1 s" }
+bodies.one = { frame = "A", centre = "O", mass = "m", inertia = "J" }
+bodies.other = { frame = "B", centre = "Q", mass = "m", inertia = "J" }
+"#;
+    let found = geometry(&self::scene(shafts));
+    assert_eq!(found.rotaries.len(), 1);
+    assert_eq!((found.rotaries[0].joint.at, found.rotaries[0].joint.bodies), (None, [Some(0), Some(1)]));
 }
 
 const WHEELS: &str = r#"

@@ -73,15 +73,15 @@ fn about_axes(parts: &mut Parts<'_>) {
     }
 }
 
-/// The place of a joint; where it has none, the middle of a body that turns there, else the origin.
+/// The place of a joint: a point that is fixed in both frames, else the middle between their bodies, else the origin.
 fn middle(parts: &mut Parts<'_>, joint: &Joint) -> usize {
-    let Joint { frames, at, way, body } = *joint;
-    match at {
-        Some(at) if way != Vector3::zeros() => parts.place(move |figure| {
-            let [x, y, z] = figure.frames[frames[0]];
-            figure.places[at] + way.x * x + way.y * y + way.z * z
-        }),
-        _ => at.or_else(|| parts.middles[body?]).unwrap_or(0),
+    if let Some(spot) = joint.at {
+        let is_place = spot.way == Vector3::zeros();
+        return if is_place { spot.place } else { parts.place(move |figure| spot.in_figure(figure)) };
+    }
+    match joint.bodies.map(|body| parts.middles[body?]) {
+        [Some(one), Some(other)] => parts.between(one, other),
+        [one, other] => other.or(one).unwrap_or(0),
     }
 }
 

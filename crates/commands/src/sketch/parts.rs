@@ -39,6 +39,15 @@ impl<'a> Parts<'a> {
         self.instants.first().map_or(0, |instant| instant.places.len() - 1)
     }
 
+    /// Adds the place in the middle between two.
+    pub fn between(&mut self, one: usize, other: usize) -> usize {
+        for Instant { places, .. } in &mut self.instants {
+            let (one, other) = (places[one], places[other]);
+            places.push(std::array::from_fn(|k| 0.5 * (one[k] + other[k])));
+        }
+        self.instants.first().map_or(0, |instant| instant.places.len() - 1)
+    }
+
     pub fn direction(&mut self, of: impl Fn(&Figure) -> Vector3<f64>) -> usize {
         for (instant, figure) in self.instants.iter_mut().zip(self.figures) {
             instant.directions.push(of(figure).into());

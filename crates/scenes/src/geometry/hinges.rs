@@ -25,12 +25,27 @@ pub struct Rotary {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joint {
     pub frames: [usize; 2],
-    /// A place that is fixed in both, else one from which such a point is told, else the centre of the second; none where no place tells it.
-    pub at: Option<usize>,
-    /// The way from that place to the point that is fixed in both, along the axes of the first frame.
+    /// A point that is fixed in both, where there is one.
+    pub at: Option<Spot>,
+    /// The bodies that turn with the frames; none with the ground.
+    pub bodies: [Option<usize>; 2],
+}
+
+/// A point from a place of the model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spot {
+    pub place: usize,
+    /// The way from that place, along the axes of a frame.
     pub way: Vector3<f64>,
-    /// A body that turns with the second frame, else with the first.
-    pub body: Option<usize>,
+    pub frame: usize,
+}
+
+impl Spot {
+    /// The point in a figure.
+    pub fn in_figure(&self, figure: &Figure) -> Vector3<f64> {
+        let [x, y, z] = figure.frames[self.frame];
+        figure.places[self.place] + self.way.x * x + self.way.y * y + self.way.z * z
+    }
 }
 
 impl Geometry {
@@ -50,13 +65,9 @@ impl Geometry {
 
     /// Where two frames turn beside each other.
     fn joint(&self, frames: [usize; 2], samples: &[Figure]) -> Joint {
-        let pivot = || self.pivot(frames, samples);
-        let at = self.shared_place(frames).map(|at| (at, Vector3::zeros())).or_else(pivot);
-        let body = frames.iter().rev().find_map(|frame| self.body_in(*frame));
-        match at {
-            Some((at, way)) => Joint { frames, at: Some(at), way, body },
-            None => Joint { frames, at: self.centre_in(frames[1]), way: Vector3::zeros(), body },
-        }
+        let shared = self.shared_place(frames).map(|place| Spot { place, way: Vector3::zeros(), frame: frames[0] });
+        let at = shared.or_else(|| self.pivot(frames, samples));
+        Joint { frames, at, bodies: frames.map(|frame| self.body_in(frame)) }
     }
 
     /// A place that is fixed in two frames, or that a constraint keeps at one in the other.
@@ -77,7 +88,7 @@ impl Geometry {
     ///   a + R p = b + S q  at every sample for some p and q,
     ///
     /// with places a, b that are fixed in the frames, whose axes are the columns of R, S. About one axis p and q are those that lie nearest.
-    fn pivot(&self, frames: [usize; 2], samples: &[Figure]) -> Option<(usize, Vector3<f64>)> {
+    fn pivot(&self, frames: [usize; 2], samples: &[Figure]) -> Option<Spot> {
         let [one, other] = frames.map(|frame| self.anchor(frame));
         let (one, other) = (one?, other?);
         let mut matrix = DMatrix::zeros(3 * samples.len(), 6);
@@ -97,7 +108,8 @@ impl Geometry {
         }
         let found = decomposed.solve(&apart, least).ok()?;
         let is_fixed = (matrix * &found - apart).amax() <= SAME * self.size;
-        is_fixed.then(|| (one, Vector3::new(found[0], found[1], found[2])))
+        let way = Vector3::new(found[0], found[1], found[2]);
+        is_fixed.then_some(Spot { place: one, way, frame: frames[0] })
     }
 
     /// A place that is fixed in a frame.

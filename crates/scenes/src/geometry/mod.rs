@@ -13,7 +13,7 @@ mod wheels;
 
 pub use figure::{Figure, Touch};
 pub use gears::{GearPair, GearWheel};
-pub use hinges::{Joint, Rotary};
+pub use hinges::{Joint, Rotary, Spot};
 pub use inertia::Ellipsoid;
 pub use rigid::Link;
 
