@@ -76,15 +76,14 @@ fn kill(arguments: &[&str], name: &str, (times, within): (usize, f64), whole: im
     assert!(left > 0, "{arguments:?} was never killed in time");
 }
 
-fn ends_with(end: &str) -> impl Fn(&[u8]) -> bool {
-    move |found| found.trim_ascii_end().ends_with(end.as_bytes())
-}
-
-/// Whether a picture ends with its seal.
-fn is_sealed(found: &[u8]) -> bool {
-    let text = String::from_utf8_lossy(found);
-    let last = text.split_once("</svg>\n<!-- sha256 of the lines above: ").map(|(_, last)| last);
-    last.is_some_and(|last| last.len() == 64 + " -->\n".len() && last.ends_with(" -->\n"))
+/// Whether a picture or a page, whose content has this end, ends with its seal.
+fn is_sealed(end: &str) -> impl Fn(&[u8]) -> bool {
+    let before = format!("{end}\n<!-- sha256 of the lines above: ");
+    move |found| {
+        let text = String::from_utf8_lossy(found);
+        let last = text.split_once(&before).map(|(_, last)| last);
+        last.is_some_and(|last| last.len() == 64 + " -->\n".len() && last.ends_with(" -->\n"))
+    }
 }
 
 /// The file that a program writes if it is not killed: its last digits may depend on the processor.
@@ -106,8 +105,8 @@ fn a_table_is_whole_whenever_its_run_is_killed() {
 #[test]
 fn pages_pictures_and_references_are_whole_whenever_their_program_is_killed() {
     let scene = "scenes/closed_forms/unloaded_motor.toml";
-    kill(&["chart", scene, "--seconds", "1", "--force", "--out"], "page.html", (2, 400.0), ends_with("</html>"));
-    kill(&["choose", scene, "--seconds", "1", "--force", "--out"], "models.svg", (4, 20.0), is_sealed);
+    kill(&["chart", scene, "--seconds", "1", "--force", "--out"], "page.html", (2, 400.0), is_sealed("</html>"));
+    kill(&["choose", scene, "--seconds", "1", "--force", "--out"], "models.svg", (4, 20.0), is_sealed("</svg>"));
     let arguments = ["reference", scene, "--force", "--out"];
     let reference = undisturbed(&arguments, "whole.reference");
     kill(&arguments, "again.reference", (4, 10.0), |found| found == reference);

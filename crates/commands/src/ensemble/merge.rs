@@ -5,7 +5,7 @@ use super::rows::{Makers, RowOfMember, Rows};
 use crate::clock;
 use crate::exit::{Exit, print};
 use crate::output::{Form, Writes};
-use simulation::ensemble::EnsembleScene;
+use simulation::ensemble::{EnsembleScene, Fingerprint};
 use std::fs::File;
 use std::io::{self, BufReader};
 use std::ops::RangeInclusive;
@@ -167,13 +167,16 @@ struct Standing<'a> {
     rows: Option<Rows<'a, BufReader<File>>>,
 }
 
-/// The table at a path, if its first row is one of this ensemble.
+/// The table at a path, if its first row ends as one of this ensemble.
 fn of_this<'a>(scene: &'a EnsembleScene, path: &Path) -> Option<Rows<'a, BufReader<File>>> {
     // reading a pipe would wait for a writer
     let open =
         || Rows::of(BufReader::new(File::open(path).ok().filter(|_| path.is_file())?), scene, Makers::This).ok()?;
-    open()?.next_row().ok()??;
-    open()
+    let mut rows = open()?;
+    // data of the row may have been edited
+    let _ = rows.next_row();
+    let own = format!(",{}\n", Fingerprint::of(scene));
+    rows.text().ends_with(own.as_bytes()).then(open)?
 }
 
 impl Standing<'_> {
