@@ -29,9 +29,9 @@ pub struct Asked {
     pub scene: PathBuf,
     #[command(flatten)]
     pub target: Target,
-    /// The version of the standard of --fmu: 3 or 2
-    #[arg(long, value_name = "VERSION", default_value = "3", value_parser = version, requires = "fmu")]
-    pub fmi: Version,
+    /// The version of the standard of --fmu: 3, which is the default, or 2
+    #[arg(long, value_name = "VERSION", value_parser = version)]
+    pub fmi: Option<Version>,
     /// Replaces a file even where `export` did not write what stands there
     #[arg(long)]
     pub force: bool,
@@ -82,10 +82,13 @@ pub fn export(asked: &Asked) -> Result<Exit, Exit> {
     ];
     let text = || SystemText::read(&asked.scene).map_err(Exit::from);
     let provenance = Provenance::of(writes.maker(), &asked.scene);
+    if asked.fmi.is_some() && fmu.is_none() {
+        return Err(Exit::refused("--fmi is the version of a functional mock-up unit: it is accepted with --fmu"));
+    }
     let written = if let Some(path) = fmu {
         let output = writes.output(path, &[Form::Unit])?;
         let unit = unit(&text()?, &identifier(path), &provenance.line(), &writes.maker().generator())?;
-        let unit = Unit { version: asked.fmi, ..unit };
+        let unit = Unit { version: asked.fmi.unwrap_or_default(), ..unit };
         let binary = compiled(&output, &unit)?;
         output.write(|out| unit.write(out, binary.as_ref()))?
     } else {
