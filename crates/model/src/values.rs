@@ -1,6 +1,7 @@
 //! Other values of parameters and of the start.
 
 use crate::parts::{Model, StartValue};
+use units::nearest;
 
 impl Model {
     /// Gives parameters, coordinates and speeds at the start other values, in SI units.
@@ -28,12 +29,24 @@ impl Model {
                     (place - self.positions(), 1)
                 }
                 Some(_) => return Err(format!("`{name}` belongs to a free frame, whose start stands in its text")),
-                None => return Err(format!("nothing is called `{name}`")),
+                None => return Err(self.not_called(name)),
             };
             let (coordinate, order) = found;
             self.start.retain(|start| (start.coordinate, start.order) != found);
             self.start.push(StartValue { coordinate, order, value, is_guess: false });
         }
         Ok(())
+    }
+
+    /// The sentence on a name that nothing has, with the names that may have another value.
+    fn not_called(&self, name: &str) -> String {
+        let (states, own) = (self.state_names(), self.coordinates.len());
+        let is_of_start = |place: &usize| *place < own || (self.positions()..self.positions() + own).contains(place);
+        let given = (0..self.parameters.len()).filter(|place| !self.absent.contains(place));
+        let parameters = given.map(|place| self.parameters[place].name.as_str());
+        let of_start = (0..states.len()).filter(is_of_start).map(|place| states[place].0.as_str());
+        let known: Vec<&str> = parameters.chain(of_start).collect();
+        let meant = nearest(name, known.iter().copied()).map_or_else(String::new, |own| format!("; is `{own}` meant?"));
+        format!("nothing is called `{name}`{meant}; there are: {}", known.join(", "))
     }
 }

@@ -5,8 +5,9 @@ use crate::arguments::Format;
 use crate::exit::{Exit, print, warn};
 use crate::stationary::combinations::{Combination, Combinations};
 use crate::stationary::steady_box::{Found, system_in};
+use crate::stationary::verdict::singular;
 use ::scenes::linearisation::VariedEquations;
-use ::scenes::steady_motions::SteadyMotion;
+use ::scenes::steady_motions::{SteadyMotion, SteadyStability};
 use mechanics::one_step_stability::Mode;
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -67,7 +68,8 @@ pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
         }
     }
     if objects.is_empty() {
-        let _ = writeln!(out, "\nno steady motion in any of {count} {kind}");
+        let all = if count == 1 { kind.one().to_owned() } else { format!("any of {count} {}", kind.many()) };
+        let _ = writeln!(out, "\nno steady motion in {all}");
     }
     print(&match asked.format {
         Format::Text => out,
@@ -91,9 +93,12 @@ fn judged<'a>(asked: &Asked, found: &'a Found, is_at_condition: bool) -> Vec<Jud
         false => VariedEquations::of(&found.model, &[]).map_err(|why| why.to_string()),
     };
     let keeps_energy = found.motions.have_potential || ::scenes::keeps_energy(&found.model);
-    let judged = |motion| Judged {
+    let judged = |motion: &'a SteadyMotion| Judged {
         motion,
-        near: equations.as_ref().map_err(Clone::clone).and_then(|equations| near(equations, motion, keeps_energy)),
+        near: match &motion.stability {
+            SteadyStability::Singular(names) => Err(singular(names)),
+            _ => equations.as_ref().map_err(Clone::clone).and_then(|equations| near(equations, motion, keeps_energy)),
+        },
     };
     found.motions.motions.iter().map(judged).collect()
 }
@@ -123,6 +128,20 @@ fn does(Near { modes, zeros, .. }: &Near) -> String {
 
 fn text(found: &Found, all: &[Judged<'_>]) -> String {
     let mut out = String::new();
+    // writing to a String cannot fail
+    let _ = match (all.len(), found.motions.families.len()) {
+        (0, 0) => writeln!(out, "\nno steady motion"),
+        (_, 0) => Ok(()),
+        (_, 1) => {
+            writeln!(out, "\none family of connected steady motions, left out: methods are judged on isolated ones")
+        }
+        (_, families) => {
+            writeln!(
+                out,
+                "\n{families} families of connected steady motions, left out: methods are judged on isolated ones"
+            )
+        }
+    };
     for (place, Judged { motion, near }) in all.iter().enumerate() {
         // writing to a String cannot fail
         let _ = writeln!(out, "\n{}  {}", place + 1, found.values(&motion.enclosure));

@@ -3,7 +3,8 @@
 use super::renamed_coordinates::{Renamed, candidates, with_new_names};
 use crate::clock;
 use crate::exit::{Exit, warn};
-use crate::stationary::steady_box::{Found, refused};
+use crate::stationary::refusals::refused;
+use crate::stationary::steady_box::Found;
 use crate::stationary::verdict::verdict;
 use ::scenes::derivation::{NamedPrinciple, derived};
 use ::scenes::steady_motions::{Asked, Range, SteadyMotions};
@@ -166,7 +167,7 @@ fn steady_motions(name: &str, models: [Model; 2], asked: &Asked, renamed: &Renam
         model.close_inputs();
         match SteadyMotions::of(&model, asked, clock::has_time) {
             Ok(motions) => Ok(Found { title: String::new(), model, motions }),
-            Err(why) => Err(refused(Path::new(name), &model, why)),
+            Err(why) => Err(refused(Path::new(name), (&model, None), why)),
         }
     });
     let [Ok(old), Ok(new)] = &found else {

@@ -38,7 +38,7 @@ pub(super) fn show(asked: &Asked, along: &(String, Range)) -> Result<Exit, Exit>
         return Ok(Exit::Done);
     }
     warn(&format!(
-        "warning: {}: boxes are undecided at {} = {}: the values beside them are compared",
+        "warning: {}: boxes are undecided at {} = {}: the neighbouring values are compared instead",
         asked.scene.display(),
         found.name,
         open.join(", ")
@@ -54,13 +54,13 @@ pub(super) fn named(change: Change) -> &'static str {
         Change::Pitchfork => "two motions leave a third (pitchfork)",
         Change::Pair => "a pair of eigenvalues crosses the imaginary axis (Hopf, or gyroscopic stability ends)",
         Change::Exchange => "stability is exchanged",
-        Change::Directions => "a motion that is unstable on both sides becomes so in one direction more, or fewer",
-        Change::Ends => "a motion ends or begins: a condition is met, or friction lets go",
+        Change::Directions => "a motion that is unstable on both sides changes its number of unstable directions",
+        Change::Ends => "a branch of motions ends or begins: a condition changes, or friction reaches its bound",
         Change::Leaves => "a motion leaves the ranges",
         Change::LeaveTogether => {
-            "two motions or more leave the ranges, or enter them, at their ends: wider ranges (--range) tell what becomes of them"
+            "two or more motions leave or enter the ranges; wider ranges (--range) follow them further"
         }
-        Change::Families => "families of motions appear or vanish, or places at which friction holds",
+        Change::Families => "families of motions appear or vanish, for example positions at which friction holds",
         Change::Several => "several changes at once",
     }
 }
@@ -109,10 +109,9 @@ fn text(found: &AlongFound) -> String {
         };
     }
     for Bifurcation { before, after, change } in &along.bifurcations {
-        let middle = 0.5 * (before.value + after.value);
-        let gap = 0.5 * (after.value - before.value).abs();
-        let _ = writeln!(out, "\nat {name} = {} ± {gap:.1e}{unit}: {}", number(middle), named(*change));
-        let _ = writeln!(out, "  before {}; behind {}", counted(before), counted(after));
+        let [middle, gap] = bracket([before.value, after.value]);
+        let _ = writeln!(out, "\nat {name} = {middle} ± {gap}{unit}: {}", named(*change));
+        let _ = writeln!(out, "  before {}; after {}", counted(before), counted(after));
     }
     if along.bifurcations.is_empty() {
         let told = match is_even {
@@ -124,6 +123,17 @@ fn text(found: &AlongFound) -> String {
         let _ = writeln!(out, "\n{told}");
     }
     out
+}
+
+/// A number and a bound of its error, both as printed, that hold a bracket.
+fn bracket([low, high]: [f64; 2]) -> [String; 2] {
+    let middle = number(0.5 * (low + high));
+    let printed: f64 = middle.parse().unwrap_or(0.5 * (low + high));
+    let gap = (high - printed).max(printed - low);
+    // upwards to two digits
+    let unit = 10f64.powf(gap.log10().floor() - 1.0);
+    let gap = if gap > 0.0 { (gap / unit).ceil() * unit } else { 0.0 };
+    [middle, format!("{gap:.1e}")]
 }
 
 fn object(AlongFound { title, name, unit, along, .. }: &AlongFound) -> Value {
@@ -146,4 +156,19 @@ fn object(AlongFound { title, name, unit, along, .. }: &AlongFound) -> Value {
             "after": sample(&one.after),
         })).collect::<Vec<_>>(),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::bracket;
+
+    #[test]
+    fn a_printed_bracket_holds_both_of_its_ends() {
+        for [low, high] in [[5.0, 5.000_000_009_3], [-5.000_000_018_6, -5.0], [0.0, 9.31e-10], [1e9, 1e9 + 1.0]] {
+            let [middle, gap] = bracket([low, high]);
+            let [middle, gap]: [f64; 2] = [&middle, &gap].map(|text| text.parse().expect("a number"));
+            assert!(middle - gap <= low && high <= middle + gap, "{middle} {gap}");
+            assert!(gap <= 0.6 * (high - low) + 1e-9, "{middle} {gap}");
+        }
+    }
 }

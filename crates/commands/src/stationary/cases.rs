@@ -40,10 +40,11 @@ pub(super) fn told(parts: &Combinations) -> (String, Value) {
     let _ = match (*count, empty) {
         (_, 0) => Ok(()),
         (count, empty) if count == empty => {
-            writeln!(out, "\nno steady motion in any of {count} {kind}: the searches decide everything")
+            let all = if count == 1 { kind.one().to_owned() } else { format!("any of {count} {}", kind.many()) };
+            writeln!(out, "\nno steady motion in {all} (complete search)")
         }
-        (_, 1) => writeln!(out, "\nno steady motion in one other of {count} {kind}"),
-        (_, empty) => writeln!(out, "\nno steady motion in {empty} others of {count} {kind}"),
+        (_, 1) => writeln!(out, "\nno steady motion in one other of {count} {}", kind.many()),
+        (_, empty) => writeln!(out, "\nno steady motion in {empty} others of {count} {}", kind.many()),
     };
     (out, json!({ "title": title, "combinations": count, "cases": objects }))
 }

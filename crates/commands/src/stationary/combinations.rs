@@ -1,6 +1,7 @@
 //! Steady motions by parts: each combination of the cases of a law's conditions, and each set of angles of freely turning frames.
 
-use super::steady_box::{Found, SoughtSystem, SteadyBox, reason, unsought};
+use super::refusals::{reason, unsought};
+use super::steady_box::{Found, SoughtSystem, SteadyBox};
 use crate::clock::has_time;
 use crate::exit::Exit;
 use crate::progress::Progress;
@@ -14,10 +15,32 @@ pub struct Combinations {
     pub title: String,
     /// The number of parts that were searched.
     pub count: usize,
-    /// The kind of part in words: a combination of conditions, or a set of angles.
-    pub kind: &'static str,
+    pub kind: Kind,
     /// The parts with steady motions or undecided regions.
     pub filled: Vec<Combination>,
+}
+
+/// The kind of a part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    Conditions,
+    Angles,
+}
+
+impl Kind {
+    pub fn one(self) -> &'static str {
+        match self {
+            Kind::Conditions => "the one combination of its conditions",
+            Kind::Angles => "the one set of angles",
+        }
+    }
+
+    pub fn many(self) -> &'static str {
+        match self {
+            Kind::Conditions => "combinations of its conditions",
+            Kind::Angles => "sets of angles",
+        }
+    }
 }
 
 /// A part of the search, with the motions found.
@@ -50,15 +73,17 @@ impl Combinations {
         if !changes && model.free.is_empty() {
             return Ok(None);
         }
-        let kind = if changes { "combinations of its conditions" } else { "sets of angles" };
+        let kind = if changes { Kind::Conditions } else { Kind::Angles };
         let mut all = Combinations { title: title.clone(), count: 0, kind, filled: Vec::new() };
         if model.free.is_empty() {
-            let cases = SteadyMotions::of_cases(model, asked, has_time).map_err(|why| reason(model, why))?;
+            let cases =
+                SteadyMotions::of_cases(model, asked, has_time).map_err(|why| reason(model, Some(source), why))?;
             all.add(model, &[], cases);
             return Ok(Some(all));
         }
-        let orientations = Orientation::all(source, model, asked).map_err(|why| reason(model, why))?;
-        let found = SteadyMotions::of_orientations(orientations, has_time).map_err(|why| reason(model, why))?;
+        let orientations = Orientation::all(source, model, asked).map_err(|why| reason(model, Some(source), why))?;
+        let found =
+            SteadyMotions::of_orientations(orientations, has_time).map_err(|why| reason(model, Some(source), why))?;
         for (orientation, cases) in found {
             let angles = orientation.in_words();
             all.add(&orientation.model, &angles, cases);
@@ -72,21 +97,70 @@ impl Combinations {
         // sets of angles are always printed, with their ranges
         let is_told = |found: &SteadyMotions| conditions.is_empty() || !found.is_empty();
         let filled = cases.into_iter().filter(|(_, found)| is_told(found));
-        self.filled.extend(filled.map(|(own, motions)| Combination {
-            held: angles.iter().cloned().chain(own.iter().zip(&conditions).filter_map(told)).collect(),
-            is_at_condition: own.iter().any(|case| !matches!(case, Case::Holds | Case::Fails | Case::Either)),
-            found: Found { title: self.title.clone(), model: model.clone(), motions },
+        self.filled.extend(filled.map(|(own, motions)| {
+            let mut held: Vec<String> = angles.to_vec();
+            for text in own.iter().zip(&conditions).filter_map(told) {
+                if !held.contains(&text) {
+                    held.push(text);
+                }
+            }
+            Combination {
+                held,
+                is_at_condition: own.iter().any(|case| !matches!(case, Case::Holds | Case::Fails | Case::Either)),
+                found: Found { title: self.title.clone(), model: model.clone(), motions },
+            }
         }));
     }
 }
 
+/// A case of a condition as text, a sum of negative terms as the opposite of a positive one.
 fn told((case, text): (&Case, &String)) -> Option<String> {
+    let opposite = positive(text);
+    let (text, above, below) = match &opposite {
+        Some(text) => (text, '<', '>'),
+        None => (text, '>', '<'),
+    };
     Some(match case {
-        Case::Holds => format!("{text} > 0"),
-        Case::Fails => format!("{text} < 0"),
+        Case::Holds => format!("{text} {above} 0"),
+        Case::Fails => format!("{text} {below} 0"),
         Case::Between | Case::Meeting => format!("{text} = 0"),
         Case::Forward => format!("{text} = 0, sliding along its tangent"),
         Case::Backward => format!("{text} = 0, sliding against its tangent"),
         Case::Either => return None,
     })
+}
+
+/// The opposite of a sum whose terms are all negative, as text.
+fn positive(text: &str) -> Option<String> {
+    let mut depth = 0;
+    let (mut out, mut before) = (String::new(), ' ');
+    let rest = text.strip_prefix('-')?;
+    for (at, c) in rest.char_indices() {
+        depth += i32::from(c == '(' || c == '[') - i32::from(c == ')' || c == ']');
+        let is_between = depth == 0 && before == ' ' && rest[at + 1..].starts_with(' ');
+        match c {
+            '+' if is_between => return None,
+            '-' if is_between => out.push('+'),
+            _ => out.push(c),
+        }
+        before = c;
+    }
+    Some(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{positive, told};
+    use ::scenes::steady_motions::Case;
+
+    #[test]
+    fn a_negative_condition_is_told_by_its_opposite() {
+        assert_eq!(positive("-x").as_deref(), Some("x"));
+        assert_eq!(positive("-e - x*(y + 1)").as_deref(), Some("e + x*(y + 1)"));
+        assert_eq!(positive("-x + e"), None);
+        assert_eq!(positive("x - e"), None);
+        let case = |case| told((&case, &"-x".to_owned()));
+        assert_eq!(case(Case::Holds).as_deref(), Some("x < 0"));
+        assert_eq!(case(Case::Meeting).as_deref(), Some("x = 0"));
+    }
 }

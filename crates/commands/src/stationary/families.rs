@@ -1,9 +1,11 @@
 //! Families of steady motions, and motions whose friction the equations leave open.
 
-use super::steady_box::{Found, number};
+use super::steady_box::{Found, enclosed, number};
+use super::verdict::{FEEDS, RESISTS, singular};
 use ::scenes::linearisation::{Linear, Stability, Standing};
-use ::scenes::steady_motions::{Family, Member, SteadyMotions};
+use ::scenes::steady_motions::{Family, Friction, Member, SteadyMotions};
 use serde_json::{Value, json};
+use std::f64::consts::PI;
 use std::fmt::Write;
 
 /// The width, relative to one in SI units and to the value, up to which an enclosure is printed as a number.
@@ -12,18 +14,24 @@ const NARROW: f64 = 1e-9;
 /// Eigenvalues below this part of the largest may be a double zero moved by rounding.
 const ZEROS: f64 = 1e-6;
 
-/// A sentence on the numbers of isolated motions, of motions with undetermined friction, and of families.
-pub(super) fn count(alone: usize, open: usize, families: usize, is_complete: bool) -> String {
+/// A sentence on the numbers of isolated motions, of places that the coordinates do not describe, of motions with undetermined friction, and of
+/// families.
+pub(super) fn count([alone, singular, open, families]: [usize; 4], is_complete: bool) -> String {
     let motions = |count: usize| match count {
         1 => "one steady motion".to_owned(),
         count => format!("{count} steady motions"),
     };
     let alone = match alone {
         0 => None,
-        1 => Some("one steady motion, alone in a box".to_owned()),
-        count => Some(format!("{}, each alone in a box", motions(count))),
+        1 => Some("one steady motion, alone in its box".to_owned()),
+        count => Some(format!("{}, each alone in its box", motions(count))),
     };
-    let open = (open > 0).then(|| format!("{} with a share that the equations leave open", motions(open)));
+    let singular = match singular {
+        0 => None,
+        1 => Some("one place at which the coordinates are singular".to_owned()),
+        count => Some(format!("{count} places at which the coordinates are singular")),
+    };
+    let open = (open > 0).then(|| format!("{} with an undetermined share of friction or force", motions(open)));
     let is_first = alone.is_none() && open.is_none();
     let families = match families {
         0 => None,
@@ -32,7 +40,7 @@ pub(super) fn count(alone: usize, open: usize, families: usize, is_complete: boo
         count if is_first => Some(format!("{count} families of steady motions")),
         count => Some(format!("{count} families")),
     };
-    let all: Vec<String> = [alone, open, families].into_iter().flatten().collect();
+    let all: Vec<String> = [alone, open, families, singular].into_iter().flatten().collect();
     match all.is_empty() {
         false => all.join(", and "),
         true if is_complete => "no steady motion".to_owned(),
@@ -48,6 +56,9 @@ pub(super) fn family_lines(all: &Found, place: usize, family: &Family, members: 
         dimension => format!("of {dimension} dimensions"),
     };
     let ranges = found.unknowns.iter().zip(&family.hull).enumerate().map(|(place, (unknown, at))| {
+        if unknown.is_circle && at[1] - at[0] >= 2.0 * PI - NARROW {
+            return format!("every angle {}", unknown.name);
+        }
         let [low, high] = ends(*at);
         // only the parameters run over their ranges: enclosures of the other unknowns are wider than their values
         let runs = family.pieces.iter().all(|(parameters, _)| parameters.contains(&place));
@@ -57,10 +68,10 @@ pub(super) fn family_lines(all: &Found, place: usize, family: &Family, members: 
         let open = match family.reached[place].map(ends) {
             Some(reached) if reached == [low.clone(), high.clone()] => String::new(),
             Some([from, to]) => format!(" (known to come to {from}{unit} and {to}{unit})"),
-            None => " (no motion of it is shown to fulfil the conditions)".to_owned(),
+            None => " (no motion in it is shown)".to_owned(),
         };
         match at[1] - at[0] <= NARROW * (1.0 + middle.abs()) {
-            true => format!("{} = {}{unit}", unknown.name, number(middle)),
+            true => format!("{} = {}{unit}", unknown.name, enclosed(*at, unknown.range)),
             false => format!("{} {word} {low} to {high}{unit}{open}", unknown.name),
         }
     });
@@ -71,9 +82,10 @@ pub(super) fn family_lines(all: &Found, place: usize, family: &Family, members: 
         // writing to a String cannot fail
         let _ = writeln!(
             out,
-            "     one state, in which the equations leave {} open: every such value balances",
+            "     one state: the equations do not determine {}, and hold for every value in its range",
             running(found, family).join(" or ")
         );
+        out += &stability(family, members);
         return out;
     }
     // writing to a String cannot fail
@@ -84,6 +96,13 @@ pub(super) fn family_lines(all: &Found, place: usize, family: &Family, members: 
         "     enclosed in {pieces}: in each there is one motion, and no other, for every value of {}",
         running(found, family).join(" or ")
     );
+    if family.border > 0 && family.dimension > 1 {
+        let _ = writeln!(
+            out,
+            "     of these pieces {} at the border have such motions for a part of the values only",
+            family.border
+        );
+    }
     if !family.along.is_empty() {
         let _ = writeln!(
             out,
@@ -91,21 +110,43 @@ pub(super) fn family_lines(all: &Found, place: usize, family: &Family, members: 
             family.along.join(", nor along ")
         );
     }
+    out + &stability(family, members)
+}
+
+/// The lines on the stability of the motions of a family.
+fn stability(family: &Family, members: &[Member]) -> String {
+    if let Some(names) = members.iter().map(|member| &member.without_inertia).find(|names| !names.is_empty())
+        && members.iter().all(|member| !member.without_inertia.is_empty())
+    {
+        return format!("     {}\n", singular(names));
+    }
+    let of_friction = |friction| match friction {
+        Friction::Resists => format!("where every share lies inside its range: {RESISTS}"),
+        Friction::Feeds => format!("where every share lies inside its range: {FEEDS}"),
+        Friction::Partial => "stability is not decided: dry friction does not act on every motion".to_owned(),
+        Friction::OfContacts => {
+            "stability is not decided: friction depends on normal forces, which may change when contacts slide"
+                .to_owned()
+        }
+        Friction::Open => "stability is not decided: a condition of the law is zero at these motions".to_owned(),
+    };
+    if let Some(friction) = family.friction {
+        return format!("     {}\n", of_friction(friction));
+    }
     let judged: Vec<bool> = members
         .iter()
         .filter_map(|member| member.linear.as_ref())
         .filter(|linear| linear.standing != Standing::Moving)
         .map(|linear| matches!(linear.stability, Stability::Unstable(_)) && grows(linear))
         .collect();
-    if !judged.is_empty() {
-        let unstable = judged.iter().filter(|is_unstable| **is_unstable).count();
-        let _ = writeln!(
-            out,
-            "     tested motions of it: {}; of these {unstable} have an eigenvalue with a positive real part, by numbers",
-            judged.len()
-        );
+    if judged.is_empty() {
+        return String::new();
     }
-    out
+    let unstable = judged.iter().filter(|is_unstable| **is_unstable).count();
+    format!(
+        "     tested motions of it: {}; of these {unstable} have an eigenvalue with a positive real part, by numbers\n",
+        judged.len()
+    )
 }
 
 /// Whether a real part is larger than rounding of the zero eigenvalues of a family.
@@ -117,6 +158,10 @@ fn grows(linear: &Linear) -> bool {
 /// Whether a family is one state with shares of friction, or of a law between two cases, that the equations leave undetermined.
 pub(super) fn is_one_place(found: &SteadyMotions, family: &Family) -> bool {
     let state = found.state_size;
+    let is_share = |place: &usize| found.unknowns.get(*place).is_none_or(|unknown| unknown.place >= state);
+    if !family.pieces.iter().all(|(parameters, _)| parameters.iter().all(is_share)) {
+        return false;
+    }
     found
         .unknowns
         .iter()
@@ -145,6 +190,14 @@ pub(super) fn family_object(found: &SteadyMotions, family: &Family, members: &[M
         "hull": family.hull,
         "reached": family.reached,
         "along": family.along,
+        "border": family.border,
+        "friction": family.friction.map(|friction| match friction {
+            Friction::Resists => "resists every motion",
+            Friction::Feeds => "feeds every motion",
+            Friction::Partial => "acts on some motions",
+            Friction::OfContacts => "of contacts",
+            Friction::Open => "not decided",
+        }),
         "parameters": running(found, family),
         "pieces": family.pieces.iter().map(|(parameters, at)| json!({
             "parameters": parameters.iter().filter_map(|&place| found.unknowns.get(place)).map(|unknown| unknown.name.clone()).collect::<Vec<_>>(),

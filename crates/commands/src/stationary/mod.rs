@@ -11,6 +11,7 @@ mod map;
 pub mod model;
 mod motor;
 mod plane;
+pub mod refusals;
 pub mod steady_box;
 mod text;
 pub mod verdict;

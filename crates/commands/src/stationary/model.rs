@@ -2,7 +2,8 @@
 
 use super::combinations::Combinations;
 use super::families::{count, ends, family_lines, family_object, is_one_place};
-use super::steady_box::{Found, number, reason, sought, system_in};
+use super::refusals::reason;
+use super::steady_box::{Found, number, sought, system_in};
 use super::verdict::{stability, verdict};
 use super::{Asked, cases};
 use crate::arguments::Format;
@@ -57,8 +58,8 @@ pub fn steady_motions(
         let (text, object) = cases::told(&parts);
         return Ok(SteadyTold { text, object });
     }
-    let (title, model, _) = &system;
-    let motions = SteadyMotions::of(model, asked, has_time).map_err(|why| fault(reason(model, why)))?;
+    let (title, model, source) = &system;
+    let motions = SteadyMotions::of(model, asked, has_time).map_err(|why| fault(reason(model, Some(source), why)))?;
     let found = Found { title: title.clone(), model: model.clone(), motions };
     Ok(SteadyTold { text: self::text(&found), object: object(&found) })
 }
@@ -95,14 +96,23 @@ pub(super) fn body(all: &Found) -> String {
         let _ = writeln!(out, "cyclic, nothing depends on them: {}", found.cyclic.join(", "));
     }
     let open = found.families.iter().filter(|(family, _)| is_one_place(found, family)).count();
-    let count = count(found.motions.len(), open, found.families.len() - open, found.is_complete());
+    let is_singular = |motion: &&SteadyMotion| matches!(motion.stability, SteadyStability::Singular(_));
+    let singular = found.motions.iter().filter(is_singular).count();
+    let counts = [found.motions.len() - singular, singular, open, found.families.len() - open];
+    let count = count(counts, found.is_complete());
     let boxes = if found.examined == 1 { "one box".to_owned() } else { format!("{} boxes", found.examined) };
     let branches: Vec<String> =
         all.model.implied.iter().filter(|one| one.branch.is_some()).map(|one| one.title.clone()).collect();
     let _ = match found.is_complete() {
+        _ if found.elsewhere > 0 && found.is_complete() => writeln!(
+            out,
+            "\n{count}; the search over {boxes} left undecided boxes where a condition is zero, which are reported where that condition may have any \
+             sign"
+        ),
         true if !branches.is_empty() => writeln!(
             out,
-            "\n{count}; {} from other constraints on the branch of the start, and on it there is no other; other branches are not searched",
+            "\n{count}; on the branch of the start {} from other constraints, and there is no other motion on this branch; other branches are not \
+             searched",
             if branches.len() == 1 {
                 format!("{} follows", branches[0])
             } else {
@@ -110,13 +120,13 @@ pub(super) fn body(all: &Found) -> String {
             }
         ),
         true if found.motions.is_empty() && found.families.is_empty() => {
-            writeln!(out, "\n{count}: the search over {boxes} decides everything")
+            writeln!(out, "\n{count} (complete search over {boxes})")
         }
-        true => writeln!(out, "\n{count}, and no other: the search over {boxes} decides everything"),
+        true => writeln!(out, "\n{count}; there are no others (complete search over {boxes})"),
         false => writeln!(
             out,
-            "\n{count}; after a search over {boxes} {} are undecided, {} of the whole range: others may lie there",
-            found.undecided.len(),
+            "\n{count}; the search over {boxes} left {} undecided ({} of the whole range), which may contain further motions",
+            if found.undecided.len() == 1 { "one box".to_owned() } else { format!("{} boxes", found.undecided.len()) },
             part(found.undecided_part)
         ),
     };
@@ -129,7 +139,7 @@ pub(super) fn body(all: &Found) -> String {
     if !found.motions.is_empty() && !found.free_speeds.is_empty() {
         let _ = writeln!(
             out,
-            "  each is one of a family: near these values of {} there is such a motion for every value",
+            "  each belongs to a family: there is such a motion for every value of {} near these",
             found.free_speeds.join(", ")
         );
     }
@@ -142,9 +152,9 @@ pub(super) fn body(all: &Found) -> String {
             format!("{} from {low} to {high}{}", unknown.name, unit(&unknown.name))
         });
         let _ = writeln!(out, "  ?  {}", ranges.collect::<Vec<_>>().join(", "));
-        let shown = if region.holds_one { "by enclosures there is one steady motion at least; " } else { "" };
+        let shown = if region.holds_one { "by enclosures there is at least one steady motion; " } else { "" };
         // bounds show where constraints may be dependent, and Newton's method nothing
-        let guess = if region.near == Near::Dependent { "" } else { "a guess by numbers: " };
+        let guess = if region.near == Near::Dependent { "" } else { "numerical guess without proof: " };
         let _ = writeln!(out, "     undecided boxes: {}; {shown}{guess}{}", region.boxes, near(region));
     }
     if found.regions.len() > MOST_LISTED {
@@ -162,21 +172,21 @@ fn part(part: f64) -> String {
 fn near(region: &Region) -> String {
     let directions = |count: usize| if count == 1 { "one direction".to_owned() } else { format!("{count} directions") };
     match region.near {
-        Near::Nothing => "no other steady motion is found there".to_owned(),
+        Near::Nothing => "no other steady motion is found in this region".to_owned(),
         Near::Undefined => {
-            "the equations have no values at some place there, such as a distance of zero, where a force has no direction".to_owned()
+            "the equations have no values somewhere in this region, for example where a distance is zero and a force has no direction".to_owned()
         }
         Near::Dependent => {
-            "the constraints become dependent at some place there, as where bars lie in one line: reactions have no bounds, and more boxes do not \
-             decide it"
+            "the constraints become dependent somewhere in this region, for example where bars lie in one line: reactions have no bounds, and more \
+             boxes do not decide it"
                 .to_owned()
         }
-        Near::Regular => "there is one steady motion at least, which more boxes would show".to_owned(),
+        Near::Regular => "there is at least one steady motion, which more boxes would show".to_owned(),
         Near::Merging(count) => format!(
             "a degenerate steady motion, or several that merge: the equations are singular in {}; more boxes do not decide it",
             directions(count)
         ),
-        Near::Family(count) => format!("a family: steady motions stand side by side in {}", directions(count)),
+        Near::Family(count) => format!("a family, which continues in {}", directions(count)),
     }
 }
 

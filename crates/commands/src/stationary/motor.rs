@@ -25,7 +25,7 @@ pub(super) fn text(motor: &MotorStates) -> String {
             if angles.is_empty() {
                 let _ = writeln!(
                     out,
-                    "  no angle: friction asks for more than the field gives; there is no stationary motion"
+                    "  no equilibrium angle: friction exceeds the largest torque of the field, so there is no steady motion"
                 );
             }
             for angle in angles {

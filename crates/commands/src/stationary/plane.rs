@@ -1,7 +1,8 @@
 //! `dalembert stationary --along A=FROM..TO --along B=FROM..TO`: the numbers of steady motions and of stable ones over two parameters.
 
 use super::Asked;
-use super::steady_box::{number, refused, unit};
+use super::refusals::refused;
+use super::steady_box::{number, unit};
 use super::verdict::verdict;
 use crate::arguments::Format;
 use crate::clock::has_time;
@@ -52,7 +53,7 @@ pub(super) fn show(asked: &Asked, [first, second]: [&(String, Range); 2]) -> Res
         let units = names.map(|name| unit(&model, name));
         Ok(Map { title, names, ranges: [first.1, second.1], units, columns, borders })
     });
-    let map = found.map_err(|why| refused(&asked.scene, &model, why))?;
+    let map = found.map_err(|why| refused(&asked.scene, (&model, wanted.text.as_deref()), why))?;
     print(&match asked.format {
         Format::Text => map.text(),
         Format::Json => format!("{:#}\n", map.object()),
@@ -173,10 +174,10 @@ impl Map<'_> {
             let _ = writeln!(out, "  {:>14}  {line}", number(self.columns[0][row].values[1]));
         }
         let _ = match self.borders.len() {
-            0 => writeln!(out, "\nno two neighbours differ; an island smaller than a cell is not seen"),
+            0 => writeln!(out, "\nno two neighbours differ; a region smaller than a cell may be missed"),
             places => writeln!(
                 out,
-                "\n{places} places of boundaries, each between two values 1/32 of a cell apart; an island smaller than a cell is not seen"
+                "\n{places} places of boundaries, each between two values 1/32 of a cell apart; a region smaller than a cell may be missed"
             ),
         };
         out

@@ -1,15 +1,16 @@
 //! The search for steady motions of a system that is written in its file, with the options that commands share.
 
+use super::refusals::refused;
 use crate::arguments::finite;
 use crate::clock::has_time;
-use crate::exit::{Exit, placed, warn};
+use crate::exit::{Exit, warn};
 use crate::progress::Progress;
-use ::scenes::steady_motions::{Along, Asked, Near, NoSteadyMotions, Range, SteadyMotions};
-use ::scenes::{SystemText, Task, independent_start, parse_with_source, unit_of, without_law};
+use ::scenes::steady_motions::{Along, Asked, Near, Range, SteadyMotions};
+use ::scenes::{SystemText, Task, independent_start, parse_with_source, unit_of};
 use clap::Args;
 use clap::builder::RangedU64ValueParser;
 use model::{FrameId, Model, Source};
-use reader::{Issue, SceneError};
+use reader::SceneError;
 use std::path::Path;
 use std::sync::Arc;
 use units::nearest;
@@ -21,7 +22,8 @@ pub struct SteadyBox {
     /// system that is written in its file. The default for angles is the whole circle
     #[arg(long, value_name = "NAME=FROM..TO", value_parser = named_range, num_args = 1)]
     pub range: Vec<(String, Range)>,
-    /// The largest number of boxes in the search, for a system that is written in its file
+    /// The largest number of boxes in the search, for a system that is written in its file; in each combination of cases where the law changes at
+    /// conditions or with contacts
     #[arg(long, value_name = "N", default_value_t = 200_000, allow_negative_numbers = true, value_parser = RangedU64ValueParser::<usize>::new().range(1..=1_000_000_000))]
     pub boxes: usize,
 }
@@ -96,10 +98,11 @@ pub fn unit(model: &Model, name: &str) -> String {
 
 impl SteadyBox {
     /// All steady motions of the system that was read from a file.
-    pub fn find(&self, path: &Path, (title, model, _): SoughtSystem) -> Result<Found, Exit> {
+    pub fn find(&self, path: &Path, (title, model, source): SoughtSystem) -> Result<Found, Exit> {
         self.checked()?;
         let _progress = Progress::new("steady motions");
-        let motions = SteadyMotions::of(&model, &self.wanted(), has_time).map_err(|why| refused(path, &model, why))?;
+        let motions = SteadyMotions::of(&model, &self.wanted(), has_time);
+        let motions = motions.map_err(|why| refused(path, (&model, Some(&source)), why))?;
         Ok(Found { title, model, motions })
     }
 
@@ -108,7 +111,7 @@ impl SteadyBox {
         let (title, model, asked) = self.along(path, &[name])?;
         let _progress = Progress::new("steady motions");
         let along = Along::of(&model, &asked, (name, *range), values, has_time);
-        let along = along.map_err(|why| refused(path, &model, why))?;
+        let along = along.map_err(|why| refused(path, (&model, asked.text.as_deref()), why))?;
         let unit = unit(&model, name);
         let units = along.samples.first().map_or_else(Vec::new, |sample| {
             sample.found.unknowns.iter().map(|unknown| self::unit(&model, &unknown.name)).collect()
@@ -155,9 +158,10 @@ impl SteadyBox {
         if !known.contains(&name.as_str()) && !name.starts_with("velocity(") {
             let nearest = nearest(name, known.iter().copied());
             return Err(Exit::refused(format!(
-                "--along {name}: {}: no parameter is called so, nor the speed of a coordinate{}",
+                "--along {name}: {}: no parameter and no speed is called `{name}`{}; there are: {}",
                 path.display(),
-                nearest.map_or_else(String::new, |nearest| format!("; is `{nearest}` meant?"))
+                nearest.map_or_else(String::new, |nearest| format!("; is `{nearest}` meant?")),
+                known.join(", ")
             )));
         }
         Ok(())
@@ -195,7 +199,7 @@ impl SteadyBox {
             ];
             let about: Vec<&str> = about.into_iter().filter(|(is_there, _)| *is_there).map(|(_, what)| what).collect();
             warn(&format!(
-                "warning: {path}: undecided boxes: {boxes}, about {}, by numbers: more boxes would not decide them",
+                "warning: {path}: undecided boxes: {boxes}; numerically they contain {}, which more boxes would not decide",
                 about.join(", or ")
             ));
             return Exit::Stopped;
@@ -226,8 +230,8 @@ impl SteadyBox {
 impl Found {
     /// The values of a motion's unknowns as text.
     pub fn values(&self, enclosure: &[[f64; 2]]) -> String {
-        let values = self.motions.unknowns.iter().zip(enclosure).map(|(unknown, [low, high])| {
-            format!("{} = {}{}", unknown.name, number(0.5 * (low + high)), self.unit(&unknown.name))
+        let values = self.motions.unknowns.iter().zip(enclosure).map(|(unknown, at)| {
+            format!("{} = {}{}", unknown.name, enclosed(*at, unknown.range), self.unit(&unknown.name))
         });
         values.collect::<Vec<_>>().join(", ")
     }
@@ -238,85 +242,17 @@ impl Found {
     }
 }
 
-pub fn refused(path: &Path, model: &Model, why: NoSteadyMotions) -> Exit {
-    unsought(path, reason(model, why))
-}
+/// Values below this part of a range differ from zero by the rounding of data alone.
+const ROUNDING: f64 = 1e-14;
 
-/// The error for a fault of the system, at its place in the file, or of the command's options.
-pub(super) fn unsought(path: &Path, issue: Issue) -> Exit {
-    match issue.span {
-        Some(_) => placed(path, issue),
-        None => Exit::refused(format!("{}: {}", path.display(), issue.title)),
+/// The value of an unknown with a range, in as many digits as its enclosure shows, at most ten.
+pub fn enclosed([low, high]: [f64; 2], range: Range) -> String {
+    let middle = 0.5 * (low + high);
+    if low <= 0.0 && high >= 0.0 || middle.abs() <= ROUNDING * range.from.abs().max(range.to.abs()) {
+        return number(0.0);
     }
-}
-
-/// The reason for which steady motions are not searched for, with its place in the text where it has one.
-pub(super) fn reason(model: &Model, why: NoSteadyMotions) -> Issue {
-    let told = |why: String| Issue { span: None, title: why, label: String::new(), help: None };
-    let listed = |names: &[String]| names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
-    match why {
-        NoSteadyMotions::NotCompiled(reason) => {
-            without_law(model, &reason, "steady motions cannot be sought")
-        }
-        NoSteadyMotions::OfSpeeds { at } => {
-            let issue = Issue::at(at, "steady motions are not sought with this constraint", "it holds speeds, or is led to zero");
-            issue.accepted("constraints of positions, and up to six that are linear in the speeds, quasi-velocities among them; `linearise --about equilibrium` finds one equilibrium near the start")
-        }
-        NoSteadyMotions::Changes => told(
-            "some of its speeds have no inertia, and equations of their own determine them: steady motions are not sought there; \
-             `linearise --about equilibrium` finds one equilibrium near the start"
-                .to_owned(),
-        ),
-        NoSteadyMotions::Contacts { at } => {
-            let issue = Issue::at(at, "steady motions are not sought with this contact", "a diode, a freewheel, a guide that the coordinates keep, or a contact that slides in two directions or on two sides");
-            issue.accepted("contacts that coordinates can open, and friction as a force with `sign` of a speed; `linearise --about equilibrium` finds one equilibrium near the start")
-        }
-        NoSteadyMotions::ManyConditions { conditions, most } => told(format!(
-            "its law has {conditions} conditions, which have more than {most} combinations of cases; fewer conditions are accepted"
-        )),
-        NoSteadyMotions::FreeFrame { why } => told(format!(
-            "a frame turns freely, and steady motions are not sought here: {why}; a frame with an axis, or with three angles, is accepted"
-        )),
-        NoSteadyMotions::OfTime => {
-            told("its forces or constraints depend on time: no motion is steady; without time in them they are sought".to_owned())
-        }
-        NoSteadyMotions::Singular => told("nothing with a mass or an inertia moves with a coordinate".to_owned()),
-        NoSteadyMotions::Undefined { why } => told(format!("its equations have no values: {why}")),
-        NoSteadyMotions::Unknown { name, accepted, .. } if accepted.contains(&format!("{name}'")) => told(format!(
-            "--range {name}: `{name}` is cyclic: no equation depends on it, so that it may have any value; its speed `{name}'` may have a range"
-        )),
-        NoSteadyMotions::Unknown { name, nearest: Some(nearest), .. } => {
-            told(format!("--range {name}: nothing that is sought is called `{name}`; is `{nearest}` meant?"))
-        }
-        NoSteadyMotions::Unknown { name, accepted, .. } => {
-            told(format!("--range {name}: nothing that is sought is called `{name}`; there are: {}", accepted.join(", ")))
-        }
-        NoSteadyMotions::Sought { name, value } => {
-            let aside = 0.01 * if value == 0.0 { 1.0 } else { value.abs() };
-            told(format!(
-                "one value of `{name}`, {}, is not accepted: an equation asks for its value, which a number meets to rounding alone; a range is \
-                 accepted (--range \"{name}={}..{}\"), and --along over a parameter",
-                number(value),
-                number(value - aside),
-                number(value + aside)
-            ))
-        }
-        NoSteadyMotions::WithoutRange { names } => {
-            let options: Vec<String> =
-                names.iter().map(|name| format!("--range \"{name}=-1..1\"")).collect();
-            told(format!(
-                "{} {} no angle of a circle alone: ranges in SI units are needed, such as {}",
-                listed(&names),
-                if names.len() == 1 { "is" } else { "are" },
-                options.join(" ")
-            ))
-        }
-        NoSteadyMotions::Unequal { counts: [equations, unknowns], idle } => told(format!(
-            "its equations, {equations}, are more than its unknowns, {unknowns}: there is no steady motion, but by chance; a value for {} \
-             (--range NAME=VALUE) chooses among them",
-            listed(&idle)
-        )),
-    }
+    let digits = (-((high - low) / middle.abs()).log10()).floor().clamp(1.0, 10.0) as usize;
+    number(format!("{middle:.*e}", digits - 1).parse().unwrap_or(middle))
 }
 
 /// A number with ten digits, without trailing zeros.
@@ -329,5 +265,20 @@ pub fn number(value: f64) -> String {
             if fixed.contains('.') { fixed.trim_end_matches('0').trim_end_matches('.').to_owned() } else { fixed }
         }
         _ => format!("{value:.9e}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::enclosed;
+    use ::scenes::steady_motions::Range;
+
+    #[test]
+    fn a_value_has_the_digits_that_its_enclosure_shows() {
+        let range = Range { from: -1.0, to: 1.0 };
+        assert_eq!(enclosed([-1e-12, 3e-12], range), "0");
+        assert_eq!(enclosed([1.0e-15, 1.2e-15], range), "0");
+        assert_eq!(enclosed([0.123_456_789_01, 0.123_456_789_01], range), "0.123456789");
+        assert_eq!(enclosed([0.123_45, 0.123_47], range), "0.123");
     }
 }

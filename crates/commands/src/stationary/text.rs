@@ -87,7 +87,10 @@ fn certificate(answer: &Answer) -> String {
     }
     let beyond = answer.found.iter().filter(|one| !matches!(one.shape, Shape::Point)).count();
     if beyond > 0 {
-        let _ = write!(out, ", and {beyond} at eigenvalues that the weight and the rotor do not see");
+        let _ = write!(
+            out,
+            ", and {beyond} at eigenvalues whose directions are orthogonal to the weight and to the axis of the rotor"
+        );
     }
     match morse {
         Some(sum) => {

@@ -23,9 +23,11 @@ pub(super) fn stability(motion: &SteadyMotion, found: &SteadyMotions) -> String 
              (Routh)",
             cyclic.join(", ")
         ),
-        SteadyStability::Falls(count) => format!("unstable, by enclosures: {energy} falls in {}", directions(*count)),
+        SteadyStability::Falls(count) => {
+            format!("unstable, by enclosures: {energy} decreases in {}", directions(*count))
+        }
         SteadyStability::FallsOdd(count) => format!(
-            "unstable, by enclosures: the amended potential energy falls in an odd number of directions, {count} (Thomson, Tait)"
+            "unstable, by enclosures: the amended potential energy decreases in an odd number of directions, {count} (Thomson, Tait)"
         ),
         SteadyStability::Linear(found) if decides(found).is_some() => {
             decides(found).map(spectrum::verdict).unwrap_or_default()
@@ -53,19 +55,40 @@ pub(super) fn stability(motion: &SteadyMotion, found: &SteadyMotions) -> String 
                 false => format!("{}; the largest real part is {largest:.6e} 1/s, by numbers", linear.stability),
             }
         }
-        SteadyStability::AtCondition(_) => "stability is not known: a condition of the law is zero there".to_owned(),
+        SteadyStability::AtCondition(_) => "stability is not decided: a condition of the law is zero at this motion".to_owned(),
+        SteadyStability::HeldByFriction => RESISTS.to_owned(),
+        SteadyStability::FedByFriction => FEEDS.to_owned(),
+        SteadyStability::Singular(names) => singular(names),
         SteadyStability::MinimumOnSides => {
             "stable, by enclosures: the potential energy has a strict minimum on both sides of the condition that is \
              zero there (Lagrange, Dirichlet)"
                 .to_owned()
         }
         SteadyStability::FallsOnSide(count) => format!(
-            "unstable, by enclosures: on one side of the condition that is zero there {energy} falls in {}; motions on that side leave \
+            "unstable, by enclosures: on one side of the condition that is zero there {energy} decreases in {}; motions on that side leave \
              along it (its unstable manifold)",
             directions(*count)
         ),
-        SteadyStability::Unknown(why) => format!("stability is not known: {why}"),
+        SteadyStability::Unknown(why) => format!("stability is not decided: {why}"),
     }
+}
+
+/// The effect of dry friction that resists every motion.
+pub(super) const RESISTS: &str = "stable, by enclosures: dry friction resists every motion, so that the system comes to rest nearby after a small push";
+
+/// The effect of dry friction with negative coefficients.
+pub(super) const FEEDS: &str =
+    "unstable, by enclosures: the coefficient of dry friction is negative, so that friction feeds every motion";
+
+/// The sentence on a position that coordinates do not describe.
+pub fn singular(names: &[String]) -> String {
+    let (are, s) = if names.len() == 1 { ("has", "") } else { ("have", "s") };
+    format!(
+        "no verdict: the mass matrix is singular there, since the coordinate{s} {} {are} no inertia: these coordinates do not describe the position, \
+         and the equations hold there whatever the forces are; other coordinates do, such as angles about another axis, or Cartesian coordinates \
+         with a constraint",
+        names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+    )
 }
 
 /// The enclosed eigenvalues, where these decide the stability, or show that the linear equations do not.
@@ -95,10 +118,13 @@ fn fades(linear: &Linear, cyclic: usize) -> bool {
 /// The stability of a motion in a word, and whether enclosures show it.
 pub fn verdict(motion: &SteadyMotion, cyclic: &[String]) -> (&'static str, bool) {
     match &motion.stability {
-        SteadyStability::Minimum | SteadyStability::MinimumOnSides => ("stable", true),
-        SteadyStability::Falls(_) | SteadyStability::FallsOdd(_) | SteadyStability::FallsOnSide(_) => {
-            ("unstable", true)
+        SteadyStability::Minimum | SteadyStability::MinimumOnSides | SteadyStability::HeldByFriction => {
+            ("stable", true)
         }
+        SteadyStability::Falls(_)
+        | SteadyStability::FallsOdd(_)
+        | SteadyStability::FallsOnSide(_)
+        | SteadyStability::FedByFriction => ("unstable", true),
         SteadyStability::Linear(found) if decides(found).is_some() => {
             let word = decides(found).map_or("not decided", spectrum::word);
             (word, word != "not decided")
@@ -111,5 +137,6 @@ pub fn verdict(motion: &SteadyMotion, cyclic: &[String]) -> (&'static str, bool)
             _ => ("not decided", false),
         },
         SteadyStability::AtCondition(_) | SteadyStability::Unknown(_) => ("not known", false),
+        SteadyStability::Singular(_) => ("singular coordinates", false),
     }
 }

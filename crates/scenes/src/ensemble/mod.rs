@@ -8,7 +8,7 @@ use crate::admissible::BodyNumbers;
 use crate::compiled_system::{ENERGIES, NotCompiled};
 use crate::constraint_projection::{ConstraintProjection, OfMember};
 use crate::parametric_law::ParametricLaw;
-use crate::readiness::{Ready, changes, ready, refused, starting, unmet_at};
+use crate::readiness::{Ready, changes, ready, refused, starting};
 use crate::row_units::columns;
 use crate::scene::{Given, ModelScene};
 use crate::start::{Completed, SingularPositions, StartSolver, Unmet, given, in_touch, start_speeds};
@@ -367,6 +367,7 @@ fn told(unmet: &Unmet) -> String {
         Unmet::Redundant { name, .. } => format!("{name} depends on other constraints there"),
         Unmet::Idle { name, .. } => format!("{name} has no effect there"),
         Unmet::Multiple { name, .. } => format!("the gradient of {name} is zero wherever the constraint holds"),
+        Unmet::Jumping { name, .. } => format!("{name} has no derivative where it holds"),
         Unmet::Locked { name, .. } => format!("{name} cannot hold in its position"),
         Unmet::Contradiction { .. } => "two constraints contradict each other".to_owned(),
         Unmet::Gains { .. } | Unmet::Piecewise(_) | Unmet::Fixed { .. } => {

@@ -7,6 +7,7 @@ mod algebraic;
 mod constraints;
 mod displacement;
 mod gimbal;
+mod gradient_jumps;
 mod junction;
 mod kept;
 mod leaf;
@@ -212,8 +213,9 @@ fn completed(
             return Err(contradiction.or_else(locked).unwrap_or(Unmet::Open(Box::new(open))));
         }
     }
-    if let Some(multiple) = constraints.with_multiple_root(&state, parameters) {
-        return Err(multiple);
+    let wrong = constraints.without_gradient(&state, parameters);
+    if let Some(wrong) = wrong.or_else(|| constraints.with_multiple_root(&state, parameters)) {
+        return Err(wrong);
     }
     let implied = constraints.implied(&state, parameters)?;
     let implied = implied.into_iter().filter_map(|row| constraints.known[row].of).collect();

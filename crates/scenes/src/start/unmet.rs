@@ -17,6 +17,8 @@ pub enum Unmet {
     Idle { at: Range<usize>, name: String },
     /// A constraint whose gradient vanishes wherever it holds.
     Multiple { at: Range<usize>, name: String },
+    /// A constraint whose gradient jumps where it holds.
+    Jumping { at: Range<usize>, name: String },
     /// A quasi-velocity of the start that no speeds give in its position, and that speeds give beside it.
     Locked { at: Range<usize>, name: String },
     /// A constraint that holds no coordinate and no speed.

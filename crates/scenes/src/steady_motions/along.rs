@@ -119,14 +119,24 @@ pub(super) fn found_at(
     values: &[(&str, f64)],
     goes_on: impl FnMut() -> bool,
 ) -> Result<SteadyMotions, NoSteadyMotions> {
+    let values_of = || values.iter().map(|(name, value)| ((*name).to_owned(), *value)).collect();
+    searched(model, asked, values, goes_on)
+        .map_err(|why| NoSteadyMotions::At { values: values_of(), why: Box::new(why) })
+}
+
+fn searched(
+    model: &Model,
+    asked: &Asked,
+    values: &[(&str, f64)],
+    goes_on: impl FnMut() -> bool,
+) -> Result<SteadyMotions, NoSteadyMotions> {
     let (mut model, mut asked) = (model.clone(), asked.clone());
     let is_parameter = |name: &str| model.parameters.iter().any(|parameter| parameter.name == name);
     let (parameters, speeds): (Vec<_>, Vec<_>) = values.iter().copied().partition(|(name, _)| is_parameter(name));
     if !parameters.is_empty() {
         model.set_values(&parameters).map_err(|why| NoSteadyMotions::Undefined { why })?;
         if let Some(issue) = impossible(&model).into_iter().next() {
-            let at: Vec<String> = parameters.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-            return Err(NoSteadyMotions::Undefined { why: format!("at {}: {}", at.join(", "), issue.title) });
+            return Err(NoSteadyMotions::Undefined { why: issue.title });
         }
     }
     let point = |(name, value): (&str, f64)| (name.to_owned(), Range { from: value, to: value });
@@ -201,6 +211,7 @@ fn unstable(motion: &SteadyMotion) -> usize {
         SteadyStability::Falls(count) | SteadyStability::FallsOdd(count) | SteadyStability::FallsOnSide(count) => {
             *count
         }
+        SteadyStability::FedByFriction => 1,
         // the linear equations without cyclic coordinates do not depend on the instant; those with cyclic coordinates may
         SteadyStability::Linear(found) => {
             match (found.enclosed.as_ref().map(EnclosedSpectrum::verdict), found.linear.stability) {
@@ -216,6 +227,8 @@ fn unstable(motion: &SteadyMotion) -> usize {
         SteadyStability::Minimum
         | SteadyStability::AtCondition(_)
         | SteadyStability::MinimumOnSides
+        | SteadyStability::HeldByFriction
+        | SteadyStability::Singular(_)
         | SteadyStability::Unknown(_) => 0,
     }
 }

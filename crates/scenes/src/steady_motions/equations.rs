@@ -10,7 +10,8 @@ use super::conditions::{Case, Laws};
 use super::determinacy::{Data, Wanted};
 use super::energy_row::implied;
 use super::families::Identity;
-use super::momenta::momenta;
+use super::friction::{AtRest, FrictionLaw};
+use super::momenta::{at_any_time, momenta};
 use super::orientations::steep;
 use super::potential::EnergyIntegral;
 use super::quasi_velocities::{is_integral, state_names};
@@ -68,6 +69,8 @@ pub(super) struct SteadyEquations {
     pub cases: Vec<Case>,
     /// Whether a condition is zero.
     pub is_at_condition: bool,
+    /// The dry friction of these, where the system rests.
+    pub friction: Option<FrictionLaw>,
     /// For each condition of the law 1 where it holds, else 0.
     pub switches: Vec<f64>,
     /// Identities between the residuals, if these contain no reactions.
@@ -138,12 +141,8 @@ impl SteadyEquations {
         let wanted = Wanted { free, state: near.unwrap_or(&start), is_near: near.is_some(), data };
         let mut rows = Rows::of(model, &trace, &wanted)?;
         // a frame that is turned steadily leaves no time in the equations, however they are written
-        let at_any_time = |row: &mut Sym| {
-            if row.symbols_of().contains(&trace.time) && vanishes(row.diff(trace.time)) {
-                *row = row.substitute(&[(trace.time, Sym::ZERO)]);
-            }
-        };
-        rows.residuals.iter_mut().chain(&mut rows.zeros).chain(&mut rows.conditions).for_each(at_any_time);
+        let all = rows.residuals.iter_mut().chain(&mut rows.zeros).chain(&mut rows.conditions);
+        all.for_each(|row| *row = at_any_time(trace.time, *row));
         let all = [&rows.residuals[..], &rows.zeros, &rows.conditions].concat();
         if all.iter().any(|row| row.symbols_of().contains(&trace.time)) {
             return Err(NoSteadyMotions::OfTime);
@@ -224,6 +223,11 @@ impl SteadyEquations {
             let rows = substitute_all(&substitute_all(rows, &forces), &known);
             if is_pinned || !cases.is_empty() { rows.into_iter().map(plain).collect() } else { rows }
         };
+        let rests =
+            state[n..].iter().all(|speed| *speed == 0.0) && unknowns.iter().all(|own| !(n..2 * n).contains(&own.place));
+        let rest =
+            AtRest { speeds: &trace.speeds, residuals: &residuals, letters: &letters, multipliers: &multipliers };
+        let friction = FrictionLaw::of(&rows, cases, &rest, &put).filter(|_| rests);
         let asking_all = [&residuals[..], &rows.zeros].concat();
         let (residuals, zeros, at_zero) = (put(&residuals), put(&rows.zeros), put(&at_zero));
         // without reactions a row may contain sines and cosines whose combination is constant
@@ -284,7 +288,20 @@ impl SteadyEquations {
             Some(_) => None,
         };
         let [momenta, masses] = match rows.determined.is_empty() {
-            true => momenta(&trace, is_cyclic, (&letters, &known)).map(|all| Tape::record(&letters, &all).ok()),
+            true => {
+                let [momenta, masses] = momenta(&trace, is_cyclic, (&letters, &known));
+                let is_held =
+                    |k: usize| rows.zeros.iter().any(|zero| zero.symbols_of().contains(&trace.coordinates[k]));
+                let is_empty = |k: &usize| {
+                    asking_all[*k] == Sym::ZERO
+                        && !is_held(*k)
+                        && masses[*k * n..][..n].iter().all(|own| vanishes(*own))
+                };
+                if let Some(k) = (0..n).find(is_empty) {
+                    return Err(NoSteadyMotions::Empty { coordinate: names[k].clone() });
+                }
+                [momenta, masses].map(|all| Tape::record(&letters, &all).ok())
+            }
             false => [None, None],
         };
         let (places, rates): (Vec<usize>, Vec<Sym>) = rows.determined.iter().copied().unzip();
@@ -299,6 +316,7 @@ impl SteadyEquations {
             side_places,
             cases: cases.to_vec(),
             is_at_condition: cases.contains(&Case::Between),
+            friction,
             switches: cases
                 .iter()
                 .take(model.switches.len())

@@ -1,5 +1,6 @@
 //! Motions at the zero of a condition: the searches on both sides find them, and they are counted once.
 
+use super::borders::remove_borders;
 use super::conditions::Case;
 use super::idle_conditions::join_families;
 use super::open_sides::join_regions;
@@ -71,6 +72,7 @@ pub(super) fn joined(model: &Model, mut all: Vec<Combination>) -> Vec<Combinatio
         found.motions.retain(|_| !ends.next().unwrap_or(false));
     }
     join_families(model, &mut all);
+    remove_borders(&mut all);
     join_regions(&mut all, &jumps);
     // sides whose motions are all told together are no combinations of their own
     let together: Vec<Vec<Case>> =
@@ -114,21 +116,23 @@ fn ends_of_families(all: &[Combination], (cases, found): (&Vec<Case>, &SteadyMot
             && all.iter().any(|(others, there)| {
                 let agree = (0..cases.len())
                     .all(|place| cases[place] == others[place] || motion.at_conditions.contains(&place));
-                agree && others != cases && there.families.iter().any(|(family, _)| holds(there, family, motion))
+                agree
+                    && others != cases
+                    && there.families.iter().any(|(family, _)| is_met(there, family, &motion.state))
             })
     };
     debug_assert!(found.motions.iter().all(|motion| motion.state.len() == found.state_size));
     found.motions.iter().map(is_end).collect()
 }
 
-/// Whether a family ends at a motion, by the enclosures of its pieces and of the undecided boxes next to them.
-fn holds(there: &SteadyMotions, family: &Family, motion: &SteadyMotion) -> bool {
+/// Whether a state is in a family or at its end, by the enclosures of its pieces and of the undecided boxes next to them.
+pub(super) fn is_met(there: &SteadyMotions, family: &Family, state: &[f64]) -> bool {
     let known = there.unknowns.iter().enumerate().filter(|(_, unknown)| unknown.place < there.state_size);
     let known: Vec<(usize, usize)> = known.map(|(own, unknown)| (own, unknown.place)).collect();
     let meets = |at: &[[f64; 2]]| {
         known.iter().all(|&(own, place)| {
-            let near = NEAR * (1.0 + motion.state[place].abs());
-            at[own][0] <= motion.state[place] + near && motion.state[place] - near <= at[own][1]
+            let near = NEAR * (1.0 + state[place].abs());
+            at[own][0] <= state[place] + near && state[place] - near <= at[own][1]
         })
     };
     let touches =
@@ -190,6 +194,7 @@ impl SteadyMotions {
             united.undecided.extend(found.undecided);
             united.regions.extend(found.regions);
             united.undecided_part += found.undecided_part;
+            united.elsewhere += found.elsewhere;
             united.examined += found.examined;
             united.free_speeds.retain(|name| found.free_speeds.contains(name));
         }
@@ -239,6 +244,7 @@ impl SteadyMotions {
             undecided: Vec::new(),
             regions: Vec::new(),
             undecided_part: 0.0,
+            elsewhere: 0,
             examined,
         }
     }

@@ -4,6 +4,7 @@
 mod admission;
 mod along;
 mod angle_sums;
+mod borders;
 mod circles;
 mod conditions;
 mod decision;
@@ -15,7 +16,9 @@ mod energy_row;
 mod equations;
 mod families;
 mod frame_angles;
+mod friction;
 mod idle_conditions;
+mod inertia;
 mod kinks;
 mod momenta;
 mod open_sides;
@@ -23,6 +26,7 @@ mod orientations;
 mod plane;
 mod potential;
 mod quasi_velocities;
+mod refusal;
 mod region;
 mod rows;
 mod search;
@@ -35,8 +39,10 @@ pub use along::{Along, Bifurcation, Change, Sample};
 pub use conditions::{Case, conditions_of};
 pub use equations::Unknown;
 pub use families::Family;
+pub use friction::Friction;
 pub use orientations::{InOrientation, Orientation, Steep};
 pub use plane::{Direction, PlaneCell, middles};
+pub use refusal::NoSteadyMotions;
 pub use region::{Near, Region};
 pub use spectrum::{
     Boundary, Crossings, EigenvalueDisc, EnclosedSpectrum, EnclosedVerdict, ExactAlong, Judged, NotEnclosed, Routh,
@@ -44,7 +50,6 @@ pub use spectrum::{
 };
 pub use stability::{Eigenvalues, OnSide, SteadyStability};
 
-use crate::compiled_system::NotCompiled;
 use crate::linearisation::{Linear, VariedEquations};
 use algebra::boxes::Zero;
 use circles::{is_same, turns_to_zero};
@@ -57,7 +62,6 @@ use quasi_velocities::Extended;
 use search::Boxes;
 use stability::judged;
 use std::f64::consts::PI;
-use std::ops;
 use std::sync::Arc;
 use units::nearest;
 
@@ -124,59 +128,6 @@ impl Asked {
     }
 }
 
-/// The reason for which steady motions of a model are not searched for.
-#[derive(Clone, Debug, PartialEq)]
-pub enum NoSteadyMotions {
-    NotCompiled(NotCompiled),
-    /// The law changes at conditions or with contacts.
-    Changes,
-    /// Contacts, the first of them at its place.
-    Contacts {
-        at: ops::Range<usize>,
-    },
-    /// More combinations of conditions than are tried.
-    ManyConditions {
-        conditions: usize,
-        most: usize,
-    },
-    /// A frame turns freely, and is not described by angles.
-    FreeFrame {
-        why: String,
-    },
-    /// The law depends on time.
-    OfTime,
-    /// A constraint of speeds that is not linear in the speeds, or a programmed constraint.
-    OfSpeeds {
-        at: ops::Range<usize>,
-    },
-    /// No inertia resists a coordinate.
-    Singular,
-    /// Not the name of a coordinate that occurs, nor of the speed of a cyclic coordinate.
-    Unknown {
-        name: String,
-        nearest: Option<String>,
-        accepted: Vec<String>,
-    },
-    /// A single value is given for an unknown that an equation determines; it would hold only by chance.
-    Sought {
-        name: String,
-        value: f64,
-    },
-    /// Unknowns that are no angles of a circle, and have no range.
-    WithoutRange {
-        names: Vec<String>,
-    },
-    /// More equations than unknowns, and coordinates along which no force acts.
-    Unequal {
-        counts: [usize; 2],
-        idle: Vec<String>,
-    },
-    /// An expression has no values.
-    Undefined {
-        why: String,
-    },
-}
-
 /// A steady motion: the only one in a box about it.
 #[derive(Clone, Debug)]
 pub struct SteadyMotion {
@@ -199,6 +150,8 @@ pub struct Member {
     pub state: Vec<f64>,
     /// The linear equations there, as numbers.
     pub linear: Option<Linear>,
+    /// Coordinates that have no inertia there, so that they do not describe the position.
+    pub without_inertia: Vec<String>,
 }
 
 /// All steady motions of a search, with its undecided regions.
@@ -226,6 +179,8 @@ pub struct SteadyMotions {
     pub regions: Vec<Region>,
     /// The share of undecided boxes in the whole box.
     pub undecided_part: f64,
+    /// Undecided boxes at the zero of conditions that are reported in a combination for both sides.
+    pub elsewhere: usize,
     /// The number of examined boxes.
     pub examined: usize,
 }
@@ -342,9 +297,12 @@ impl SteadyMotions {
             .map(|family| {
                 let member = |values: &Vec<f64>| {
                     let state = equations.state_at(values.iter().copied().take(equations.unknowns.len()));
-                    let linear = varied.as_ref().filter(|_| goes_on()).and_then(|own| own.about(0.0, &state).ok());
+                    let at: Vec<Interval> = values.iter().map(|value| Interval::point(*value)).collect();
+                    let without_inertia = stability::without_inertia(model, &equations, &mut boxes, &at);
+                    let linear = varied.as_ref().filter(|_| without_inertia.is_empty() && goes_on());
+                    let linear = linear.and_then(|own| own.about(0.0, &state).ok());
                     let values = values[..equations.unknowns.len()].to_vec();
-                    Member { values, state: original(state).0, linear }
+                    Member { values, state: original(state).0, linear, without_inertia }
                 };
                 let members = family.members.iter().map(member).collect();
                 (family, members)
@@ -365,6 +323,7 @@ impl SteadyMotions {
             undecided: found.undecided.into_iter().map(ends).collect(),
             regions,
             undecided_part,
+            elsewhere: 0,
             examined: found.examined,
         }
     }

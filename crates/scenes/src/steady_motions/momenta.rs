@@ -2,6 +2,7 @@
 
 use crate::letters::Letters;
 use model::Trace;
+use model::equations::vanishes;
 use symbolic::{Sym, substitute_all};
 
 /// Derivatives of the momenta of cyclic coordinates, all other speeds being zero: by letters, then by their speeds; and the mass matrix.
@@ -22,5 +23,14 @@ pub(super) fn momenta(
     let rests: Vec<(Sym, Sym)> = others.iter().map(|speed| (*speed, Sym::ZERO)).collect();
     let moving = energy.substitute(&rests);
     let of_cyclic = [by(moving, &speeds, letters), by(moving, &speeds, &speeds)].concat();
-    [of_cyclic, by(energy, &trace.speeds, &trace.speeds)].map(|all| substitute_all(&all, known))
+    let all = [of_cyclic, by(energy, &trace.speeds, &trace.speeds)];
+    all.map(|all| substitute_all(&all, known).into_iter().map(|own| at_any_time(trace.time, own)).collect())
+}
+
+/// An expression without the time, where its value does not depend on it, as of a frame that turns steadily about an axis of symmetry.
+pub(super) fn at_any_time(time: Sym, own: Sym) -> Sym {
+    match own.symbols_of().contains(&time) && vanishes(own.diff(time)) {
+        true => own.substitute(&[(time, Sym::ZERO)]),
+        false => own,
+    }
 }

@@ -82,6 +82,7 @@ impl SteadyMotions {
         let (taken, left) = std::mem::take(&mut self.undecided).into_iter().partition(is_in);
         self.undecided = left;
         self.undecided_part = self.part();
+        self.elsewhere += taken.len();
         (region, taken)
     }
 

@@ -7,6 +7,9 @@ use field::Interval;
 use nalgebra::DMatrix;
 use symbolic::{Program, Propagation};
 
+/// A condition below this part of its size, by its slopes and the unknowns, is zero.
+const ROUNDING: f64 = 1e-10;
+
 /// Programs over intervals.
 pub(super) struct Boxes<'a> {
     divided: usize,
@@ -85,7 +88,7 @@ impl Boxes<'_> {
         }
         self.sides.evaluate(at, &mut self.side);
         // an enclosure without bounds, as of a root whose argument may be negative by rounding, hides where there is a value
-        if self.side.iter().any(|value| !value.size().is_finite()) && !self.may_lie_aside(at) {
+        if self.side.iter().any(|value| !value.size().is_finite()) && !self.narrow_aside(&mut at.to_vec()) {
             return Some(false);
         }
         let closed = |(own, _): &(usize, _)| !open.contains(own);
@@ -99,11 +102,30 @@ impl Boxes<'_> {
 }
 
 impl Boxes<'_> {
-    /// Whether there may be a place in a box at which every condition has a value on its side.
-    fn may_lie_aside(&mut self, at: &[Interval]) -> bool {
+    /// Narrows a box to the places at which conditions may have values on their sides; false where there are none.
+    pub fn narrow_aside(&mut self, at: &mut [Interval]) -> bool {
         let side = |holds: &bool| if *holds { [0.0, f64::INFINITY] } else { [f64::NEG_INFINITY, 0.0] };
         let margins = self.holds.iter().map(side).map(|[from, to]| Interval::new(from, to));
-        self.through_sides.narrow(&mut at.iter().copied().chain(margins).collect::<Vec<_>>())
+        let mut all: Vec<Interval> = at.iter().copied().chain(margins).collect();
+        if self.holds.is_empty() {
+            return true;
+        }
+        let may = self.through_sides.narrow(&mut all);
+        at.copy_from_slice(&all[..at.len()]);
+        may
+    }
+
+    /// The conditions that are zero all over a box, to rounding, by their numbers, if all others have their signs there.
+    pub fn lies_along(&mut self, at: &[Interval]) -> Option<Vec<usize>> {
+        let open = self.open_sides(at);
+        let values: Vec<f64> = open.iter().map(|&side| self.side[side].size()).collect();
+        let is_zero = |(&side, value): (&usize, f64)| {
+            let slopes = self.side_slope(at, side);
+            let scale: f64 = slopes.iter().zip(at).map(|(slope, at)| slope.size() * (1.0 + at.size())).sum();
+            value <= ROUNDING * scale
+        };
+        let are_zero = !open.is_empty() && open.iter().zip(values).all(is_zero);
+        (are_zero && self.lies_aside_but_for(at, &open) == Some(true)).then_some(open)
     }
 
     /// The conditions that may be zero in a box, by their numbers.

@@ -1,9 +1,13 @@
 //! Stability of a steady motion: by the energy where it is conserved, else by the linear equations.
 
+use super::conditions::Case;
 use super::definiteness::signs;
 use super::degenerate::Degenerate;
 use super::equations::SteadyEquations;
+use super::friction::Friction;
 use super::idle_conditions;
+use super::inertia::Inertia;
+use super::quasi_velocities::state_names;
 use super::search::Boxes;
 use super::spectrum::{EnclosedSpectrum, NotEnclosed};
 use crate::conservation::keeps_energy;
@@ -36,6 +40,13 @@ pub enum SteadyStability {
     /// If all of them are tangent, V'' of the other side, which differs by a multiple of n n^T with the normal n, has the same ones, so that
     /// motions grow along them on both.
     FallsOnSide(usize),
+    /// Dry friction resists every motion, and no share of it is used up: after a small push the system comes to rest nearby.
+    HeldByFriction,
+    /// Dry friction with negative coefficients feeds every motion.
+    FedByFriction,
+    /// The mass matrix is singular there, so that these coordinates do not describe the position: the equations hold without force, and
+    /// neither equilibrium nor stability follows.
+    Singular(Vec<String>),
     /// By eigenvalues of the linear equations.
     Linear(Box<Eigenvalues>),
     /// There are no linear equations.
@@ -67,7 +78,16 @@ pub(super) fn judged(
     degenerate: Option<&Degenerate>,
 ) -> SteadyStability {
     let n = model.speeds();
-    if equations.is_at_condition {
+    let inertia = Inertia::of(equations, boxes, enclosure, n);
+    if let Inertia::Singular(places) = &inertia {
+        return SteadyStability::Singular(names(model, places));
+    }
+    match equations.friction.as_ref().map(|own| own.at_motion(&enclosure[..equations.unknowns.len()])) {
+        Some(Friction::Resists) => return SteadyStability::HeldByFriction,
+        Some(Friction::Feeds) => return SteadyStability::FedByFriction,
+        _ => {}
+    }
+    if equations.is_at_condition && !is_without_jumps(model, equations) {
         return SteadyStability::AtCondition(None);
     }
     let is_open = boxes.lies_aside(enclosure) != Some(true) && !is_one_law(model, equations, boxes, enclosure);
@@ -75,7 +95,7 @@ pub(super) fn judged(
     let is_whole =
         equations.coordinates == equations.unknowns.len() && equations.coordinates + equations.cyclic.len() == n;
     let keeps_energy = equations.energy_integral.is_some() || keeps_energy(model);
-    if is_whole && keeps_energy && has_inertia(equations, boxes, enclosure, n) {
+    if is_whole && keeps_energy && inertia.is_positive() {
         let is_gyroscopic = equations.energy_integral.is_some_and(|integral| integral.is_gyroscopic);
         let rests = state[n..].iter().all(|speed| *speed == 0.0) && !is_gyroscopic;
         let falls = match degenerate {
@@ -95,7 +115,8 @@ pub(super) fn judged(
         }
     }
     if is_open {
-        return SteadyStability::AtCondition(drives_away(equations, boxes, enclosure, n));
+        let side = if inertia.is_positive() { drives_away(equations, boxes, enclosure, n) } else { None };
+        return SteadyStability::AtCondition(side);
     }
     // inputs have their values, with all derivatives of these
     let varied = match VariedEquations::with_inputs(model, &[], &[]) {
@@ -111,17 +132,42 @@ pub(super) fn judged(
     }
 }
 
+/// Coordinates without inertia at an enclosure of unknowns and reactions, by their names.
+pub(super) fn without_inertia(
+    model: &Model,
+    equations: &SteadyEquations,
+    boxes: &mut Boxes<'_>,
+    enclosure: &[Interval],
+) -> Vec<String> {
+    match Inertia::of(equations, boxes, enclosure, model.speeds()) {
+        Inertia::Singular(places) => names(model, &places),
+        Inertia::Positive | Inertia::Open => Vec::new(),
+    }
+}
+
+fn names(model: &Model, places: &[usize]) -> Vec<String> {
+    let all = state_names(model);
+    places.iter().map(|&place| all[place].clone()).collect()
+}
+
 /// The side of a kink of a system with one coordinate, damped or fed, where the force at rest drives away: M p^2 + d p - dR/dq = 0 has one
 /// positive root p then, whatever d is.
 fn drives_away(equations: &SteadyEquations, boxes: &mut Boxes<'_>, enclosure: &[Interval], n: usize) -> Option<OnSide> {
     let is_one = n == 1 && equations.coordinates == 1 && enclosure.len() == 1;
-    if !is_one || !has_inertia(equations, boxes, enclosure, n) {
+    if !is_one {
         return None;
     }
     let mut slope = [Interval::EVERYTHING];
     boxes.slopes(enclosure, &mut slope);
     let is_regular = boxes.has_regular_sides(enclosure);
     (slope[0].low() > 0.0).then_some(OnSide { falls: 1, is_regular })
+}
+
+/// Whether the law is one on both sides of every condition that is held at zero, as of dry friction without force.
+fn is_without_jumps(model: &Model, equations: &SteadyEquations) -> bool {
+    let cases = &equations.cases;
+    let held: Vec<usize> = (0..cases.len()).filter(|&place| cases[place] == Case::Between).collect();
+    idle_conditions::is_one_law(model, cases, &held)
 }
 
 /// Whether the law does not depend on the conditions that may be zero in an enclosure, and everything else lies aside.
@@ -131,40 +177,6 @@ fn is_one_law(model: &Model, equations: &SteadyEquations, boxes: &mut Boxes<'_>,
     boxes.lies_aside_but_for(enclosure, &sides) == Some(true)
         && !places.is_empty()
         && idle_conditions::is_one_law(model, &equations.cases, &places)
-}
-
-/// Whether the kinetic energy is positive in every direction that constraints allow, for all enclosed numbers. Bodies without mass are allowed
-/// between others. The matrix
-///
-///   | M   f'^T |
-///   | f'   0   |
-///
-/// then has as many negative eigenvalues as there are constraints f = 0, and all others are positive.
-fn has_inertia(equations: &SteadyEquations, boxes: &mut Boxes<'_>, enclosure: &[Interval], n: usize) -> bool {
-    let Some(tape) = &equations.masses else { return false };
-    let (own, positions) = (enclosure.len(), equations.unknowns.len());
-    let mut masses = vec![Interval::EVERYTHING; n * n];
-    tape.over::<Interval>().evaluate(&enclosure[..positions], &mut masses);
-    if signs(&masses, n) == Some([0, n]) {
-        return true;
-    }
-    let mut slopes = vec![Interval::EVERYTHING; own * own];
-    boxes.slopes(enclosure, &mut slopes);
-    let unknown_at: Vec<Option<usize>> =
-        (0..n).map(|place| equations.unknowns.iter().position(|unknown| unknown.place == place)).collect();
-    let (reactions, zero) = (equations.reactions, Interval::point(0.0));
-    // constraints contain no cyclic coordinates
-    let push =
-        |place: usize, reaction: usize| unknown_at[place].map_or(zero, |row| slopes[row * own + positions + reaction]);
-    let size = n + reactions;
-    let entry = |row: usize, column: usize| match (row < n, column < n) {
-        (true, true) => masses[row * n + column],
-        (true, false) => push(row, column - n),
-        (false, true) => push(column, row - n),
-        (false, false) => zero,
-    };
-    let matrix: Vec<Interval> = (0..size * size).map(|at| entry(at / size, at % size)).collect();
-    signs(&matrix, size) == Some([reactions, n])
 }
 
 /// The number of directions in which the amended potential energy decreases; none if this is not decided. The matrix

@@ -4,7 +4,7 @@
 //! depend on these, until a motion is shown within rounding of the furthest bound, or no half is left to gain by.
 
 use super::Fewer;
-use super::pieces::{Local, Piece, Underdetermined};
+use super::pieces::{Piece, fulfils, narrow};
 use crate::steady_motions::Unknown;
 use field::Interval;
 use std::f64::consts::PI;
@@ -26,9 +26,6 @@ const HALVINGS: usize = 160;
 
 /// Narrower parameters, relative to their values, are not halved.
 const NARROW: f64 = 1e-15;
-
-/// Steps of Krawczyk's operator in a half.
-const STEPS: usize = 6;
 
 /// A part of a piece.
 #[derive(Clone)]
@@ -53,17 +50,25 @@ impl<'a> Ends<'a> {
         equations: &mut Fewer<'_, '_>,
         goes_on: &mut dyn FnMut() -> bool,
     ) -> Extent {
-        let begun = self.pieces.iter().map(|&(piece, rows)| {
-            let at = piece.enclosure.clone();
-            Part { piece, rows, holds: piece.holds && self.is_in_ranges(&at), at }
+        let begun = self.pieces.iter().flat_map(|&(piece, rows)| {
+            let part = |at: &Vec<Interval>, holds: bool| Part {
+                piece,
+                rows,
+                holds: holds && self.is_in_ranges(at),
+                at: at.clone(),
+            };
+            let inner = piece.inner.as_ref().map(|inner| part(inner, true));
+            [part(&piece.enclosure, piece.holds)].into_iter().chain(inner)
         });
         let mut parts: Vec<Part<'_>> = begun.filter(|part| self.meets_ranges(&part.at)).collect();
         let mut ends = [Bound::default(); 2];
         for (side, end) in [-1.0, 1.0].into_iter().zip(&mut ends) {
             let far = |at: &Interval| if side < 0.0 { -at.low() } else { at.high() };
             let near = |at: &Interval| if side < 0.0 { -at.high() } else { at.low() };
+            // the furthest of single motions that are shown
+            let mut single: Option<f64> = None;
             for halvings in 0..=HALVINGS {
-                let bounds = |part: &Part<'_>| self.within(part, place, within);
+                let bounds = |part: &Part<'_>| self.within(&part.at, place, within);
                 let Some((first, outer)) = parts
                     .iter()
                     .enumerate()
@@ -76,13 +81,16 @@ impl<'a> Ends<'a> {
                     true => far(&bounds(part)),
                     false => near(&bounds(part)),
                 };
-                let reached = parts.iter().filter(|part| part.holds).map(shown).max_by(f64::total_cmp);
+                let reached = parts.iter().filter(|part| part.holds).map(shown).chain(single).max_by(f64::total_cmp);
                 *end = Bound { outer: side * outer, reached: reached.map(|reached| side * reached) };
                 let is_known = reached.is_some_and(|reached| outer - reached <= KNOWN * (1.0 + outer.abs()));
                 if is_known || halvings == HALVINGS || !goes_on() {
                     break;
                 }
                 let Some(halves) = self.halves(&parts[first], equations) else { break };
+                let middles = halves.iter().filter_map(|half| self.middle(half, equations));
+                let furthest = middles.map(|at| near(&self.within(&at, place, within)));
+                single = furthest.chain(single).max_by(f64::total_cmp);
                 parts.swap_remove(first);
                 parts.extend(halves);
             }
@@ -92,9 +100,9 @@ impl<'a> Ends<'a> {
         Extent { within: [low.outer.max(within[0]), high.outer.min(within[1])], reached }
     }
 
-    /// The values of an unknown in a part, an angle within the turn of a range, and others within their own ranges.
-    fn within(&self, part: &Part<'_>, place: usize, within: [f64; 2]) -> Interval {
-        let (unknown, at) = (&self.unknowns[place], part.at[place]);
+    /// The values of an unknown in a box, an angle within the turn of a range, and others within their own ranges.
+    fn within(&self, at: &[Interval], place: usize, within: [f64; 2]) -> Interval {
+        let (unknown, at) = (&self.unknowns[place], at[place]);
         if !unknown.is_circle {
             return at.and(unknown.range.interval()).unwrap_or(at);
         }
@@ -124,13 +132,23 @@ impl<'a> Ends<'a> {
             let mut at = part.at.clone();
             at[widest] = half;
             narrow(equations, part.piece, &mut at);
-            let fulfilled = if part.piece.holds { Some(true) } else { equations.holds(&at) };
+            let fulfilled = if part.piece.holds { Some(true) } else { fulfils(equations, &at) };
             if fulfilled != Some(false) && self.meets_ranges(&at) {
                 let holds = fulfilled == Some(true) && self.is_in_ranges(&at);
                 halves.push(Part { at, holds, ..part.clone() });
             }
         }
         Some(halves)
+    }
+
+    /// The box of the motion at the middle of the parameters of a part; none where it is not shown to fulfil everything.
+    fn middle(&self, part: &Part<'_>, equations: &mut Fewer<'_, '_>) -> Option<Vec<Interval>> {
+        let mut at = part.at.clone();
+        part.piece.parameters.iter().for_each(|&place| at[place] = Interval::point(at[place].middle()));
+        equations.rows = part.rows.to_vec();
+        narrow(equations, part.piece, &mut at);
+        let fulfilled = part.piece.holds || fulfils(equations, &at) == Some(true);
+        (fulfilled && self.is_in_ranges(&at)).then_some(at)
     }
 }
 
@@ -139,21 +157,4 @@ impl<'a> Ends<'a> {
 struct Bound {
     outer: f64,
     reached: Option<f64>,
-}
-
-/// Narrows the unknowns that depend on the parameters of a piece, one motion of which stands in a box for every value of these.
-fn narrow(equations: &mut Fewer<'_, '_>, piece: &Piece, at: &mut [Interval]) {
-    for _ in 0..STEPS {
-        let Some(local) = Local::with(equations, at, &piece.parameters) else { return };
-        let inside = local.krawczyk(at);
-        let mut gains = false;
-        for (&place, inside) in local.dependent.iter().zip(inside) {
-            let Some(both) = at[place].and(inside) else { return };
-            gains |= both.width() < 0.5 * at[place].width();
-            at[place] = both;
-        }
-        if !gains {
-            return;
-        }
-    }
 }

@@ -6,11 +6,13 @@
 mod columns;
 mod ends;
 mod identities;
+mod local;
 mod pieces;
 
 pub(super) use identities::Identity;
 
-use super::equations::SteadyEquations;
+use super::equations::{NO_CASE, SteadyEquations};
+use super::friction::Friction;
 use super::search::Boxes;
 use super::turns_to_zero;
 use algebra::boxes::Equations;
@@ -32,6 +34,12 @@ pub struct Family {
     pub reached: Vec<Option<[f64; 2]>>,
     /// Displacements along which nothing acts, one for each identity, if identities cause the family.
     pub along: Vec<String>,
+    /// The number of pieces at its border, for some of whose motions the conditions hold.
+    pub border: usize,
+    /// The conditions that are zero all along it, by their places in the combination of cases.
+    pub at_conditions: Vec<usize>,
+    /// The effect of dry friction on small motions about those whose shares lie inside their ranges; none where none acts.
+    pub friction: Option<Friction>,
     /// Some of the motions: unknowns with reactions.
     pub(super) members: Vec<Vec<f64>>,
 }
@@ -64,6 +72,9 @@ impl Family {
         self.along.extend(other.along);
         self.along.sort();
         self.along.dedup();
+        self.border += other.border;
+        self.at_conditions.retain(|place| other.at_conditions.contains(place));
+        self.friction = common([self.friction, other.friction].into_iter());
         self
     }
 }
@@ -96,7 +107,7 @@ impl Underdetermined for Fewer<'_, '_> {
     }
 
     fn narrow(&mut self, at: &mut [Interval]) -> bool {
-        self.boxes.narrow(at)
+        self.boxes.narrow(at) && self.boxes.narrow_aside(at)
     }
 
     fn bound(&mut self, at: &mut [Interval]) -> bool {
@@ -105,6 +116,10 @@ impl Underdetermined for Fewer<'_, '_> {
 
     fn holds(&mut self, at: &[Interval]) -> Option<bool> {
         self.boxes.lies_aside(at)
+    }
+
+    fn is_at_conditions(&mut self, at: &[Interval]) -> bool {
+        self.boxes.lies_along(at).is_some()
     }
 
     fn values(&mut self, at: &[Interval], values: &mut [Interval]) {
@@ -277,8 +292,32 @@ fn family(
         }
         middle
     });
+    let of_piece = |own: &&OwnPiece| equations.friction.as_ref().map(|law| law.at(&own.piece.enclosure[..positions]));
+    let friction = common(pieces.iter().map(of_piece));
     let (dimension, members) = (pieces[0].piece.parameters.len(), members.collect());
-    Family { dimension, members, pieces: all, hull, reached, along }
+    let border = pieces.iter().filter(|own| own.piece.is_border()).count();
+    let at_conditions = along_conditions(equations, pieces, fewer);
+    Family { dimension, members, pieces: all, hull, reached, along, border, at_conditions, friction }
+}
+
+/// The places of the conditions that are zero all over the inner part of each piece.
+fn along_conditions(equations: &SteadyEquations, pieces: &[&OwnPiece], fewer: &mut Fewer<'_, '_>) -> Vec<usize> {
+    let mut common: Option<Vec<usize>> = None;
+    for own in pieces {
+        let sides = own.piece.inner.as_ref().and_then(|inner| fewer.boxes.lies_along(inner)).unwrap_or_default();
+        let places: Vec<usize> = sides.into_iter().map(|side| equations.side_places[side]).collect();
+        common = Some(match common {
+            Some(known) => known.into_iter().filter(|place| places.contains(place)).collect(),
+            None => places,
+        });
+    }
+    common.unwrap_or_default().into_iter().filter(|place| *place != NO_CASE).collect()
+}
+
+/// The effect that friction has everywhere, or none that is known.
+fn common(mut all: impl Iterator<Item = Option<Friction>>) -> Option<Friction> {
+    let first = all.next()??;
+    Some(if all.all(|own| own == Some(first)) { first } else { Friction::Open })
 }
 
 /// A gap between pieces that counts as rounding.

@@ -5,10 +5,9 @@
 //!
 //!   K(X) = m - C f(m, t0) - C f_t (T - t0) + (1 - C f_x(X, T)) (X - m) inside X .
 
-use super::columns::chosen;
+use super::local::Local;
 use algebra::boxes::halves;
 use field::Interval;
-use nalgebra::DMatrix;
 use std::collections::VecDeque;
 
 /// Equations over intervals, fewer than unknowns.
@@ -27,6 +26,11 @@ pub(in crate::steady_motions) trait Underdetermined {
     /// Whether the further conditions on solutions hold in the whole box, or nowhere in it; none if this is not decided.
     fn holds(&mut self, _at: &[Interval]) -> Option<bool> {
         Some(true)
+    }
+
+    /// Whether each further condition that is open in a box is zero all over it, to rounding.
+    fn is_at_conditions(&mut self, _at: &[Interval]) -> bool {
+        false
     }
 
     fn values(&mut self, at: &[Interval], values: &mut [Interval]);
@@ -48,6 +52,15 @@ pub(in crate::steady_motions) struct Piece {
     pub middle: Vec<f64>,
     /// Whether everything else holds for all of its solutions; else that is open.
     pub holds: bool,
+    /// A part, narrower than the box by rounding alone, for all of whose solutions it holds, or is at its end.
+    pub inner: Option<Vec<Interval>>,
+}
+
+impl Piece {
+    /// Whether everything else holds for some of its solutions at most.
+    pub fn is_border(&self) -> bool {
+        !self.holds && self.inner.is_none()
+    }
 }
 
 /// Every solution lies in a piece or in an undecided box.
@@ -75,8 +88,14 @@ const WIDTHS: [f64; 3] = [1.25, 2.0, 4.0];
 /// If a narrowed box is smaller than this fraction of the box, it is narrowed again.
 const WORTH: f64 = 0.75;
 
-/// The width, as a fraction of the smallest box, to which the end of a piece is located: the condition that ends it has a zero there.
-const END: f64 = 1e-3;
+/// The width, as a fraction of the domain, to which the border of a curve is located, where a condition ends it.
+const END: f64 = 1e-9;
+
+/// The same of a surface, which has many boxes along its border, and of families of more dimensions.
+const BORDERS: [f64; 2] = [4e-3, 3e-2];
+
+/// The part of the domain, along each parameter, by which the inner part of a piece is narrower on each side.
+const ASIDE: f64 = 1e-10;
 
 /// Boxes between two checks of the deadline.
 const BETWEEN: usize = 8;
@@ -100,8 +119,14 @@ pub(in crate::steady_motions) fn pieces(
             break;
         }
         found.examined += 1;
-        let Some(Open { left, blamed, end }) = examined(equations, next, &mut found.pieces, &least) else { continue };
-        let smallest = if end.is_some() { END * limits.smallest } else { limits.smallest };
+        let Some(Open { left, blamed, end }) = examined(equations, next, (&mut found.pieces, &least), domain) else {
+            continue;
+        };
+        let smallest = match end.as_ref().map(|end| end.parameters.len()) {
+            None => limits.smallest,
+            Some(0 | 1) => END,
+            Some(dimension) => BORDERS[(dimension - 2).min(1)],
+        };
         match (halves(&left, domain, blamed, smallest), end) {
             (Some(halves), _) => open.extend(halves),
             (None, Some(end)) => found.pieces.push(end),
@@ -124,8 +149,8 @@ struct Open {
 fn examined(
     equations: &mut dyn Underdetermined,
     mut at: Vec<Interval>,
-    pieces: &mut Vec<Piece>,
-    least: &[f64],
+    (pieces, least): (&mut Vec<Piece>, &[f64]),
+    domain: &[Interval],
 ) -> Option<Open> {
     let [n, bounded] = equations.unknowns();
     let rows = equations.rows();
@@ -165,7 +190,13 @@ fn examined(
                     pieces.extend(holds.then_some(Piece { holds, ..piece }));
                     return None;
                 }
-                None if is_covered => end = Some(piece),
+                None if is_covered => match inner(equations, &piece, domain) {
+                    Some(inner) => {
+                        pieces.push(Piece { inner: Some(inner), ..piece });
+                        return None;
+                    }
+                    None => end = Some(piece),
+                },
                 _ => {}
             }
         }
@@ -228,106 +259,55 @@ fn shown(equations: &mut dyn Underdetermined, local: &Local, at: &[Interval]) ->
         is_inside.then(|| {
             let mut enclosure = alone.clone();
             local.dependent.iter().zip(&inside).for_each(|(&place, inside)| enclosure[place] = *inside);
-            Piece { parameters: local.parameters.clone(), enclosure, alone, middle: middle.clone(), holds: false }
+            Piece {
+                parameters: local.parameters.clone(),
+                enclosure,
+                alone,
+                middle: middle.clone(),
+                holds: false,
+                inner: None,
+            }
         })
     })
 }
 
-/// A box seen from its middle, with some unknowns as parameters.
-pub(super) struct Local {
-    pub dependent: Vec<usize>,
-    parameters: Vec<usize>,
-    middle: Vec<f64>,
-    /// C f(m)
-    step: Vec<Interval>,
-    /// C f', row after row, by all unknowns.
-    slopes: Vec<Interval>,
-    wide: usize,
-}
-
-impl Local {
-    fn of(equations: &mut dyn Underdetermined, at: &[Interval]) -> Option<Self> {
-        Self::made(equations, at, None)
-    }
-
-    pub fn with(equations: &mut dyn Underdetermined, at: &[Interval], parameters: &[usize]) -> Option<Self> {
-        Self::made(equations, at, Some(parameters))
-    }
-
-    fn made(equations: &mut dyn Underdetermined, at: &[Interval], parameters: Option<&[usize]>) -> Option<Self> {
-        let divided = equations.unknowns()[0];
-        let (rows, wide) = (equations.rows(), at.len());
-        let mut slopes = vec![Interval::EVERYTHING; rows * wide];
-        equations.slopes(at, &mut slopes);
-        if slopes.iter().any(|slope| !slope.size().is_finite()) {
+/// The part of a piece whose parameters are narrower by rounding, if everything else holds all over it, or is at its end.
+fn inner(equations: &mut dyn Underdetermined, piece: &Piece, domain: &[Interval]) -> Option<Vec<Interval>> {
+    let mut at = piece.enclosure.clone();
+    for &place in &piece.parameters {
+        let aside = ASIDE * domain.get(place).map_or(0.0, |range| range.width());
+        let own = at[place];
+        if own.width() <= 4.0 * aside {
             return None;
         }
-        let middle: Vec<f64> = at.iter().map(|part| part.middle()).collect();
-        let mut values = vec![Interval::EVERYTHING; rows];
-        equations.values(&middle.iter().map(|&at| Interval::point(at)).collect::<Vec<_>>(), &mut values);
-        let about = |row: usize, column: usize| slopes[row * wide + column].middle();
-        let dependent = match parameters {
-            Some(parameters) => (0..wide).filter(|k| !parameters.contains(k)).collect(),
-            None => chosen([rows, wide], about, divided)?,
-        };
-        let parameters = (0..wide).filter(|k| !dependent.contains(k)).collect();
-        let inverse = DMatrix::from_fn(rows, rows, |row, column| about(row, dependent[column])).try_inverse();
-        let inverse = inverse.filter(|inverse| inverse.iter().all(|entry| entry.is_finite()))?;
-        let product = |row: usize, of: &dyn Fn(usize) -> Interval| {
-            (0..rows).fold(Interval::point(0.0), |sum, k| sum + Interval::point(inverse[(row, k)]) * of(k))
-        };
-        let step = (0..rows).map(|row| product(row, &|k| values[k])).collect();
-        let slopes = (0..rows * wide).map(|at| product(at / wide, &|k| slopes[k * wide + at % wide])).collect();
-        Some(Local { dependent, parameters, middle, step, slopes, wide })
+        at[place] = Interval::new(own.low() + aside, own.high() - aside);
     }
+    narrow(equations, piece, &mut at);
+    fulfils(equations, &at).filter(|fulfils| *fulfils).map(|_| at)
+}
 
-    fn entry(&self, row: usize, column: usize) -> Interval {
-        self.slopes[row * self.wide + column]
-    }
+/// Whether the further conditions hold in a whole box or are at their ends there, or nowhere; none if this is not decided.
+pub(super) fn fulfils(equations: &mut dyn Underdetermined, at: &[Interval]) -> Option<bool> {
+    equations.holds(at).or_else(|| equations.is_at_conditions(at).then_some(true))
+}
 
-    /// The deviation of the preconditioned equations from the unknowns.
-    fn spread(&self) -> f64 {
-        let each = |(row, &place): (usize, &usize)| {
-            let entry = |&column: &usize| {
-                let own = if column == place { 1.0 } else { 0.0 };
-                (Interval::point(own) - self.entry(row, column)).size()
-            };
-            self.dependent.iter().map(entry).sum::<f64>()
-        };
-        self.dependent.iter().enumerate().map(each).fold(0.0, f64::max)
-    }
+/// Steps of Krawczyk's operator in a part of a piece.
+const NARROWED: usize = 6;
 
-    fn aside(&self, at: &[Interval], column: usize) -> Interval {
-        at[column] - Interval::point(self.middle[column])
-    }
-
-    /// The part of a box that may hold solutions; none where there is no such part.
-    fn narrowed(&self, at: &[Interval]) -> Option<Vec<Interval>> {
-        let mut left = at.to_vec();
-        for (row, &place) in self.dependent.iter().enumerate() {
-            let others = (0..self.wide).filter(|&column| column != place);
-            let rest =
-                others.fold(self.step[row], |sum, column| sum + self.entry(row, column) * self.aside(&left, column));
-            let own = self.entry(row, place);
-            if !own.contains(0.0) {
-                left[place] = left[place].and(Interval::point(self.middle[place]) - rest / own)?;
-            } else if !(rest + own * self.aside(&left, place)).contains(0.0) {
-                return None;
-            }
+/// Narrows the unknowns that depend on the parameters of a piece, one motion of which is in a box for every value of these.
+pub(super) fn narrow(equations: &mut dyn Underdetermined, piece: &Piece, at: &mut [Interval]) {
+    for _ in 0..NARROWED {
+        let Some(local) = Local::with(equations, at, &piece.parameters) else { return };
+        let inside = local.krawczyk(at);
+        let mut gains = false;
+        for (&place, inside) in local.dependent.iter().zip(inside) {
+            let Some(both) = at[place].and(inside) else { return };
+            gains |= both.width() < 0.5 * at[place].width();
+            at[place] = both;
         }
-        Some(left)
-    }
-
-    /// Krawczyk's operator for the dependent unknowns.
-    pub fn krawczyk(&self, at: &[Interval]) -> Vec<Interval> {
-        let each = |(row, &place): (usize, &usize)| {
-            let about = Interval::point(self.middle[place]) - self.step[row];
-            (0..self.wide).fold(about, |sum, column| {
-                let own = if column == place { Interval::point(1.0) } else { Interval::point(0.0) };
-                sum + (own - self.entry(row, column)) * self.aside(at, column)
-            })
-        };
-        self.dependent.iter().enumerate().map(each).collect()
+        if !gains {
+            return;
+        }
     }
 }
 

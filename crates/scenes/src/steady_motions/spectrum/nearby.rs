@@ -79,7 +79,8 @@ fn why_not(why: &NoSteadyMotions) -> &'static str {
         NoSteadyMotions::FreeFrame { .. } => "a frame turns freely",
         NoSteadyMotions::OfTime => "the law depends on time",
         NoSteadyMotions::OfSpeeds { .. } => "a constraint of speeds has gains, or cannot be solved",
-        NoSteadyMotions::Singular => "no inertia resists a coordinate",
+        NoSteadyMotions::Singular | NoSteadyMotions::Empty { .. } => "no inertia resists a coordinate",
+        NoSteadyMotions::At { why, .. } => why_not(why),
         NoSteadyMotions::Unequal { .. } => "steady motions form a family",
         _ => "the equations of steady motions have no values there",
     }

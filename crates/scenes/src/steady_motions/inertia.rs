@@ -1,0 +1,127 @@
+//! Inertia at a steady motion: whether the kinetic energy is positive in every direction that constraints allow.
+//!
+//! The kinetic energy of a system of bodies is positive in every direction of motion. Where the mass matrix is singular nevertheless, as at
+//! the pole of spherical angles, two positions of the coordinates are one position of the system: the equations hold there without force,
+//! and neither equilibrium nor stability follows from them.
+
+use super::definiteness::signs;
+use super::equations::SteadyEquations;
+use super::search::Boxes;
+use algebra::boxes::Equations;
+use field::Interval;
+use nalgebra::{DMatrix, DVector};
+
+/// Eigenvalues of the scaled mass matrix below this are zero: rounding of an angle, squared, is far below it.
+const SINGULAR: f64 = 1e-12;
+
+/// Components of a direction without inertia below this part of the largest one are rounding.
+const MOVED: f64 = 1e-3;
+
+/// The kinetic energy about a motion.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Inertia {
+    /// Positive in every direction, for all enclosed numbers.
+    Positive,
+    /// Zero to rounding when the coordinates at these places move.
+    Singular(Vec<usize>),
+    /// Neither is shown.
+    Open,
+}
+
+impl Inertia {
+    /// At an enclosure of unknowns and reactions, with the reactions of `n` speeds. Bodies without mass are allowed between others. The
+    /// matrix
+    ///
+    ///   | M   f'^T |
+    ///   | f'   0   |
+    ///
+    /// then has as many negative eigenvalues as there are constraints f = 0, and all others are positive.
+    pub fn of(equations: &SteadyEquations, boxes: &mut Boxes<'_>, enclosure: &[Interval], n: usize) -> Self {
+        let Some(tape) = &equations.masses else { return Inertia::Open };
+        let (own, positions) = (enclosure.len(), equations.unknowns.len());
+        let mut masses = vec![Interval::EVERYTHING; n * n];
+        tape.over::<Interval>().evaluate(&enclosure[..positions], &mut masses);
+        if signs(&masses, n) == Some([0, n]) {
+            return Inertia::Positive;
+        }
+        let mut slopes = vec![Interval::EVERYTHING; own * own];
+        boxes.slopes(enclosure, &mut slopes);
+        let unknown_at: Vec<Option<usize>> =
+            (0..n).map(|place| equations.unknowns.iter().position(|unknown| unknown.place == place)).collect();
+        let (reactions, zero) = (equations.reactions, Interval::point(0.0));
+        // constraints contain no cyclic coordinates
+        let push = |place: usize, reaction: usize| {
+            unknown_at[place].map_or(zero, |row| slopes[row * own + positions + reaction])
+        };
+        let size = n + reactions;
+        let entry = |row: usize, column: usize| match (row < n, column < n) {
+            (true, true) => masses[row * n + column],
+            (true, false) => push(row, column - n),
+            (false, true) => push(column, row - n),
+            (false, false) => zero,
+        };
+        let matrix: Vec<Interval> = (0..size * size).map(|at| entry(at / size, at % size)).collect();
+        if signs(&matrix, size) == Some([reactions, n]) {
+            return Inertia::Positive;
+        }
+        let sizes = largest(equations, n);
+        let masses = DMatrix::from_fn(n, n, |i, j| masses[i * n + j].middle() / (sizes[i] * sizes[j]).sqrt());
+        let pushes = DMatrix::from_fn(n, reactions, |i, k| push(i, k).middle() / sizes[i].sqrt());
+        match without_inertia(masses, pushes) {
+            Some(direction) => {
+                let most = direction.amax();
+                Inertia::Singular((0..n).filter(|&place| direction[place].abs() > MOVED * most).collect())
+            }
+            None => Inertia::Open,
+        }
+    }
+
+    pub fn is_positive(&self) -> bool {
+        *self == Inertia::Positive
+    }
+}
+
+/// The largest inertia of each coordinate over the ranges of the unknowns; one where that has no bound or is zero.
+fn largest(equations: &SteadyEquations, n: usize) -> Vec<f64> {
+    let ranges: Vec<Interval> = equations.unknowns.iter().map(|unknown| unknown.range.interval()).collect();
+    let mut masses = vec![Interval::EVERYTHING; n * n];
+    if let Some(tape) = &equations.masses {
+        tape.over::<Interval>().evaluate(&ranges, &mut masses);
+    }
+    let size = |place: usize| masses[place * n + place].size();
+    (0..n).map(size).map(|size| if size > 0.0 && size.is_finite() { size } else { 1.0 }).collect()
+}
+
+/// A direction that constraints allow and that has no kinetic energy: it is in the kernels of M and of f' together, where M + f'^T f', with
+/// columns of unit length, has a zero eigenvalue, since both parts are positive semidefinite.
+fn without_inertia(masses: DMatrix<f64>, mut pushes: DMatrix<f64>) -> Option<DVector<f64>> {
+    for mut column in pushes.column_iter_mut() {
+        let length = column.norm();
+        if length > 0.0 {
+            column.unscale_mut(length);
+        }
+    }
+    let all = masses + &pushes * pushes.transpose();
+    if !all.iter().all(|entry| entry.is_finite()) {
+        return None;
+    }
+    let eigen = all.symmetric_eigen();
+    let (place, least) = eigen.eigenvalues.argmin();
+    (least < SINGULAR).then(|| eigen.eigenvectors.column(place).into_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::without_inertia;
+    use nalgebra::DMatrix;
+
+    #[test]
+    fn a_massless_coordinate_that_a_constraint_holds_needs_no_inertia() {
+        let masses = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 0.0]);
+        let held = DMatrix::from_row_slice(2, 1, &[0.0, 3.0]);
+        assert_eq!(without_inertia(masses.clone(), held), None);
+        let beside = DMatrix::from_row_slice(2, 1, &[5.0, 0.0]);
+        let direction = without_inertia(masses, beside).expect("nothing holds the second coordinate");
+        assert!((direction[1].abs() - 1.0).abs() < 1e-12, "{direction}");
+    }
+}
