@@ -238,7 +238,9 @@ impl Trajectory {
     /// The conserved quantity that the run lost first, by a method that follows a tolerance; runs with constant steps are compared with
     /// shorter steps instead.
     pub fn lost(&self) -> Option<(&Deviation, Lost)> {
-        let lost = self.outcome.deviations.iter().filter_map(|one| Some((one, one.lost?)));
+        // a run that ends within its last step is not lost behind its end
+        let within = |lost: Lost| Lost { at: lost.at.min(self.outcome.time), ..lost };
+        let lost = self.outcome.deviations.iter().filter_map(|one| Some((one, within(one.lost?))));
         lost.filter(|_| self.states.is_empty()).min_by(|(_, one), (_, other)| one.at.total_cmp(&other.at))
     }
 

@@ -139,6 +139,9 @@ fn stability(family: &Family, members: &[Member]) -> String {
         .filter(|linear| linear.standing != Standing::Moving)
         .map(|linear| matches!(linear.stability, Stability::Unstable(_)) && grows(linear))
         .collect();
+    if members.iter().all(|member| member.linear.is_none()) {
+        return "     stability is not decided: these motions have no linear equations\n".to_owned();
+    }
     if judged.is_empty() {
         return String::new();
     }

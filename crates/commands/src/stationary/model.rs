@@ -225,7 +225,7 @@ pub(super) fn object(Found { title, model, motions: found }: &Found) -> Value {
         })).collect::<Vec<_>>(),
         "given": found.given.iter().map(|(name, value)| (name.clone(), json!(value))).collect::<serde_json::Map<_, _>>(),
         "cyclic": found.cyclic,
-        "complete": found.is_complete() && model.implied.iter().all(|one| one.branch.is_none()),
+        "complete": found.is_complete() && found.elsewhere == 0 && model.implied.iter().all(|one| one.branch.is_none()),
         "boxes": found.examined,
         "undecided": found.undecided,
         "regions": found.regions.iter().map(|region| json!({

@@ -264,7 +264,11 @@ pub fn number(value: f64) -> String {
             let fixed = format!("{value:.places$}");
             if fixed.contains('.') { fixed.trim_end_matches('0').trim_end_matches('.').to_owned() } else { fixed }
         }
-        _ => format!("{value:.9e}"),
+        _ => {
+            let all = format!("{value:.9e}");
+            let (digits, power) = all.split_once('e').unwrap_or((&all, "0"));
+            format!("{}e{power}", digits.trim_end_matches('0').trim_end_matches('.'))
+        }
     }
 }
 

@@ -12,6 +12,7 @@ use crate::readiness::{Ready, changes, ready, refused, starting};
 use crate::row_units::columns;
 use crate::scene::{Given, ModelScene};
 use crate::start::{Completed, SingularPositions, StartSolver, Unmet, given, in_touch, start_speeds};
+use crate::unmet_start::unmet_at;
 use crate::warnings::warn_of;
 use integrators::{LaneSeries, Method, Projection};
 use lone_members::laws_of;

@@ -11,6 +11,7 @@ mod cyclic;
 mod displacement;
 mod equations;
 mod independence;
+mod inertia;
 mod kinks;
 mod multipliers;
 mod names;
@@ -72,6 +73,8 @@ pub enum NotLinear {
     DrivenConstraint { input: String, constraint: Box<Known> },
     /// A condition is zero at the point.
     AtCondition { switch: usize },
+    /// The coordinates of some speeds have no inertia, so that they do not describe the position.
+    SingularCoordinates { speeds: Vec<usize> },
     /// A derivative has no finite value.
     NotFinite,
 }
@@ -91,6 +94,9 @@ impl fmt::Display for NotLinear {
                 "condition {} of `if`, `sign`, `abs`, `min`, `max` or `table` is zero: the equations have no derivative",
                 switch + 1
             ),
+            Self::SingularCoordinates { .. } => {
+                write!(f, "the mass matrix is singular: these coordinates do not describe the position")
+            }
             Self::NotFinite => write!(f, "a derivative of the equations has no finite value"),
         }
     }
@@ -120,6 +126,15 @@ impl NotLinear {
                 "this condition is zero there",
                 "a point at which no condition is zero: another start, or --times",
             ),
+            Self::SingularCoordinates { speeds } => {
+                let place = speeds.first().and_then(|speed| model.coordinates.get(*speed)).map(|own| own.at.clone());
+                (
+                    place.unwrap_or_default(),
+                    "this coordinate has no inertia there",
+                    "coordinates that describe this position, such as angles about another axis, or Cartesian coordinates with a constraint; or \
+                     another point",
+                )
+            }
         };
         Issue::at(place, format!("at t = {time} s {self}"), label).accepted(accepted)
     }
@@ -131,6 +146,10 @@ impl VariedEquations {
     /// # Errors
     /// The reason for which there is no linearisation.
     pub fn linearised(&self, point: Point) -> Result<Linearisation, NotLinear> {
+        let speeds = self.singular_speeds(&point, &self.at(&point));
+        if !speeds.is_empty() {
+            return Err(NotLinear::SingularCoordinates { speeds });
+        }
         let point = self.with_accelerations(point).map_err(NotLinear::Undetermined)?;
         if let Some(switch) = self.kinked_switch(&point) {
             return Err(NotLinear::AtCondition { switch });

@@ -11,7 +11,7 @@ use super::start_speeds;
 use integrators::Pace;
 use model::Model;
 use model::equations::Level;
-use nalgebra::{Cholesky, DMatrix};
+use nalgebra::{Cholesky, DMatrix, DVector};
 use simulation::Program;
 use simulation::events::Margin;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -22,7 +22,8 @@ const SINGULAR: &str =
 const KEPT: &str = "the constraints that are used become dependent at this position, but the redundant one, which was left out, would still \
      hold the system: remove one of the others from the file instead, and the run passes this position";
 
-/// A position is singular where s falls below this part of its value at the start: bars that differ by a millionth pass it.
+/// A position is singular where s falls below this part of its value at the start: bars whose lengths differ by the part e come to a part of
+/// the order of e^(1/2), so that bars that differ by a millionth pass it on the whole, and those that differ by a ten-thousandth always.
 const LEAST: f64 = 1e-3;
 
 /// Above this value of s^2 its rate does not matter, since the bound of that is enough.
@@ -33,6 +34,12 @@ const APART: f64 = 1e-7;
 
 /// A position that is off its constraints by d is singular where s^2 is below so many times d.
 const DRIFT: f64 = 10.0;
+
+/// Before that such a position is corrected, by at most so many steps of Newton's method.
+const CORRECTIONS: usize = 4;
+
+/// A position off its constraints by no more than this is on them.
+const MET: f64 = 1e-12;
 
 /// But not where s^2 is above so many times the value below which it is singular anyway.
 const MOST_DRIFT: f64 = 1e4;
@@ -231,28 +238,56 @@ impl SingularPositions {
         look.independence(self.rank) - self.least - (DRIFT * look.off).min(MOST_DRIFT * self.least)
     }
 
+    /// The value at the position on the constraints that is next to a state; none where steps of least size do not lead there, and of free
+    /// frames.
+    fn on_constraints(&self, time: f64, state: &[f64], look: &mut Look) -> Option<f64> {
+        let [_, _, positions, n] = self.counts;
+        if positions == 0 || self.angles.len() != n {
+            return None;
+        }
+        let mut moved = state.to_vec();
+        for _ in 0..=CORRECTIONS {
+            self.look_at(time, moved.iter().copied(), look);
+            if look.off <= MET {
+                return Some(self.value(look));
+            }
+            let rows = look.rows.rows(0, positions);
+            let residuals = look.values.iter().zip(&self.lengths).take(positions);
+            let residuals = DVector::from_iterator(positions, residuals.map(|(residual, length)| residual / length));
+            let shares = Cholesky::new(rows * rows.transpose())?.solve(&residuals);
+            let step = rows.transpose() * shares;
+            moved.iter_mut().zip(step.iter()).for_each(|(own, step)| *own -= step);
+        }
+        None
+    }
+
     /// The distance of a state from a singular position.
     pub fn margin(&self, time: f64, state: &[f64], rates: &[f64]) -> Margin {
         let mut looks = self.looks.lock().unwrap_or_else(PoisonError::into_inner);
         let [here, beside] = &mut *looks;
         self.look_at(time, state.iter().copied(), here);
-        let value = self.value(here);
+        let own = self.value(here);
+        // off its constraints, a position says little on those that the motion passes
+        let value = match own <= 0.0 && here.off > MET {
+            true => self.on_constraints(time, state, beside).unwrap_or(own),
+            false => own,
+        };
         // each coordinate changes entries of its own in the main, so that squares add up
         let squares = self.weights.iter().zip(rates).map(|(weight, rate)| (weight * rate) * (weight * rate));
         let near = squares.sum::<f64>().sqrt();
-        let (mut rate, mut own) = (0.0, near);
+        let (mut rate, mut pace) = (0.0, near);
         let largest = rates.iter().fold(0.0, |largest: f64, rate| largest.max(rate.abs()));
         if largest > 0.0 && largest.is_finite() {
             let apart = APART / largest.max(1.0);
             let moved = state.iter().zip(rates).map(|(part, rate)| part + apart * rate);
             self.look_at(time + apart, moved, beside);
             if value < FAR || self.knows_time {
-                rate = (self.value(beside) - value) / apart;
+                rate = (self.value(beside) - own) / apart;
             }
             let changes = beside.rows.iter().zip(&here.rows).map(|(moved, own)| (moved - own) * (moved - own));
-            own = changes.sum::<f64>().sqrt() / apart;
+            pace = changes.sum::<f64>().sqrt() / apart;
         }
-        let pace = Pace { near: near.max(own), own };
+        let pace = Pace { near: near.max(pace), own: pace };
         let is_left_out = value < self.least && self.whole.as_ref().is_some_and(|whole| whole.is_regular(time, state));
         Margin { value, rate, pace, what: if is_left_out { KEPT } else { SINGULAR } }
     }

@@ -24,7 +24,8 @@ fn is_border(all: &[Combination], (at, own): (usize, usize)) -> bool {
         return false;
     }
     all.iter().enumerate().filter(|(other, _)| *other != at).any(|(place, (others, there))| {
-        let agree = (0..cases.len()).all(|k| cases[k] == others[k] || family.at_conditions.contains(&k));
+        let agrees = |k: usize| cases[k] == others[k] || others[k] == Case::Either || family.at_conditions.contains(&k);
+        let agree = (0..cases.len()).all(agrees);
         // of two that are borders the first is kept
         let comes_first = |other: &Family| other.at_conditions.is_empty() || place < at;
         let holds = |(other, _): &(Family, Vec<Member>)| {

@@ -15,7 +15,7 @@ use super::momenta::{at_any_time, momenta};
 use super::orientations::steep;
 use super::potential::EnergyIntegral;
 use super::quasi_velocities::{is_integral, state_names};
-use super::rows::Rows;
+use super::rows::{Rows, without_idle};
 use super::surplus::Selection;
 use super::tapes::{self, Expressions, Tapes};
 use super::{Asked, NoSteadyMotions, Range};
@@ -219,9 +219,14 @@ impl SteadyEquations {
         let (letters, unknowns): (Vec<Sym>, Vec<Unknown>) = unknowns.into_iter().unzip();
         let multipliers: Vec<Sym> =
             rows.constraints.iter().map(|one| one.multiplier).chain(touching.iter().copied()).collect();
+        let inputs = [&letters[..], &multipliers].concat();
         let put = |rows: &[Sym]| -> Vec<Sym> {
             let rows = substitute_all(&substitute_all(rows, &forces), &known);
-            if is_pinned || !cases.is_empty() { rows.into_iter().map(plain).collect() } else { rows }
+            match () {
+                () if !cases.is_empty() => rows.into_iter().map(|row| without_idle(plain(row), &inputs)).collect(),
+                () if is_pinned => rows.into_iter().map(plain).collect(),
+                () => rows,
+            }
         };
         let rests =
             state[n..].iter().all(|speed| *speed == 0.0) && unknowns.iter().all(|own| !(n..2 * n).contains(&own.place));
@@ -268,7 +273,6 @@ impl SteadyEquations {
         let without: Vec<(Sym, Sym)> = multipliers.iter().map(|letter| (*letter, Sym::ZERO)).collect();
         let reactions = residuals.iter().flat_map(|row| multipliers.iter().map(|&by| row.diff(by)));
         let loads: Vec<Sym> = reactions.chain(substitute_all(&residuals, &without)).collect();
-        let inputs = [&letters[..], &multipliers].concat();
         let Selection { solved: values, surplus } = Selection::of([residuals, zeros].concat(), &inputs, &unknowns);
         let identities = match multipliers.is_empty() && near.is_none() && surplus.is_empty() {
             true => Identity::of(&values, (&letters, &unknowns), &along),

@@ -59,7 +59,8 @@ impl FrictionLaw {
         let conditions = rows.condition_letters.len();
         let own: Vec<usize> =
             (0..conditions).filter(held).filter(|&k| rest.letters.contains(&rows.condition_letters[k])).collect();
-        let of_contacts = (conditions..cases.len()).any(|place| held(&place));
+        let of_contacts =
+            rows.contacts.iter().enumerate().any(|(k, own)| own.friction.is_some() && held(&(conditions + k)));
         let share = |k: &usize| rest.letters.iter().position(|letter| *letter == rows.condition_letters[*k]);
         let shares: Vec<usize> = own.iter().filter_map(share).collect();
         if shares.is_empty() && !of_contacts {

@@ -65,15 +65,14 @@ impl Inertia {
             return Inertia::Positive;
         }
         let sizes = largest(equations, n);
-        let masses = DMatrix::from_fn(n, n, |i, j| masses[i * n + j].middle() / (sizes[i] * sizes[j]).sqrt());
-        let pushes = DMatrix::from_fn(n, reactions, |i, k| push(i, k).middle() / sizes[i].sqrt());
-        match without_inertia(masses, pushes) {
-            Some(direction) => {
-                let most = direction.amax();
-                Inertia::Singular((0..n).filter(|&place| direction[place].abs() > MOVED * most).collect())
-            }
-            None => Inertia::Open,
-        }
+        let root = |place: usize| if sizes[place] > 0.0 { sizes[place].sqrt() } else { 1.0 };
+        let masses = DMatrix::from_fn(n, n, |i, j| masses[i * n + j].middle() / (root(i) * root(j)));
+        let pushes = DMatrix::from_fn(n, reactions, |i, k| push(i, k).middle() / root(i));
+        let Some(direction) = without_inertia(masses, pushes) else { return Inertia::Open };
+        let most = direction.amax();
+        let places: Vec<usize> = (0..n).filter(|&place| direction[place].abs() > MOVED * most).collect();
+        // a coordinate that has no inertia anywhere lacks a mass, not a place
+        if places.iter().any(|&place| sizes[place] == 0.0) { Inertia::Open } else { Inertia::Singular(places) }
     }
 
     pub fn is_positive(&self) -> bool {
@@ -81,7 +80,7 @@ impl Inertia {
     }
 }
 
-/// The largest inertia of each coordinate over the ranges of the unknowns; one where that has no bound or is zero.
+/// The largest inertia of each coordinate over the ranges of the unknowns; one where that has no bound.
 fn largest(equations: &SteadyEquations, n: usize) -> Vec<f64> {
     let ranges: Vec<Interval> = equations.unknowns.iter().map(|unknown| unknown.range.interval()).collect();
     let mut masses = vec![Interval::EVERYTHING; n * n];
@@ -89,12 +88,12 @@ fn largest(equations: &SteadyEquations, n: usize) -> Vec<f64> {
         tape.over::<Interval>().evaluate(&ranges, &mut masses);
     }
     let size = |place: usize| masses[place * n + place].size();
-    (0..n).map(size).map(|size| if size > 0.0 && size.is_finite() { size } else { 1.0 }).collect()
+    (0..n).map(size).map(|size| if size.is_finite() { size } else { 1.0 }).collect()
 }
 
 /// A direction that constraints allow and that has no kinetic energy: it is in the kernels of M and of f' together, where M + f'^T f', with
 /// columns of unit length, has a zero eigenvalue, since both parts are positive semidefinite.
-fn without_inertia(masses: DMatrix<f64>, mut pushes: DMatrix<f64>) -> Option<DVector<f64>> {
+pub(crate) fn without_inertia(masses: DMatrix<f64>, mut pushes: DMatrix<f64>) -> Option<DVector<f64>> {
     for mut column in pushes.column_iter_mut() {
         let length = column.norm();
         if length > 0.0 {

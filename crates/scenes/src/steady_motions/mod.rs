@@ -50,6 +50,8 @@ pub use spectrum::{
 };
 pub use stability::{Eigenvalues, OnSide, SteadyStability};
 
+pub(crate) use inertia::without_inertia;
+
 use crate::linearisation::{Linear, VariedEquations};
 use algebra::boxes::Zero;
 use circles::{is_same, turns_to_zero};
@@ -57,6 +59,7 @@ use decision::{Decision, is_in_range, part};
 use degenerate::Degenerate;
 use equations::SteadyEquations;
 use field::Interval;
+use inertia::Inertia;
 use model::{Model, Source};
 use quasi_velocities::Extended;
 use search::Boxes;
@@ -295,17 +298,25 @@ impl SteadyMotions {
         let families = families
             .into_iter()
             .map(|family| {
+                let mut has_inertia = true;
                 let member = |values: &Vec<f64>| {
                     let state = equations.state_at(values.iter().copied().take(equations.unknowns.len()));
                     let at: Vec<Interval> = values.iter().map(|value| Interval::point(*value)).collect();
-                    let without_inertia = stability::without_inertia(model, &equations, &mut boxes, &at);
+                    let inertia = Inertia::of(&equations, &mut boxes, &at, model.speeds());
+                    has_inertia &= inertia.is_positive();
+                    let without_inertia = match inertia {
+                        Inertia::Singular(places) => stability::names(model, &places),
+                        Inertia::Positive | Inertia::Open => Vec::new(),
+                    };
                     let linear = varied.as_ref().filter(|_| without_inertia.is_empty() && goes_on());
                     let linear = linear.and_then(|own| own.about(0.0, &state).ok());
                     let values = values[..equations.unknowns.len()].to_vec();
                     Member { values, state: original(state).0, linear, without_inertia }
                 };
                 let members = family.members.iter().map(member).collect();
-                (family, members)
+                // friction stops a motion that has a kinetic energy
+                let friction = family.friction.map(|own| if has_inertia { own } else { Friction::Open });
+                (Family { friction, ..family }, members)
             })
             .collect();
         let ends = |at: Vec<Interval>| at.into_iter().map(|at| [at.low(), at.high()]).collect();

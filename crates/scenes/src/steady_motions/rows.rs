@@ -187,6 +187,22 @@ impl Rows {
     }
 }
 
+/// An expression without the letters on which its value does not depend, as x in x cos a sin a - x sin a cos a with the angle a of a slope:
+/// over a range of x its enclosure is as wide as each term.
+pub(super) fn without_idle(row: Sym, letters: &[Sym]) -> Sym {
+    if letters.len() > MOST_DECIDED {
+        return row;
+    }
+    let own = row.symbols_of();
+    let idle = letters.iter().filter(|letter| own.contains(letter) && vanishes(row.diff(**letter)));
+    let rest = row.substitute(&idle.map(|letter| (*letter, Sym::ZERO)).collect::<Vec<_>>());
+    let has_value = rest.evaluate(&|_| Some(ANYWHERE)).is_ok_and(|value: f64| value.is_finite());
+    if has_value { rest } else { row }
+}
+
+/// A value of letters at which an expression is likely to be defined.
+const ANYWHERE: f64 = 0.377;
+
 /// The expressions with the determined speeds replaced by the independent ones.
 fn moving(trace: &Trace<'_>, all: &[Sym], determined: &[(usize, Sym)]) -> Vec<Sym> {
     substitute_all(all, &determined.iter().map(|&(k, rate)| (trace.speeds[k], rate)).collect::<Vec<_>>())

@@ -82,7 +82,8 @@ pub(super) fn judged(
     if let Inertia::Singular(places) = &inertia {
         return SteadyStability::Singular(names(model, places));
     }
-    match equations.friction.as_ref().map(|own| own.at_motion(&enclosure[..equations.unknowns.len()])) {
+    let friction = equations.friction.as_ref().filter(|_| inertia.is_positive());
+    match friction.map(|own| own.at_motion(&enclosure[..equations.unknowns.len()])) {
         Some(Friction::Resists) => return SteadyStability::HeldByFriction,
         Some(Friction::Feeds) => return SteadyStability::FedByFriction,
         _ => {}
@@ -132,20 +133,8 @@ pub(super) fn judged(
     }
 }
 
-/// Coordinates without inertia at an enclosure of unknowns and reactions, by their names.
-pub(super) fn without_inertia(
-    model: &Model,
-    equations: &SteadyEquations,
-    boxes: &mut Boxes<'_>,
-    enclosure: &[Interval],
-) -> Vec<String> {
-    match Inertia::of(equations, boxes, enclosure, model.speeds()) {
-        Inertia::Singular(places) => names(model, &places),
-        Inertia::Positive | Inertia::Open => Vec::new(),
-    }
-}
-
-fn names(model: &Model, places: &[usize]) -> Vec<String> {
+/// The places of speeds as names.
+pub(super) fn names(model: &Model, places: &[usize]) -> Vec<String> {
     let all = state_names(model);
     places.iter().map(|&place| all[place].clone()).collect()
 }

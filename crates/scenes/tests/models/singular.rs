@@ -125,6 +125,26 @@ fn a_position_that_is_nearly_singular_is_passed() {
     }
 }
 
+/// States that are off the constraints within a step are judged by the positions on them.
+#[test]
+fn a_loose_tolerance_passes_a_position_that_is_nearly_singular() {
+    for method in [Method::Taylor, Method::DormandPrince8] {
+        let (why, time, _) = run(&with("e = \"0.4 m\"", "e = \"0.4001 m\""), method, 1e-3);
+        assert_eq!((why, time), (None, 2.0), "{method}");
+    }
+}
+
+#[test]
+fn a_constraint_without_a_gradient_where_it_holds_is_refused() {
+    let zero = "zero = \"P + d*K.x - (O + e*N.x + l*B.x)\"";
+    for norm in ["norm(P + d*K.x - (O + e*N.x + l*B.x))", "distance(P + d*K.x, O + e*N.x + l*B.x)"] {
+        let text = with(zero, &format!("zero = \"{norm}\""));
+        let error = ModelScene::parse("cranks.toml", &text).expect_err("no gradient").to_string();
+        assert!(error.contains("`loop` has no derivative where it holds") && error.contains("cranks.toml:"), "{error}");
+        assert!(error.contains("the vector itself"), "{error}");
+    }
+}
+
 #[test]
 fn members_end_there_each_at_its_time() {
     let vary = "\n[ensemble]\nmembers = 20\n[ensemble.vary]\nstart.\"a'\" = { from = \"5 rad/s\", to = \"7 rad/s\" }\n";

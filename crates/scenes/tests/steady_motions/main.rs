@@ -3,11 +3,13 @@
 mod along;
 mod conditions;
 mod ends;
+mod friction;
 mod loops;
 mod orientations;
 mod plays;
 mod quasi_velocities;
 mod reactions;
+mod singular_coordinates;
 mod turning_frames;
 
 use dalembert_scenes::steady_motions::{

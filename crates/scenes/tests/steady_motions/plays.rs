@@ -170,3 +170,38 @@ fn a_play_between_two_coordinates_is_smooth_in_its_middle() {
     assert!(matches!(motion.stability, SteadyStability::Falls(2)), "{motion:?}");
     assert_eq!(all.iter().map(|(_, own)| own.motions.len()).sum::<usize>(), 3, "{all:?}");
 }
+
+/// Two plays, along x and along y: a square of rest, told once as a surface up to its edges.
+#[test]
+fn two_plays_are_one_surface_of_rest() {
+    let text = "title = \"Square\"\n[parameters]\nm = \"1 kg\"\ne = \"0.2 m\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
+        [bodies]\nb = { centre = \"O + x*N.x + y*N.y\", mass = \"m\" }\n\
+        [energies]\npotential = \"(5 N/m)*max(abs(x) - e, 0)^2 + (5 N/m)*max(abs(y) - e, 0)^2\"\n[run]\nspan = \"1 s\"\n";
+    let all = SteadyMotions::of_cases(&model(text), &asked(&[("x", -1.0, 1.0), ("y", -1.5, 1.0)], 5_000), || true);
+    let all = all.unwrap_or_else(|why| panic!("{why:?}"));
+    assert!(all.iter().all(|(_, own)| own.is_complete() && own.motions.is_empty()), "{all:?}");
+    let families: Vec<_> = all.iter().flat_map(|(_, own)| &own.families).map(|(family, _)| family).collect();
+    let [rest] = families[..] else { panic!("{all:?}") };
+    assert_eq!((rest.dimension, rest.border), (2, 0), "{rest:?}");
+    let ends = rest.hull.iter().chain(rest.reached.iter().flatten());
+    assert!(
+        ends.flat_map(|own| own.iter().zip([-0.2, 0.2])).all(|(end, wanted)| (end - wanted).abs() < 1e-8),
+        "{rest:?}"
+    );
+}
+
+/// A region of rest that no box fits: its border is told, and its ends are reached.
+#[test]
+fn a_band_of_rest_is_a_surface_with_a_border() {
+    let text = "title = \"Band\"\n[parameters]\nm = \"1 kg\"\ne = \"0.2 m\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
+        [bodies]\nb = { centre = \"O + x*N.x + y*N.y\", mass = \"m\" }\n\
+        [energies]\npotential = \"(5 N/m)*max(abs(x - y) - e, 0)^2\"\n[run]\nspan = \"1 s\"\n";
+    let all = SteadyMotions::of_cases(&model(text), &asked(&[("x", -1.0, 1.0), ("y", -1.5, 1.0)], 20_000), || true);
+    let all = all.unwrap_or_else(|why| panic!("{why:?}"));
+    assert!(all.iter().all(|(_, own)| own.is_complete() && own.motions.is_empty()), "{all:?}");
+    let families: Vec<_> = all.iter().flat_map(|(_, own)| &own.families).map(|(family, _)| family).collect();
+    let [rest] = families[..] else { panic!("{} {all:?}", families.len()) };
+    assert!(rest.dimension == 2 && rest.border > 0, "{rest:?}");
+    let [low, high] = rest.reached[1].expect("its ends are reached");
+    assert!((low + 1.2).abs() < 1e-6 && (high - 1.0).abs() < 1e-6, "{low} {high}");
+}

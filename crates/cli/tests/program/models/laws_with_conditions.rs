@@ -1,6 +1,6 @@
 //! Steady motions of laws with conditions, and in turning frames, as they are told.
 
-use super::printed;
+use super::{printed, refused};
 use crate::{run, temporary};
 
 /// A file that is removed when it is left.
@@ -67,7 +67,7 @@ fn a_turning_hoop_is_judged_by_jacobis_integral() {
     );
     let output = run(&["stationary", &scene.path()]);
     let (told, warned) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
-    assert!(told.contains("2 steady motions, each alone in a box, and no other"), "{told}");
+    assert!(told.contains("2 steady motions, each alone in its box; there are no others"), "{told}");
     assert!(told.contains("(Jacobi's integral) has a strict minimum"), "{told}");
     // the file is read once
     assert_eq!(warned.matches("nothing uses the parameter `spare`").count(), 1, "{warned}");
@@ -104,4 +104,64 @@ fn changes_that_the_table_shows_are_not_denied_and_a_cubic_force_decides_nothing
     let cubic = Scene::of("cubic.toml", &text("p*x^3/(1 m^2) - (1 N s/m)*x'", "N/m"));
     let told = printed(&["stationary", &cubic.path(), "--range", "x=-2..2"]);
     assert!(told.contains("not decided by linear equations") && !told.contains("asymptotically stable"), "{told}");
+}
+
+/// A pendulum with a rough joint, by the torque of its friction.
+fn rough_joint(name: &str, friction: &str) -> Scene {
+    Scene::of(
+        name,
+        &format!(
+            "title = \"Rough joint\"\ngravity = \"-(10 m/s^2)*N.y\"\n[coordinates]\na = \"rad\"\n\
+             [bodies]\nb = {{ centre = \"O + (0.1 m)*(sin(a)*N.x - cos(a)*N.y)\", mass = \"1 kg\" }}\n\
+             [[force]]\nalong = \"a\"\nis = \"{friction}*sign(a')\"\n[run]\nspan = \"1 s\"\n"
+        ),
+    )
+}
+
+#[test]
+fn rest_that_friction_holds_is_stable_and_may_be_at_every_angle() {
+    let told = printed(&["stationary", &rough_joint("held.toml", "-(0.2 N m)").path()]);
+    assert!(told.contains("stable, by enclosures: dry friction resists every motion"), "{told}");
+    let told = printed(&["stationary", &rough_joint("fed.toml", "(0.2 N m)").path()]);
+    assert!(told.contains("the coefficient of dry friction is negative"), "{told}");
+    let told = printed(&["stationary", &rough_joint("everywhere.toml", "-(2 N m)").path()]);
+    assert!(told.contains("a family, a curve: every angle a, [a' > 0] within 0.25 to 0.75"), "{told}");
+    let told = printed(&["stationary", &rough_joint("smooth.toml", "-(0 N m)").path()]);
+    assert!(told.contains("stable, by enclosures: the potential energy has a strict minimum"), "{told}");
+}
+
+#[test]
+fn methods_are_not_judged_on_families_and_this_is_printed() {
+    let told = printed(&["numerical-stability", &rough_joint("steps.toml", "-(0.2 N m)").path()]);
+    assert!(told.contains("2 families of connected steady motions, left out"), "{told}");
+}
+
+#[test]
+fn a_place_that_coordinates_do_not_describe_gets_no_verdict() {
+    let scene = Scene::of(
+        "spherical.toml",
+        "title = \"Spherical\"\ngravity = \"-(9.81 m/s^2)*N.z\"\n[coordinates]\nph = \"rad\"\nth = \"rad\"\n\
+         [frames]\nA = \"N turned ph about z\"\nB = \"A turned -th about y\"\n\
+         [bodies]\nb = { centre = \"O - (0.5 m)*B.z\", mass = \"2 kg\" }\n[start]\nth = \"40 deg\"\n\"ph'\" = \"6 rad/s\"\n[run]\nspan = \"1 s\"\n",
+    );
+    let told = printed(&["stationary", &scene.path()]);
+    assert!(
+        told.contains("2 steady motions, each alone in its box, and 2 places at which the coordinates are singular"),
+        "{told}"
+    );
+    assert!(
+        told.contains("no verdict: the mass matrix is singular there, since the coordinate `ph` has no inertia"),
+        "{told}"
+    );
+    refused(&["linearise", &scene.path(), "--set", "th=0"], "these coordinates do not describe the position");
+}
+
+#[test]
+fn the_time_is_refused_where_it_enters() {
+    let scene = Scene::of(
+        "swept.toml",
+        "title = \"Swept\"\ngravity = \"-(10 m/s^2)*N.y\"\n[coordinates]\nth = \"rad\"\n[frames]\nH = \"N turned (2 rad/s^2)*t^2 about y\"\n\
+         [bodies]\nb = { centre = \"O + (0.4 m)*(sin(th)*H.x - cos(th)*N.y)\", mass = \"1 kg\" }\n[run]\nspan = \"1 s\"\n",
+    );
+    refused(&["stationary", &scene.path()], "6 | H = \"N turned (2 rad/s^2)*t^2 about y\"");
 }

@@ -7,12 +7,12 @@ use serde_json::Value;
 #[test]
 fn all_equilibria_of_a_double_pendulum_are_told_with_their_stability() {
     let told = printed(&["stationary", MODEL]);
-    assert!(told.contains("4 steady motions, each alone in a box, and no other"), "{told}");
+    assert!(told.contains("4 steady motions, each alone in its box; there are no others"), "{told}");
     assert!(
         told.contains("1  a = 0 rad, b = 0 rad\n     stable, by enclosures: the potential energy has a strict minimum"),
         "{told}"
     );
-    assert!(told.contains("unstable, by enclosures: the potential energy falls in 2 directions"), "{told}");
+    assert!(told.contains("unstable, by enclosures: the potential energy decreases in 2 directions"), "{told}");
     let object: Value = serde_json::from_str(&printed(&["stationary", MODEL, "--format", "json"])).expect("it is JSON");
     assert_eq!(object["complete"], true);
     assert_eq!(object["motions"].as_array().map(Vec::len), Some(4));
@@ -31,7 +31,7 @@ fn a_family_is_told_with_its_symmetry() {
     let path = hat.to_string_lossy().into_owned();
     refused(&["stationary", &path], "`x`, `y` are no angle of a circle alone: ranges in SI units are needed");
     let told = printed(&["stationary", &path, "--range", "x=-2..2", "--range", "y=-2..2"]);
-    assert!(told.contains("one steady motion, alone in a box, and one family, and no other"), "{told}");
+    assert!(told.contains("one steady motion, alone in its box, and one family; there are no others"), "{told}");
     assert!(told.contains("a family, a curve: x within -1"), "{told}");
     assert!(told.contains("the cause is an identity: the forces do no work along the displacement (x:"), "{told}");
     let few = run(&["stationary", &path, "--range", "x=-2..2", "--range", "y=-2..2", "--boxes", "10"]);
@@ -70,7 +70,7 @@ fn what_is_asked_of_another_kind_of_scene_is_refused() {
         &["stationary", "scenes/spin_up.toml", "--range", "x=1"],
         "--range x is about a system that is written in its file",
     );
-    refused(&["stationary", MODEL, "--range", "c=0..1"], "nothing that is sought is called `c`");
+    refused(&["stationary", MODEL, "--range", "c=0..1"], "no unknown of the search is called `c`");
     refused(&["stationary", MODEL, "--range", "a=1..0"], "1 is not below 0");
     refused(&["stationary", MODEL, "--range", "a"], "such as x=-0.1..0.1");
     refused(&["stationary", MODEL, "--range", "a=0..90 deg"], "numbers in SI units, without the unit, are accepted");
@@ -111,7 +111,7 @@ fn motions_between_events_are_those_without_them() {
         .expect("it can be written");
     let path = pendulum.to_string_lossy().into_owned();
     let told = printed(&["stationary", &path]);
-    assert!(told.contains("2 steady motions, each alone in a box, and no other"), "{told}");
+    assert!(told.contains("2 steady motions, each alone in its box; there are no others"), "{told}");
     std::fs::remove_file(&pendulum).expect("it is there");
 }
 
@@ -213,7 +213,7 @@ fn values_at_which_motions_change_are_enclosed_along_a_parameter() {
     let ends = &object["changes"][0]["between"];
     let [from, to] = [0, 1].map(|k| ends[k].as_f64().expect("a number"));
     assert!(from < 9.81 / 25.0 && 9.81 / 25.0 < to && to - from < 1e-5, "{from} {to}");
-    refused(&["stationary", &path, "--along", "n=0..1"], "no parameter is called so");
+    refused(&["stationary", &path, "--along", "n=0..1"], "no parameter and no speed is called `n`");
     refused(&["stationary", &path, "--along", "m=-1..1"], "at m = -1");
     refused(&["stationary", &path, "--values", "5"], "--along");
     refused(&["stationary", &path, "--along", "theta=0..1"], "`theta` is a coordinate");

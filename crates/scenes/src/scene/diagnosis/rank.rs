@@ -37,7 +37,7 @@ pub(super) fn lost(run: &Samples<'_>) -> Option<RunFailure> {
             if titles.len() > 1 { "depend on each other" } else { "loses its direction" },
             least / at_start
         ),
-        remedy: "a dimension that differs by a millionth leads past on one branch; or a start from which the motion turns before; or an \
+        remedy: "a dimension that differs by a ten-thousandth leads past on one branch; or a start from which the motion turns before; or an \
                  [[event]] with `end = true` before this position"
             .to_owned(),
     })

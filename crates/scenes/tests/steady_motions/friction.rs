@@ -1,0 +1,89 @@
+//! The stability of rest with dry friction.
+
+use super::{asked, model};
+use dalembert_scenes::steady_motions::{Case, Family, Friction, SteadyMotion, SteadyMotions, SteadyStability};
+
+type Found = Vec<(Vec<Case>, SteadyMotions)>;
+
+/// A point with two coordinates on springs, and loads.
+fn point(loads: &str) -> String {
+    format!(
+        "title = \"Point\"\n[parameters]\nF = \"1 N\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
+         [bodies]\nb = {{ centre = \"O + x*N.x + y*N.y\", mass = \"1 kg\" }}\n[energies]\npotential = \"(4 N/m)*x^2/2 + (2 N/m)*y^2/2\"\n\
+         {loads}\n[run]\nspan = \"1 s\"\n"
+    )
+}
+
+fn found(text: &str, ranges: &[(&str, f64, f64)]) -> Found {
+    let all = SteadyMotions::of_cases(&model(text), &asked(ranges, 20_000), || true);
+    let all = all.unwrap_or_else(|why| panic!("{why:?}"));
+    assert!(all.iter().all(|(_, own)| own.is_complete()), "{all:?}");
+    all
+}
+
+fn families(all: &Found) -> Vec<&Family> {
+    all.iter().flat_map(|(_, own)| &own.families).map(|(family, _)| family).collect()
+}
+
+fn along(speed: &str, force: &str) -> String {
+    format!("[[force]]\nalong = \"{speed}\"\nis = \"{force}\"\n")
+}
+
+const PLANE: [(&str, f64, f64); 2] = [("x", -1.0, 1.1), ("y", -1.0, 1.2)];
+
+#[test]
+fn friction_along_every_coordinate_makes_a_rest_stable_even_on_a_saddle() {
+    let both = along("x", "-F*sign(x')") + &along("y", "-F*sign(y')");
+    for load in [String::new(), along("y", "(5 N/m)*y")] {
+        let all = found(&point(&(both.clone() + &load)), &PLANE);
+        let [rest] = families(&all)[..] else { panic!("{all:?}") };
+        assert_eq!((rest.dimension, rest.friction), (2, Some(Friction::Resists)), "{rest:?}");
+    }
+}
+
+#[test]
+fn friction_along_one_of_two_coordinates_decides_nothing() {
+    let all = found(&point(&along("x", "-F*sign(x')")), &PLANE);
+    let [rest] = families(&all)[..] else { panic!("{all:?}") };
+    assert_eq!((rest.dimension, rest.friction), (1, Some(Friction::Partial)), "{rest:?}");
+}
+
+#[test]
+fn friction_of_a_negative_coefficient_feeds_motions() {
+    let all = found(&point(&(along("x", "F*sign(x')") + &along("y", "F*sign(y')"))), &PLANE);
+    let [rest] = families(&all)[..] else { panic!("{all:?}") };
+    assert_eq!(rest.friction, Some(Friction::Feeds), "{rest:?}");
+}
+
+#[test]
+fn friction_between_two_bodies_counts_along_their_relative_motion() {
+    let pair = along("x", "-F*sign(x')") + &along("y", "-F*sign(y' - x')") + &along("x", "F*sign(y' - x')");
+    let all = found(&point(&pair), &PLANE);
+    let [rest] = families(&all)[..] else { panic!("{all:?}") };
+    assert_eq!(rest.friction, Some(Friction::Resists), "{rest:?}");
+}
+
+/// With a given value of the coordinate the share is one number.
+fn only(text: &str, x: f64) -> SteadyMotion {
+    let all = SteadyMotions::of_cases(&model(text), &asked(&[("x", x, x), ("y", -1.0, 1.2)], 2_000), || true);
+    let all = all.unwrap_or_else(|why| panic!("{why:?}"));
+    let motions: Vec<&SteadyMotion> = all.iter().flat_map(|(_, own)| &own.motions).collect();
+    let [motion] = motions[..] else { panic!("{all:?}") };
+    motion.clone()
+}
+
+#[test]
+fn a_rest_with_a_used_up_share_is_not_decided() {
+    let text = point("[[constraint]]\nzero = \"y\"\n[[force]]\nalong = \"x\"\nis = \"-F*sign(x')\"");
+    assert!(matches!(only(&text, 0.1).stability, SteadyStability::HeldByFriction));
+    assert!(matches!(only(&text, 0.25).stability, SteadyStability::AtCondition(None)));
+}
+
+/// Dry friction without force changes nothing: the minimum of the energy decides.
+#[test]
+fn friction_without_force_leaves_the_energy_to_decide() {
+    let all = found(&point(&along("x", "-(0 N)*sign(x')")), &PLANE);
+    let motions: Vec<&SteadyMotion> = all.iter().flat_map(|(_, own)| &own.motions).collect();
+    let [motion] = motions[..] else { panic!("{all:?}") };
+    assert!(matches!(motion.stability, SteadyStability::Minimum), "{motion:?}");
+}
