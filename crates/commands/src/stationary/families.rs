@@ -66,11 +66,11 @@ pub(super) fn family_lines(all: &Found, place: usize, family: &Family, members: 
         let middle = 0.5 * (at[0] + at[1]);
         let unit = all.unit(&unknown.name);
         let open = match family.reached[place].map(ends) {
-            Some(reached) if reached == [low.clone(), high.clone()] => String::new(),
+            _ if family.reached[place].is_some_and(|reached| are_ends(*at, reached)) => String::new(),
             Some([from, to]) => format!(" (known to come to {from}{unit} and {to}{unit})"),
             None => " (no motion in it is shown)".to_owned(),
         };
-        match at[1] - at[0] <= NARROW * (1.0 + middle.abs()) {
+        match !runs && at[1] - at[0] <= NARROW * (1.0 + middle.abs()) {
             true => format!("{} = {}{unit}", unknown.name, enclosed(*at, unknown.range)),
             false => format!("{} {word} {low} to {high}{unit}{open}", unknown.name),
         }
@@ -111,6 +111,11 @@ pub(super) fn family_lines(all: &Found, place: usize, family: &Family, members: 
         );
     }
     out + &stability(family, members)
+}
+
+/// Whether motions are shown up to the ends of a range, to rounding.
+fn are_ends(within: [f64; 2], reached: [f64; 2]) -> bool {
+    within.iter().zip(reached).all(|(end, reached)| (end - reached).abs() <= 2.0 * NARROW * (1.0 + end.abs()))
 }
 
 /// The lines on the stability of the motions of a family.

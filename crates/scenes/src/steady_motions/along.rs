@@ -119,9 +119,12 @@ pub(super) fn found_at(
     values: &[(&str, f64)],
     goes_on: impl FnMut() -> bool,
 ) -> Result<SteadyMotions, NoSteadyMotions> {
-    let values_of = || values.iter().map(|(name, value)| ((*name).to_owned(), *value)).collect();
-    searched(model, asked, values, goes_on)
-        .map_err(|why| NoSteadyMotions::At { values: values_of(), why: Box::new(why) })
+    searched(model, asked, values, goes_on).map_err(|why| {
+        let is_parameter = |(name, _): &&(&str, f64)| model.parameters.iter().any(|own| own.name == *name);
+        let values: Vec<(String, f64)> =
+            values.iter().filter(is_parameter).map(|(name, value)| ((*name).to_owned(), *value)).collect();
+        if values.is_empty() { why } else { NoSteadyMotions::At { values, why: Box::new(why) } }
+    })
 }
 
 fn searched(

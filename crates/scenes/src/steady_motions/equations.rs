@@ -11,7 +11,7 @@ use super::determinacy::{Data, Wanted};
 use super::energy_row::implied;
 use super::families::Identity;
 use super::friction::{AtRest, FrictionLaw};
-use super::momenta::{at_any_time, momenta};
+use super::momenta::momenta;
 use super::orientations::steep;
 use super::potential::EnergyIntegral;
 use super::quasi_velocities::{is_integral, state_names};
@@ -142,7 +142,7 @@ impl SteadyEquations {
         let mut rows = Rows::of(model, &trace, &wanted)?;
         // a frame that is turned steadily leaves no time in the equations, however they are written
         let all = rows.residuals.iter_mut().chain(&mut rows.zeros).chain(&mut rows.conditions);
-        all.for_each(|row| *row = at_any_time(trace.time, *row));
+        all.for_each(|row| *row = without_idle(*row, &[trace.time]));
         let all = [&rows.residuals[..], &rows.zeros, &rows.conditions].concat();
         if all.iter().any(|row| row.symbols_of().contains(&trace.time)) {
             return Err(NoSteadyMotions::OfTime);

@@ -105,7 +105,8 @@ pub(crate) fn without_inertia(masses: DMatrix<f64>, mut pushes: DMatrix<f64>) ->
         return None;
     }
     let eigen = all.symmetric_eigen();
-    let (place, least) = eigen.eigenvalues.argmin();
+    // a kinetic energy that is given may be negative
+    let (place, least) = eigen.eigenvalues.map(f64::abs).argmin();
     (least < SINGULAR).then(|| eigen.eigenvectors.column(place).into_owned())
 }
 

@@ -1,8 +1,8 @@
 //! Momenta of cyclic coordinates and mass matrix at steady motions.
 
+use super::rows::without_idle;
 use crate::letters::Letters;
 use model::Trace;
-use model::equations::vanishes;
 use symbolic::{Sym, substitute_all};
 
 /// Derivatives of the momenta of cyclic coordinates, all other speeds being zero: by letters, then by their speeds; and the mass matrix.
@@ -24,13 +24,7 @@ pub(super) fn momenta(
     let moving = energy.substitute(&rests);
     let of_cyclic = [by(moving, &speeds, letters), by(moving, &speeds, &speeds)].concat();
     let all = [of_cyclic, by(energy, &trace.speeds, &trace.speeds)];
-    all.map(|all| substitute_all(&all, known).into_iter().map(|own| at_any_time(trace.time, own)).collect())
-}
-
-/// An expression without the time, where its value does not depend on it, as of a frame that turns steadily about an axis of symmetry.
-pub(super) fn at_any_time(time: Sym, own: Sym) -> Sym {
-    match own.symbols_of().contains(&time) && vanishes(own.diff(time)) {
-        true => own.substitute(&[(time, Sym::ZERO)]),
-        false => own,
-    }
+    let cyclic = trace.coordinates.iter().zip(is_cyclic).filter(|(_, own)| **own).map(|(symbol, _)| *symbol);
+    let idle: Vec<Sym> = cyclic.chain([trace.time]).collect();
+    all.map(|all| substitute_all(&all, known).into_iter().map(|own| without_idle(own, &idle)).collect())
 }

@@ -194,8 +194,12 @@ pub(super) fn without_idle(row: Sym, letters: &[Sym]) -> Sym {
         return row;
     }
     let own = row.symbols_of();
-    let idle = letters.iter().filter(|letter| own.contains(letter) && vanishes(row.diff(**letter)));
-    let rest = row.substitute(&idle.map(|letter| (*letter, Sym::ZERO)).collect::<Vec<_>>());
+    let idle: Vec<&Sym> =
+        letters.iter().filter(|letter| own.contains(letter) && vanishes(row.diff(**letter))).collect();
+    if idle.is_empty() {
+        return row;
+    }
+    let rest = row.substitute(&idle.into_iter().map(|letter| (*letter, Sym::ZERO)).collect::<Vec<_>>());
     let has_value = rest.evaluate(&|_| Some(ANYWHERE)).is_ok_and(|value: f64| value.is_finite());
     if has_value { rest } else { row }
 }

@@ -35,6 +35,13 @@ pub(super) struct Boxes<'a> {
     load: Vec<Interval>,
 }
 
+/// A family of motions in a box: the motion at the middle of its parameters, their places, and the derivatives of all unknowns by each.
+pub(super) struct Tangents {
+    pub middle: Vec<Interval>,
+    pub parameters: Vec<usize>,
+    pub tangents: Vec<Vec<Interval>>,
+}
+
 impl<'a> Boxes<'a> {
     /// The programs of equations, by their unknowns or by others.
     pub fn of(equations: &'a SteadyEquations, tapes: &'a Tapes) -> Self {
@@ -115,16 +122,24 @@ impl Boxes<'_> {
         may
     }
 
-    /// The conditions that are zero all over a box, to rounding, by their numbers, if all others have their signs there.
-    pub fn lies_along(&mut self, at: &[Interval]) -> Option<Vec<usize>> {
-        let open = self.open_sides(at);
-        let values: Vec<f64> = open.iter().map(|&side| self.side[side].size()).collect();
-        let is_zero = |(&side, value): (&usize, f64)| {
-            let slopes = self.side_slope(at, side);
+    /// The conditions that are zero at all motions of a family in a box, to rounding, by their numbers, if all others have their signs there: by
+    /// the value in the middle and the rate along the family, since the unknowns of its motions are not independent.
+    pub fn lies_along(&mut self, at: &[Interval], family: &Tangents) -> Option<Vec<usize>> {
+        let (wide, open) = (at.len(), self.open_sides(at));
+        let mut slopes = vec![Interval::EVERYTHING; self.side.len() * wide];
+        self.side_slopes.evaluate(at, &mut slopes);
+        self.sides.evaluate(&family.middle, &mut self.side);
+        let is_zero = |&side: &usize| {
+            let slopes = &slopes[side * wide..][..wide];
+            let rates = family.parameters.iter().zip(&family.tangents).map(|(&place, tangent)| {
+                let rate = slopes.iter().zip(tangent).fold(Interval::point(0.0), |sum, (by, along)| sum + *by * *along);
+                rate * (at[place] - family.middle[place])
+            });
+            let value = rates.fold(self.side[side], |sum, rate| sum + rate);
             let scale: f64 = slopes.iter().zip(at).map(|(slope, at)| slope.size() * (1.0 + at.size())).sum();
-            value <= ROUNDING * scale
+            scale.is_finite() && value.size() <= ROUNDING * scale
         };
-        let are_zero = !open.is_empty() && open.iter().zip(values).all(is_zero);
+        let are_zero = !open.is_empty() && open.iter().all(is_zero);
         (are_zero && self.lies_aside_but_for(at, &open) == Some(true)).then_some(open)
     }
 

@@ -131,8 +131,8 @@ impl<'a> Ends<'a> {
         for half in [Interval::new(own.low(), own.middle()), Interval::new(own.middle(), own.high())] {
             let mut at = part.at.clone();
             at[widest] = half;
-            narrow(equations, part.piece, &mut at);
-            let fulfilled = if part.piece.holds { Some(true) } else { fulfils(equations, &at) };
+            narrow(equations, &part.piece.parameters, &mut at);
+            let fulfilled = if part.piece.holds { Some(true) } else { fulfils(equations, &at, &part.piece.parameters) };
             if fulfilled != Some(false) && self.meets_ranges(&at) {
                 let holds = fulfilled == Some(true) && self.is_in_ranges(&at);
                 halves.push(Part { at, holds, ..part.clone() });
@@ -146,8 +146,8 @@ impl<'a> Ends<'a> {
         let mut at = part.at.clone();
         part.piece.parameters.iter().for_each(|&place| at[place] = Interval::point(at[place].middle()));
         equations.rows = part.rows.to_vec();
-        narrow(equations, part.piece, &mut at);
-        let fulfilled = part.piece.holds || fulfils(equations, &at) == Some(true);
+        narrow(equations, &part.piece.parameters, &mut at);
+        let fulfilled = part.piece.holds || fulfils(equations, &at, &part.piece.parameters) == Some(true);
         (fulfilled && self.is_in_ranges(&at)).then_some(at)
     }
 }

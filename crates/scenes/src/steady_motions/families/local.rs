@@ -90,6 +90,24 @@ impl Local {
         Some(left)
     }
 
+    /// The derivatives of all unknowns by each parameter along the solutions: with C f_x = 1 + E and |E| = e in the largest norm those of the
+    /// dependent ones are -C f_t, to within e |C f_t| / (1 - e). None where e is not below one.
+    pub fn tangents(&self) -> Option<Vec<Vec<Interval>>> {
+        let spread = self.spread();
+        let of = |&parameter: &usize| {
+            let rows = 0..self.dependent.len();
+            let most = rows.map(|row| self.entry(row, parameter).size()).fold(0.0, f64::max);
+            let radius = (spread * most / (1.0 - spread)).next_up();
+            let mut all = vec![Interval::point(0.0); self.wide];
+            all[parameter] = Interval::point(1.0);
+            for (row, &place) in self.dependent.iter().enumerate() {
+                all[place] = Interval::new(-radius, radius) - self.entry(row, parameter);
+            }
+            all
+        };
+        (spread < 1.0).then(|| self.parameters.iter().map(of).collect())
+    }
+
     /// Krawczyk's operator for the dependent unknowns.
     pub fn krawczyk(&self, at: &[Interval]) -> Vec<Interval> {
         let each = |(row, &place): (usize, &usize)| {

@@ -13,11 +13,12 @@ pub(super) use identities::Identity;
 
 use super::equations::{NO_CASE, SteadyEquations};
 use super::friction::Friction;
-use super::search::Boxes;
+use super::search::{Boxes, Tangents};
 use super::turns_to_zero;
 use algebra::boxes::Equations;
 use ends::{Ends, Extent};
 use field::Interval;
+use local::Local;
 use pieces::{Limits, Piece, Pieces, Underdetermined};
 use std::f64::consts::PI;
 
@@ -118,8 +119,8 @@ impl Underdetermined for Fewer<'_, '_> {
         self.boxes.lies_aside(at)
     }
 
-    fn is_at_conditions(&mut self, at: &[Interval]) -> bool {
-        self.boxes.lies_along(at).is_some()
+    fn is_at_conditions(&mut self, at: &[Interval], parameters: &[usize]) -> bool {
+        self.conditions_along(at, parameters).is_some()
     }
 
     fn values(&mut self, at: &[Interval], values: &mut [Interval]) {
@@ -135,6 +136,17 @@ impl Underdetermined for Fewer<'_, '_> {
         for (own, &row) in slopes.chunks_mut(wide).zip(&self.rows) {
             own.copy_from_slice(&self.slopes[row * wide..(row + 1) * wide]);
         }
+    }
+}
+
+impl Fewer<'_, '_> {
+    /// The conditions that are zero at all motions in a box, one for each value of some unknowns, if all others have their signs there.
+    fn conditions_along(&mut self, at: &[Interval], parameters: &[usize]) -> Option<Vec<usize>> {
+        let tangents = Local::with(self, at, parameters)?.tangents()?;
+        let mut middle = at.to_vec();
+        parameters.iter().for_each(|&place| middle[place] = Interval::point(middle[place].middle()));
+        pieces::narrow(self, parameters, &mut middle);
+        self.boxes.lies_along(at, &Tangents { middle, parameters: parameters.to_vec(), tangents })
     }
 }
 
@@ -285,16 +297,21 @@ fn family(
     along.sort();
     along.dedup();
     let between = pieces.len().div_ceil(MEMBERS).max(1);
-    let members = pieces.iter().step_by(between).map(|own| {
-        let mut middle = own.piece.middle.clone();
-        for (value, unknown) in middle.iter_mut().zip(&equations.unknowns).filter(|(_, unknown)| unknown.is_circle) {
-            *value += if unknown.is_circle { turns_to_zero(*value) } else { 0.0 };
+    let each = MEMBERS.div_ceil(pieces.len());
+    let mut members = Vec::new();
+    for own in pieces.iter().step_by(between) {
+        fewer.rows.clone_from(&own.rows);
+        for part in 0..each {
+            let mut at = pieces::solution(fewer, &own.piece, (part as f64 + 0.5) / each as f64);
+            for (value, _) in at.iter_mut().zip(&equations.unknowns).filter(|(_, unknown)| unknown.is_circle) {
+                *value += turns_to_zero(*value);
+            }
+            members.push(at);
         }
-        middle
-    });
+    }
     let of_piece = |own: &&OwnPiece| equations.friction.as_ref().map(|law| law.at(&own.piece.enclosure[..positions]));
     let friction = common(pieces.iter().map(of_piece));
-    let (dimension, members) = (pieces[0].piece.parameters.len(), members.collect());
+    let dimension = pieces[0].piece.parameters.len();
     let border = pieces.iter().filter(|own| own.piece.is_border()).count();
     let at_conditions = along_conditions(equations, pieces, fewer);
     Family { dimension, members, pieces: all, hull, reached, along, border, at_conditions, friction }
@@ -304,7 +321,9 @@ fn family(
 fn along_conditions(equations: &SteadyEquations, pieces: &[&OwnPiece], fewer: &mut Fewer<'_, '_>) -> Vec<usize> {
     let mut common: Option<Vec<usize>> = None;
     for own in pieces {
-        let sides = own.piece.inner.as_ref().and_then(|inner| fewer.boxes.lies_along(inner)).unwrap_or_default();
+        fewer.rows.clone_from(&own.rows);
+        let inner = own.piece.inner.as_ref();
+        let sides = inner.and_then(|inner| fewer.conditions_along(inner, &own.piece.parameters)).unwrap_or_default();
         let places: Vec<usize> = sides.into_iter().map(|side| equations.side_places[side]).collect();
         common = Some(match common {
             Some(known) => known.into_iter().filter(|place| places.contains(place)).collect(),

@@ -28,8 +28,8 @@ pub(in crate::steady_motions) trait Underdetermined {
         Some(true)
     }
 
-    /// Whether each further condition that is open in a box is zero all over it, to rounding.
-    fn is_at_conditions(&mut self, _at: &[Interval]) -> bool {
+    /// Whether each further condition that is open in a box is zero at all solutions in it, to rounding, one for each value of some unknowns.
+    fn is_at_conditions(&mut self, _at: &[Interval], _parameters: &[usize]) -> bool {
         false
     }
 
@@ -48,8 +48,6 @@ pub(in crate::steady_motions) struct Piece {
     pub enclosure: Vec<Interval>,
     /// The box in which there is no other solution.
     alone: Vec<Interval>,
-    /// An approximate solution at the middle of the parameters.
-    pub middle: Vec<f64>,
     /// Whether everything else holds for all of its solutions; else that is open.
     pub holds: bool,
     /// A part, narrower than the box by rounding alone, for all of whose solutions it holds, or is at its end.
@@ -259,14 +257,7 @@ fn shown(equations: &mut dyn Underdetermined, local: &Local, at: &[Interval]) ->
         is_inside.then(|| {
             let mut enclosure = alone.clone();
             local.dependent.iter().zip(&inside).for_each(|(&place, inside)| enclosure[place] = *inside);
-            Piece {
-                parameters: local.parameters.clone(),
-                enclosure,
-                alone,
-                middle: middle.clone(),
-                holds: false,
-                inner: None,
-            }
+            Piece { parameters: local.parameters.clone(), enclosure, alone, holds: false, inner: None }
         })
     })
 }
@@ -282,22 +273,33 @@ fn inner(equations: &mut dyn Underdetermined, piece: &Piece, domain: &[Interval]
         }
         at[place] = Interval::new(own.low() + aside, own.high() - aside);
     }
-    narrow(equations, piece, &mut at);
-    fulfils(equations, &at).filter(|fulfils| *fulfils).map(|_| at)
+    narrow(equations, &piece.parameters, &mut at);
+    fulfils(equations, &at, &piece.parameters).filter(|fulfils| *fulfils).map(|_| at)
+}
+
+/// An approximate solution of a piece at a part, from 0 to 1, of the range of each parameter.
+pub(super) fn solution(equations: &mut dyn Underdetermined, piece: &Piece, part: f64) -> Vec<f64> {
+    let mut at = piece.enclosure.clone();
+    for &place in &piece.parameters {
+        let own = at[place];
+        at[place] = Interval::point((own.low() + part * own.width()).min(own.high()));
+    }
+    narrow(equations, &piece.parameters, &mut at);
+    at.iter().map(|own| own.middle()).collect()
 }
 
 /// Whether the further conditions hold in a whole box or are at their ends there, or nowhere; none if this is not decided.
-pub(super) fn fulfils(equations: &mut dyn Underdetermined, at: &[Interval]) -> Option<bool> {
-    equations.holds(at).or_else(|| equations.is_at_conditions(at).then_some(true))
+pub(super) fn fulfils(equations: &mut dyn Underdetermined, at: &[Interval], parameters: &[usize]) -> Option<bool> {
+    equations.holds(at).or_else(|| equations.is_at_conditions(at, parameters).then_some(true))
 }
 
 /// Steps of Krawczyk's operator in a part of a piece.
 const NARROWED: usize = 6;
 
 /// Narrows the unknowns that depend on the parameters of a piece, one motion of which is in a box for every value of these.
-pub(super) fn narrow(equations: &mut dyn Underdetermined, piece: &Piece, at: &mut [Interval]) {
+pub(super) fn narrow(equations: &mut dyn Underdetermined, parameters: &[usize], at: &mut [Interval]) {
     for _ in 0..NARROWED {
-        let Some(local) = Local::with(equations, at, &piece.parameters) else { return };
+        let Some(local) = Local::with(equations, at, parameters) else { return };
         let inside = local.krawczyk(at);
         let mut gains = false;
         for (&place, inside) in local.dependent.iter().zip(inside) {
