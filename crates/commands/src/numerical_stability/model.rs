@@ -146,6 +146,7 @@ fn text(found: &Found, all: &[Judged<'_>]) -> String {
         // writing to a String cannot fail
         let _ = writeln!(out, "\n{}  {}", place + 1, found.values(&motion.enclosure));
         match near {
+            Err(why) if matches!(motion.stability, SteadyStability::Singular(_)) => drop(writeln!(out, "   {why}")),
             Err(why) => drop(writeln!(out, "   not known: {why}")),
             Ok(near) => {
                 let _ = writeln!(out, "   {}", does(near));

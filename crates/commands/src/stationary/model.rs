@@ -92,8 +92,17 @@ pub(super) fn body(all: &Found) -> String {
     for (name, value) in &found.given {
         let _ = writeln!(out, "given: {name} = {}{}", number(*value), unit(name));
     }
-    if !found.cyclic.is_empty() {
-        let _ = writeln!(out, "cyclic, nothing depends on them: {}", found.cyclic.join(", "));
+    let (by_values, always): (Vec<String>, Vec<String>) =
+        found.cyclic.iter().cloned().partition(|name| found.cyclic_by_values.contains(name));
+    if !always.is_empty() {
+        let _ = writeln!(out, "cyclic, nothing depends on them: {}", always.join(", "));
+    }
+    if !by_values.is_empty() {
+        let _ = writeln!(
+            out,
+            "cyclic at these values of the parameters alone, nothing depends on them: {}",
+            by_values.join(", ")
+        );
     }
     let open = found.families.iter().filter(|(family, _)| is_one_place(found, family)).count();
     let is_singular = |motion: &&SteadyMotion| matches!(motion.stability, SteadyStability::Singular(_));
@@ -225,6 +234,7 @@ pub(super) fn object(Found { title, model, motions: found }: &Found) -> Value {
         })).collect::<Vec<_>>(),
         "given": found.given.iter().map(|(name, value)| (name.clone(), json!(value))).collect::<serde_json::Map<_, _>>(),
         "cyclic": found.cyclic,
+        "cyclic_by_values": found.cyclic_by_values,
         "complete": found.is_complete() && found.elsewhere == 0 && model.implied.iter().all(|one| one.branch.is_none()),
         "boxes": found.examined,
         "undecided": found.undecided,

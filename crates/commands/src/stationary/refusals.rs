@@ -100,7 +100,7 @@ fn unknown(name: &str, nearest: Option<String>, accepted: &[String]) -> String {
     let all = if accepted.is_empty() { "none".to_owned() } else { listed(accepted) };
     if accepted.contains(&format!("{name}'")) {
         return format!(
-            "--range {name}: `{name}` is cyclic: no equation depends on it, so that it may have any value; its speed `{name}'` may have a range"
+            "--range {name}: `{name}` is cyclic: no equation depends on it at these values of the parameters, so that it may have any value; its speed `{name}'` may have a range"
         );
     }
     if name.strip_suffix('\'').is_some_and(|coordinate| accepted.iter().any(|own| own == coordinate)) {

@@ -45,6 +45,8 @@ pub(super) struct SteadyEquations {
     pub given: Vec<(String, f64)>,
     /// Coordinates that occur nowhere.
     pub cyclic: Vec<String>,
+    /// Those of them that occur at other values of the parameters.
+    pub cyclic_by_values: Vec<String>,
     /// Their places.
     pub cyclic_places: Vec<usize>,
     /// Cyclic coordinates with conserved momenta.
@@ -312,6 +314,8 @@ impl SteadyEquations {
         let rates = tapes::recorded(&letters, &substitute_all(&substitute_all(&rates, &at_rest), &known))?;
         let cyclic_places: Vec<usize> = (0..n).filter(|&k| is_cyclic[k]).collect();
         let cyclic = cyclic_places.iter().filter(|&&k| !is_integral(model, k)).map(|&k| names[k].clone()).collect();
+        let by_values = cyclic_places.iter().filter(|&&k| !is_integral(model, k) && !rows.is_always_cyclic[k]);
+        let cyclic_by_values = by_values.map(|&k| names[k].clone()).collect();
         let kept_momenta = rows.kept_momenta.iter().map(|&k| (k, names[k].clone())).collect();
         Ok(SteadyEquations {
             rows: expressions.values.len(),
@@ -332,6 +336,7 @@ impl SteadyEquations {
             unknowns,
             given,
             cyclic,
+            cyclic_by_values,
             cyclic_places,
             kept_momenta,
             state,

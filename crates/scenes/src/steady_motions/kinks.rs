@@ -236,6 +236,7 @@ impl SteadyMotions {
             state_size: self.state_size,
             given: self.given.clone(),
             cyclic: self.cyclic.clone(),
+            cyclic_by_values: self.cyclic_by_values.clone(),
             motions: Vec::new(),
             have_potential: self.have_potential,
             are_in_turning_frames: self.are_in_turning_frames,

@@ -167,6 +167,8 @@ pub struct SteadyMotions {
     pub given: Vec<(String, f64)>,
     /// Coordinates that occur nowhere.
     pub cyclic: Vec<String>,
+    /// Those of them that occur at other values of the parameters.
+    pub cyclic_by_values: Vec<String>,
     pub motions: Vec<SteadyMotion>,
     /// Whether the loads have a potential energy, however they are written.
     pub have_potential: bool,
@@ -320,12 +322,14 @@ impl SteadyMotions {
             })
             .collect();
         let ends = |at: Vec<Interval>| at.into_iter().map(|at| [at.low(), at.high()]).collect();
-        let SteadyEquations { unknowns, state, given, cyclic, energy_integral, free_speeds, .. } = equations;
+        let SteadyEquations { unknowns, state, given, cyclic, cyclic_by_values, energy_integral, free_speeds, .. } =
+            equations;
         SteadyMotions {
             unknowns,
             state_size: state.len(),
             given,
             cyclic,
+            cyclic_by_values,
             have_potential: energy_integral.is_some(),
             are_in_turning_frames: energy_integral.is_some_and(|own| own.is_of_jacobi),
             motions,

@@ -35,6 +35,8 @@ pub(super) struct Rows {
     pub determined: Vec<(usize, Sym)>,
     /// Coordinates on which nothing depends.
     pub is_cyclic: Vec<bool>,
+    /// Those on which nothing depends at any values of the parameters, if there are no constraints of speeds.
+    pub is_always_cyclic: Vec<bool>,
     /// The energy that is kept where the loads have a potential energy, and no constraint holds speeds.
     pub energy_integral: Option<EnergyIntegral>,
     /// Coordinates with conserved momenta, if there are no constraints of speeds.
@@ -113,6 +115,7 @@ impl Rows {
                     .collect(),
                 determined,
                 is_cyclic: vec![true; model.speeds()],
+                is_always_cyclic: vec![true; model.speeds()],
                 energy_integral: None,
                 kept_momenta: Vec::new(),
                 is_regular,
@@ -125,7 +128,11 @@ impl Rows {
             let resting = at_rest(trace, residuals, &[]);
             let energy_integral = energy_integral(trace, &resting, energy, &constraints);
             let kept_momenta = momenta_kept(trace, &resting, energy);
-            return Ok(Rows { energy_integral, kept_momenta, ..with(resting, Vec::new(), true) });
+            let rows = with(resting, Vec::new(), true);
+            let all =
+                [&equations.residuals[..model.speeds()], &constraints.iter().map(|one| one.zero).collect::<Vec<_>>()];
+            let is_always_cyclic = always_cyclic(trace, &rows.is_cyclic, &all.concat());
+            return Ok(Rows { energy_integral, kept_momenta, is_always_cyclic, ..rows });
         }
         let solved = solutions(trace, (&of_speeds, &residuals, &zeros), wanted, put)
             .ok_or_else(|| NoSteadyMotions::OfSpeeds { at: of_speeds[0].at.clone() })?;
@@ -185,6 +192,14 @@ impl Rows {
         let rates: Vec<Sym> = self.determined.iter().map(|(_, rate)| *rate).collect();
         self.determined.iter_mut().zip(substitute_all(&rates, &none)).for_each(|(own, rate)| own.1 = rate);
     }
+}
+
+/// Which cyclic coordinates are in no expression at any values of the parameters.
+fn always_cyclic(trace: &Trace<'_>, is_cyclic: &[bool], rows: &[Sym]) -> Vec<bool> {
+    let free = |symbol: Sym| {
+        rows.iter().filter(|row| row.symbols_of().contains(&symbol)).all(|row| vanishes(row.diff(symbol)))
+    };
+    is_cyclic.iter().zip(&trace.coordinates).map(|(is_cyclic, symbol)| *is_cyclic && free(*symbol)).collect()
 }
 
 /// An expression without the letters on which its value does not depend, as x in x cos a sin a - x sin a cos a with the angle a of a slope:

@@ -73,3 +73,19 @@ fn a_parameter_that_takes_the_inertia_of_a_coordinate_away_is_told() {
     assert_eq!(values, [("R".to_owned(), 0.0)]);
     assert_eq!(*why, NoSteadyMotions::Empty { coordinate: "th".to_owned() });
 }
+
+/// A bead on a rod that turns at the frequency of its spring: its place is cyclic at this stiffness alone.
+#[test]
+fn a_coordinate_that_is_cyclic_at_some_values_of_parameters_is_told_apart() {
+    let rod = |stiffness: &str| {
+        format!(
+            "title = \"Rod\"\n[parameters]\nk = \"{stiffness} N/m\"\n[coordinates]\nx = \"m\"\n[frames]\nA = \"N turned (2 rad/s)*t about z\"\n\
+             [bodies]\nb = {{ centre = \"O + x*A.x\", mass = \"1 kg\" }}\n[energies]\npotential = \"k*x^2/2\"\n[run]\nspan = \"1 s\"\n"
+        )
+    };
+    let found = all(&rod("4"), &[]);
+    assert_eq!((&found.cyclic[..], &found.cyclic_by_values[..]), (&["x".to_owned()][..], &["x".to_owned()][..]));
+    assert!(all(&rod("5"), &[("x", -1.0, 1.0)]).cyclic.is_empty());
+    let found = all(SPHERICAL, &[("ph'", 1.0, 1.0)]);
+    assert_eq!((found.cyclic.len(), found.cyclic_by_values.len()), (1, 0));
+}
