@@ -1,8 +1,7 @@
 //! Redundant constraints: everywhere, or only on the branch of configurations that contains the start.
 
-use crate::readiness::{completed, leave_out};
+use crate::readiness::{completed, leave_out, unmet_at};
 use crate::start::{Completed, Unmet, consistent};
-use crate::unmet_start::unmet_at;
 use crate::warnings::warn_of;
 use model::equations::dependent_everywhere;
 use model::{Fault, Model, Trace};

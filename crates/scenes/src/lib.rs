@@ -76,7 +76,6 @@ pub mod steady_motions;
 mod structural_index;
 mod system_text;
 pub mod text;
-mod unmet_start;
 mod warnings;
 
 /// Brings a [`NamedSystem`], found wherever the crate is linked.

@@ -2,11 +2,13 @@
 //! in these coordinates describes the system nearby.
 
 use super::equations::{At, Point, VariedEquations};
-use crate::steady_motions::without_inertia;
 use nalgebra::{DMatrix, DVector};
 
 /// A mass matrix whose scaled eigenvalues, or whose inertias relative to each other, are above this is far from singular.
 const SUSPICIOUS: f64 = 1e-6;
+
+/// Eigenvalues of the scaled mass matrix below this are zero: rounding of an angle, squared, is far below it.
+const SINGULAR: f64 = 1e-12;
 
 /// By so much the coordinates differ from the point where inertias are compared: no part of a turn.
 const ASIDE: [f64; 3] = [0.37, -0.61, 1.93];
@@ -61,4 +63,39 @@ fn is_suspicious(masses: &DMatrix<f64>, own: &DVector<f64>) -> bool {
     let n = masses.nrows();
     let scaled = DMatrix::from_fn(n, n, |i, j| masses[(i, j)] / (own[i] * own[j]).sqrt());
     scaled.symmetric_eigenvalues().min() < SUSPICIOUS
+}
+
+/// A direction that constraints allow and that has no kinetic energy: it is in the kernels of M and of f' together, where M + f'^T f', with
+/// columns of unit length, has a zero eigenvalue, since both parts are positive semidefinite.
+pub(crate) fn without_inertia(masses: DMatrix<f64>, mut pushes: DMatrix<f64>) -> Option<DVector<f64>> {
+    for mut column in pushes.column_iter_mut() {
+        let length = column.norm();
+        if length > 0.0 {
+            column.unscale_mut(length);
+        }
+    }
+    let all = masses + &pushes * pushes.transpose();
+    if !all.iter().all(|entry| entry.is_finite()) {
+        return None;
+    }
+    let eigen = all.symmetric_eigen();
+    // a kinetic energy that is given may be negative
+    let (place, least) = eigen.eigenvalues.map(f64::abs).argmin();
+    (least < SINGULAR).then(|| eigen.eigenvectors.column(place).into_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::without_inertia;
+    use nalgebra::DMatrix;
+
+    #[test]
+    fn a_massless_coordinate_that_a_constraint_holds_needs_no_inertia() {
+        let masses = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 0.0]);
+        let held = DMatrix::from_row_slice(2, 1, &[0.0, 3.0]);
+        assert_eq!(without_inertia(masses.clone(), held), None);
+        let beside = DMatrix::from_row_slice(2, 1, &[5.0, 0.0]);
+        let direction = without_inertia(masses, beside).expect("nothing holds the second coordinate");
+        assert!((direction[1].abs() - 1.0).abs() < 1e-12, "{direction}");
+    }
 }

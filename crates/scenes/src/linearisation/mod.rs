@@ -31,6 +31,7 @@ pub use stability::{Spectrum, Stability, eigenvalues};
 
 pub(crate) use independence::dependent;
 use independence::others;
+pub(crate) use inertia::without_inertia;
 use model::Model;
 use nalgebra::DMatrix;
 pub(crate) use over_fields::AllSlopes;

@@ -18,10 +18,9 @@ pub use states::States;
 
 use crate::changing_laws::is_watched;
 use crate::linearisation::{Linearisation, Standing, VariedEquations, eigenvalues, points};
-use crate::readiness::without_law;
+use crate::readiness::{unmet_at, without_law};
 use crate::scene::ModelScene;
 use crate::start::displaced;
-use crate::unmet_start::unmet_at;
 use closed_loop::{Gains, MOST};
 use criterion::{Form, forms};
 use horizon::Backwards;

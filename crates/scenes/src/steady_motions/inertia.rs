@@ -7,12 +7,10 @@
 use super::definiteness::signs;
 use super::equations::SteadyEquations;
 use super::search::Boxes;
+use crate::linearisation::without_inertia;
 use algebra::boxes::Equations;
 use field::Interval;
-use nalgebra::{DMatrix, DVector};
-
-/// Eigenvalues of the scaled mass matrix below this are zero: rounding of an angle, squared, is far below it.
-const SINGULAR: f64 = 1e-12;
+use nalgebra::DMatrix;
 
 /// Components of a direction without inertia below this part of the largest one are rounding.
 const MOVED: f64 = 1e-3;
@@ -89,39 +87,4 @@ fn largest(equations: &SteadyEquations, n: usize) -> Vec<f64> {
     }
     let size = |place: usize| masses[place * n + place].size();
     (0..n).map(size).map(|size| if size.is_finite() { size } else { 1.0 }).collect()
-}
-
-/// A direction that constraints allow and that has no kinetic energy: it is in the kernels of M and of f' together, where M + f'^T f', with
-/// columns of unit length, has a zero eigenvalue, since both parts are positive semidefinite.
-pub(crate) fn without_inertia(masses: DMatrix<f64>, mut pushes: DMatrix<f64>) -> Option<DVector<f64>> {
-    for mut column in pushes.column_iter_mut() {
-        let length = column.norm();
-        if length > 0.0 {
-            column.unscale_mut(length);
-        }
-    }
-    let all = masses + &pushes * pushes.transpose();
-    if !all.iter().all(|entry| entry.is_finite()) {
-        return None;
-    }
-    let eigen = all.symmetric_eigen();
-    // a kinetic energy that is given may be negative
-    let (place, least) = eigen.eigenvalues.map(f64::abs).argmin();
-    (least < SINGULAR).then(|| eigen.eigenvectors.column(place).into_owned())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::without_inertia;
-    use nalgebra::DMatrix;
-
-    #[test]
-    fn a_massless_coordinate_that_a_constraint_holds_needs_no_inertia() {
-        let masses = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 0.0]);
-        let held = DMatrix::from_row_slice(2, 1, &[0.0, 3.0]);
-        assert_eq!(without_inertia(masses.clone(), held), None);
-        let beside = DMatrix::from_row_slice(2, 1, &[5.0, 0.0]);
-        let direction = without_inertia(masses, beside).expect("nothing holds the second coordinate");
-        assert!((direction[1].abs() - 1.0).abs() < 1e-12, "{direction}");
-    }
 }

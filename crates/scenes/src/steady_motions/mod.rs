@@ -50,8 +50,6 @@ pub use spectrum::{
 };
 pub use stability::{Eigenvalues, OnSide, SteadyStability};
 
-pub(crate) use inertia::without_inertia;
-
 use crate::linearisation::{Linear, VariedEquations};
 use algebra::boxes::Zero;
 use circles::{is_same, turns_to_zero};

@@ -1,6 +1,6 @@
 //! Reasons for which a start does not fulfil constraints, each at its place in the file.
 
-use crate::readiness::refused;
+use super::refused;
 use crate::row_units::measured;
 use crate::start::{Open, Unmet};
 use model::Model;

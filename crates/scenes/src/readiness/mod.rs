@@ -1,5 +1,9 @@
 //! The start and the law of a model that can run, or the reason for which it cannot, at its place in the file.
 
+mod unmet_start;
+
+pub(crate) use unmet_start::unmet_at;
+
 use crate::branch::in_words;
 use crate::compiled_system::{CompiledSystem, NotCompiled};
 use crate::equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
@@ -8,7 +12,6 @@ use crate::modes::{Modes, Refused};
 use crate::refused_start::not_started;
 use crate::row_units::measured;
 use crate::start::{Completed, complete_algebraic_speeds, consistent, with_algebraic_speeds};
-use crate::unmet_start::unmet_at;
 use model::equations::{constraints_of, dependent_everywhere};
 use model::{Fault, Implied, Model, StartSpeed, StartValue, Trace, titles};
 use reader::Issue;
