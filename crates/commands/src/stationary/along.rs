@@ -168,7 +168,7 @@ mod tests {
             let [middle, gap] = bracket([low, high]);
             let [middle, gap]: [f64; 2] = [&middle, &gap].map(|text| text.parse().expect("a number"));
             assert!(middle - gap <= low && high <= middle + gap, "{middle} {gap}");
-            assert!(gap <= 0.6 * (high - low) + 1e-9, "{middle} {gap}");
+            assert!(gap <= 0.6 * (high - low) + 1e-9 * (1.0 + middle.abs()), "{middle} {gap}");
         }
     }
 }
