@@ -1,4 +1,4 @@
-"""Signs of entries as they are written: squares, roots, and letters that are given as positive."""
+"""Signs of entries as they are written: squares, roots, exponentials, and letters that are given as positive."""
 
 from .part_check import Rejected
 from .evaluation import number, reached
@@ -70,8 +70,10 @@ class WrittenSigns:
         if name == "const":
             value = number(rest[0])
             return (1 if value >= 0 else -1, value != 0)
-        if name in ("letter", "function", "cos", "sin", "exp", "ln", "tanh", "atan2"):
+        if name in ("letter", "function", "cos", "sin", "ln", "tanh", "atan2"):
             return None
+        if name == "exp":
+            return 1, True
         sign = self.known[rest[0]]
         if name == "neg":
             return opposite(sign)

@@ -117,6 +117,9 @@ pub fn value(term: &Term, meaning: &impl Meaning) -> Result<Value, NoValue> {
             one(above, &|above| Ok(above / below))
         }
         Form::Power(of, exponent) => match value(of, meaning)? {
+            Value::Scalar(base) if *exponent == 0 && base == Sym::ZERO => {
+                Err(fault("zero to the power zero has no value".to_owned()))
+            }
             Value::Scalar(base) => Ok(Value::Scalar(base.powi(*exponent))),
             Value::Matrix(rows) if is_vector(&rows) && *exponent == 2 => {
                 Err(fault("the square of a vector is written as a scalar product".to_owned()))

@@ -1,8 +1,8 @@
 //! The text of a claim in a paper's file.
 
-use crate::passage::Passage;
+use crate::passage::{Passage, placed};
 use claims::Verdict;
-use latex::{Displayed, NotFormula, formulas};
+use latex::{Displayed, formulas};
 use reader::{Issue, Table};
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -89,8 +89,8 @@ pub struct ClaimText {
     pub kind: Kind,
     /// The formula in LaTeX, as printed.
     pub formula: Passage,
-    /// The reason for which its display is not one formula or several.
-    pub fault: Option<NotFormula>,
+    /// The faults of its table and of its display: a claim that has one is not judged, and the others are.
+    pub faults: Vec<Issue>,
     /// Hypotheses in LaTeX.
     pub given: Vec<Passage>,
     /// Letters that are constant on a steady motion.
@@ -152,16 +152,16 @@ pub fn claims(top: &mut Table<'_>, source: &str) -> Vec<ClaimText> {
                 issue.accepted("resting = ['\\theta', '\\dot{\\varphi}']: letters and rates that are constant"),
             );
         }
-        top.absorb(table);
-        let Some(kind) = kind else { continue };
-        let fault = None;
+        let faults = table.finish();
+        // a claim whose kind is not known is not judged
+        let kind = kind.unwrap_or(Kind::Formula);
         let claim =
-            ClaimText { at, equation, name, says, section, note, kind, formula, fault, given, resting, expected };
-        for claim in taken_apart(claim) {
+            ClaimText { at, equation, name, says, section, note, kind, formula, faults, given, resting, expected };
+        for mut claim in taken_apart(claim) {
             if let Some(other) = all.iter().find(|other| other.key() == claim.key()) {
                 let title = format!("two claims have the name `{}`", other.key());
                 let issue = Issue::at(claim.at.clone(), title, "the second one");
-                top.report(issue.accepted("name = \"...\", which tells claims of one formula apart"));
+                claim.faults.push(issue.accepted("name = \"...\", which tells claims of one formula apart"));
             }
             all.push(claim);
         }
@@ -173,7 +173,10 @@ pub fn claims(top: &mut Table<'_>, source: &str) -> Vec<ClaimText> {
 fn taken_apart(claim: ClaimText) -> Vec<ClaimText> {
     let parts = match formulas(&claim.formula.text) {
         Ok(parts) => parts,
-        Err(fault) => return vec![ClaimText { fault: Some(fault), ..claim }],
+        Err(fault) => {
+            let faults = [claim.faults, vec![placed(&claim.formula, fault)]].concat();
+            return vec![ClaimText { faults, ..claim }];
+        }
     };
     let of = |Displayed { name, text, start }: Displayed| {
         let names = [claim.name.as_str(), &name].into_iter().filter(|name| !name.is_empty());

@@ -2,12 +2,13 @@
 //! satisfies all conditions.
 
 use crate::natural_domain::natural_domain;
+use crate::polynomial_terms::{Terms, difference, product, terms};
 use algebra::linear::nonnegative_combination;
 use claims::Condition;
 use claims::certificate::{self, Relations};
 use field::Rational;
-use std::collections::{BTreeMap, BTreeSet};
-use symbolic::{Hypotheses, Node, Sym, coefficients, normal};
+use std::collections::BTreeSet;
+use symbolic::{Hypotheses, Node, Sym, normal};
 
 /// The largest number of factors of a product.
 const MOST_FACTORS: usize = 3;
@@ -15,13 +16,6 @@ const MOST_FACTORS: usize = 3;
 /// The largest numbers of conditions for products of two, and of three factors.
 const MOST_FOR_TWO: usize = 14;
 const MOST_FOR_THREE: usize = 9;
-
-/// The largest number of terms, and the largest degree, of a polynomial that is used.
-const MOST_TERMS: usize = 40;
-const HIGHEST: u32 = 12;
-
-/// Products of letters by their exponents, each with a number.
-type Terms = BTreeMap<Vec<u32>, Rational>;
 
 /// The origin of a factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -233,42 +227,6 @@ fn own_equality(leaf: Sym, letters: &[Sym]) -> Option<Terms> {
         }
         _ => None,
     }
-}
-
-fn difference(mut from: Terms, other: &Terms) -> Terms {
-    for (exponents, value) in other {
-        *from.entry(exponents.clone()).or_insert_with(|| Rational::new(0, 1)) -= *value;
-    }
-    from.retain(|_, value| value.sign() != Some(0));
-    from
-}
-
-/// A polynomial by the exponents of its letters; none where it is long.
-fn terms(polynomial: Sym, letters: &[Sym]) -> Option<Terms> {
-    let found = coefficients(polynomial, letters).ok().filter(|found| found.len() <= MOST_TERMS)?;
-    let number = |value: Sym| {
-        let value = normal(value, &Hypotheses::none()).ok()?.to_sym().as_constant()?;
-        value.is_defined().then_some(value)
-    };
-    let all: Terms =
-        found.into_iter().map(|(exponents, value)| Some((exponents, number(value)?))).collect::<Option<_>>()?;
-    Some(all.into_iter().filter(|(_, value)| value.sign() != Some(0)).collect())
-}
-
-fn product(one: &Terms, other: &Terms) -> Option<Terms> {
-    let mut all = Terms::new();
-    for (exponents, value) in one {
-        for (others, factor) in other {
-            let powers: Vec<u32> = exponents.iter().zip(others).map(|(a, b)| a + b).collect();
-            if powers.iter().sum::<u32>() > HIGHEST {
-                return None;
-            }
-            let sum = all.entry(powers).or_insert_with(|| Rational::new(0, 1));
-            *sum += *value * *factor;
-        }
-    }
-    all.retain(|_, value| value.sign() != Some(0));
-    (all.len() <= MOST_TERMS).then_some(all)
 }
 
 /// Products of up to `count` factors with repetition.

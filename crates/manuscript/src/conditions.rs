@@ -2,9 +2,9 @@
 
 use crate::letters::Letters;
 use crate::motion::Motion;
-use crate::passage::Passage;
+use crate::passage::{Passage, placed};
 use claims::Condition;
-use latex::{Chain, Form, NotFormula, Relation, Term, Value, read, value};
+use latex::{Chain, Form, Relation, Term, Value, read, value};
 use reader::Issue;
 use symbolic::Sym;
 
@@ -15,7 +15,7 @@ pub(crate) struct Hypothesis {
     pub told: (String, String),
     /// The difference of its sides in the paper's letters; none if one of them is a number, which is in SI units.
     pub own: Option<Sym>,
-    /// Over the model: an equality, and the symbol on its left side if this is a single symbol.
+    /// Over the model: an equality, and the side that is a letter alone, if there is one.
     pub equality: Option<(Sym, Option<Sym>)>,
     /// Whether a letter has a numerical value other than zero: dimensions need not agree then.
     pub scales: bool,
@@ -23,11 +23,6 @@ pub(crate) struct Hypothesis {
     pub condition: Option<Condition>,
     /// The place of the hypothesis in the file.
     pub at: std::ops::Range<usize>,
-}
-
-/// The fault of a formula that cannot be read, at its place in the file.
-pub(crate) fn placed(text: &Passage, fault: NotFormula) -> Issue {
-    Issue::at(text.part(&fault.span), fault.title, fault.label).accepted(fault.accepted)
 }
 
 /// The fault of a missing value, at its place in the file.
@@ -90,7 +85,9 @@ fn hypothesis(text: &Passage, letters: &Letters<'_, '_>) -> Result<Hypothesis, I
     let mut found = Hypothesis { told, own, equality: None, scales, condition: None, at: text.span.clone() };
     match relation {
         Relation::Equal => {
-            let alone = matches!(left.form, Form::Letter(_) | Form::Rate(..)).then_some(left_is);
+            let is_letter = |side: &Term| matches!(side.form, Form::Letter(_) | Form::Rate(..));
+            let alone = [(left, left_is), (right, right_is)].into_iter().find(|(side, _)| is_letter(side));
+            let alone = alone.map(|(_, is)| is);
             found.equality = Some((left_is - right_is, alone));
         }
         Relation::NotEqual => found.condition = Some(Condition::NonZero(left_is - right_is)),

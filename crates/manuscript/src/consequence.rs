@@ -175,19 +175,22 @@ fn exhibit(
 /// Whether a divisor is never zero: by hypotheses and signs, by a value in the model, or since the model needs it as inertia. The last two reasons
 /// are listed among the hypotheses of a verdict.
 pub(crate) fn is_apart(factor: Sym, motion: &Motion<'_, '_>, conditions: &[Condition]) -> bool {
+    let by_model = |symbol: &Sym| is_of_inertia(*symbol, motion) || has_value(*symbol, motion);
+    let by_model = factor.symbols_of().into_iter().filter(by_model).map(Condition::Positive);
+    is_apart_by(factor, motion, &conditions.iter().copied().chain(by_model).collect::<Vec<_>>())
+}
+
+/// Whether conditions and signs keep a divisor from vanishing.
+pub(crate) fn is_apart_by(factor: Sym, motion: &Motion<'_, '_>, known: &[Condition]) -> bool {
     if factor.as_constant().is_some() {
         return true;
     }
-    let by_model = |symbol: &Sym| is_of_inertia(*symbol, motion) || has_value(*symbol, motion);
-    let all = conditions.iter().copied();
-    let by_model = factor.symbols_of().into_iter().filter(by_model).map(Condition::Positive);
-    let known: Vec<Condition> = all.chain(by_model).collect();
     let is_stated = known.iter().any(|condition| match condition {
         Condition::NonZero(e) | Condition::Positive(e) => normal(*e, &motion.hypotheses)
             .is_ok_and(|form| factors(form.numerator()).into_iter().any(|part| part == factor || part == -factor)),
         _ => false,
     });
-    let shown = |e: Sym| shows(e, motion, &known).is_some_and(|shown| shown.is_strict);
+    let shown = |e: Sym| shows(e, motion, known).is_some_and(|shown| shown.is_strict);
     is_stated || shown(factor) || shown(-factor)
 }
 

@@ -9,6 +9,7 @@ use crate::lines::Line;
 use crate::motion::Motion;
 use crate::position_letters::by_position_letters;
 use crate::refutation::Refutation;
+use field::Elementary;
 use model::equations::Equations;
 use std::cell::OnceCell;
 use symbolic::{Hypotheses, Node, Sym, normal};
@@ -44,7 +45,9 @@ pub(crate) fn divisors(found: &[Sym], told: Told<'_, '_, '_>) -> Vec<(String, St
     };
     // the quaternion of a free frame has length one
     let unit = Motion::without_anything(told.0.trace).with_free_frames(Hypotheses::none());
-    let never_vanishes = |part: Sym| normal(part, &unit).is_ok_and(|form| form.to_sym().as_constant().is_some());
+    let is_exponential = |part: Sym| matches!(part.node(), Node::Elementary(Elementary::Exp, ..));
+    let never_vanishes =
+        |part: Sym| is_exponential(part) || normal(part, &unit).is_ok_and(|form| form.to_sym().as_constant().is_some());
     for &divisor in found {
         // a quotient is zero where its numerator is; its denominator is a separate divisor
         let parts = normal(divisor, &Hypotheses::none()).map_or(vec![divisor], |form| factors(form.numerator()));

@@ -27,17 +27,23 @@ enum Sign {
     Sine,
 }
 
+/// A part of a formula that has a value along no motion, since this vanishes.
+pub(crate) enum NoValue {
+    Divisor(Sym),
+    Logarithm(Sym),
+}
+
 /// Conditions under which every part of a formula has a value.
 ///
 /// # Errors
-/// A divisor that is zero along every motion.
+/// A divisor, or an argument of a logarithm, that is zero along every motion.
 pub(crate) fn domains(
     statement: &Statement,
     letters: &Letters<'_, '_>,
     motion: &Motion<'_, '_>,
     assumed: &[Hypothesis],
     conditions: &[Condition],
-) -> Result<Vec<Demand>, Sym> {
+) -> Result<Vec<Demand>, NoValue> {
     let mut asked = Vec::new();
     for side in statement.chains.iter().flat_map(|chain| &chain.sides) {
         collect(side, &mut asked);
@@ -57,7 +63,7 @@ pub(crate) fn domains(
         };
         let here = normal(motion.reduced(model), &Hypotheses::none()).map_or(model, |form| form.to_sym());
         if sign != Sign::NotNegative && decide(here, &motion.hypotheses).is_zero() {
-            return Err(model);
+            return Err(if sign == Sign::Positive { NoValue::Logarithm(model) } else { NoValue::Divisor(model) });
         }
         let told = |relation: &str, latex: &str| (format!("{own} {relation} 0"), format!("{} {latex} 0", own.latex()));
         let (is_shown, lines) = match sign {

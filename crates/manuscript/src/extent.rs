@@ -1,5 +1,6 @@
 //! The points at which a claim applies: its hypotheses and the domain of its formula may leave none.
 
+use crate::cases::{Case, cases};
 use crate::conditions::{Hypothesis, assume, conditions};
 use crate::motion::Motion;
 use crate::natural_domain::natural_domain;
@@ -34,8 +35,11 @@ pub(crate) fn contradiction(
 ) -> Option<Contradiction> {
     let is_empty = |hypotheses: &[usize], demanded: &[usize]| {
         let kept: Vec<Hypothesis> = hypotheses.iter().map(|&place| assumed[place].clone()).collect();
-        let demanded = demanded.iter().map(|&place| demands[place].condition);
-        conditions_there(base, &kept, demanded).is_some_and(|all| exclude_each_other(&all))
+        let is_excluded = |case: &Case<'_, '_>| {
+            let demanded = demanded.iter().map(|&place| demands[place].condition);
+            conditions_there(base, &case.assumed, demanded).is_some_and(|all| exclude_each_other(&all))
+        };
+        cases(base, &kept, &|own| own).is_ok_and(|cases| cases.iter().all(is_excluded))
     };
     let mut found = Contradiction { hypotheses: (0..assumed.len()).collect(), demands: (0..demands.len()).collect() };
     if !is_empty(&found.hypotheses, &found.demands) {

@@ -102,10 +102,10 @@ impl Finding {
         for correction in &self.corrections {
             line("edit", &correction.says());
             line("corrected", &correction.formula);
-            let Judged { verdict, evidence, requires, .. } = &correction.judged;
+            let Judged { verdict, evidence, requires, signs, .. } = &correction.judged;
             line("", &format!("{}: {evidence}", verdict.name()));
-            if !requires.is_empty() {
-                let conditions: Vec<&str> = requires.iter().map(|(text, _)| text.as_str()).collect();
+            let conditions: Vec<&str> = requires.iter().chain(signs).map(|(text, _)| text.as_str()).collect();
+            if !conditions.is_empty() {
                 line("where", &conditions.join(", "));
             }
         }

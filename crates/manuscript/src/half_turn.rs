@@ -21,6 +21,12 @@ pub(crate) fn is_number_of_half_turn(expression: Sym) -> bool {
     !symbols.is_empty() && symbols.into_iter().all(is_half_turn)
 }
 
+/// The sign of an expression without letters other than pi, by an enclosure: none of one that has letters, or whose enclosure holds zero.
+pub(crate) fn sign_of_number(expression: Sym) -> Option<i32> {
+    let is_number = expression.symbols_of().into_iter().all(is_half_turn);
+    is_number.then(|| enclosed(expression)?.sign()).flatten()
+}
+
 /// The enclosure of an expression without letters other than pi.
 pub(crate) fn enclosed(number: Sym) -> Option<Interval> {
     // the double-precision number lies below pi

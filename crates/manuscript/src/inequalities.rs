@@ -11,7 +11,6 @@ use crate::finding::{Finding, Sides as Values};
 use crate::half_turn::{enclosed, holds_half_turn};
 use crate::letters::Letters;
 use crate::line_signs::least;
-use crate::lines::Line;
 use crate::motion::Motion;
 use crate::natural_domain::natural_domain;
 use crate::polynomial_signs;
@@ -19,9 +18,10 @@ use crate::real_signs;
 use crate::refutation::Refutation;
 use crate::signs::{Effort, Shown, completed, search, shows};
 use crate::square_sums::square_sum;
-use crate::verdict::{allowed, mixed, neither};
+use crate::verdict::{allowed, neither};
 use claims::certificate::PartProof;
 use claims::{Condition, Verdict};
+use field::Rational;
 use latex::{Relation, Statement};
 use reader::Issue;
 use symbolic::{Sym, normal};
@@ -125,9 +125,6 @@ pub(crate) fn inequality(
         }
         (finding.judged.verdict, finding.judged.evidence) = (Verdict::Proved, found.evidence);
         finding.judged.requires.extend(divisors(&motion.divisors, told));
-        if !assumed.iter().any(|hypothesis| hypothesis.scales) {
-            mixed(&[Line { model: [left, right], own }], letters, finding);
-        }
         return Ok(());
     }
     let fails = |sign: i8| sign == -1 || sign == 0 && is_strict;
@@ -157,15 +154,19 @@ pub(crate) fn inequality(
             finding.judged.evidence =
                 "products of the hypotheses with its opposite add up to a negative number, exactly".to_owned();
             finding.judged.requires.extend(divisors(&motion.divisors, told));
-            if !assumed.iter().any(|hypothesis| hypothesis.scales) {
-                mixed(&[Line { model: [left, right], own }], letters, finding);
-            }
         }
         None if enclosed(reduced).is_some_and(|value| value.low() > 0.0) => {
             finding.judged.verdict = Verdict::Enclosed;
             finding.judged.evidence = "by an enclosure of the difference of both sides, which are numbers".to_owned();
             let then = [Condition::Positive(greater)];
             record.part(&motion, assumed, &then, |_| PartProof::Enclosure);
+        }
+        None if enclosed(reduced).is_some_and(|value| value.high() < 0.0) => {
+            finding.judged.verdict = Verdict::Refuted;
+            finding.judged.evidence =
+                "by an enclosure of the difference of both sides, which are numbers: it has the other sign".to_owned();
+            let then = [Condition::Positive(greater)];
+            record.part(&motion, assumed, &then, |_| PartProof::Excluded);
         }
         None => {
             let why = "neither the signs of its terms nor squares, discriminants and real roots show it, and no exact point was found at which it fails";
@@ -185,10 +186,18 @@ fn failing_point(
     if !motion.open.is_empty() || !motion.hypotheses.statements().is_empty() || motion.undetermined(reduced).is_some() {
         return None;
     }
-    if holds_half_turn(reduced) || conditions.iter().any(|condition| holds_half_turn(condition.expression())) {
-        return None;
-    }
     let all = [conditions, &natural_domain(&[greater, reduced])].concat();
+    // points with a fraction for pi are tried with pi
+    let holds_pi = holds_half_turn(reduced) || all.iter().any(|condition| holds_half_turn(condition.expression()));
+    if holds_pi {
+        let near = [(motion.trace.pi, Sym::constant(Rational::new(355, 113)))];
+        let all: Vec<Condition> = all.iter().map(|condition| condition.mapped(|e| e.substitute(&near))).collect();
+        let is_it = |found: &Refutation| {
+            found.value(reduced).and_then(crate::refutation::sign).is_some_and(|sign| fails(sign as i8))
+        };
+        let points = least(reduced.substitute(&near), &all)?.points;
+        return points.into_iter().filter(is_it).find_map(|found| completed(found, conditions));
+    }
     let least = least(reduced, &all).filter(|least| fails(least.sign.signum() as i8))?;
     let is_rational = |found: &Refutation| found.point.iter().all(|(_, value)| value.as_constant().is_some());
     let holds = |found: &Refutation| {

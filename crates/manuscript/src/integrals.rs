@@ -5,6 +5,7 @@ use crate::claim_text::{ClaimText, Kind};
 use crate::conditions::{Hypothesis, assume, conditions, scalar};
 use crate::display::{Told, divisors};
 use crate::equation::{Outcome, vanishes, vanishes_or_fails};
+use crate::feedback::{Feedback, given_input};
 use crate::finding::Finding;
 use crate::letters::{Letters, rate};
 use crate::lines::Line;
@@ -68,6 +69,8 @@ pub(crate) fn integral(
     finding.judged.text = vec![format!("{own} = const")];
     finding.judged.latex = vec![format!(r"{} = \mathrm{{const}}", own.latex())];
     let trace = letters.trace;
+    // the input of an integral has the value that a hypothesis gives it
+    let is = Feedback::of(trace, assumed).put_in(is);
     let changing = rate(trace, is).map_err(|why| {
         let title = format!("this expression has no rate along the motion: {why}");
         Issue::at(claim.formula.span.clone(), title, "here").accepted("an expression of positions, speeds and the time")
@@ -119,10 +122,8 @@ fn persistence(assumed: &[Hypothesis], free: &Motion<'_, '_>, motion: &Motion<'_
     let trace = motion.trace;
     let mut divided = Vec::new();
     for hypothesis in assumed {
-        let Some((zero, alone)) = hypothesis.equality else { continue };
-        // an input that a hypothesis gives has this value all the time
-        let is_input = |symbol: Sym| trace.model.inputs.iter().any(|input| Sym::symbol(&input.name) == symbol);
-        if alone.is_some_and(is_input) {
+        let Some((zero, _)) = hypothesis.equality else { continue };
+        if given_input(trace, hypothesis).is_some() {
             continue;
         }
         let outcome = rate(trace, free.reduced(zero)).map(|changing| vanishes(motion, changing, &[]));

@@ -1,14 +1,17 @@
 //! The judgement of every claim of a paper.
 
+use crate::case_findings::joined;
+use crate::cases::{Case, cases};
 use crate::certificate::Record;
 use crate::change::{EditKind, Search};
 use crate::claim_text::{ClaimText, Kind};
-use crate::combination::told_combination;
-use crate::conditions::{Hypothesis, assume, conditions, hypotheses, placed};
+use crate::conditions::{Hypothesis, hypotheses};
 use crate::correction::{Judge, corrections};
-use crate::display::{Told, divisors, missing, shown};
-use crate::equation::{Outcome, vanishes, vanishes_or_fails};
-use crate::extent::is_met;
+use crate::dimensions::object_to_dimensions;
+use crate::display::{Told, divisors};
+use crate::equalities::equalities;
+use crate::equation::Outcome;
+use crate::extent::{contradiction, is_met};
 use crate::finding::Finding;
 use crate::half_turn_bounds::bounds;
 use crate::implications::equivalence;
@@ -16,22 +19,21 @@ use crate::inequalities::inequality;
 use crate::integrals::{integral, known};
 use crate::letters::{Letters, model};
 use crate::linearisation::linearised;
-use crate::lines::{Line, lines};
 use crate::motion::Motion;
 use crate::numbers::number;
 use crate::paper_findings::PaperFindings;
 use crate::paper_text::PaperText;
+use crate::passage::placed;
 use crate::presuppositions::{presupposed, where_they_hold};
-use crate::real_signs::are_equal_by_squares;
-use crate::signs::without_real_value;
 use crate::stability::stability;
 use crate::steadiness::steady_motion;
-use crate::verdict::{allowed, mixed, mixed_hypotheses, neither, refute};
+use crate::verdict::{mixed_hypotheses, neither};
 use ::model::Trace;
+use claims::certificate::Certificate;
 use claims::{Condition, Judged, Verdict};
 use latex::{Statement, read};
 use reader::{Issue, SceneError};
-use symbolic::{Sym, decide};
+use symbolic::Sym;
 
 impl PaperText {
     /// Judges every claim, in the order of the file, and searches for corrections of refuted ones.
@@ -84,7 +86,8 @@ impl PaperText {
             let (mut findings, mut judged, mut faults) = (Vec::new(), Vec::new(), Vec::new());
             for claim in &self.claims {
                 let finding = statement_of(claim, &letters).and_then(|statement| {
-                    let finding = judge(self, claim, &statement, &letters, is_certified)?;
+                    let finding =
+                        judge(self, claim, &statement, &letters, is_certified).map_err(|issue| vec![issue])?;
                     judged.push((claim, statement));
                     Ok(finding)
                 });
@@ -93,7 +96,7 @@ impl PaperText {
                         findings.push(finding);
                         told(&findings);
                     }
-                    Err(issue) => faults.push((claim, issue)),
+                    Err(issues) => faults.push((claim, issues)),
                 }
             }
             for (place, (claim, statement)) in judged.iter().enumerate() {
@@ -108,15 +111,11 @@ impl PaperText {
 }
 
 /// Reads the formula of a claim.
-fn statement_of(claim: &ClaimText, letters: &Letters<'_, '_>) -> Result<Statement, Issue> {
-    let fault = match &claim.fault {
-        Some(fault) => fault.clone(),
-        None => match read(&claim.formula.text, &known(claim.kind, letters)) {
-            Ok(statement) => return Ok(statement),
-            Err(fault) => fault,
-        },
-    };
-    Err(placed(&claim.formula, fault))
+fn statement_of(claim: &ClaimText, letters: &Letters<'_, '_>) -> Result<Statement, Vec<Issue>> {
+    if !claim.faults.is_empty() {
+        return Err(claim.faults.clone());
+    }
+    read(&claim.formula.text, &known(claim.kind, letters)).map_err(|fault| vec![placed(&claim.formula, fault)])
 }
 
 /// Looks for the corrections of a refuted claim.
@@ -156,6 +155,7 @@ fn correct(
     });
 }
 
+/// Judges a claim in every case of its hypotheses.
 fn judge(
     paper: &PaperText,
     claim: &ClaimText,
@@ -163,7 +163,42 @@ fn judge(
     letters: &Letters<'_, '_>,
     is_certified: bool,
 ) -> Result<Finding, Issue> {
-    let mut assumed = hypotheses(&claim.given, letters)?;
+    let assumed = hypotheses(&claim.given, letters)?;
+    if assumed.iter().all(|hypothesis| hypothesis.equality.is_none()) {
+        return judge_case(paper, claim, statement, letters, assumed, is_certified);
+    }
+    let base = Motion::by_constraints(letters.trace);
+    let told = |factor: Sym| letters.told(factor);
+    let mut cases = cases(&base, &assumed, &told)?;
+    if cases.len() > 1 {
+        cases.retain(|case| contradiction(&base, &case.assumed, &[]).is_none());
+    }
+    let is_replaced = cases.iter().any(|case| case.is_replaced);
+    let found = cases.into_iter().map(|Case { assumed, chosen, .. }| {
+        let words = chosen.into_iter().map(|factor| format!("{} = 0", told(factor))).collect::<Vec<_>>().join(", ");
+        Ok((words, judge_case(paper, claim, statement, letters, assumed, is_certified)?))
+    });
+    let mut finding = match joined(found.collect::<Result<Vec<_>, Issue>>()?) {
+        Some(finding) => finding,
+        // the message names the hypotheses that contradict each other
+        None => judge_case(paper, claim, statement, letters, assumed, is_certified)?,
+    };
+    if is_replaced && let Some(certificate) = &mut finding.certificate {
+        let why = "the verdict rests on the factors of a hypothesis, for which the second checker has no steps yet";
+        *certificate = Certificate::for_claim(&finding.judged).proved_by(Vec::new(), Vec::new(), why);
+    }
+    Ok(finding)
+}
+
+/// Judges a claim under hypotheses none of which has several cases.
+fn judge_case(
+    paper: &PaperText,
+    claim: &ClaimText,
+    statement: &Statement,
+    letters: &Letters<'_, '_>,
+    mut assumed: Vec<Hypothesis>,
+    is_certified: bool,
+) -> Result<Finding, Issue> {
     let mut judged = Judged {
         id: paper.id_of(claim),
         section: claim.section.clone(),
@@ -218,6 +253,9 @@ fn judge(
         neither(Outcome::Undecided(why.to_owned()), letters, &mut finding);
     }
     mixed_hypotheses(&assumed, letters, &mut finding);
+    if !assumed.iter().any(|hypothesis| hypothesis.scales) {
+        object_to_dimensions(claim.kind, statement, letters, &mut finding);
+    }
     if matches!(finding.judged.verdict, Verdict::Proved | Verdict::Identified | Verdict::Undecided) {
         presupposed(paper, claim, statement, letters, (&assumed, &there), &mut finding);
     }
@@ -234,123 +272,4 @@ fn judge(
     finding.judged.expected = claim.expected.unwrap_or(finding.judged.verdict);
     finding.certificate = record.finished(&finding.judged, claim.kind.without_certificate());
     Ok(finding)
-}
-
-fn equalities(
-    claim: &ClaimText,
-    statement: &Statement,
-    letters: &Letters<'_, '_>,
-    assumed: &[Hypothesis],
-    finding: &mut Finding,
-    record: &mut Record,
-) -> Result<(), Issue> {
-    let lines = lines(claim, statement, letters)?;
-    let told = Told(letters);
-    (finding.judged.text, finding.judged.latex) = lines.iter().map(|line| shown(line.own)).unzip();
-    let trace = letters.trace;
-    if claim.kind == Kind::EquationOfMotion {
-        let moves = |line: &Line| {
-            let symbols = (line.model[0] - line.model[1]).symbols_of();
-            trace.accelerations.iter().any(|acceleration| symbols.contains(acceleration))
-        };
-        if !lines.iter().any(moves) {
-            let issue =
-                Issue::at(claim.formula.span.clone(), "no acceleration stands in this equation of motion", "here");
-            return Err(issue.accepted("kind = \"formula\" or \"identity\" for what holds no acceleration"));
-        }
-    }
-    let mut by_constraints = Motion::by_constraints(trace);
-    assume(&mut by_constraints, assumed)?;
-    let mut along = match claim.kind {
-        Kind::Identity => None,
-        _ => Some(Motion::by_equations(trace)),
-    };
-    if let Some(Ok(motion)) = &mut along {
-        assume(motion, assumed)?;
-    }
-    let mut requires: Vec<Sym> = Vec::new();
-    let (mut is_dynamic, mut by_squares) = (false, false);
-    finding.judged.verdict = Verdict::Proved;
-    for line in &lines {
-        let difference = line.model[0] - line.model[1];
-        let equal = Condition::Equal(line.model[0], line.model[1]);
-        let given = conditions(&by_constraints, assumed);
-        let plain = match along {
-            None => vanishes_or_fails(&by_constraints, difference, &given),
-            Some(_) => vanishes(&by_constraints, difference, &given),
-        };
-        let (outcome, motion) = match (plain, &along) {
-            (Outcome::Zero(divisors), _) => (Outcome::Zero(divisors), &by_constraints),
-            (plain, None) => (plain, &by_constraints),
-            (_, Some(Err(why))) => (Outcome::Undecided(why.clone()), &by_constraints),
-            (_, Some(Ok(motion))) => {
-                is_dynamic = true;
-                (vanishes_or_fails(motion, difference, &conditions(motion, assumed)), motion)
-            }
-        };
-        // with a divisor that is zero along every motion the formula is undefined
-        let outcome = match (outcome, &along) {
-            (Outcome::Zero(divisors), Some(Ok(along))) => {
-                let is_zero = |divisor: &&Sym| decide(along.reduced(**divisor), &along.hypotheses).is_zero();
-                match divisors.iter().find(is_zero).copied() {
-                    Some(divisor) => Outcome::Undefined(divisor),
-                    None => Outcome::Zero(divisors),
-                }
-            }
-            (outcome, _) => outcome,
-        };
-        let is_open = matches!(outcome, Outcome::Undecided(_) | Outcome::Identified(_));
-        if is_open && are_equal_by_squares(line.model, motion, &conditions(motion, assumed)) {
-            by_squares = true;
-            requires.extend(motion.divisors.iter().copied());
-            record.leave_out();
-            continue;
-        }
-        let unreal =
-            line.model.into_iter().find_map(|side| without_real_value(side, motion, &conditions(motion, assumed)));
-        if let Some(root) = unreal {
-            finding.judged.verdict = Verdict::Undefined;
-            finding.judged.evidence = format!("{} has no real value", letters.told(root));
-            break;
-        }
-        match outcome {
-            Outcome::Zero(divisors) => {
-                record.vanishes(motion, assumed, &[equal]);
-                requires.extend(divisors.into_iter().chain(motion.divisors.iter().copied()));
-            }
-            Outcome::NonZero(refutation) => {
-                record.fails(motion, assumed, equal, &refutation);
-                refute(line, &refutation, motion, told, finding);
-                missing(claim.kind, line, motion, told, finding);
-                break;
-            }
-            other => {
-                // a divisor may be zero along motions only
-                let dynamic = along.as_ref().and_then(|along| along.as_ref().ok()).unwrap_or(motion);
-                let where_undefined = if matches!(other, Outcome::Undefined(_)) { dynamic } else { motion };
-                record.undecided(where_undefined, assumed, equal, &other);
-                neither(other, letters, finding);
-                break;
-            }
-        }
-    }
-    if finding.judged.verdict == Verdict::Proved {
-        finding.judged.evidence = match by_squares {
-            true => {
-                "both sides have one sign, and the normal form of the difference of their squares is zero".to_owned()
-            }
-            false => "normal form of the difference is zero".to_owned(),
-        };
-        finding.judged.requires.extend(divisors(&requires, told));
-    }
-    finding.allowed = allowed(trace, is_dynamic);
-    if let (true, Verdict::Proved, [line], Some(Ok(motion))) = (is_dynamic, finding.judged.verdict, &lines[..], &along)
-        && let Some(combination) = told_combination(line.model[0] - line.model[1], motion, told)
-    {
-        finding.allowed += &format!("; here {combination}");
-    }
-    if !assumed.iter().any(|hypothesis| hypothesis.scales) {
-        mixed(&lines, letters, finding);
-    }
-    Ok(())
 }

@@ -314,12 +314,8 @@ impl Meaning for InModel<'_, '_, '_> {
 pub(crate) fn circle(angle: Sym, pi: Sym) -> (Sym, Sym) {
     let part = angle.diff(pi).as_constant().filter(|part| part.sign() != Some(0));
     let rest = angle.substitute(&[(pi, Sym::ZERO)]);
-    let twelfths = part.and_then(|part| {
-        let twelfths = part * field::Rational::new(12, 1);
-        (-48..=48).find(|k| field::Rational::new(*k, 1) == twelfths)
-    });
-    let point = match twelfths {
-        Some(k) if (angle - rest).linear_terms().len() == 1 => rest.circle() + Sym::of_twelfths(k),
+    let point = match part.and_then(Sym::of_half_turns) {
+        Some(turned) if (angle - rest).linear_terms().len() == 1 => rest.circle() + turned,
         _ => angle.circle(),
     };
     (point.cos, point.sin)

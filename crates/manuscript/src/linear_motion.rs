@@ -1,5 +1,6 @@
 //! The linear equations about a steady motion: inertia, damping and stiffness of every coordinate, and their characteristic polynomial.
 
+use crate::feedback::Feedback;
 use crate::letters::Letters;
 use crate::motion::Motion;
 use crate::steady_motion::Resting;
@@ -34,11 +35,16 @@ pub(crate) struct Characteristic {
 }
 
 impl LinearMotion {
-    /// Linearises about the motion on which the letters of a claim are constant.
+    /// Linearises about the motion on which the letters of a claim are constant, with the inputs that hypotheses give.
     ///
     /// # Errors
     /// There are no such equations, or they change with the time.
-    pub fn of(resting: &Resting, letters: &Letters<'_, '_>, motion: &Motion<'_, '_>) -> Result<Self, String> {
+    pub fn of(
+        resting: &Resting,
+        letters: &Letters<'_, '_>,
+        motion: &Motion<'_, '_>,
+        feedback: &Feedback,
+    ) -> Result<Self, String> {
         let trace = letters.trace;
         let Equations { mass, bias, constraints } = Equations::of(trace);
         let n = mass.len();
@@ -66,6 +72,7 @@ impl LinearMotion {
         for (k, row) in mass.iter().enumerate() {
             let equation =
                 row.iter().zip(&trace.accelerations).fold(bias[k], |sum, (&entry, &rate)| sum + entry * rate);
+            let equation = feedback.put_in(equation);
             if !decide(motion.reduced(equation), &motion.hypotheses).is_zero() {
                 return Err(format!(
                     "the equation of {} does not hold on this motion: its condition is missing in `given`",
@@ -78,7 +85,7 @@ impl LinearMotion {
             if let Some(j) = (0..n).find(moves) {
                 return Err(format!("the linear equations know {} itself, which does not rest", trace.coordinates[j]));
             }
-            found.inertia.push(of(&|j| row[j]));
+            found.inertia.push(of(&|j| trace.by_acceleration(equation, j)));
             found.damping.push(of(&|j| trace.by_speed(equation, j)));
             found.stiffness.push(stiffness);
             found.equations.push(equation);

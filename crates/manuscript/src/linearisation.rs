@@ -5,13 +5,14 @@ use crate::claim_text::ClaimText;
 use crate::conditions::{Hypothesis, assume, conditions};
 use crate::display::{Told, divisors, shown, told_difference};
 use crate::equation::{Outcome, vanishes_or_fails};
+use crate::feedback::Feedback;
 use crate::finding::Finding;
 use crate::letters::Letters;
 use crate::lines::{Line, lines};
 use crate::motion::Motion;
 use crate::refutation::Refutation;
 use crate::steady_motion::Resting;
-use crate::verdict::{mixed, neither, refute};
+use crate::verdict::{neither, refute};
 use claims::Verdict;
 use latex::Statement;
 use reader::Issue;
@@ -22,10 +23,12 @@ pub(crate) struct Linearisation<'t, 'm> {
     along: Motion<'t, 'm>,
     pub base: Motion<'t, 'm>,
     inputs: Vec<Sym>,
+    feedback: Feedback,
 }
 
 impl<'t, 'm> Linearisation<'t, 'm> {
-    /// Linearises about the motion on which letters are constant. An input is small unless a hypothesis gives its value.
+    /// Linearises about the motion on which letters are constant. An input is small unless a hypothesis gives its value; a feedback
+    /// of the state is put in.
     ///
     /// # Errors
     /// All faults of the file; inside, the reason for which there are no linear equations.
@@ -42,7 +45,9 @@ impl<'t, 'm> Linearisation<'t, 'm> {
         let inputs = trace.model.inputs.iter().map(|input| Sym::symbol(&input.name));
         let inputs: Vec<Sym> = inputs.filter(|input| base.reduced(*input) == *input).collect();
         base.set(inputs.iter().map(|&input| (input, Sym::ZERO)).collect());
-        let along = match Motion::by_equations(trace) {
+        let feedback = Feedback::of(trace, assumed);
+        let closed = Motion::by_equations(trace).and_then(|mut along| feedback.close(&mut along).map(|()| along));
+        let along = match closed {
             Ok(along) => along,
             Err(why) => return Ok(Err(why)),
         };
@@ -52,7 +57,7 @@ impl<'t, 'm> Linearisation<'t, 'm> {
                     .to_owned(),
             ));
         }
-        Ok(Ok(Linearisation { along, base, inputs }))
+        Ok(Ok(Linearisation { along, base, inputs, feedback }))
     }
 
     /// The parts of an expression that a linear equation keeps: its value on the motion, and its derivatives there by each coordinate,
@@ -80,6 +85,7 @@ impl<'t, 'm> Linearisation<'t, 'm> {
     /// Whether an expression is of the second order for all small accelerations, so that it says nothing of the motion.
     pub fn is_of_second_order(&self, expression: Sym) -> bool {
         let trace = self.base.trace;
+        let expression = self.feedback.put_in(expression);
         let by_each = (0..trace.speeds.len()).flat_map(|place| {
             [
                 trace.by_coordinate(expression, place),
@@ -173,9 +179,6 @@ pub(crate) fn linearised(
             }
         }
         linearisation.record(difference, assumed, None, record);
-    }
-    if !assumed.iter().any(|hypothesis| hypothesis.scales) {
-        mixed(&lines, letters, finding);
     }
     finding.judged.requires.sort();
     finding.judged.requires.dedup();

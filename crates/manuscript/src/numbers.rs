@@ -8,13 +8,14 @@ use crate::finding::{Finding, Sides};
 use crate::half_turn::{enclosed, is_half_turn};
 use crate::letters::Letters;
 use crate::motion::Motion;
+use crate::printed_decimal::PrintedDecimal;
 use crate::verdict::{allowed, neither};
 use claims::certificate::PartProof;
 use claims::{Condition, Verdict};
 use field::{Interval, Rational};
-use latex::{Form, Relation, Statement, Term};
+use latex::{Relation, Statement};
 use reader::Issue;
-use symbolic::{Hypotheses, Sym, normal};
+use symbolic::{Hypotheses, NotNormal, Sym, normal};
 
 /// `\ddot{\theta} = -12.98`: the value, determined by `given`, agrees with every printed digit. Numbers are in SI units.
 pub(crate) fn number(
@@ -25,15 +26,17 @@ pub(crate) fn number(
     finding: &mut Finding,
     record: &mut Record,
 ) -> Result<(), Issue> {
-    let accepted = r"'\ddot{x} = -1.25', with the data in given = ['m = 2', 'x = 0.1']";
+    let accepted =
+        r"'\ddot{x} = -1.25' or '\ddot{x} = -1.25\cdot 10^{-2}', with the data in given = ['m = 2', 'x = 0.1']";
     let refused = |title: String| Issue::at(claim.formula.span.clone(), title, "here").accepted(accepted);
     let [chain] = &statement.chains[..] else { return Err(refused("a number is printed in one equality".to_owned())) };
     let ([left, right], [Relation::Equal]) = (&chain.sides[..], &chain.relations[..]) else {
         return Err(refused("a number is printed in one equality".to_owned()));
     };
-    let Some((exact_half, half)) = half_of_last_digit(right, &claim.formula.text) else {
+    let Some(digits) = PrintedDecimal::of(right, &claim.formula.text) else {
         return Err(refused("the right side of this claim is no decimal number".to_owned()));
     };
+    let exact_half = digits.half_unit();
     let ((quantity, own), (printed_is, printed_own)) =
         (scalar(&claim.formula, left, letters)?, scalar(&claim.formula, right, letters)?);
     finding.judged.text = vec![format!("{own} = {}", printed_own.decimal_text())];
@@ -53,6 +56,10 @@ pub(crate) fn number(
     if !open.is_empty() {
         return Err(refused(format!("the value depends on {}, which `given` does not have", open.join(", "))));
     }
+    if let Err(NotNormal::Undefined(divisor)) = normal(value, &Hypotheses::none()) {
+        neither(Outcome::Undefined(divisor), letters, finding);
+        return Ok(());
+    }
     let apart = exactly(value - printed_is);
     let is_tie = apart.is_some_and(|missing| missing == exact_half || -missing == exact_half);
     let is_zero = |side: Sym| exactly(side).is_some_and(|side| side.sign() == Some(0));
@@ -61,26 +68,38 @@ pub(crate) fn number(
         neither(Outcome::Undecided("the value was not enclosed".to_owned()), letters, finding);
         return Ok(());
     };
+    let half = exact_half.to_f64();
     let beside = printed + Interval::new(-half, half);
-    let range = format!("the value lies between {:e} and {:e}", value.low(), value.high());
+    let range = range(value);
     let (verdict, evidence) = if is_tie {
         let tie = "the value lies exactly half a unit of the last printed digit from the print";
         (Verdict::Enclosed, format!("{tie}: a tie, which is rounded up or down by convention"))
     } else if !has_digits && value.and(beside).is_some() {
-        let why = "a printed zero has no significant digit, so that it confirms nothing";
+        let why = "the value differs from zero by less than half a unit of the last printed digit; a printed zero has no significant \
+                   digit, so that it neither confirms nor refutes";
         (Verdict::Undecided, format!("{why}: {range}"))
     } else if value.is_inside(beside) {
         (Verdict::Enclosed, format!("by enclosures: {range}, which is the printed number to all its digits"))
     } else if value.and(beside).is_none() {
-        finding.sides = Some(Sides { left: short(value), right: short(printed) });
+        if [value.low(), value.high()].into_iter().all(f64::is_finite) {
+            finding.sides = Some(Sides { left: short(value), right: short(printed) });
+            let missing = short(value - printed);
+            finding.judged.difference = Some((missing.clone(), missing));
+        }
         finding.judged.counterexample = assumed
             .iter()
             .filter_map(|one| one.told.0.split_once(" = "))
             .map(|(a, b)| (a.to_owned(), b.to_owned()))
             .collect();
-        let missing = short(value - printed);
-        finding.judged.difference = Some((missing.clone(), missing));
         (Verdict::Refuted, format!("by enclosures: {range}"))
+    } else if let Some(apart) = apart {
+        let is_larger = |one: Rational, other: Rational| (one - other).sign() == Some(1);
+        match is_larger(apart, exact_half) || is_larger(-apart, exact_half) {
+            true => (Verdict::Refuted, format!("as a fraction the value is no printed one to all its digits: {range}")),
+            false => {
+                (Verdict::Enclosed, "the value is a fraction, which is the printed number to all its digits".to_owned())
+            }
+        }
     } else {
         (Verdict::Undecided, format!("{range}, which leaves the last printed digit open"))
     };
@@ -115,9 +134,8 @@ pub(crate) fn right(
     let mut motion = Motion::by_equations(letters.trace).ok()?;
     assume(&mut motion, assumed).ok()?;
     let value = enclosed(cancelled(&motion, motion.reduced(quantity)))?.middle();
-    let printed = claim.formula.text.get(right.span.clone())?.trim();
-    let decimals = printed.split_once('.').map_or(0, |(_, part)| part.len());
-    value.is_finite().then(|| Right { span: right.span.clone(), digits: format!("{value:.decimals$}") })
+    let printed = PrintedDecimal::of(right, &claim.formula.text)?;
+    value.is_finite().then(|| Right { digits: printed.digits(value), span: printed.span })
 }
 
 /// A letter that cancels needs no value.
@@ -125,6 +143,19 @@ fn cancelled(motion: &Motion<'_, '_>, value: Sym) -> Sym {
     match value.symbols_of().into_iter().all(is_half_turn) {
         true => value,
         false => normal(value, &motion.hypotheses).map_or(value, |form| form.to_sym()),
+    }
+}
+
+/// The ends of an enclosure in words.
+fn range(value: Interval) -> String {
+    let beyond = "beyond the numbers of double precision";
+    match (value.low(), value.high()) {
+        (low, high) if low.is_finite() && high.is_finite() => {
+            format!("the value lies between {low:e} and {high:e}")
+        }
+        (low, _) if low.is_finite() => format!("the value is {low:e} or larger, {beyond}"),
+        (_, high) if high.is_finite() => format!("the value is {high:e} or smaller, {beyond}"),
+        _ => "the value was enclosed by no number of double precision".to_owned(),
     }
 }
 
@@ -137,18 +168,4 @@ fn short(value: Interval) -> String {
 /// The value of an expression that is a rational number.
 fn exactly(expression: Sym) -> Option<Rational> {
     normal(expression, &Hypotheses::none()).ok()?.to_sym().as_constant().filter(|value| value.is_defined())
-}
-
-/// Half a unit of the last printed digit: exactly, and rounded.
-fn half_of_last_digit(term: &Term, formula: &str) -> Option<(Rational, f64)> {
-    match &term.form {
-        Form::Negation(of) => half_of_last_digit(of, formula),
-        Form::Number(_) => {
-            let digits = formula.get(term.span.clone())?.trim();
-            let decimals = u32::try_from(digits.split_once('.').map_or(0, |(_, part)| part.len())).ok()?;
-            let below = 10i64.checked_pow(decimals)?.checked_mul(2)?;
-            Some((Rational::new(1, below), 0.5 * 10f64.powi(-i32::try_from(decimals).ok()?)))
-        }
-        _ => None,
-    }
 }

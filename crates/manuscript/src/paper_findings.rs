@@ -5,7 +5,7 @@ use crate::finding::Finding;
 use crate::paper_text::PaperText;
 use reader::{Issue, SceneError};
 
-/// All claims of a paper: those that were judged, and those whose formula or hypotheses were not read.
+/// All claims of a paper: those that were judged, and those that were not read.
 #[derive(Clone, Debug)]
 pub struct PaperFindings {
     /// In the order of the file.
@@ -26,24 +26,27 @@ pub struct UnjudgedClaim {
     pub printed: String,
     /// The line of the file at which the fault stands, from 1.
     pub line: usize,
-    /// The fault, in one line.
+    /// The first fault, in one line.
     pub fault: String,
     /// The input that would be accepted.
     pub accepted: Option<String>,
 }
 
 impl PaperFindings {
-    pub(crate) fn of(paper: &PaperText, findings: Vec<Finding>, faults: Vec<(&ClaimText, Issue)>) -> Self {
-        let unjudged = faults.iter().map(|(claim, issue)| UnjudgedClaim {
-            id: paper.id_of(claim),
-            equation: claim.equation.clone(),
-            printed: claim.formula.text.clone(),
-            line: paper.line_of(issue.span.as_ref().unwrap_or(&claim.at)),
-            fault: issue.title.clone(),
-            accepted: issue.help.clone(),
+    pub(crate) fn of(paper: &PaperText, findings: Vec<Finding>, faults: Vec<(&ClaimText, Vec<Issue>)>) -> Self {
+        let unjudged = faults.iter().filter_map(|(claim, issues)| {
+            let issue = issues.first()?;
+            Some(UnjudgedClaim {
+                id: paper.id_of(claim),
+                equation: claim.equation.clone(),
+                printed: claim.formula.text.clone(),
+                line: paper.line_of(issue.span.as_ref().unwrap_or(&claim.at)),
+                fault: issue.title.clone(),
+                accepted: issue.help.clone(),
+            })
         });
         let unjudged: Vec<UnjudgedClaim> = unjudged.collect();
-        let issues: Vec<Issue> = faults.into_iter().map(|(_, issue)| issue).collect();
+        let issues: Vec<Issue> = faults.into_iter().flat_map(|(_, issues)| issues).collect();
         let error = (!issues.is_empty()).then(|| paper.error(issues));
         PaperFindings { findings, unjudged, error }
     }

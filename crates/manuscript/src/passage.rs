@@ -1,6 +1,7 @@
 //! A text of a file with the place of each of its parts.
 
-use reader::{At, Table};
+use latex::NotFormula;
+use reader::{At, Issue, Table};
 use std::ops::Range;
 
 /// A text as it stands in a file.
@@ -43,4 +44,9 @@ impl Passage {
     pub fn start(&self) -> usize {
         self.start.unwrap_or(self.span.start)
     }
+}
+
+/// The fault of a formula that cannot be read, at its place in the file.
+pub(crate) fn placed(text: &Passage, fault: NotFormula) -> Issue {
+    Issue::at(text.part(&fault.span), fault.title, fault.label).accepted(fault.accepted)
 }

@@ -1,6 +1,6 @@
 //! Signs of polynomials for all values: by squares and discriminants, and in one unknown by its real roots, exactly.
 
-use crate::half_turn::is_half_turn;
+use crate::half_turn::{is_half_turn, sign_of_number};
 use crate::line_signs::number_between;
 use crate::motion::Motion;
 use crate::refutation::{Refutation, exact};
@@ -109,6 +109,9 @@ fn is_at_least_zero(polynomial: Sym, known: &Known, depth: usize) -> Option<bool
     let polynomial = form.to_sym();
     if let Some(value) = polynomial.as_constant() {
         return value.sign().filter(|sign| *sign >= 0).map(|sign| sign > 0);
+    }
+    if let Some(sign) = sign_of_number(polynomial) {
+        return (sign >= 0).then_some(sign > 0);
     }
     let symbols = polynomial.symbols_of();
     let terms = coefficients(polynomial, &symbols).ok().filter(|terms| terms.len() <= MOST_TERMS)?;

@@ -2,7 +2,7 @@
 
 use crate::claim_text::{ClaimText, Kind};
 use crate::conditions::{Hypothesis, assume, conditions};
-use crate::domains::domains;
+use crate::domains::{NoValue, domains};
 use crate::equation::Outcome;
 use crate::extent::{Contradiction, contradiction, has_inside, is_met};
 use crate::finding::Finding;
@@ -80,10 +80,16 @@ pub(crate) fn presupposed(
     if assume(&mut motion, assumed).is_err() {
         return;
     }
+    let is_open = matches!(finding.judged.verdict, Verdict::Proved | Verdict::Undecided);
     let demands = match domains(statement, letters, &motion, assumed, there) {
         Ok(demands) => demands,
-        Err(divisor) if finding.judged.verdict == Verdict::Proved => {
-            return neither(Outcome::Undefined(divisor), letters, finding);
+        Err(NoValue::Divisor(of)) if is_open => return neither(Outcome::Undefined(of), letters, finding),
+        Err(NoValue::Logarithm(of)) if is_open => {
+            let told = letters.told(of);
+            finding.judged.verdict = Verdict::Undefined;
+            finding.judged.evidence =
+                format!("it has the logarithm of {told}, which vanishes wherever the model and the hypotheses hold");
+            return;
         }
         Err(_) => return,
     };

@@ -1,6 +1,7 @@
 //! Signs of expressions over real letters: in one unknown by roots of polynomials; for square roots by squares; by conditions that are factors; and
 //! by squares and discriminants.
 
+use crate::half_turn::sign_of_number;
 use crate::line_signs::least;
 use crate::motion::Motion;
 use crate::natural_domain::{factors, natural_domain};
@@ -127,7 +128,9 @@ fn by_factor(expression: Sym, known: &[Condition], depth: usize) -> Option<bool>
         }
         // if the quotient is longer, the expression does not contain this factor
         let rest = divided(by).filter(|rest| length(*rest) <= longest)?;
-        is_at_least_zero(rest, known, depth - 1).map(|rest| rest && is_strict)
+        let of_number = || sign_of_number(rest).filter(|sign| *sign >= 0).map(|sign| sign > 0);
+        let shown = is_at_least_zero(rest, known, depth - 1).or_else(of_number);
+        shown.map(|rest| rest && is_strict)
     })
 }
 

@@ -3,6 +3,7 @@
 use crate::half_turn::{enclosed, holds_half_turn, is_half_turn, is_number_of_half_turn};
 use crate::motion::{Motion, solution};
 use claims::{Condition, Point};
+use field::Analytic;
 use symbolic::{Hypotheses, Node, Sym, decide, normal};
 
 /// An exact point at which an expression is not zero, or has a wrong sign.
@@ -17,11 +18,34 @@ impl Refutation {
     /// The value of an expression there, where the point gives it one; the number pi may stand in it.
     pub fn value(&self, expression: Sym) -> Option<Sym> {
         let at = |expression: Sym| {
-            let form = normal(expression.substitute(&self.point), &Hypotheses::none()).ok()?.to_sym();
+            let there = self.with_parts_of_angles(expression).substitute(&self.point);
+            let form = normal(there, &Hypotheses::none()).ok()?.to_sym();
             form.symbols_of().into_iter().all(is_half_turn).then_some(form)
         };
         // multiples of angles are expressed by the angles of the point
         at(expression).or_else(|| at(normal(expression, &Hypotheses::none()).ok()?.to_sym()))
+    }
+
+    /// An expression in which the circle points of an angle are those of a part of it, where the point has only these: sin(a) by sin(a/2) and cos(a/2).
+    fn with_parts_of_angles(&self, expression: Sym) -> Sym {
+        let parts: Vec<PartOfAngle> = self.point.iter().filter_map(|(leaf, _)| PartOfAngle::of(*leaf)).collect();
+        if parts.is_empty() {
+            return expression;
+        }
+        let of_letters: Vec<(Sym, Sym)> = parts.iter().map(|part| (part.letter, part.unit / part.factor)).collect();
+        let of_units = parts.iter().flat_map(|part| {
+            let (new, own) = (part.unit.circle_as_written(), part.angle.circle_as_written());
+            [(new.cos, own.cos), (new.sin, own.sin)]
+        });
+        let of_units: Vec<(Sym, Sym)> = of_units.collect();
+        let known = expression.leaves_of().into_iter().filter_map(|leaf| {
+            let angle = angle_of(leaf)?;
+            let by_units = angle.substitute(&of_letters);
+            let point = (by_units != angle).then(|| by_units.circle())?;
+            let value = if matches!(leaf.node(), Node::Cos(_)) { point.cos } else { point.sin };
+            Some((leaf, value.substitute(&of_units)))
+        });
+        expression.substitute(&known.collect::<Vec<_>>())
     }
 
     /// Whether an expression has a nonzero value there, and all constraints and hypotheses of the motion hold.
@@ -71,6 +95,40 @@ impl Refutation {
         let by_half_turn = || if holds_half_turn(of) { sign(self.value(of)?) } else { None };
         let by_enclosure = || by_half_turn().map(|sign| condition.allows(sign));
         condition.holds_at(&exact(&self.point)).or_else(by_roots).or_else(by_enclosure)
+    }
+}
+
+/// An angle that is a fraction of a letter, such as a/2.
+struct PartOfAngle {
+    letter: Sym,
+    angle: Sym,
+    factor: Sym,
+    /// A letter for the angle.
+    unit: Sym,
+}
+
+impl PartOfAngle {
+    /// The part whose cosine or sine this is.
+    fn of(leaf: Sym) -> Option<Self> {
+        let angle = angle_of(leaf)?;
+        let [letter] = angle.symbols_of()[..] else { return None };
+        let factor = angle.diff(letter);
+        let is_fraction = letter != angle && !is_half_turn(letter) && factor.as_constant().is_some();
+        let is_whole = decide(angle - factor * letter, &Hypotheses::none()).is_zero();
+        (is_fraction && is_whole).then(|| PartOfAngle {
+            letter,
+            angle,
+            factor,
+            unit: Sym::symbol(&format!("part of {letter}")),
+        })
+    }
+}
+
+/// The angle of a cosine or a sine.
+fn angle_of(leaf: Sym) -> Option<Sym> {
+    match leaf.node() {
+        Node::Cos(angle) | Node::Sin(angle) => Some(angle),
+        _ => None,
     }
 }
 

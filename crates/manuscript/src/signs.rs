@@ -4,7 +4,7 @@ use crate::half_turn::{holds_half_turn, is_half_turn};
 use crate::motion::Motion;
 use crate::refutation::{self, Refutation, exact};
 use claims::{Condition, Page, Verdict};
-use field::Rational;
+use field::{Elementary, Rational};
 use symbolic::{Hypotheses, Node, Sym, normal, univariate};
 
 /// The sign that an expression is shown to have.
@@ -25,7 +25,8 @@ pub(crate) fn shows(expression: Sym, motion: &Motion<'_, '_>, conditions: &[Cond
         return Some(Shown { is_strict: true, is_of_normal_form: true, evidence: judged.evidence });
     }
     // a normal form may mix signs that are separate in the printed form
-    let evidence = "every term as written has this sign: squares, and letters that are positive".to_owned();
+    let evidence =
+        "every term as written has this sign: squares, exponentials, and letters that are positive".to_owned();
     let is_strict = is_written_as_positive(expression, conditions)?;
     Some(Shown { is_strict, is_of_normal_form: false, evidence })
 }
@@ -129,6 +130,7 @@ fn sign(expression: Sym, conditions: &[Condition]) -> Option<Sign> {
         }
         Node::Power(a, n) if n % 2 == 0 => square(a),
         Node::Power(a, _) => of(a),
+        Node::Elementary(Elementary::Exp, ..) => Some(Sign::Positive),
         Node::Root(a) => Some(if of(a) == Some(Sign::Positive) { Sign::Positive } else { Sign::NotNegative }),
         _ => None,
     }

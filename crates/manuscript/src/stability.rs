@@ -9,6 +9,7 @@ use crate::conditions::{Hypothesis, assume, conditions};
 use crate::display::{Told, divisors, tell_point, told_difference};
 use crate::equation::Outcome;
 use crate::extent::{exclude_each_other, is_met};
+use crate::feedback::Feedback;
 use crate::finding::Finding;
 use crate::inequalities::sides;
 use crate::letters::Letters;
@@ -55,7 +56,7 @@ pub(crate) fn stability(
     finding.allowed =
         "the linear equations about the steady motion, without the roots zero of speeds that stay as they are; the energy of a conservative system"
             .to_owned();
-    let linear = LinearMotion::of(&resting, letters, &motion);
+    let linear = LinearMotion::of(&resting, letters, &motion, &Feedback::of(trace, assumed));
     match linear.and_then(|linear| Ok((Region::of(&linear, &motion, &known)?, linear))) {
         Ok((region, linear)) => {
             let printed = motion.reduced(sides.greater);

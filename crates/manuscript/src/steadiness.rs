@@ -39,8 +39,21 @@ pub(crate) fn steady_motion(
     );
     let presupposed = finding.judged.requires.clone();
     let print = Print { is: printed, own: [own[0] - own[1], Sym::ZERO], letters, assumed };
+    let of = |other: &&ClaimText| {
+        let statement = read(&other.formula.text, &letters.spelt()).ok()?;
+        of_statement(other, &statement, letters).ok().map(|(zero, _)| (zero, other.key()))
+    };
+    let mut beside: Vec<(Sym, String)> = beside.iter().filter_map(of).collect();
     let is_too_little = match SteadyMotion::of(claim, &[printed], letters, assumed, finding)? {
         Ok(steady) => {
+            let is_empty = |zero: Sym| decide(steady.motion.reduced(zero), &steady.motion.hypotheses).is_zero();
+            if is_empty(printed) {
+                finding.judged.verdict = Verdict::Undefined;
+                finding.judged.evidence =
+                    "both sides are equal wherever the letters of `resting` are constant, so that no condition is stated".to_owned();
+                return Ok(());
+            }
+            beside.retain(|(zero, _)| !is_empty(*zero));
             let is_too_little = alone(&steady, &print, finding, record);
             if finding.judged.verdict == Verdict::Undecided
                 && let Some(found) = failing_motion(&steady)
@@ -57,11 +70,6 @@ pub(crate) fn steady_motion(
     if beside.is_empty() || finding.judged.verdict == Verdict::Proved {
         return Ok(());
     }
-    let of = |other: &&ClaimText| {
-        let statement = read(&other.formula.text, &letters.spelt()).ok()?;
-        of_statement(other, &statement, letters).ok().map(|(zero, _)| (zero, other.key()))
-    };
-    let beside: Vec<(Sym, String)> = beside.iter().filter_map(of).collect();
     let all: Vec<Sym> = [printed].into_iter().chain(beside.iter().map(|(zero, _)| *zero)).collect();
     let mut trial = Finding { judged: Judged { requires: presupposed, ..finding.judged.clone() }, ..finding.clone() };
     let names: Vec<&str> = beside.iter().map(|(_, name)| name.as_str()).collect();

@@ -7,9 +7,11 @@ use crate::display::factors;
 use crate::equation::{Outcome, vanishes};
 use crate::extent::is_met;
 use crate::finding::Finding;
+use crate::ideal_membership::combination;
 use crate::letters::Letters;
 use crate::motion::Motion;
 use crate::resting_equations::SteadyMotion;
+use crate::signs::{Effort, search};
 use crate::verdict::neither;
 use claims::{Condition, Verdict};
 use symbolic::{Sym, decide, normal};
@@ -34,32 +36,86 @@ pub(crate) fn together(
     let SteadyMotion { motion, equations, printed, conditions, .. } = steady;
     let is_open = |equation: &Sym| !decide(motion.reduced(*equation), &motion.hypotheses).is_zero();
     let equations: Vec<Sym> = equations.iter().map(|(equation, _)| *equation).filter(is_open).collect();
-    let of_equations = Solved::of(motion, &equations, conditions)?;
-    let holds = |&place: &usize| of_equations.vanishes(printed[place], conditions);
+    let of_equations = Vanishing::of(motion, &equations, conditions);
+    let holds = |&place: &usize| of_equations.shows(printed[place]).is_some();
     let (holding, failing): (Vec<usize>, Vec<usize>) = (0..printed.len()).partition(holds);
     let named = |places: &[usize]| -> Vec<String> {
         places.iter().filter(|place| **place > 0).map(|&place| names[place - 1].to_owned()).collect()
     };
     if holding.first() != Some(&0) {
-        return Some(Joint::Other);
+        // without a solution of the equations a condition that was not shown to hold may hold
+        return of_equations.solved.map(|_| Joint::Other);
     }
     let zeros: Vec<Sym> = holding.iter().map(|&place| printed[place]).collect();
-    let of_print = Solved::of(motion, &zeros, conditions);
-    let is_enough = |solved: &Solved<'_, '_>| equations.iter().all(|&equation| solved.vanishes(equation, conditions));
-    match of_print.filter(is_enough) {
-        Some(of_print) if holding.len() > 1 && of_print.is_somewhere(conditions) => {
+    let of_print = Vanishing::of(motion, &zeros, conditions);
+    let implied = equations.iter().map(|&equation| of_print.shows(equation)).collect::<Option<Vec<_>>>();
+    match (of_equations.shows(printed[0]), implied) {
+        (Some(first), Some(implied)) if holding.len() > 1 && of_print.is_somewhere() => {
             record.restart();
-            record.vanishes(&of_equations.motion, assumed, &[Condition::Zero(printed[0])]);
-            for &equation in &equations {
-                record.vanishes(&of_print.motion, assumed, &[Condition::Zero(equation)]);
+            let all = std::iter::once((&first, printed[0])).chain(implied.iter().zip(equations.iter().copied()));
+            for (way, zero) in all {
+                match way {
+                    Way::Solved(there) => record.vanishes(&there.motion, assumed, &[Condition::Zero(zero)]),
+                    Way::Combined(_) => record.leave_out(),
+                }
             }
-            let divided = [of_equations.divided, of_print.divided].concat();
+            let divided = std::iter::once(&first).chain(&implied).flat_map(Way::divided).collect();
             Some(Joint::Whole { others: named(&holding), divided })
         }
         _ if failing.is_empty() => None,
         _ => {
             record.restart();
             Some(Joint::Part { failing: named(&failing) })
+        }
+    }
+}
+
+/// Expressions that are zero, with the motion on which they are where they can be solved.
+struct Vanishing<'a, 't, 'm> {
+    motion: &'a Motion<'t, 'm>,
+    conditions: &'a [Condition],
+    zeros: Vec<Sym>,
+    solved: Option<Solved<'t, 'm>>,
+}
+
+/// The proof that another expression is zero there.
+enum Way<'a, 't, 'm> {
+    Solved(&'a Solved<'t, 'm>),
+    /// By a combination, with letters that never vanish.
+    Combined(Vec<Sym>),
+}
+
+impl Way<'_, '_, '_> {
+    fn divided(&self) -> Vec<Sym> {
+        match self {
+            Way::Solved(solved) => solved.divided.clone(),
+            Way::Combined(letters) => letters.clone(),
+        }
+    }
+}
+
+impl<'a, 't, 'm> Vanishing<'a, 't, 'm> {
+    fn of(motion: &'a Motion<'t, 'm>, zeros: &[Sym], conditions: &'a [Condition]) -> Self {
+        Vanishing { motion, conditions, zeros: zeros.to_vec(), solved: Solved::of(motion, zeros, conditions) }
+    }
+
+    fn shows(&self, zero: Sym) -> Option<Way<'_, 't, 'm>> {
+        let solved = self.solved.as_ref().filter(|solved| solved.vanishes(zero, self.conditions));
+        let combined = || {
+            let is_apart = |letter: Sym| is_apart(letter, self.motion, self.conditions);
+            combination(zero, &self.zeros, &is_apart).map(Way::Combined)
+        };
+        solved.map(Way::Solved).or_else(combined)
+    }
+
+    /// Whether an exact point satisfies the conditions, with nonzero divisors, where all of these are zero.
+    fn is_somewhere(&self) -> bool {
+        match &self.solved {
+            Some(solved) => solved.is_somewhere(self.conditions),
+            None => {
+                let all_vanish = |signs: &[i8]| signs.iter().all(|sign| *sign == 0);
+                search(&self.zeros, self.conditions, self.motion, Effort::Part, all_vanish).is_some()
+            }
         }
     }
 }

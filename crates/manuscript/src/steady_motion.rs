@@ -1,8 +1,9 @@
 //! The letters that are constant on a steady motion: coordinates, and speeds.
 
 use crate::claim_text::ClaimText;
-use crate::conditions::{placed, scalar};
+use crate::conditions::scalar;
 use crate::letters::Letters;
+use crate::passage::placed;
 use latex::{Form, read};
 use reader::Issue;
 use symbolic::Sym;

@@ -86,17 +86,3 @@ pub(crate) fn mixed_hypotheses(assumed: &[Hypothesis], letters: &Letters<'_, '_>
         }
     }
 }
-
-/// Sides of mixed dimensions: a reason for a refutation, and an objection to a proof.
-pub(crate) fn mixed(lines: &[Line], letters: &Letters<'_, '_>, finding: &mut Finding) {
-    let of = |name: &str| letters.dimension(name);
-    let mismatch = lines.iter().find_map(|line| dimension(line.own[0] - line.own[1], &of).err());
-    // the name of a derivative has no dimension of its own
-    let Some(mismatch) = mismatch.filter(|mismatch| !matches!(mismatch, Mismatch::Unknown(_))) else {
-        return;
-    };
-    match finding.judged.verdict {
-        Verdict::Refuted => finding.judged.evidence += &format!("; {mismatch}"),
-        _ => finding.judged.objections.push(mismatch.to_string()),
-    }
-}

@@ -2,9 +2,9 @@
 //! print it.
 
 use crate::errors::{refused, scene_error};
-use crate::time_limit::{end_after, left};
-use crate::wording::{in_python, of_python};
-use dalembert::commands::{Charted, ChosenModel, SteadyTold, charted, chosen_model, finding_object, steady_motions};
+use dalembert::commands::{
+    Charted, ChosenModel, SteadyTold, charted, chosen_model, finding_object, steady_motions, unjudged_object,
+};
 use dalembert::manuscript::{Finding, PaperText};
 use dalembert::scenes::steady_motions::{Asked, Range};
 use dalembert::scenes::{Given, SystemText, parse_ensemble_with};
@@ -49,12 +49,13 @@ pub fn judge_paper<'py>(
         }
         told = findings.len();
     };
-    let goes_on = || Instant::now() < end;
-    let findings = py.detach(|| paper.judge_each(hear, goes_on)).map_err(|error| scene_error(py, &error))?;
+    let goes_on = || Instant::now() + KEPT < end;
+    let found = py.detach(|| paper.findings(false, hear, goes_on)).map_err(|error| scene_error(py, &error))?;
     if let Some(failed) = failed {
         return Err(failed);
     }
-    about.set_item("findings", findings.iter().map(object).collect::<Vec<_>>())?;
+    about.set_item("findings", found.findings.iter().map(object).collect::<Vec<_>>())?;
+    about.set_item("unread", found.unjudged.iter().map(|claim| unjudged_object(claim).to_string()).collect::<Vec<_>>())?;
     Ok(about)
 }
 

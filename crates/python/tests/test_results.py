@@ -69,8 +69,16 @@ def test_a_paper_of_a_file_meets_its_expectations():
     with pytest.raises(dalembert.ModelError, match="no such file"):
         dalembert.judge("nowhere.toml")
     with pytest.raises(dalembert.ModelError) as raised:
-        dalembert.judge(PAPER.replace(r"+ k x", r"+ q x"))
+        dalembert.judge(PAPER.replace('"k"', '"kk"'))
     assert raised.value.line is not None
+
+
+def test_one_unreadable_formula_leaves_the_others_judged():
+    with pytest.warns(UserWarning, match="unknown letter `q`"):
+        ledger = dalembert.judge(PAPER.replace("+ k x", "+ q x"))
+    [unread] = ledger.unread
+    assert (unread.name, [claim.name for claim in ledger]) == ("paper/eq1", ["paper/eq2"])
+    assert unread.line > 1 and "1 not read" in repr(ledger) and "unknown letter" in ledger._repr_html_()
 
 
 def test_steady_motions_of_a_double_pendulum_are_four_and_no_other():

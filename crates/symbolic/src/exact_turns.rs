@@ -1,12 +1,21 @@
 //! Circle points of multiples of pi/12, by square roots: cos(pi/12) = (sqrt(6) + sqrt(2))/4.
 
 use crate::Sym;
-use field::{Analytic, Circle, Scalar};
+use dashu_int::IBig;
+use field::{Analytic, Circle, Rational, Scalar};
 
 impl Sym {
     /// The circle point of the angle pi k/12.
     pub fn of_twelfths(k: i64) -> Circle<Sym> {
         Circle { cos: cosine(k), sin: cosine(k - 6) }
+    }
+
+    /// The circle point of so many half turns, an angle of pi times the number; none if that is no multiple of pi/12.
+    pub fn of_half_turns(number: Rational) -> Option<Circle<Sym>> {
+        let twelfths = (number * Rational::new(12, 1)).to_big().filter(dashu_ratio::RBig::is_int)?;
+        // whole turns are left out
+        let around = i64::try_from(twelfths.numerator() % IBig::from(24)).ok()?;
+        Some(Self::of_twelfths(around))
     }
 }
 

@@ -164,7 +164,7 @@ fn tested(findings: &[Finding], unjudged: usize) -> String {
 }
 
 /// A claim without a verdict as JSON.
-fn unjudged_object(claim: &UnjudgedClaim) -> serde_json::Value {
+pub fn unjudged_object(claim: &UnjudgedClaim) -> serde_json::Value {
     let UnjudgedClaim { id, equation, printed, line, fault, accepted } = claim;
     json!({
         "id": id,
@@ -219,7 +219,7 @@ fn corrected(correction: &Correction) -> serde_json::Value {
         "changed": parts.iter().map(|part| [part.start, part.end]).collect::<Vec<_>>(),
         "verdict": judged.verdict.name(),
         "evidence": judged.evidence,
-        "requires": judged.requires.iter().map(|(text, _)| text.clone()).collect::<Vec<_>>(),
+        "requires": judged.requires.iter().chain(&judged.signs).map(|(text, _)| text.clone()).collect::<Vec<_>>(),
     })
 }
 

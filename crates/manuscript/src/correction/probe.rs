@@ -5,6 +5,7 @@ use super::samples::Samples;
 use crate::claim_text::{ClaimText, Kind};
 use crate::conditions::{Hypothesis, assume, conditions};
 use crate::equation::{Outcome, vanishes};
+use crate::feedback::Feedback;
 use crate::integrals::{difference, is_constant};
 use crate::letters::{Letters, rate};
 use crate::linearisation::Linearisation;
@@ -26,6 +27,7 @@ pub(super) struct Probe<'t, 'm> {
     foreign: Vec<(Sym, Sym)>,
     samples: Option<Samples>,
     linear: Option<Linearisation<'t, 'm>>,
+    feedback: Feedback,
     /// The motion under the hypotheses only.
     assumed: Motion<'t, 'm>,
 }
@@ -56,8 +58,10 @@ impl<'t, 'm> Probe<'t, 'm> {
         let mut hypothetical = Motion::without_anything(trace);
         assume(&mut hypothetical, assumed).ok()?;
         let foreign = Vec::new();
+        let feedback = Feedback::of(trace, assumed);
+        let kind = claim.kind;
         let mut probe =
-            Probe { motion, at: None, kind: claim.kind, empty: 0, foreign, samples, assumed: hypothetical, linear };
+            Probe { motion, at: None, kind, empty: 0, foreign, samples, assumed: hypothetical, linear, feedback };
         let lines = probe.lines(claim, statement, letters)?;
         let printed: Vec<Sym> = lines.iter().flat_map(|line| line.own).flat_map(Sym::symbols_of).collect();
         let is_foreign = |value: Sym, own: Sym| value.symbol_name().is_none() && !printed.contains(&own);
@@ -101,7 +105,7 @@ impl<'t, 'm> Probe<'t, 'm> {
             }
             Kind::IntegralOfMotion => {
                 let (is, own) = difference(claim, statement, letters).ok()?;
-                let changing = rate(letters.trace, is).ok()?;
+                let changing = rate(letters.trace, self.feedback.put_in(is)).ok()?;
                 Some(vec![Line { model: [changing, Sym::ZERO], own: [own, Sym::ZERO] }])
             }
             _ => None,

@@ -8,11 +8,12 @@ from collections import Counter
 from dataclasses import dataclass
 from html import escape
 from typing import Any
+from warnings import warn
 
 from ._apart import apart
 from ._html import COLOURS, formula, table
 
-__all__ = ["Claim", "Correction", "Ledger", "judge"]
+__all__ = ["Claim", "Correction", "Ledger", "Unread", "judge"]
 
 
 @dataclass(frozen=True)
@@ -80,16 +81,37 @@ class Claim:
         return "\n".join(lines)
 
 
+@dataclass(frozen=True)
+class Unread:
+    """A claim that was not judged, since its formula, its hypotheses or its table in the file has a fault.
+
+    name: its id. printed: the formula in LaTeX as printed. line: the line of the text at which the fault stands, from 1. fault: the fault in a
+    sentence. accepted: the input that would be accepted, if one is named.
+    """
+
+    name: str
+    printed: str
+    line: int
+    fault: str
+    accepted: str | None
+
+    def __str__(self) -> str:
+        told = f"{self.name}: not read: line {self.line}: {self.fault}"
+        return told if self.accepted is None else f"{told}; accepted: {self.accepted}"
+
+
 class Ledger(list[Claim]):
     """The claims of a paper, a list of Claim that a notebook shows as a table.
 
-    title, citation, summary: as the paper's file has them. broken_off: why claims at the end are missing; None where all are there.
-    ledger["eq5"] is the claim whose name ends so.
+    title, citation, summary: as the paper's file has them. unread: the claims that were not judged. broken_off: why claims at the end are missing;
+    None where all are there. ledger["eq5"] is the claim whose name ends so.
     """
 
-    def __init__(self, claims: list[Claim], title: str, citation: str, summary: str, broken_off: str | None) -> None:
+    def __init__(
+        self, claims: list[Claim], title: str, citation: str, summary: str, unread: list[Unread], broken_off: str | None
+    ) -> None:
         super().__init__(claims)
-        self.title, self.citation, self.summary, self.broken_off = title, citation, summary, broken_off
+        self.title, self.citation, self.summary, self.unread, self.broken_off = title, citation, summary, unread, broken_off
 
     @property
     def failed(self) -> list[Claim]:
@@ -110,11 +132,14 @@ class Ledger(list[Claim]):
         return found[0]
 
     def _counted(self) -> str:
-        told = f"{len(self)} claims: " + ", ".join(f"{count} {verdict}" for verdict, count in self.counts.items())
+        counts = [f"{count} {verdict}" for verdict, count in self.counts.items()]
+        if self.unread:
+            counts.append(f"{len(self.unread)} not read")
+        told = f"{len(self) + len(self.unread)} claims: " + ", ".join(counts)
         return told if self.broken_off is None else f"{told}; {self.broken_off}"
 
     def __repr__(self) -> str:
-        return "\n".join([self.title, *map(str, self), self._counted()])
+        return "\n".join([self.title, *map(str, self), *map(str, self.unread), self._counted()])
 
     def _repr_html_(self) -> str:
         rows = []
@@ -130,6 +155,9 @@ class Ledger(list[Claim]):
                 ground += f"<br>corrected: {formula(correction.formula)}<br><small>{escape(correction.verdict)}: {escape(correction.sentence)}</small>"
             said = f"<br>{escape(claim.says)}" if claim.says else ""
             rows.append([escape(claim.name) + said, formula(claim.printed), (claim.verdict, COLOURS.get(claim.verdict)), ground])
+        for claim in self.unread:
+            ground = escape(f"line {claim.line}: {claim.fault}")
+            rows.append([escape(claim.name), f"<code>{escape(claim.printed)}</code>", ("not read", None), ground])
         head = f"<b>{escape(self.title)}</b><br>{escape(self.citation)}<br>{escape(self._counted())}"
         return head + table(["claim", "printed", "verdict", "ground"], rows)
 
@@ -140,6 +168,8 @@ def judge(paper: str | os.PathLike[str], *, seconds: float | None = 300.0) -> Le
     paper: the name of a file, or the text of one (whatever has more than a line); files that a text names lie beside the working directory.
     seconds: claims that have no verdict by then are missing, and `broken_off` says so; no correction is looked for in the last half second. None for
     no limit. Ctrl-C breaks it off.
+
+    A claim with a fault is not judged: it stands in `unread` of the result, and a warning tells the fault. A fault of the system or of a letter raises a ModelError.
     """
     if isinstance(paper, str) and "\n" in paper:
         path, text = "paper.toml", paper
@@ -152,9 +182,19 @@ def judge(paper: str | os.PathLike[str], *, seconds: float | None = 300.0) -> Le
     except TimeoutError as error:
         if not heard:
             raise
-        found = {**heard[0], "findings": heard[1:]}
+        found = {**heard[0], "findings": heard[1:], "unread": []}
         broken_off = f"{error}; {found['claims'] - len(heard) + 1} of {found['claims']} claims have no verdict"
-    return Ledger([_claim(*finding) for finding in found["findings"]], found["title"], found["citation"], found["summary"], broken_off)
+    claims = [_claim(*finding) for finding in found["findings"]]
+    unread = [_unread(claim) for claim in found["unread"]]
+    for claim in unread:
+        warn(str(claim), stacklevel=2)
+    return Ledger(claims, found["title"], found["citation"], found["summary"], unread, broken_off)
+
+
+def _unread(written: str) -> Unread:
+    told = json.loads(written)
+    error = told["error"]
+    return Unread(told["id"], told["printed"], error["line"], error["says"], error["accepted"])
 
 
 def _claim(written: str, unexpected: str | None) -> Claim:

@@ -1,0 +1,166 @@
+//! Cases of hypotheses that are products: a product is zero where one of its factors is. A factor that another hypothesis, or the model,
+//! keeps from vanishing is no case.
+
+use crate::conditions::Hypothesis;
+use crate::consequence::{is_apart, is_apart_by};
+use crate::display::factors;
+use crate::motion::{Motion, solution};
+use claims::Condition;
+use reader::Issue;
+use symbolic::{Hypotheses, Sym, coefficients, decide, normal};
+
+/// The largest number of cases of one claim.
+const MOST_CASES: usize = 16;
+
+/// Hypotheses of which none is a product whose factors may all vanish.
+#[derive(Clone)]
+pub(crate) struct Case<'t, 'm> {
+    pub assumed: Vec<Hypothesis>,
+    /// The factors that vanish in this case and not in the others.
+    pub chosen: Vec<Sym>,
+    /// Whether a hypothesis was replaced by one that follows from it, or is one case of it.
+    pub is_replaced: bool,
+    motion: Motion<'t, 'm>,
+}
+
+/// The cases of hypotheses; none if no factor of a product may vanish.
+///
+/// # Errors
+/// There are too many of them, or a case cannot be solved for a letter.
+pub(crate) fn cases<'t, 'm>(
+    base: &Motion<'t, 'm>,
+    assumed: &[Hypothesis],
+    told: &dyn Fn(Sym) -> Sym,
+) -> Result<Vec<Case<'t, 'm>>, Issue> {
+    let known: Vec<Condition> = assumed.iter().filter_map(|one| one.condition).collect();
+    let mut all = vec![Case { assumed: Vec::new(), chosen: Vec::new(), is_replaced: false, motion: base.clone() }];
+    for hypothesis in assumed {
+        let mut next = Vec::new();
+        for case in all {
+            next.extend(case.split(hypothesis, &known, told)?);
+        }
+        if next.len() > MOST_CASES {
+            let title = format!("these hypotheses are products with more than {MOST_CASES} cases");
+            let issue = Issue::at(hypothesis.at.clone(), title, "which factor vanishes?");
+            return Err(issue.accepted(r"the factor that is zero, 'x = 0', or those that are not, 'x \neq 0'"));
+        }
+        all = next;
+    }
+    Ok(all)
+}
+
+impl Case<'_, '_> {
+    /// The case with one more hypothesis, or with each factor of it that may vanish.
+    fn split(
+        mut self,
+        hypothesis: &Hypothesis,
+        known: &[Condition],
+        told: &dyn Fn(Sym) -> Sym,
+    ) -> Result<Vec<Self>, Issue> {
+        let Some((zero, first)) = hypothesis.equality else {
+            self.assumed.push(hypothesis.clone());
+            return Ok(vec![self]);
+        };
+        let left = self.motion.reduced(zero);
+        let parts = if decide(left, &self.motion.hypotheses).is_zero() { Vec::new() } else { vanishing_factors(left) };
+        if parts.len() < 2 {
+            self.assume(hypothesis.clone());
+            return Ok(vec![self]);
+        }
+        match &self.open(&parts, known)[..] {
+            [] => Ok(Vec::new()),
+            &[factor] => {
+                let first = first.filter(|first| factor.symbols_of().contains(first));
+                let letter = solution(self.motion.trace, factor, first).map(|found| found.symbol);
+                // a factor that stands in a power is put in place of the product
+                let is_linear = letter.is_some_and(|letter| {
+                    solution(self.motion.trace, left, Some(letter)).is_some_and(|found| found.symbol == letter)
+                });
+                let equality = if is_linear { (zero, letter) } else { (factor, letter) };
+                self.is_replaced |= !is_linear;
+                self.assume(Hypothesis { equality: Some(equality), ..hypothesis.clone() });
+                Ok(vec![self])
+            }
+            open => open.iter().map(|&factor| self.with(hypothesis, factor, told)).collect(),
+        }
+    }
+
+    /// The case in which a factor of a hypothesis vanishes.
+    fn with(&self, hypothesis: &Hypothesis, factor: Sym, told: &dyn Fn(Sym) -> Sym) -> Result<Self, Issue> {
+        if solution(self.motion.trace, factor, None).is_none() {
+            let own = told(factor);
+            let title = format!("the case of this hypothesis in which {own} is zero is solved for no letter");
+            let issue = Issue::at(hypothesis.at.clone(), title, "which factor vanishes?");
+            return Err(
+                issue.accepted(format!(r"a hypothesis for the other factor alone, or '{} \neq 0'", own.latex()))
+            );
+        }
+        let mut case = self.clone();
+        case.chosen.push(factor);
+        case.is_replaced = true;
+        case.assume(Hypothesis { equality: Some((factor, Some(factor))), ..hypothesis.clone() });
+        Ok(case)
+    }
+
+    /// Factors that may vanish, each once. The model keeps others from vanishing only where one remains.
+    fn open(&self, parts: &[Sym], known: &[Condition]) -> Vec<Sym> {
+        let here = known.iter().map(|condition| condition.mapped(|e| self.motion.reduced(e)));
+        let all: Vec<Condition> = known.iter().copied().chain(here).collect();
+        let mut open: Vec<Sym> = Vec::new();
+        for &part in parts.iter().filter(|part| !is_apart_by(**part, &self.motion, &all)) {
+            if !open.iter().any(|one| is_multiple(part, *one)) {
+                open.push(part);
+            }
+        }
+        let beside_model: Vec<Sym> = open.iter().copied().filter(|part| !is_apart(*part, &self.motion, &all)).collect();
+        if beside_model.is_empty() { open } else { beside_model }
+    }
+
+    fn assume(&mut self, hypothesis: Hypothesis) {
+        if let Some((zero, first)) = hypothesis.equality {
+            // one that cannot be assumed is reported where the claim is judged
+            let _ = self.motion.assume(zero, first);
+        }
+        self.assumed.push(hypothesis);
+    }
+}
+
+/// Whether two expressions vanish together, as multiples by a number.
+fn is_multiple(one: Sym, other: Sym) -> bool {
+    normal(one / other, &Hypotheses::none()).is_ok_and(|form| form.to_sym().as_constant().is_some())
+}
+
+/// The factors of an expression that may be zero: those that are written, powers of letters, and common factors of the coefficients of a letter.
+fn vanishing_factors(expression: Sym) -> Vec<Sym> {
+    let numerator = |of: Sym| normal(of, &Hypotheses::none()).map_or(of, |form| form.numerator());
+    let written = factors(expression).into_iter().map(numerator).collect::<Vec<Sym>>();
+    let written = if written.len() > 1 { written } else { vec![numerator(expression)] };
+    let all = written.into_iter().flat_map(|part| parted(part, DEPTH));
+    all.filter(|part| part.as_constant().is_none()).collect()
+}
+
+/// The largest number of factors that are taken from one polynomial.
+const DEPTH: usize = 8;
+
+fn parted(polynomial: Sym, depth: usize) -> Vec<Sym> {
+    let form = |of: Sym| normal(of, &Hypotheses::none()).ok();
+    let leaves: Vec<Sym> = polynomial.leaves_of().into_iter().filter(|leaf| leaf.as_constant().is_none()).collect();
+    let split = leaves.into_iter().filter(|_| depth > 0).find_map(|leaf| {
+        let terms = coefficients(polynomial, &[leaf]).ok()?;
+        let (highest, lowest) =
+            (terms.iter().map(|(powers, _)| powers[0]).max()?, terms.iter().map(|(powers, _)| powers[0]).min()?);
+        if lowest > 0 && polynomial != leaf {
+            return Some((leaf, form(polynomial / leaf)?.numerator()));
+        }
+        let of = |power: u32| terms.iter().find(|(powers, _)| powers[0] == power).map(|(_, value)| *value);
+        let (slope, constant) = (of(1).filter(|_| highest == 1)?, of(0)?);
+        let below = form(constant / slope)?.denominator();
+        let common = form(slope / below)?.to_sym();
+        let rest = form(polynomial / common)?.numerator();
+        common.as_constant().is_none().then_some((common, rest))
+    });
+    match split {
+        Some((one, other)) => [parted(one, depth - 1), parted(other, depth - 1)].concat(),
+        None => vec![polynomial],
+    }
+}

@@ -1,0 +1,40 @@
+//! Dimensions of a printed formula: those of its parts, also where the parts cancel, and of both sides of each relation.
+
+use crate::claim_text::Kind;
+use crate::finding::Finding;
+use crate::letters::Letters;
+use claims::Verdict;
+use latex::{Statement, Value, value};
+use symbolic::{Mismatch, Sym, dimension};
+
+/// Parts of mixed dimensions: a reason for a refutation, and an objection to another verdict. Printed numbers are in SI units.
+pub(crate) fn object_to_dimensions(
+    kind: Kind,
+    statement: &Statement,
+    letters: &Letters<'_, '_>,
+    finding: &mut Finding,
+) {
+    if kind == Kind::Number {
+        return;
+    }
+    let Some(mismatch) = mismatch(statement, letters).map(|mismatch| mismatch.to_string()) else { return };
+    match finding.judged.verdict {
+        Verdict::Refuted => finding.judged.evidence += &format!("; {mismatch}"),
+        _ => finding.judged.objections.push(mismatch),
+    }
+}
+
+/// The first mismatch in a side, or between neighbours.
+fn mismatch(statement: &Statement, letters: &Letters<'_, '_>) -> Option<Mismatch> {
+    let of = |name: &str| letters.dimension(name);
+    // the name of a derivative has no dimension of its own
+    let mixed = |own: Sym| dimension(own, &of).err().filter(|mismatch| !matches!(mismatch, Mismatch::Unknown(_)));
+    let entries = |side| value(side, &letters.in_paper()).map(|own: Value| own.entries()).unwrap_or_default();
+    statement.chains.iter().find_map(|chain| {
+        let sides: Vec<Vec<Sym>> = chain.sides.iter().map(entries).collect();
+        let differences = sides
+            .windows(2)
+            .flat_map(|pair| pair[0].iter().zip(&pair[1]).map(|(left, right)| *left - *right).collect::<Vec<Sym>>());
+        sides.iter().flatten().copied().find_map(mixed).or_else(|| differences.into_iter().find_map(mixed))
+    })
+}
