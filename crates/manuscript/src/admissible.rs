@@ -25,6 +25,14 @@ const POSITIVE: [[i64; 4]; 8] = [
     [-1, -2, 4, 2],
 ];
 
+/// Whether a symbol is a parameter that every body has: a mass, a moment of inertia, a length.
+pub(crate) fn is_of_every_body(symbol: Sym, motion: &Motion<'_, '_>) -> bool {
+    let is_own =
+        |dimension: Dimension| POSITIVE[..3].iter().any(|&[kg, m, s, a]| dimension == Dimension::of(kg, m, s, a));
+    let mut parameters = motion.trace.model.parameters.iter();
+    parameters.any(|parameter| Sym::symbol(&parameter.name) == symbol && is_own(parameter.dimension))
+}
+
 /// A counterexample with positive parameters where `again` finds one within more conditions, else the one that was found.
 pub(crate) fn admissible(
     found: Refutation,

@@ -1,6 +1,7 @@
 //! Cases of hypotheses that are products: a product is zero where one of its factors is. A factor that another hypothesis, or the model,
 //! keeps from vanishing is no case.
 
+use crate::admissible::is_of_every_body;
 use crate::conditions::Hypothesis;
 use crate::consequence::{is_apart, is_apart_by};
 use crate::display::factors;
@@ -112,7 +113,8 @@ impl Case<'_, '_> {
                 open.push(part);
             }
         }
-        let beside_model: Vec<Sym> = open.iter().copied().filter(|part| !is_apart(*part, &self.motion, &all)).collect();
+        let is_of_model = |part: Sym| is_of_every_body(part, &self.motion) || is_apart(part, &self.motion, &all);
+        let beside_model: Vec<Sym> = open.iter().copied().filter(|part| !is_of_model(*part)).collect();
         if beside_model.is_empty() { open } else { beside_model }
     }
 
@@ -132,12 +134,18 @@ fn is_multiple(one: Sym, other: Sym) -> bool {
 
 /// The factors of an expression that may be zero: those that are written, powers of letters, and common factors of the coefficients of a letter.
 fn vanishing_factors(expression: Sym) -> Vec<Sym> {
+    if Sym::operations_of(&[expression]) > MOST_OPERATIONS {
+        return vec![expression];
+    }
     let numerator = |of: Sym| normal(of, &Hypotheses::none()).map_or(of, |form| form.numerator());
     let written = factors(expression).into_iter().map(numerator).collect::<Vec<Sym>>();
     let written = if written.len() > 1 { written } else { vec![numerator(expression)] };
     let all = written.into_iter().flat_map(|part| parted(part, DEPTH));
     all.filter(|part| part.as_constant().is_none()).collect()
 }
+
+/// Longer expressions are not taken apart.
+const MOST_OPERATIONS: usize = 400;
 
 /// The largest number of factors that are taken from one polynomial.
 const DEPTH: usize = 8;

@@ -35,11 +35,12 @@ pub(crate) enum Step<'t, 'm> {
 
 /// The divisors that occur in an expression.
 pub(crate) fn written_divisors(expression: Sym) -> Vec<Sym> {
-    let own = match expression.node() {
-        Node::Quotient(_, below) if below.as_constant().is_none() => vec![below],
-        _ => Vec::new(),
+    let divisor = |part: Sym| match part.node() {
+        Node::Quotient(_, below) if below.as_constant().is_none() => Some(below),
+        _ => None,
     };
-    own.into_iter().chain(expression.node().children().flat_map(written_divisors)).collect()
+    // each part once: multiples of an angle share most of theirs
+    Sym::ascending(&[expression]).into_iter().filter_map(divisor).collect()
 }
 
 /// Whether `then` is zero where `zero` is and both are defined.

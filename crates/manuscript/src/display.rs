@@ -19,7 +19,7 @@ use symbolic::{Hypotheses, Node, Sym, normal};
 pub(crate) struct Told<'a, 't, 'm>(pub &'a Letters<'t, 'm>);
 
 /// The largest length of a printed difference.
-pub(crate) const READABLE: usize = 600;
+const READABLE: usize = 600;
 
 /// An equation as it was read: text and LaTeX.
 pub(crate) fn shown([left, right]: [Sym; 2]) -> (String, String) {
@@ -153,19 +153,10 @@ pub(crate) fn missing(kind: Kind, line: &Line, motion: &Motion<'_, '_>, told: To
     }
 }
 
-/// The value of an expression that should be zero, if it is short enough to read.
-pub(crate) fn told_difference(
-    left: Sym,
-    print: [Sym; 2],
-    motion: &Motion<'_, '_>,
-    told: Told<'_, '_, '_>,
-    finding: &mut Finding,
-) {
-    let Ok(form) = normal(left, &motion.hypotheses) else { return };
-    let own = plainest(form.to_sym(), print, motion, told).filter(|own| length(*own) <= READABLE);
-    if let Some(own) = own {
-        finding.judged.difference = Some((own.to_string(), own.latex()));
-    }
+/// An expression in normal form in the letters of a print, if it is short enough to read.
+pub(crate) fn readable(left: Sym, print: [Sym; 2], motion: &Motion<'_, '_>, told: Told<'_, '_, '_>) -> Option<Sym> {
+    let form = normal(left, &motion.hypotheses).ok()?;
+    plainest(form.to_sym(), print, motion, told).filter(|own| length(*own) <= READABLE)
 }
 
 /// The way to tell an expression of the model that has the fewest symbols which the paper has no letter for, and then the fewest that do not stand in

@@ -7,7 +7,7 @@ use crate::refutation::Refutation;
 use crate::signs::{Effort, completed, search};
 use claims::Condition;
 use model::equations::constraints_of;
-use symbolic::{Decision, Identity, Sym, Witness, decide, identified};
+use symbolic::{Decision, HIGHEST_MULTIPLE, Identity, Node, Sym, Witness, decide, identified};
 
 /// The finding on an expression that should be zero.
 pub(crate) enum Outcome {
@@ -70,9 +70,23 @@ fn found(motion: &Motion<'_, '_>, expression: Sym, conditions: &[Condition], eff
         Decision::Undefined(denominator) => Outcome::Undefined(denominator),
         Decision::GaveUp(reason) => match identified(&[reduced]) {
             Identity::Identified { points, error, .. } => of_identity(points, error),
-            _ => Outcome::Undecided(reason),
+            _ => Outcome::Undecided(reason + &above_highest_multiple(reduced)),
         },
         Decision::NonZero(witness) => refuted(motion, reduced, (witness, effort), conditions),
+    }
+}
+
+/// A sentence on multiples of an angle that the normal form does not expand.
+fn above_highest_multiple(expression: Sym) -> String {
+    let is_above = |leaf: Sym| match leaf.node() {
+        Node::Cos(angle) | Node::Sin(angle) => {
+            angle.linear_terms().iter().any(|(_, factor)| factor.to_f64().abs() > HIGHEST_MULTIPLE as f64)
+        }
+        _ => false,
+    };
+    match expression.leaves_of().into_iter().any(is_above) {
+        true => format!("; sines and cosines of more than {HIGHEST_MULTIPLE} times an angle are not expanded"),
+        false => String::new(),
     }
 }
 

@@ -187,10 +187,10 @@ fn failing_point(
         return None;
     }
     let all = [conditions, &natural_domain(&[greater, reduced])].concat();
-    // points with a fraction for pi are tried with pi
+    // points with a convergent of pi, within its bounds, are tried with pi
     let holds_pi = holds_half_turn(reduced) || all.iter().any(|condition| holds_half_turn(condition.expression()));
     if holds_pi {
-        let near = [(motion.trace.pi, Sym::constant(Rational::new(355, 113)))];
+        let near = [(motion.trace.pi, Sym::constant(Rational::new(103_993, 33_102)))];
         let all: Vec<Condition> = all.iter().map(|condition| condition.mapped(|e| e.substitute(&near))).collect();
         let is_it = |found: &Refutation| {
             found.value(reduced).and_then(crate::refutation::sign).is_some_and(|sign| fails(sign as i8))

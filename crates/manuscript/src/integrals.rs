@@ -3,7 +3,7 @@
 use crate::certificate::Record;
 use crate::claim_text::{ClaimText, Kind};
 use crate::conditions::{Hypothesis, assume, conditions, scalar};
-use crate::display::{Told, divisors};
+use crate::display::{Told, divisors, readable};
 use crate::equation::{Outcome, vanishes, vanishes_or_fails};
 use crate::feedback::{Feedback, given_input};
 use crate::finding::Finding;
@@ -107,7 +107,9 @@ pub(crate) fn integral(
                 .take()
                 .map_or_else(String::new, |sides| format!(": it is {} at the exact point", sides.left));
             finding.judged.evidence = format!("its rate along the motion does not vanish{at}");
-            crate::display::told_difference(motion.reduced(changing), [own, Sym::ZERO], &motion, told, finding);
+            if let Some(rate) = readable(motion.reduced(changing), [own, Sym::ZERO], &motion, told) {
+                finding.judged.evidence += &format!("; the rate is {rate}");
+            }
         }
         other => neither(other, letters, finding),
     }

@@ -3,7 +3,7 @@
 use crate::certificate::Record;
 use crate::claim_text::ClaimText;
 use crate::conditions::{Hypothesis, assume, conditions};
-use crate::display::{Told, divisors, shown, told_difference};
+use crate::display::{Told, divisors, readable, shown};
 use crate::equation::{Outcome, vanishes_or_fails};
 use crate::feedback::Feedback;
 use crate::finding::Finding;
@@ -148,7 +148,8 @@ pub(crate) fn linearised(
     let known = conditions(base, assumed);
     for line in &lines {
         let difference = line.model[0] - line.model[1];
-        for (part, by) in linearisation.parts(difference) {
+        let parts = linearisation.parts(difference);
+        for &(part, by) in &parts {
             match vanishes_or_fails(base, part, &known) {
                 Outcome::Zero(found) => {
                     let found = [&found[..], &base.divisors].concat();
@@ -169,7 +170,11 @@ pub(crate) fn linearised(
                             letters.told(by)
                         ),
                     };
-                    told_difference(part * by.unwrap_or(Sym::ONE), line.own, base, told, finding);
+                    let missing = parts.iter().fold(Sym::ZERO, |sum, &(part, by)| {
+                        sum + part * by.map_or(Sym::ONE, |by| by - base.reduced(by))
+                    });
+                    let missing = readable(missing, line.own, base, told);
+                    finding.judged.difference = missing.map(|own| (own.to_string(), own.latex()));
                     return Ok(());
                 }
                 other => {

@@ -36,6 +36,10 @@ impl Known {
 
 /// Whether a quotient of polynomials is shown to be nonnegative where the conditions hold: none if not, otherwise whether zero is excluded.
 pub(crate) fn shows(expression: Sym, conditions: &[Condition]) -> Option<bool> {
+    // a number is enclosed
+    if expression.symbols_of().into_iter().all(is_half_turn) {
+        return None;
+    }
     let (expression, is_turned) = by_half_angles(expression);
     let (expression, known) = by_slacks(expression, conditions);
     let form = normal(expression, &Hypotheses::none()).ok()?;

@@ -1,28 +1,36 @@
 //! The terms that a printed condition lacks beside the equation that it should be a multiple of.
 
-use crate::display::{READABLE, Told, length, plainest};
+use crate::consequence::is_apart;
+use crate::display::{Told, factors, length, readable};
 use crate::finding::Finding;
+use crate::ideal_membership::combination;
 use crate::motion::Motion;
+use crate::resting_equations::SteadyMotion;
 use symbolic::{Sym, coefficients, normal};
 
 /// Longer conditions are not compared term by term.
 const MOST_TERMS: usize = 16;
 
-/// Tells what the right side of a printed condition, which should vanish, lacks: with these terms it is a multiple of an equation of motion. Where that is
-/// no shorter than the equation, the equation itself is told.
+/// Tells what the right side of a printed condition, which should vanish, lacks: with these terms it is the condition of the motion. Where that is no
+/// shorter than the equation of motion, or states less, the equation is told.
 pub(crate) fn tell_shortfall(
     (printed, own): (Sym, [Sym; 2]),
     (equation, name): (Sym, &str),
-    motion: &Motion<'_, '_>,
+    steady: &SteadyMotion<'_, '_>,
     told: Told<'_, '_, '_>,
     finding: &mut Finding,
 ) {
-    let short = |expression: Sym| {
-        let form = normal(expression, &motion.hypotheses).ok()?;
-        plainest(form.to_sym(), own, motion, told).filter(|own| length(*own) <= READABLE)
-    };
+    let SteadyMotion { motion, equations, conditions, .. } = steady;
+    let short = |expression: Sym| readable(expression, own, motion, told);
+    let is_apart = |factor: Sym| is_apart(factor, motion, conditions);
+    let follows = |(other, _): &(Sym, String)| combination(motion.reduced(*other), &[equation], &is_apart).is_some();
+    let is_whole = equations.iter().all(follows);
     let whole = short(equation);
-    let beside = scales(printed, equation, motion).into_iter().filter_map(|scale| {
+    let beside = scales(printed, equation, motion).into_iter().filter(|_| is_whole).filter_map(|scale| {
+        let form = normal(scale, &motion.hypotheses).ok()?;
+        if !factors(form.numerator()).into_iter().chain(factors(form.denominator())).all(is_apart) {
+            return None;
+        }
         let own = short(printed - scale * equation).filter(|own| *own != Sym::ZERO)?;
         let moves = scale.symbols_of().iter().any(|symbol| !motion.trace.parameters.contains(symbol));
         let rank = if scale.as_constant().is_some() { 0 } else { 1 + usize::from(moves) };
@@ -31,16 +39,13 @@ pub(crate) fn tell_shortfall(
         let is_fraction = normal(own, &motion.hypotheses).is_ok_and(|form| form.denominator().as_constant().is_none());
         is_less.then(|| ((is_fraction, rank, length(own)), own))
     });
-    let beside = beside.min_by_key(|(size, _)| *size).map(|(_, own)| own);
-    let (own, says) = match (beside, whole) {
-        (Some(own), _) => {
-            (own, format!("with the terms below on its right side it is a multiple of the equation of {name}"))
-        }
-        (None, Some(whole)) => (whole, format!("the expression below, which must vanish, is the equation of {name}")),
-        (None, None) => return,
-    };
-    finding.judged.evidence += &format!("; {says}");
-    finding.judged.difference = Some((own.to_string(), own.latex()));
+    if let Some((_, own)) = beside.min_by_key(|(size, _)| *size) {
+        finding.judged.evidence +=
+            &format!("; with the terms below on its right side it is a multiple of the equation of {name}");
+        finding.judged.difference = Some((own.to_string(), own.latex()));
+    } else if let Some(whole) = whole {
+        finding.judged.evidence += &format!("; the equation of {name} is {whole} = 0");
+    }
 }
 
 /// Multiples of an equation that have a term of the printed condition.

@@ -5,6 +5,7 @@ use crate::motion::Motion;
 use crate::refutation::{self, Refutation, exact};
 use claims::{Condition, Page, Verdict};
 use field::{Elementary, Rational};
+use std::collections::HashMap;
 use symbolic::{Hypotheses, Node, Sym, normal, univariate};
 
 /// The sign that an expression is shown to have.
@@ -33,7 +34,8 @@ pub(crate) fn shows(expression: Sym, motion: &Motion<'_, '_>, conditions: &[Cond
 
 /// Whether the terms of an expression as written show that it is nonnegative: none if not, otherwise whether zero is excluded.
 pub(crate) fn is_written_as_positive(expression: Sym, conditions: &[Condition]) -> Option<bool> {
-    sign(expression, conditions).and_then(|sign| match sign {
+    let known = &mut HashMap::new();
+    sign(expression, conditions, known).and_then(|sign| match sign {
         Sign::Positive => Some(true),
         Sign::NotNegative => Some(false),
         Sign::NotPositive | Sign::Negative => None,
@@ -84,9 +86,21 @@ impl Sign {
     }
 }
 
+/// The signs of parts that were looked at, since parts that stand in several places are looked at once.
+type KnownSigns = HashMap<Sym, Option<Sign>>;
+
 /// The sign of an expression as written, by the signs of its letters.
-fn sign(expression: Sym, conditions: &[Condition]) -> Option<Sign> {
-    let of = |part: Sym| sign(part, conditions);
+fn sign(expression: Sym, conditions: &[Condition], known: &mut KnownSigns) -> Option<Sign> {
+    if let Some(found) = known.get(&expression) {
+        return *found;
+    }
+    let found = sign_as_written(expression, conditions, known);
+    known.insert(expression, found);
+    found
+}
+
+fn sign_as_written(expression: Sym, conditions: &[Condition], known: &mut KnownSigns) -> Option<Sign> {
+    let mut of = |part: Sym| sign(part, conditions, known);
     if conditions.contains(&Condition::Positive(expression)) {
         return Some(Sign::Positive);
     }
@@ -103,11 +117,13 @@ fn sign(expression: Sym, conditions: &[Condition]) -> Option<Sign> {
     {
         return Some(Sign::NotPositive);
     }
-    let is_apart = |part: Sym| {
+    let is_stated = |part: Sym| {
         [part, -part, Sym::ZERO - part].into_iter().any(|part| conditions.contains(&Condition::NonZero(part)))
-            || of(part).is_some_and(|sign| sign.parts().1)
     };
-    let square = |part: Sym| Some(if is_apart(part) { Sign::Positive } else { Sign::NotNegative });
+    let square = |part: Sym, own: Option<Sign>| {
+        let is_apart = is_stated(part) || own.is_some_and(|sign| sign.parts().1);
+        Some(if is_apart { Sign::Positive } else { Sign::NotNegative })
+    };
     let sum = |a: Sign, b: Sign| {
         let ((up, strict), (other_up, other_strict)) = (a.parts(), b.parts());
         (up == other_up).then(|| Sign::of_parts((up, strict || other_strict)))
@@ -122,13 +138,13 @@ fn sign(expression: Sym, conditions: &[Condition]) -> Option<Sign> {
         Node::Difference(a, b) if a == Sym::ZERO => of(b).map(Sign::opposite),
         Node::Difference(a, b) => sum(of(a)?, of(b)?.opposite()),
         Node::Negation(a) => of(a).map(Sign::opposite),
-        Node::Product(a, b) if a == b => square(a),
+        Node::Product(a, b) if a == b => square(a, of(a)),
         Node::Product(a, b) => Some(of(a)?.product(of(b)?)),
         Node::Quotient(a, b) => {
             let below = of(b).filter(|sign| sign.parts().1)?;
             Some(of(a)?.product(below))
         }
-        Node::Power(a, n) if n % 2 == 0 => square(a),
+        Node::Power(a, n) if n % 2 == 0 => square(a, of(a)),
         Node::Power(a, _) => of(a),
         Node::Elementary(Elementary::Exp, ..) => Some(Sign::Positive),
         Node::Root(a) => Some(if of(a) == Some(Sign::Positive) { Sign::Positive } else { Sign::NotNegative }),
@@ -138,15 +154,13 @@ fn sign(expression: Sym, conditions: &[Condition]) -> Option<Sign> {
 
 /// A part of an expression that is the square root of a quantity that is always negative.
 pub(crate) fn without_real_value(expression: Sym, motion: &Motion<'_, '_>, conditions: &[Condition]) -> Option<Sym> {
-    if let Node::Root(below) = expression.node() {
+    // each part once: multiples of an angle share most of theirs
+    Sym::ascending(&[expression]).into_iter().find(|part| {
+        let Node::Root(below) = part.node() else { return false };
         let below = motion.reduced(below);
-        let is_negative = below.as_constant().and_then(|value| value.sign()) == Some(-1)
-            || shows(-below, motion, conditions).is_some_and(|shown| shown.is_strict);
-        if is_negative {
-            return Some(expression);
-        }
-    }
-    expression.node().children().find_map(|part| without_real_value(part, motion, conditions))
+        below.as_constant().and_then(|value| value.sign()) == Some(-1)
+            || shows(-below, motion, conditions).is_some_and(|shown| shown.is_strict)
+    })
 }
 
 /// The numbers of trial points, without and with roots, whose evaluation takes longer.

@@ -6,7 +6,7 @@ use crate::certificate::Record;
 use crate::claim_text::ClaimText;
 use crate::condition_products;
 use crate::conditions::{Hypothesis, assume, conditions};
-use crate::display::{Told, divisors, tell_point, told_difference};
+use crate::display::{Told, divisors, readable, tell_point};
 use crate::equation::Outcome;
 use crate::extent::{exclude_each_other, is_met};
 use crate::feedback::Feedback;
@@ -131,8 +131,9 @@ impl Compared<'_, '_, '_> {
         let is_needed = |one: &&Criterion| one.theorem.is_of_roots() || !self.region.is_gyroscopic;
         let needed = self.region.criteria.iter().filter(is_needed).map(|one| self.open(one));
         if let Some([condition]) = needed.map(|open| <[Sym; 1]>::try_from(open).ok()).next().flatten() {
-            told_difference(condition, self.own, self.motion, told, finding);
-            finding.judged.evidence += "; the expression below must be positive";
+            if let Some(condition) = readable(condition, self.own, self.motion, told) {
+                finding.judged.evidence += &format!("; the condition of stability is {condition} > 0");
+            }
         }
         by_roots.then_some(Comparison::Other(refutation))
     }

@@ -165,7 +165,7 @@ impl Print<'_, '_, '_> {
         let told = Told(self.letters);
         let is_open = |(equation, _): &&(Sym, String)| !decide(motion.reduced(*equation), &motion.hypotheses).is_zero();
         if let Some((equation, name)) = equations.iter().find(is_open) {
-            tell_shortfall((printed[0], self.own), (motion.reduced(*equation), name), motion, told, finding);
+            tell_shortfall((printed[0], self.own), (motion.reduced(*equation), name), steady, told, finding);
         }
         tell_point(self.own, found, motion, told, finding);
     }
@@ -191,7 +191,7 @@ fn alone(steady: &SteadyMotion<'_, '_>, print: &Print<'_, '_, '_>, finding: &mut
             if finding.judged.verdict == Verdict::Refuted {
                 finding.judged.evidence =
                     format!("at the exact point the printed condition holds and the equation of {name} does not");
-                tell_shortfall((printed, own), (reduced, name), motion, Told(letters), finding);
+                tell_shortfall((printed, own), (reduced, name), steady, Told(letters), finding);
             }
             return finding.judged.verdict == Verdict::Refuted;
         }

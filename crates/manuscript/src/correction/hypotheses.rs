@@ -8,6 +8,7 @@ use crate::claim_text::{ClaimText, Kind};
 use crate::conditions::{assume, hypotheses};
 use crate::consequence::is_of_inertia;
 use crate::implications::condition;
+use crate::inequalities::sides;
 use crate::integrals::{difference, known};
 use crate::letters::{Letters, rate};
 use crate::lines::lines;
@@ -33,15 +34,34 @@ pub(super) fn candidates(places: &Places, text: &str, rates: &[LetterRate]) -> V
     signs.chain(zeros).collect()
 }
 
-/// Signs of parameters under which an inequality may hold; parameters other than zero, by which a condition may be divided.
-pub(super) fn of_parameters(kind: Kind, rates: &[LetterRate]) -> Vec<String> {
+/// Signs of parameters under which an inequality may hold; parameters and letters of the print other than zero, by which a condition may be divided.
+pub(super) fn of_parameters(kind: Kind, places: &Places, rates: &[LetterRate]) -> Vec<String> {
     let signs: &[&str] = match kind {
         Kind::Inequality => &[r"\geq", ">"],
         Kind::SteadyMotion | Kind::Equivalence => &[r"\neq"],
         _ => &[],
     };
+    let is_printed =
+        |rate: &LetterRate| places.atoms.iter().any(|atom| atom.name == rate.name && atom.order == rate.order);
+    let divides = |rate: &&LetterRate| kind != Kind::Inequality && rate.is_symbol && is_printed(rate);
     let parameters = rates.iter().filter(|rate| rate.is_parameter);
-    parameters.flat_map(|rate| signs.iter().map(|sign| format!("{} {sign} 0", rate.latex))).collect()
+    let others = rates.iter().filter(|rate| !rate.is_parameter).filter(divides);
+    parameters.chain(others).flat_map(|rate| signs.iter().map(|sign| format!("{} {sign} 0", rate.latex))).collect()
+}
+
+/// The parameters of an inequality as not negative, all together.
+pub(super) fn signs_of_parameters(
+    claim: &ClaimText,
+    statement: &Statement,
+    letters: &Letters<'_, '_>,
+    rates: &[LetterRate],
+) -> Vec<String> {
+    let Some(sides) = (claim.kind == Kind::Inequality).then(|| sides(claim, statement, letters).ok()).flatten() else {
+        return Vec::new();
+    };
+    let symbols = sides.greater.symbols_of();
+    let held = rates.iter().filter(|rate| rate.is_parameter && symbols.contains(&rate.value));
+    held.map(|rate| format!(r"{} \geq 0", rate.latex)).collect()
 }
 
 /// Whether a claim still states something under its last hypothesis, where that is a letter that is zero: the model keeps its inertia, the equations

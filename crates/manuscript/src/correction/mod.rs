@@ -62,8 +62,10 @@ pub(crate) fn corrections(
         return search.proved(edits.map(|edit| vec![edit])).into_iter().take(1).collect();
     }
     let candidates = || hypotheses::candidates(&search.places, ground.text(), ground.rates());
-    let sizes: [&dyn Fn() -> Vec<Correction>; 4] = [
-        &|| under(&ground, hypotheses::of_parameters(claim.kind, ground.rates())),
+    let together = || hypotheses::signs_of_parameters(claim, statement, letters, ground.rates());
+    let sizes: [&dyn Fn() -> Vec<Correction>; 5] = [
+        &|| under(&ground, hypotheses::of_parameters(claim.kind, &search.places, ground.rates())),
+        &|| under_all(&ground, together()).into_iter().collect(),
         &|| search.small(),
         &|| under(&ground, candidates()),
         &|| search.large(),
@@ -83,24 +85,48 @@ fn under(ground: &TextClaim<'_, '_, '_>, candidates: Vec<String>) -> Vec<Correct
         if found.iter().any(|one| one.changes[0].after.split(' ').next() == letter) {
             continue;
         }
-        let mut claim = ground.claim.clone();
-        claim.given.push(claim.formula.with_text(hypothesis.clone()));
-        claim.expected = None;
+        let claim = with_hypotheses(ground, std::slice::from_ref(&hypothesis));
         if !hypotheses::leaves_something(&claim, ground.letters) {
             continue;
         }
-        if let Some(Proof { judged, certificate }) = ground.proof(&claim) {
-            let change = Change {
-                kind: EditKind::Hypothesis,
-                words: format!("the hypothesis `{hypothesis}`"),
-                before: String::new(),
-                after: hypothesis,
-            };
-            let formula = ground.text().to_owned();
-            found.push(Correction { changes: vec![change], formula, parts: Vec::new(), judged, certificate });
+        if let Some(proof) = ground.proof(&claim) {
+            found.push(by_hypotheses(ground, vec![hypothesis], proof));
         }
     }
     found
+}
+
+/// Those of several hypotheses that are needed together for the claim as printed; none if it is not proved under all of them.
+fn under_all(ground: &TextClaim<'_, '_, '_>, mut all: Vec<String>) -> Option<Correction> {
+    let proof = |all: &[String]| ground.proof(&with_hypotheses(ground, all)).filter(|_| ground.goes_on());
+    let mut proved = if all.len() > 1 { proof(&all) } else { None }?;
+    for hypothesis in all.clone() {
+        let fewer: Vec<String> = all.iter().filter(|one| **one != hypothesis).cloned().collect();
+        if let Some(enough) = proof(&fewer) {
+            (all, proved) = (fewer, enough);
+        }
+    }
+    Some(by_hypotheses(ground, all, proved))
+}
+
+/// The claim with more hypotheses.
+fn with_hypotheses(ground: &TextClaim<'_, '_, '_>, hypotheses: &[String]) -> ClaimText {
+    let mut claim = ground.claim.clone();
+    claim.given.extend(hypotheses.iter().map(|hypothesis| claim.formula.with_text(hypothesis.clone())));
+    claim.expected = None;
+    claim
+}
+
+fn by_hypotheses(ground: &TextClaim<'_, '_, '_>, hypotheses: Vec<String>, proof: Proof) -> Correction {
+    let change = |hypothesis: String| Change {
+        kind: EditKind::Hypothesis,
+        words: format!("the hypothesis `{hypothesis}`"),
+        before: String::new(),
+        after: hypothesis,
+    };
+    let changes = hypotheses.into_iter().map(change).collect();
+    let Proof { judged, certificate } = proof;
+    Correction { changes, formula: ground.text().to_owned(), parts: Vec::new(), judged, certificate }
 }
 
 /// The correct digits of a printed number, as many as are printed.

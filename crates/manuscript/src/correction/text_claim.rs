@@ -8,7 +8,7 @@ use super::places::Places;
 use super::probe::{Probe, own_difference};
 use super::redundancy::{are_alike, on_both_sides, redundancies, summands};
 use crate::claim_text::{ClaimText, Kind};
-use crate::conditions::Hypothesis;
+use crate::conditions::{Hypothesis, assume};
 use crate::finding::Finding;
 use crate::inequalities::sides;
 use crate::integrals::known;
@@ -58,14 +58,29 @@ impl<'a, 't, 'm> TextClaim<'a, 't, 'm> {
         };
         let resting = resting.unwrap_or_default();
         let rests = |rate: &LetterRate| resting.iter().any(|(symbol, _)| *symbol == rate.value);
-        let motion = Motion::by_equations(letters.trace).ok();
+        let motion = match resting.is_empty() {
+            true => Motion::by_equations(letters.trace).ok(),
+            false => Some(Motion::at_rest(letters.trace, &resting)),
+        };
+        let motion = motion.map(|mut motion| {
+            // one that cannot be assumed is reported where the claim is judged
+            let _ = assume(&mut motion, assumed);
+            motion
+        });
         let vanishes = |value: Sym| {
             motion.as_ref().is_some_and(|motion| {
                 normal(motion.reduced(value), &motion.hypotheses).is_ok_and(|form| form.to_sym() == Sym::ZERO)
             })
         };
         let with_motion = |rate: LetterRate| LetterRate { vanishes: rate.order > 0 && vanishes(rate.value), ..rate };
-        let rates = rates(letters).into_iter().filter(|rate| !rests(rate)).map(with_motion).collect();
+        // a condition is corrected by no rate of a letter that it does not have, and by none that vanishes
+        let is_condition =
+            matches!(claim.kind, Kind::SteadyMotion | Kind::Stability | Kind::Equivalence | Kind::Inequality);
+        let atoms = Places::of(statement, &claim.formula.text).atoms;
+        let is_printed = |rate: &LetterRate| atoms.iter().any(|atom| atom.name == rate.name);
+        let corrects = |rate: &LetterRate| !is_condition || rate.order == 0 || is_printed(rate) && !rate.vanishes;
+        let all = rates(letters).into_iter().filter(|rate| !rests(rate)).map(with_motion);
+        let rates = all.filter(corrects).collect();
         let equalities = assumed.iter().filter(|hypothesis| hypothesis.equality.is_some());
         let given = equalities.filter_map(|hypothesis| hypothesis.own).collect();
         TextClaim { claim, letters, judge, rates, given, probe }

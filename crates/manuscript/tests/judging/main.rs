@@ -1,17 +1,21 @@
 //! Findings on papers of a few lines.
 
 mod admissible;
+mod angles;
+mod cases;
 mod certificates;
 mod constraints;
 mod corrections;
 mod divisors;
 mod domains;
+mod feedback;
 mod functions;
 mod half_turn;
 mod hypotheses;
 mod inequalities;
 mod linearisation;
 mod messages;
+mod numbers;
 mod pendulum;
 mod plain_corrections;
 mod real_signs;

@@ -121,3 +121,67 @@ fn a_root_is_the_square_root_of_one_sign() {
     let offered: Vec<&str> = found.corrections.iter().map(|one| one.changes[0].after.as_str()).collect();
     assert_eq!((verdict(&found), &offered[..]), ("refuted", &[r"\Omega \geq 0"][..]), "{}", found.text());
 }
+
+#[test]
+fn an_equality_that_always_holds_states_no_condition() {
+    for empty in ["r = r", r"\dot{r} = 0", r"r \dot{\theta} = \dot{r}"] {
+        let found = claims(&[ANGLE, LENGTH, empty]);
+        let verdicts: Vec<&str> = found.iter().map(verdict).collect();
+        assert_eq!(verdicts, ["proved", "proved", "undefined"], "{}", found[2].text());
+        assert!(found[2].judged.evidence.contains("no condition is stated"), "{}", found[2].text());
+        assert!(found[..2].iter().all(|one| !one.judged.evidence.contains("eq3")), "{}", found[0].text());
+    }
+}
+
+/// A cart with a pendulum that is pulled by a force.
+const CART: &str = r#"
+title = "Cart"
+gravity = "-g*N.y"
+[parameters]
+M = "kg"
+m = "kg"
+l = "m"
+g = "m/s^2"
+[coordinates]
+x = "m"
+theta = "rad"
+[inputs]
+F = "N"
+[frames]
+A = "N turned theta about z"
+[bodies.cart]
+centre = "O + x*N.x"
+mass = "M"
+[bodies.bob]
+centre = "O + x*N.x - l*A.y"
+mass = "m"
+[[force]]
+on = "cart"
+is = "F*N.x"
+[letters]
+'M' = "M"
+'m' = "m"
+'l' = "l"
+'g' = "g"
+'x' = "x"
+'\theta' = "theta"
+'F' = "F"
+"#;
+
+#[test]
+fn conditions_that_no_letter_solves_are_those_of_the_motion_by_combination() {
+    let claim = |number: u32, formula: &str| {
+        format!(
+            "[[claim]]\nequation = \"{number}\"\nkind = \"steady motion\"\nformula = '{formula}'\nresting = ['x', '\\theta']\n\
+             given = ['g > 0', 'M > 0', 'm > 0', 'l > 0']\n"
+        )
+    };
+    let text = format!("{CART}\n{}{}", claim(1, "F = 0"), claim(2, r"\sin\theta = 0"));
+    for found in judged(&text).unwrap_or_else(|error| panic!("{error}")) {
+        assert_eq!(verdict(&found), "proved", "{}", found.text());
+    }
+    let text = format!("{CART}\n{}{}", claim(1, "F = 0"), claim(2, r"m g l \sin\theta + F l = 0"));
+    for found in judged(&text).unwrap_or_else(|error| panic!("{error}")) {
+        assert_eq!(verdict(&found), "proved", "{}", found.text());
+    }
+}
