@@ -23,7 +23,11 @@ pub(crate) fn joined(mut cases: Vec<(String, Finding)>) -> Option<Finding> {
     if rank(found.judged.verdict) == 2 {
         for (words, other) in rest {
             found.judged.evidence += &format!("; where {words}: {}", other.judged.evidence);
-            found.has_inside |= other.has_inside;
+            found.has_inside = match other.judged.verdict {
+                // nothing is stated in a whole case
+                Verdict::Undefined => false,
+                _ => found.has_inside || other.has_inside,
+            };
             for line in other.judged.requires.into_iter().filter(|_| other.judged.verdict != Verdict::Undefined) {
                 if !found.judged.requires.contains(&line) {
                     found.judged.requires.push(line);

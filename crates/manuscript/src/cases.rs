@@ -35,7 +35,11 @@ pub(crate) fn cases<'t, 'm>(
 ) -> Result<Vec<Case<'t, 'm>>, Issue> {
     let known: Vec<Condition> = assumed.iter().filter_map(|one| one.condition).collect();
     let mut all = vec![Case { assumed: Vec::new(), chosen: Vec::new(), is_replaced: false, motion: base.clone() }];
-    for hypothesis in assumed {
+    // a letter that another hypothesis gives may make a product vanish
+    let is_product =
+        |one: &&Hypothesis| one.equality.is_some_and(|(zero, _)| vanishing_factors(base.reduced(zero)).len() > 1);
+    let (products, plain): (Vec<&Hypothesis>, Vec<&Hypothesis>) = assumed.iter().partition(is_product);
+    for hypothesis in plain.into_iter().chain(products) {
         let mut next = Vec::new();
         for case in all {
             next.extend(case.split(hypothesis, &known, told)?);

@@ -1,7 +1,7 @@
 //! Equality of two sides along motions: a proof, or an exact point at which they differ.
 
 use crate::admissible::admissible;
-use crate::half_turn::is_number_of_half_turn;
+use crate::half_turn::{is_number_of_half_turn, sign_of_number};
 use crate::motion::Motion;
 use crate::refutation::Refutation;
 use crate::signs::{Effort, completed, search};
@@ -68,6 +68,10 @@ fn found(motion: &Motion<'_, '_>, expression: Sym, conditions: &[Condition], eff
     match decide(reduced, &motion.hypotheses) {
         Decision::Zero(proof) => Outcome::Zero(proof.requires),
         Decision::Undefined(denominator) => Outcome::Undefined(denominator),
+        // a number such as sin(1) is refuted by its enclosure, at no point
+        Decision::GaveUp(_) if sign_of_number(reduced).is_some_and(|sign| sign != 0) => {
+            Outcome::NonZero(Refutation { point: Vec::new(), is_formal: false })
+        }
         Decision::GaveUp(reason) => match identified(&[reduced]) {
             Identity::Identified { points, error, .. } => of_identity(points, error),
             _ => Outcome::Undecided(reason + &above_highest_multiple(reduced)),

@@ -208,7 +208,9 @@ fn judge_case(
         reading: format!("printed: {}", claim.formula.text),
         ..Judged::default()
     };
-    for hypothesis in &assumed {
+    let mut in_order: Vec<&Hypothesis> = assumed.iter().collect();
+    in_order.sort_by_key(|hypothesis| hypothesis.at.start);
+    for hypothesis in in_order {
         let list = if matches!(hypothesis.condition, Some(Condition::Positive(_))) {
             &mut judged.signs
         } else {
@@ -265,7 +267,12 @@ fn judge_case(
         _ => None,
     });
     let excluded = divisors(&positive.collect::<Vec<Sym>>(), Told(letters));
-    finding.judged.requires.retain(|line| !excluded.contains(line));
+    let mut listed: Vec<(String, String)> = Vec::new();
+    finding.judged.requires.retain(|line| {
+        let is_new = !excluded.contains(line) && !listed.contains(line);
+        listed.extend(is_new.then(|| line.clone()));
+        is_new
+    });
     if finding.judged.verdict == Verdict::Refuted && !finding.unusual.is_empty() {
         finding.judged.evidence += &format!("; {}", finding.unusual);
     }

@@ -64,44 +64,38 @@ pub(crate) fn number(
     let is_tie = apart.is_some_and(|missing| missing == exact_half || -missing == exact_half);
     let is_zero = |side: Sym| exactly(side).is_some_and(|side| side.sign() == Some(0));
     let has_digits = !is_zero(printed_is) || is_zero(value);
-    let (Some(value), Some(printed)) = (enclosed(value), enclosed(printed_is)) else {
+    let (Some(value), Some(printed), Some(exact)) = (enclosed(value), enclosed(printed_is), exactly(printed_is)) else {
         neither(Outcome::Undecided("the value was not enclosed".to_owned()), letters, finding);
         return Ok(());
     };
-    let half = exact_half.to_f64();
-    let beside = printed + Interval::new(-half, half);
+    let agreement = Agreement::of(value, apart, [exact - exact_half, exact + exact_half]);
     let range = range(value);
-    let (verdict, evidence) = if is_tie {
-        let tie = "the value lies exactly half a unit of the last printed digit from the print";
-        (Verdict::Enclosed, format!("{tie}: a tie, which is rounded up or down by convention"))
-    } else if !has_digits && value.and(beside).is_some() {
-        let why = "the value differs from zero by less than half a unit of the last printed digit; a printed zero has no significant \
-                   digit, so that it neither confirms nor refutes";
-        (Verdict::Undecided, format!("{why}: {range}"))
-    } else if value.is_inside(beside) {
-        (Verdict::Enclosed, format!("by enclosures: {range}, which is the printed number to all its digits"))
-    } else if value.and(beside).is_none() {
-        if [value.low(), value.high()].into_iter().all(f64::is_finite) {
-            finding.sides = Some(Sides { left: short(value), right: short(printed) });
-            let missing = short(value - printed);
-            finding.judged.difference = Some((missing.clone(), missing));
+    let (verdict, evidence) = match agreement {
+        _ if is_tie => {
+            let tie = "the value lies exactly half a unit of the last printed digit from the print";
+            (Verdict::Enclosed, format!("{tie}: a tie, which is rounded up or down by convention"))
         }
-        finding.judged.counterexample = assumed
-            .iter()
-            .filter_map(|one| one.told.0.split_once(" = "))
-            .map(|(a, b)| (a.to_owned(), b.to_owned()))
-            .collect();
-        (Verdict::Refuted, format!("by enclosures: {range}"))
-    } else if let Some(apart) = apart {
-        let is_larger = |one: Rational, other: Rational| (one - other).sign() == Some(1);
-        match is_larger(apart, exact_half) || is_larger(-apart, exact_half) {
-            true => (Verdict::Refuted, format!("as a fraction the value is no printed one to all its digits: {range}")),
-            false => {
-                (Verdict::Enclosed, "the value is a fraction, which is the printed number to all its digits".to_owned())
+        Agreement::Agrees if !has_digits => {
+            let why = "a printed zero has no significant digit, so that it neither confirms nor refutes a value within half a unit of its last digit";
+            (Verdict::Undecided, format!("{why}: {range}"))
+        }
+        Agreement::Agrees => {
+            (Verdict::Enclosed, format!("by enclosures: {range}, which is the printed number to all its digits"))
+        }
+        Agreement::Differs => {
+            if [value.low(), value.high()].into_iter().all(f64::is_finite) {
+                finding.sides = Some(Sides { left: short(value), right: short(printed) });
+                let missing = apart.map_or_else(|| short(value - printed), |apart| apart.to_f64().to_string());
+                finding.judged.difference = Some((missing.clone(), missing));
             }
+            finding.judged.counterexample = assumed
+                .iter()
+                .filter_map(|one| one.told.0.split_once(" = "))
+                .map(|(a, b)| (a.to_owned(), b.to_owned()))
+                .collect();
+            (Verdict::Refuted, format!("by enclosures: {range}"))
         }
-    } else {
-        (Verdict::Undecided, format!("{range}, which leaves the last printed digit open"))
+        Agreement::Open => (Verdict::Undecided, format!("{range}, which leaves the last printed digit open")),
     };
     (finding.judged.verdict, finding.judged.evidence) = (verdict, evidence);
     if !is_tie {
@@ -113,6 +107,33 @@ pub(crate) fn number(
         });
     }
     Ok(())
+}
+
+/// A value beside the numbers that have the printed digits.
+enum Agreement {
+    Agrees,
+    Differs,
+    Open,
+}
+
+impl Agreement {
+    /// By the exact difference from the print where the value is a fraction, otherwise by the ends of its enclosure, which are fractions.
+    fn of(value: Interval, apart: Option<Rational>, [low, high]: [Rational; 2]) -> Self {
+        let is_below = |one: Rational, other: Rational| (one - other).sign() == Some(-1);
+        if let Some(apart) = apart {
+            let half = (high - low) / Rational::new(2, 1);
+            return if is_below(half, apart) || is_below(half, -apart) { Self::Differs } else { Self::Agrees };
+        }
+        let exact = |end: f64| end.is_finite().then(|| Rational::exactly(end));
+        let is_after = |end: Option<Rational>, other: Rational| end.is_some_and(|end| is_below(other, end));
+        let is_before = |end: Option<Rational>, other: Rational| end.is_some_and(|end| is_below(end, other));
+        let (from, to) = (exact(value.low()), exact(value.high()));
+        match (is_after(from, low) && is_before(to, high), is_after(from, high) || is_before(to, low)) {
+            (true, _) => Self::Agrees,
+            (_, true) => Self::Differs,
+            _ => Self::Open,
+        }
+    }
 }
 
 /// The printed number with the digits that it should have.

@@ -112,11 +112,19 @@ impl<'a, 't, 'm> Vanishing<'a, 't, 'm> {
     fn is_somewhere(&self) -> bool {
         match &self.solved {
             Some(solved) => solved.is_somewhere(self.conditions),
-            None => {
-                let all_vanish = |signs: &[i8]| signs.iter().all(|sign| *sign == 0);
-                search(&self.zeros, self.conditions, self.motion, Effort::Part, all_vanish).is_some()
-            }
+            None => self.vanish_where(&[]) || self.vanish_where(&self.motion.trace.coordinates),
         }
+    }
+}
+
+impl Vanishing<'_, '_, '_> {
+    /// Whether the expressions vanish at an exact point that satisfies the conditions, with these coordinates zero.
+    fn vanish_where(&self, coordinates: &[Sym]) -> bool {
+        let there: Vec<(Sym, Sym)> = coordinates.iter().map(|&coordinate| (coordinate, Sym::ZERO)).collect();
+        let zeros: Vec<Sym> = self.zeros.iter().map(|zero| zero.substitute(&there)).collect();
+        let conditions = self.conditions.iter().map(|condition| condition.mapped(|e| e.substitute(&there)));
+        let all_vanish = |signs: &[i8]| signs.iter().all(|sign| *sign == 0);
+        search(&zeros, &conditions.collect::<Vec<_>>(), self.motion, Effort::Part, all_vanish).is_some()
     }
 }
 

@@ -15,7 +15,7 @@ use crate::lines::lines;
 use crate::motion::Motion;
 use crate::passage::Passage;
 use crate::steady_motion::Resting;
-use latex::{Statement, read};
+use latex::{Function, Statement, read};
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
 use symbolic::{Node, Sym, decide};
@@ -26,6 +26,12 @@ pub(super) fn candidates(places: &Places, text: &str, rates: &[LetterRate]) -> V
     let names: BTreeSet<&str> = places.atoms.iter().map(|atom| atom.name.as_str()).collect();
     let mut all: Vec<&LetterRate> = rates.iter().filter(|rate| rate.is_symbol).collect();
     all.sort_by_key(|rate| (!names.contains(rate.name.as_str()), !rate.is_input, Reverse(rate.order)));
+    let mut known: Vec<Sym> = Vec::new();
+    all.retain(|rate| {
+        let is_new = !known.contains(&rate.value);
+        known.push(rate.value);
+        is_new
+    });
     let zeros = all.iter().map(|rate| format!("{} = 0", rate.latex));
     // the root of a square depends on the sign of a letter
     let has_root = text.contains(r"\sqrt");
@@ -34,8 +40,9 @@ pub(super) fn candidates(places: &Places, text: &str, rates: &[LetterRate]) -> V
     signs.chain(zeros).collect()
 }
 
-/// Signs of parameters under which an inequality may hold; parameters and letters of the print other than zero, by which a condition may be divided.
-pub(super) fn of_parameters(kind: Kind, places: &Places, rates: &[LetterRate]) -> Vec<String> {
+/// Signs of parameters under which an inequality may hold; parameters, and letters, sines and cosines of the print other than zero, by which a
+/// condition may be divided.
+pub(super) fn of_parameters(kind: Kind, places: &Places, text: &str, rates: &[LetterRate]) -> Vec<String> {
     let signs: &[&str] = match kind {
         Kind::Inequality => &[r"\geq", ">"],
         Kind::SteadyMotion | Kind::Equivalence => &[r"\neq"],
@@ -46,7 +53,16 @@ pub(super) fn of_parameters(kind: Kind, places: &Places, rates: &[LetterRate]) -
     let divides = |rate: &&LetterRate| kind != Kind::Inequality && rate.is_symbol && is_printed(rate);
     let parameters = rates.iter().filter(|rate| rate.is_parameter);
     let others = rates.iter().filter(|rate| !rate.is_parameter).filter(divides);
-    parameters.chain(others).flat_map(|rate| signs.iter().map(|sign| format!("{} {sign} 0", rate.latex))).collect()
+    let letters = parameters.chain(others).map(|rate| rate.latex.clone());
+    let calls = places.calls.iter().filter(|call| kind != Kind::Inequality && is_circular(call.function));
+    let circles =
+        calls.flat_map(|call| [r"\sin", r"\cos"].map(|name| format!("{name}{{{}}}", &text[call.argument.clone()])));
+    let all: Vec<String> = letters.chain(circles).collect();
+    all.into_iter().flat_map(|latex| signs.iter().map(move |sign| format!("{latex} {sign} 0"))).collect()
+}
+
+fn is_circular(function: Function) -> bool {
+    matches!(function, Function::Sin | Function::Cos)
 }
 
 /// The parameters of an inequality as not negative, all together.

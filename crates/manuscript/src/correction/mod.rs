@@ -64,7 +64,7 @@ pub(crate) fn corrections(
     let candidates = || hypotheses::candidates(&search.places, ground.text(), ground.rates());
     let together = || hypotheses::signs_of_parameters(claim, statement, letters, ground.rates());
     let sizes: [&dyn Fn() -> Vec<Correction>; 5] = [
-        &|| under(&ground, hypotheses::of_parameters(claim.kind, &search.places, ground.rates())),
+        &|| under(&ground, hypotheses::of_parameters(claim.kind, &search.places, ground.text(), ground.rates())),
         &|| under_all(&ground, together()).into_iter().collect(),
         &|| search.small(),
         &|| under(&ground, candidates()),

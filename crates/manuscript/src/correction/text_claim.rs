@@ -8,7 +8,7 @@ use super::places::Places;
 use super::probe::{Probe, own_difference};
 use super::redundancy::{are_alike, on_both_sides, redundancies, summands};
 use crate::claim_text::{ClaimText, Kind};
-use crate::conditions::{Hypothesis, assume};
+use crate::conditions::{Hypothesis, assume, hypotheses};
 use crate::finding::Finding;
 use crate::inequalities::sides;
 use crate::integrals::known;
@@ -34,7 +34,7 @@ pub(super) struct TextClaim<'a, 't, 'm> {
     pub letters: &'a Letters<'t, 'm>,
     pub judge: &'a Judge<'a>,
     rates: Vec<LetterRate>,
-    /// The differences of the sides of hypotheses, in the letters of the print.
+    /// The differences of the sides of hypotheses, over the model.
     given: Vec<Sym>,
     probe: Option<Probe<'t, 'm>>,
 }
@@ -81,9 +81,19 @@ impl<'a, 't, 'm> TextClaim<'a, 't, 'm> {
         let corrects = |rate: &LetterRate| !is_condition || rate.order == 0 || is_printed(rate) && !rate.vanishes;
         let all = rates(letters).into_iter().filter(|rate| !rests(rate)).map(with_motion);
         let rates = all.filter(corrects).collect();
-        let equalities = assumed.iter().filter(|hypothesis| hypothesis.equality.is_some());
-        let given = equalities.filter_map(|hypothesis| hypothesis.own).collect();
+        let given = hypotheses(&claim.given, letters).unwrap_or_default();
+        let given = given.iter().filter_map(|hypothesis| hypothesis.equality.map(|(zero, _)| zero)).collect();
         TextClaim { claim, letters, judge, rates, given, probe }
+    }
+
+    /// The difference of both sides of a formula, over the model.
+    fn difference(&self, statement: &Statement) -> Option<Sym> {
+        let [chain] = &statement.chains[..] else { return None };
+        let [left, right] = &chain.sides[..] else { return None };
+        match [left, right].map(|side| value(side, &self.letters.in_model())) {
+            [Ok(Value::Scalar(left)), Ok(Value::Scalar(right))] => Some(left - right),
+            _ => None,
+        }
     }
 
     /// The claim with another formula.
@@ -144,8 +154,8 @@ impl Ground for TextClaim<'_, '_, '_> {
             _ => 0,
         };
         // a hypothesis is no correction
-        let is_given = |own: Sym| self.given.iter().any(|given| are_alike(own, *given));
-        let repeated = usize::from(self.own_difference(statement).is_some_and(is_given));
+        let is_given = |zero: Sym| self.given.iter().any(|given| are_alike(zero, *given));
+        let repeated = usize::from(self.difference(statement).is_some_and(is_given));
         // letters that stand for products are what they stand for
         let meaning = |term: &Term| scalar(value(term, &self.letters.in_model()));
         redundancies(statement, &meaning) + on_both_sides(statement, &own) + of_kind + repeated
