@@ -73,7 +73,7 @@ impl Record {
             Step::Follows(_, Way::Solved(there)) => self.vanishes(there, assumed, &[Condition::Zero(then)]),
             Step::Follows(_, Way::Multiple(factor)) => self.multiple(motion, assumed, [zero, then], *factor),
             Step::Fails(refutation) => self.fails_where(motion, assumed, &[zero], then, refutation),
-            Step::Follows(_, Way::Signs) => self.leave_out(),
+            Step::Follows(_, Way::Signs | Way::Factors) => self.leave_out(),
             Step::Open(_) => {}
         }
     }

@@ -22,6 +22,8 @@ pub(crate) enum Way<'t, 'm> {
     Solved(Box<Motion<'t, 'm>>),
     /// The consequence is zero by the signs of roots of squares.
     Signs,
+    /// The consequence is a multiple of the factors of the condition that may vanish.
+    Factors,
 }
 
 /// Consequences of a condition.
@@ -88,6 +90,15 @@ fn step_within<'t, 'm>(
         let below = factors(form.denominator());
         if !below.iter().any(open) {
             return Step::Follows(below, Way::Multiple(form.to_sym()));
+        }
+    }
+    // a power vanishes where its base does
+    let essential = parts.iter().copied().filter(open).fold(Sym::ONE, |product, part| product * part);
+    if let Ok(form) = normal(then / essential, &motion.hypotheses) {
+        let below = factors(form.denominator());
+        if zero != Sym::ZERO && !below.iter().any(open) {
+            let divided = parts.into_iter().filter(|part| !open(part)).chain(below);
+            return Step::Follows(divided.collect(), Way::Factors);
         }
     }
     let Some(Solution { symbol, value, divisor }) = solution(motion.trace, zero, None) else {

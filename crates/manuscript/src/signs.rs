@@ -197,7 +197,9 @@ pub(crate) fn search(
     let squares: Vec<(Sym, Sym)> = motion.squares.iter().map(|&(of, zero)| (of, motion.reduced(zero))).collect();
     let has_root = |e: &Sym| e.leaves_of().iter().any(|leaf| matches!(leaf.node(), Node::Root(_)));
     let is_slow = |e: &Sym| has_root(e) || holds_half_turn(*e);
-    let points = if expressions.iter().any(is_slow) { POINTS_OF_ROOTS } else { POINTS };
+    let has_slow =
+        expressions.iter().any(is_slow) || conditions.iter().any(|condition| is_slow(&condition.expression()));
+    let points = if has_slow { POINTS_OF_ROOTS } else { POINTS };
     let all = expressions.iter().copied().chain(conditions.iter().map(|condition| condition.expression()));
     let mut draw = Draw::of(all.chain(squares.iter().map(|(_, zero)| *zero)), conditions)?;
     draw.leaves.retain(|leaf| squares.iter().all(|(of, _)| of != leaf));
@@ -210,15 +212,16 @@ pub(crate) fn search(
             let there = |each: Sym| Refutation { point: point.to_vec(), is_formal: false }.value(each);
             let by_half_turn =
                 |each: Sym| if holds_half_turn(each) { there(each).and_then(refutation::sign) } else { None };
+            let by_roots = |each: Sym| if has_root(&each) { there(each)?.as_constant()?.sign() } else { None };
             let holds = || {
                 let holds = |condition: &Condition| {
-                    let sign = rational(condition.expression()).or_else(|| by_half_turn(condition.expression()));
+                    let of = condition.expression();
+                    let sign = rational(of).or_else(|| by_roots(of)).or_else(|| by_half_turn(of));
                     sign.is_some_and(|sign| condition.allows(sign))
                 };
                 conditions.iter().all(holds)
             };
             let signs = || -> Option<Vec<i8>> {
-                let by_roots = |each: Sym| if has_root(&each) { there(each)?.as_constant()?.sign() } else { None };
                 let sign = |each: &Sym| {
                     let found = rational(*each).or_else(|| by_roots(*each)).or_else(|| by_half_turn(*each));
                     found.map(|sign| sign as i8)
@@ -312,19 +315,19 @@ fn may_be_real(point: &[(Sym, Sym)], conditions: &[Condition]) -> bool {
 /// Small numbers for letters, in a fixed order.
 struct Draw<'a> {
     leaves: Vec<Sym>,
-    /// Whether roots are evaluated, for which squares are drawn.
-    has_roots: bool,
+    /// Letters that stand below roots, for which squares are drawn.
+    below_roots: Vec<Sym>,
     conditions: &'a [Condition],
 }
 
 impl<'a> Draw<'a> {
     /// The letters of expressions; none where one of them depends on others.
     fn of(expressions: impl Iterator<Item = Sym>, conditions: &'a [Condition]) -> Option<Self> {
-        let (mut leaves, mut has_roots): (Vec<Sym>, bool) = (Vec::new(), false);
+        let (mut leaves, mut below_roots): (Vec<Sym>, Vec<Sym>) = (Vec::new(), Vec::new());
         let mut open: Vec<Sym> = expressions.flat_map(Sym::leaves_of).collect();
         while let Some(leaf) = open.pop() {
             if let Node::Root(inside) = leaf.node() {
-                has_roots = true;
+                below_roots.extend(inside.leaves_of());
                 open.extend(inside.leaves_of());
             } else if !leaves.contains(&leaf) && !is_half_turn(leaf) {
                 leaves.push(leaf);
@@ -336,7 +339,7 @@ impl<'a> Draw<'a> {
             Node::Cos(angle) | Node::Sin(angle) => angle.symbol_name().is_some() && !leaves.contains(&angle),
             _ => false,
         };
-        leaves.iter().all(is_plain).then_some(Draw { leaves, has_roots, conditions })
+        leaves.iter().all(is_plain).then_some(Draw { leaves, below_roots, conditions })
     }
 
     /// The first suitable point, completed.
@@ -360,7 +363,7 @@ impl<'a> Draw<'a> {
                 let above = if is_positive { 1 + draw % size } else { draw % (2 * size + 1) - size };
                 let number = Rational::new(above, below);
                 // the root of a square is a fraction
-                let is_squared = self.has_roots && attempt % 2 == 1;
+                let is_squared = self.below_roots.contains(&leaf) && attempt % 2 == 1;
                 let number = if is_squared { number * number } else { number };
                 let (Node::Cos(angle) | Node::Sin(angle)) = leaf.node() else {
                     point.push((leaf, Sym::constant(number)));

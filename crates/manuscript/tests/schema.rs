@@ -177,7 +177,8 @@ fn every_example_of_a_paper_is_read() {
     );
     for text in [own, other] {
         let path = schemas().join("../papers/example.toml");
-        PaperText::parse(&path, text).unwrap_or_else(|error| panic!("{error}"));
+        let paper = PaperText::parse(&path, text).unwrap_or_else(|error| panic!("{error}"));
+        assert!(paper.claims.iter().all(|claim| claim.faults.is_empty()), "{:?}", paper.claims);
     }
 }
 
@@ -185,8 +186,8 @@ fn every_example_of_a_paper_is_read() {
 fn is_refused(key: &str) -> bool {
     let system = "title = \"t\"\n[parameters]\nm = \"kg\"\n[coordinates]\nx = \"m\"\n[energies]\nkinetic = \"m/2*x'^2\"\n[letters]\n'm' = \"m\"\n";
     let claim = format!("[[claim]]\nequation = \"1\"\nkind = \"formula\"\nformula = 'm = m'\n{key} = \"proved\"\n");
-    let told =
-        PaperText::parse(Path::new("paper.toml"), format!("{system}{claim}")).err().map(|error| error.to_string());
+    let judged = PaperText::parse(Path::new("paper.toml"), format!("{system}{claim}")).and_then(|paper| paper.judge());
+    let told = judged.err().map(|error| error.to_string());
     told.is_some_and(|told| told.contains(&format!("unknown key `{key}`")))
 }
 

@@ -155,7 +155,9 @@ impl Ground for TextClaim<'_, '_, '_> {
         };
         // a hypothesis is no correction
         let is_given = |zero: Sym| self.given.iter().any(|given| are_alike(zero, *given));
-        let repeated = usize::from(self.difference(statement).is_some_and(is_given));
+        // data give the value of a printed number
+        let states = self.claim.kind != Kind::Number;
+        let repeated = usize::from(states && self.difference(statement).is_some_and(is_given));
         // letters that stand for products are what they stand for
         let meaning = |term: &Term| scalar(value(term, &self.letters.in_model()));
         redundancies(statement, &meaning) + on_both_sides(statement, &own) + of_kind + repeated

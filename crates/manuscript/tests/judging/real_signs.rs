@@ -145,3 +145,23 @@ fn a_correction_is_no_longer_than_the_print() {
     let found = on_pendulum("equation of motion", r"m \ddot\theta (\ddot\theta + g) = 0", "");
     assert!(found.corrections.iter().all(|one| one.formula.len() < 100), "{}", found.text());
 }
+
+#[test]
+fn hypotheses_with_roots_leave_points() {
+    let system = crate::cases::BLOCK.replace("[letters]\n", "[letters]\n'\\zeta' = \"c/(2*sqrt(k*m))\"\n");
+    let given = |more: &str| format!("given = ['m > 0', 'k > 0', {more}]");
+    let found = on(&system, "inequality", r"\zeta < 1", &given("'c^2 < 4 k m'"));
+    assert_eq!(verdict(&found), "proved", "{}", found.text());
+    // a negative damping has a negative ratio
+    let found = on(&system, "inequality", "c^2 < 4 k m", &given(r"'\zeta < 1'"));
+    assert_eq!(verdict(&found), "refuted", "{}", found.text());
+    let found = on(&system, "inequality", "c^2 < 4 k m", &given(r"'\zeta < 1', 'c > 0'"));
+    assert_eq!(verdict(&found), "proved", "{}", found.text());
+}
+
+#[test]
+fn a_power_vanishes_where_its_base_does() {
+    let given = "given = ['u = 0', 'c > 0']";
+    let found = on(crate::cases::BLOCK, "equivalence", r"v = 0 \iff \dot{E} = 0", given);
+    assert_eq!(verdict(&found), "proved", "{}", found.text());
+}

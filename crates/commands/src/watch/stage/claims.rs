@@ -20,10 +20,15 @@ const KEPT: Duration = Duration::from_millis(500);
 pub(super) fn tell(path: &Path, text: String) -> Result<(), Broken> {
     let paper = PaperText::parse(path, text)?;
     let sources: Vec<LiveClaim> = paper.claims.iter().map(|claim| source(&paper, claim)).collect();
-    let ids: Vec<String> = paper.claims.iter().map(|claim| paper.id_of(claim)).collect();
+    // the second of two claims with one id has a fault, and no finding
+    let ids = paper.claims.iter().map(|claim| claim.faults.is_empty().then(|| paper.id_of(claim)));
+    let ids: Vec<Option<String>> = ids.collect();
     let shown = |findings: &[Finding]| -> Told {
         // claims that cannot be read have none
-        let found = |id: &String| findings.iter().find(|finding| finding.judged.id == *id);
+        let found = |id: &Option<String>| {
+            let id = id.as_ref()?;
+            findings.iter().find(|finding| finding.judged.id == *id)
+        };
         let claims = sources.iter().cloned().zip(&ids);
         let claims: Vec<LiveClaim> =
             claims.map(|(claim, id)| LiveClaim { row: found(id).map(decided), ..claim }).collect();
