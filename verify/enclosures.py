@@ -109,6 +109,7 @@ def enclosure(check):
 def excluded(check):
     """A conclusion fails by enclosures."""
     for relation in check.part.then:
-        if relation.kind == ">" and sign(check, check.difference(relation)) == -1:
+        found = sign(check, check.difference(relation)) if relation.kind in (">", "=") else None
+        if found == -1 or relation.kind == "=" and found == 1:
             return
     raise Rejected("no enclosure shows that a conclusion fails")

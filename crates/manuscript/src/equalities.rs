@@ -7,12 +7,14 @@ use crate::conditions::{Hypothesis, assume, conditions};
 use crate::display::{Told, divisors, missing, shown};
 use crate::equation::{Outcome, vanishes, vanishes_or_fails};
 use crate::finding::Finding;
+use crate::half_turn::sign_of_number;
 use crate::letters::Letters;
 use crate::lines::{Line, lines};
 use crate::motion::Motion;
 use crate::real_signs::are_equal_by_squares;
 use crate::signs::without_real_value;
 use crate::verdict::{allowed, neither, refute};
+use claims::certificate::PartProof;
 use claims::{Condition, Verdict};
 use latex::Statement;
 use reader::Issue;
@@ -102,7 +104,11 @@ pub(crate) fn equalities(
                 requires.extend(divisors.into_iter().chain(motion.divisors.iter().copied()));
             }
             Outcome::NonZero(refutation) => {
-                record.fails(motion, assumed, equal, &refutation);
+                match sign_of_number(motion.reduced(difference)) {
+                    // no point gives a value to a number such as cos(pi/5)
+                    Some(_) => record.part(motion, assumed, &[equal], |_| PartProof::Excluded),
+                    None => record.fails(motion, assumed, equal, &refutation),
+                }
                 refute(line, &refutation, motion, told, finding);
                 missing(claim.kind, line, motion, told, finding);
                 break;
