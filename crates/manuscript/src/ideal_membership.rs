@@ -32,7 +32,7 @@ pub(crate) fn combination(target: Sym, zeros: &[Sym], is_apart: &dyn Fn(Sym) -> 
     let is_free = |powers: &Vec<u32>| leaves.iter().zip(powers).all(|(leaf, power)| *power == 0 || is_apart(*leaf));
     std::iter::once(unit).chain(lacking.into_iter().filter(is_free)).find_map(|by| {
         let multiple = product(&target, &monomial(by.clone()))?;
-        let factors = ratios(&[&[multiple.clone()], &zeros[..]].concat(), &zeros);
+        let factors = ratios(&[std::slice::from_ref(&multiple), &zeros[..]].concat(), &zeros);
         let products = zeros.iter().flat_map(|zero| {
             factors.iter().filter_map(|powers| product(zero, &monomial(powers.clone()))).collect::<Vec<Terms>>()
         });

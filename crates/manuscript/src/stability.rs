@@ -130,10 +130,10 @@ impl Compared<'_, '_, '_> {
         // with gyroscopic terms no minimum is needed
         let is_needed = |one: &&Criterion| one.theorem.is_of_roots() || !self.region.is_gyroscopic;
         let needed = self.region.criteria.iter().filter(is_needed).map(|one| self.open(one));
-        if let Some([condition]) = needed.map(|open| <[Sym; 1]>::try_from(open).ok()).next().flatten() {
-            if let Some(condition) = readable(condition, self.own, self.motion, told) {
-                finding.judged.evidence += &format!("; the condition of stability is {condition} > 0");
-            }
+        if let Some([condition]) = needed.map(|open| <[Sym; 1]>::try_from(open).ok()).next().flatten()
+            && let Some(condition) = readable(condition, self.own, self.motion, told)
+        {
+            finding.judged.evidence += &format!("; the condition of stability is {condition} > 0");
         }
         by_roots.then_some(Comparison::Other(refutation))
     }
