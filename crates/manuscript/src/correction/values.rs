@@ -80,8 +80,7 @@ pub(super) fn values(ground: &impl Ground, places: &Places, are_sides: bool) -> 
             let (sign, latex) = signed(value);
             let is_first = text[..part.span.start].trim_end().ends_with(['=', '{', '(']) || part.span.start == 0;
             let is_alone = is_first && is_whole_term(&part, places);
-            let bare = || latex.strip_prefix(r"\left(").and_then(|rest| rest.strip_suffix(r"\right)"));
-            let after = match (sign, bare()) {
+            let after = match (sign, without_brackets(&latex)) {
                 ("-", _) if is_alone => format!("-{latex}"),
                 ("-", _) => format!(r"\left(-{latex}\right)"),
                 (_, Some(bare)) if is_alone && part.is_side => bare.to_owned(),
@@ -92,6 +91,20 @@ pub(super) fn values(ground: &impl Ground, places: &Places, are_sides: bool) -> 
     }
     found.sort_by_key(|(size, _)| *size);
     found.into_iter().map(|(_, edits)| edits).collect()
+}
+
+/// The content of brackets about a whole expression; none of a product of two brackets.
+fn without_brackets(latex: &str) -> Option<&str> {
+    let held = latex.strip_prefix(r"\left(")?.strip_suffix(r"\right)")?;
+    let mut depth = 0usize;
+    for (at, _) in held.match_indices('\\') {
+        match &held[at..] {
+            rest if rest.starts_with(r"\left(") || rest.starts_with(r"\left[") => depth += 1,
+            rest if rest.starts_with(r"\right)") || rest.starts_with(r"\right]") => depth = depth.checked_sub(1)?,
+            _ => {}
+        }
+    }
+    Some(held)
 }
 
 /// Whether a part is a term with all of its factors.
@@ -191,4 +204,17 @@ fn subsets(of: usize, count: usize) -> Vec<Vec<usize>> {
         })
     };
     (count - 1..of).flat_map(with).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::without_brackets;
+
+    #[test]
+    fn brackets_about_a_whole_expression_are_left_out() {
+        assert_eq!(without_brackets(r"\left(a + b\right)"), Some("a + b"));
+        assert_eq!(without_brackets(r"\left(a + \left(b + c\right) d\right)"), Some(r"a + \left(b + c\right) d"));
+        assert_eq!(without_brackets(r"\left(a + b\right)\left(c + d\right)"), None);
+        assert_eq!(without_brackets("a + b"), None);
+    }
 }
