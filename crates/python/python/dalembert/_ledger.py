@@ -169,7 +169,8 @@ def judge(paper: str | os.PathLike[str], *, seconds: float | None = 300.0) -> Le
     seconds: claims that have no verdict by then are missing, and `broken_off` says so; no correction is looked for in the last half second. None for
     no limit. Ctrl-C breaks it off.
 
-    A claim with a fault is not judged: it stands in `unread` of the result, and a warning tells the fault. A fault of the system or of a letter raises a ModelError.
+    A claim with a fault is not judged: it stands in `unread` of the result, and a warning tells the fault. A fault of the system or of a letter
+    raises a ModelError.
     """
     if isinstance(paper, str) and "\n" in paper:
         path, text = "paper.toml", paper
