@@ -75,13 +75,18 @@ impl Case<'_, '_> {
         match &self.open(&parts, known)[..] {
             [] => Ok(Vec::new()),
             &[factor] => {
-                let first = first.filter(|first| factor.symbols_of().contains(first));
-                let letter = solution(self.motion.trace, factor, first).map(|found| found.symbol);
+                let is_own = |letter: &Sym| factor.symbols_of().contains(letter);
+                let plain = solution(self.motion.trace, left, first).map(|found| found.symbol).filter(is_own);
+                let letter = plain
+                    .or_else(|| solution(self.motion.trace, factor, first.filter(is_own)).map(|found| found.symbol));
                 // a factor that stands in a power is put in place of the product
                 let is_linear = letter.is_some_and(|letter| {
                     solution(self.motion.trace, left, Some(letter)).is_some_and(|found| found.symbol == letter)
                 });
-                let equality = if is_linear { (zero, letter) } else { (factor, letter) };
+                let equality = match plain {
+                    Some(_) => (zero, first),
+                    None => (if is_linear { zero } else { factor }, letter),
+                };
                 self.is_replaced |= !is_linear;
                 self.assume(Hypothesis { equality: Some(equality), ..hypothesis.clone() });
                 Ok(vec![self])
