@@ -22,7 +22,8 @@
 //! * `values`, `timings`: exact values and measured times for a reader;
 //! * `exit`: exit codes, and writing that survives a closed pipe; `atomic_write`: files that survive a kill; `output`: the rule
 //!   for the files that a command may write and replace;
-//! * [`charted`], [`chosen_model`], [`steady_motions`], [`finding_object`], [`unjudged_object`]: results of commands as values, for other programs;
+//! * [`charted`], [`chosen_model`], [`steady_motions`], [`forces_along`], [`regulator`], [`consistent_regimes`], [`reference_solution`],
+//!   [`finding_object`], [`unjudged_object`]: results of commands as values, for other programs;
 //! * `clock`: the deadline and Ctrl-C; `progress`: the progress bar.
 
 mod arguments;
@@ -74,7 +75,11 @@ mod watch;
 
 pub use chart::{Charted, charted};
 pub use choose::{ChosenModel, chosen_model};
+pub use inverse::{ForceTable, Wanted as WantedForces, forces_along};
 pub use ledger::paper_file::{object as finding_object, unjudged_object};
+pub use reference::{ReferenceTold, reference_solution};
+pub use regimes::{RegimesTold, consistent_regimes};
+pub use regulate::{RegulatorTold, regulator};
 pub use stationary::model::{SteadyTold, steady_motions};
 
 use arguments::{Arguments, Command};

@@ -2,6 +2,8 @@
 //! print it.
 
 use crate::errors::{refused, scene_error};
+use crate::time_limit::{end_after, left};
+use crate::wording::{in_python, of_python};
 use dalembert::commands::{
     Charted, ChosenModel, SteadyTold, charted, chosen_model, finding_object, steady_motions, unjudged_object,
 };
@@ -49,7 +51,7 @@ pub fn judge_paper<'py>(
         }
         told = findings.len();
     };
-    let goes_on = || Instant::now() + KEPT < end;
+    let goes_on = || Instant::now() < end;
     let found = py.detach(|| paper.findings(false, hear, goes_on)).map_err(|error| scene_error(py, &error))?;
     if let Some(failed) = failed {
         return Err(failed);

@@ -160,7 +160,7 @@ impl Condensation {
 mod tests {
     use super::*;
 
-    /// Two oscillators that are coupled by a spring and a damper, with coordinates of other units than the speeds.
+    /// Two oscillators that are coupled by a spring and by friction, with coordinates of other units than the speeds.
     const COUPLED: [f64; 16] = [0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 1.0, -9.0, 4.0, -0.5, 0.25, 3.0, -7.0, 0.125, 0.0];
 
     #[test]

@@ -31,6 +31,8 @@ from inspect import Parameter, Signature
 from ._model import Model
 from ._builder import ModelBuilder
 from ._check import Check, CheckedEquation, check
+from ._columns import TimedColumns
+from ._forces import Forces
 from ._ledger import Claim, Correction, Ledger, Unread, judge
 from ._native import METHODS, PRINCIPLES, VERSION, Equations, Judgement, LinearEquations, ModelError, JacobianMatrix, RightHandSide
 from ._proofs import Judgements
