@@ -13,8 +13,8 @@ use std::path::{Path, PathBuf};
 
 const HEAD: &str = "# Reference of the language
 
-This chapter lists every table and key of a system as text, in the order in which a file is usually written, then expressions, functions, units, motors, and the tables of a paper. It is for looking up;
-[Your own system](own-system.md) introduces the language. A test makes the chapter of the tables with which the reader of files is compared: no key is missing, and each example and each default is read.
+This chapter lists every table and key of a system as text, in the order in which a file is usually written. Expressions, functions, units, motors, and the tables of a paper follow.
+[Your own system](own-system.md) introduces the language. A test generates this chapter from the tables with which it compares the reader of files: no key is missing, and each example and each default is read.
 The [index](#index-of-keys-and-tables) leads from a key to its tables.
 
 Scenes of a built-in gyrostat or bench have [tables of their own](#tables-of-a-gyrostat-or-a-bench).
@@ -25,8 +25,8 @@ Examples belong to this system, to a circuit with the charge `q`, or to a body w
 ";
 
 const COLUMNS: &str = "
-The column \"kind, unit\" says what a key holds. A scalar, a vector, a point is an [expression](#expressions); a number with its unit is a text such as `\"20 mm\"`. The column
-\"left out\" has the value that holds without the key.
+The column \"kind, unit\" says what a key holds. Scalars, vectors and points are [expressions](#expressions); a number with its unit is a text such as `\"20 mm\"`. The column
+\"left out\" has the default value of the key.
 
 ";
 
@@ -45,9 +45,9 @@ fn page() -> String {
     operators(&mut page);
     page.push_str("\n## Functions\n\n");
     functions(&mut page);
-    page.push_str("\n## Units\n\nA unit is a product of these with whole powers: `kg m^2/s^2`, `N/m`, `km/h`. One slash divides by what follows it directly. `Hz` is refused, since it may mean turns or radians per second: `rev/s` or `rad/s`. `lb` is the pound of mass, `lbf` that of force; `rev` is a turn.\n\n");
+    page.push_str("\n## Units\n\nA unit is a product of the units below with integer powers: `kg m^2/s^2`, `N/m`, `km/h`. A slash divides by the next unit only. `Hz` is refused, since it may mean turns or radians per second; write `rev/s` or `rad/s`. `lb` is the pound of mass, `lbf` that of force; `rev` is a turn.\n\n");
     units(&mut page);
-    page.push_str("\n## Motors\n\n`[drive.machine]` has the name of one of these motors as `model`, and the motor's data as keys. They become parameters of the system, `winch_voltage` of the drive `winch`.\n\n");
+    page.push_str("\n## Motors\n\n`[drive.machine]` has the name of one of these motors as `model`, and the motor's data as keys. The data become parameters of the system, such as `winch_voltage` for the drive `winch`.\n\n");
     motors(&mut page);
     page.push_str("## Tables of a paper\n\n[Check a paper's equations](judging.md) has the meaning of letters and kinds. The tables of the system stand in the same file, or in the file that `model` names.\n");
     of_papers.iter().for_each(|section| write(&mut page, section));
