@@ -1,14 +1,14 @@
 //! Exact and enclosed algebra over numbers: polynomials, their roots, enclosures, linear equations.
 //!
 //! # Overview
-//! The results are signs, counts and places, not rounded values: which motions are stationary, whether one is stable, for
-//! which steps. The crate has neither expressions nor mechanics.
+//! For programs that must decide a question instead of rounding a number: the number of roots, the sign of a value, the box
+//! that contains a solution. The crate contains neither expressions nor mechanics. The example isolates the roots of a polynomial.
 //!
 //! * [`multivariate`]: sparse polynomials with integer coefficients, on which proofs rest;
 //! * [`real`]: real roots of polynomials, exactly; enclosures, Taylor models, fixed points;
-//! * [`complex`]: zeros in the complex plane, each in a rectangle that holds it and no other;
-//! * [`boxes`]: all zeros of nonlinear equations in a box, none missing;
-//! * [`linear`]: determinants, and elimination with pivots over any field, enclosures too.
+//! * [`complex`]: zeros in the complex plane, each in a rectangle that contains exactly one zero;
+//! * [`boxes`]: all zeros of nonlinear equations in a box, with a proof that none is missing;
+//! * [`linear`]: determinants, and elimination with pivoting over any field, including enclosures.
 //!
 //! ```
 //! use dalembert_algebra::real::Polynomial;

@@ -1,13 +1,13 @@
-//! The report's pictures and its one self-contained page.
+//! Charts as SVG, and the report as one self-contained HTML page.
 //!
 //! # Overview
-//! The crate takes plain data and contains no physics and no paper. [`Report`] is everything that a page shows;
-//! [`page::render`] turns it into one HTML file without external references, for screens and for print. Each chart
+//! For programs that show results of runs and proofs. The crate takes plain data and contains no physics and no paper. [`Report`] is the
+//! content of a page; [`page::render`] writes one HTML file without external references, for screens and for print. Each chart
 //! ([`WorkPrecision`], [`Trajectory`], [`Sphere`], [`Areas`], [`Branches`], [`Timings`], and [`Sheet`] with the charts of one run) is
-//! also a picture, by its `svg` method: equal data give equal bytes. A [`Sketch`] is a drawing of a mechanism, still or moving.
+//! has a method `svg` for a separate picture; equal data give equal bytes. A [`Sketch`] is a drawing of a mechanism, still or moving.
 //!
-//! Texts may hold LaTeX between dollar signs; labels inside pictures are plain text. LaTeX that cannot be typeset is
-//! shown as its source and reported in [`Page::unset`].
+//! Texts may contain LaTeX between dollar signs; labels inside pictures are plain text. LaTeX that cannot be typeset is
+//! shown as source text and reported in [`Page::unset`].
 //!
 //! Tested properties: nothing is loaded from outside, every text is escaped and made harmless ([`visible`]), no number is silently left out.
 //!

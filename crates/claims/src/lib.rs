@@ -1,19 +1,19 @@
 //! Claims of a paper, and the verdict that the program finds for each.
 //!
 //! # Overview
-//! A [`Page`] is a paper's list of claims in the paper's own order and letters. A [`Claim`] holds a statement and the way
-//! to decide it; [`Claim::judge`] decides, by exact arithmetic alone, and returns a [`Judged`] claim: a [`Verdict`] with
-//! its evidence. Nobody writes a verdict down: the author of a page states an *expectation*, and a test compares.
+//! For authors who check a paper in Rust. A [`Page`] lists the claims of a paper in the order and letters of the paper. A [`Claim`]
+//! consists of a statement and the way to decide it; [`Claim::judge`] decides it by exact arithmetic alone, and returns a [`Judged`] claim:
+//! a [`Verdict`] with its evidence. The author states only an *expectation*, which a test compares with the verdict.
 //!
 //! | statement | decided by |
 //! |---|---|
 //! | [`Line`]s: derived = printed, for all values | the normal form of the difference |
-//! | [`Theorem`]: from these conditions follows that one | a [`Proof`]: normal form, combination, signs, or an exact point |
+//! | [`Theorem`]: a conclusion follows from conditions | a [`Proof`]: normal form, combination, signs, or an exact point |
 //! | definition | nothing: it makes no claim |
 //!
-//! Every claim is cross-examined ([`examine`]): its dimensions agree, its sides are not one expression, a mutated right
-//! side is refuted, its hypotheses can be met. [`review`](mod@review) reports the term of the equation that a change of a
-//! page concerns. A [`certificate`] lets another program repeat the proof of a verdict.
+//! Every claim is cross-examined ([`examine`]): its dimensions agree, its two sides are not the same expression, a mutated right
+//! side is refuted, and its hypotheses can be satisfied. [`review`](mod@review) reports the terms that differ between two versions of a
+//! page. With a [`certificate`] another program can repeat the proof of a verdict.
 //!
 //! # Example
 //! ```
@@ -30,7 +30,7 @@
 //! // the derived side, here the rate of m v^2/2 by v, and the right side as printed
 //! let derived = (m * v * v).half().diff(v);
 //! page.claim("eq1", "momentum", "the rate of the kinetic energy by the speed").holds([Line::equation(derived, m * v, Sym::ZERO)]);
-//! page.claim("eq2", "momentum", "the same with a lost factor").fails([Line::equation(derived, v, Sym::ZERO)]);
+//! page.claim("eq2", "momentum", "the rate of the kinetic energy by the speed, without the mass").fails([Line::equation(derived, v, Sym::ZERO)]);
 //! let verdicts: Vec<Verdict> = page.judge().iter().map(|claim| claim.verdict).collect();
 //! assert_eq!(verdicts, [Verdict::Proved, Verdict::Refuted]);
 //! ```

@@ -1,6 +1,6 @@
-//! The commands of the program `dalembert`, on whatever motors and papers a program links.
+//! The commands of the program `dalembert`, for all motors and papers that a program links.
 //!
-//! A program of one's own is these lines and its own crates:
+//! For programs with motors, systems or papers of their own. Such a program links its crates and calls [`run()`]:
 //!
 //! ```no_run
 //! use std::process::ExitCode;
@@ -11,17 +11,17 @@
 //! ```
 //!
 //! # Overview
-//! * `arguments`: the command line; the options of each command stand in its own file;
+//! * `arguments`: the command line; the options of each command are in the file of the command;
 //! * `report`, `ledger` with `judge`, `review`, `derive`, `draw`, `linearise`, `inverse`, `regulate`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `numerical-stability`, `motor`, `conform`, `new`,
 //!   `failures`, `chart`, `choose`, `reference`, `scenes`: one file for each command;
 //! * `export`: a system for other simulators;
-//! * `watch`: a page that follows a file while it is written;
-//! * `summary`, `csv`, `pictures`, `sphere`: a run as text, JSON, a table and the data of pictures;
+//! * `watch`: a page that is updated whenever a file is saved;
+//! * `summary`, `csv`, `pictures`, `sphere`: output of a run as text, JSON, a table and the data of pictures;
 //! * `speed`: the atlas of a scene as pictures, tables and advice;
 //! * `job_pool`: independent jobs on all processors;
-//! * `values`, `timings`: exact values and measured times for a reader;
-//! * `exit`: exit codes, and writing that survives a closed pipe; `atomic_write`: files that survive a kill; `output`: the rule
-//!   for the files that a command may write and replace;
+//! * `values`, `timings`: exact values and measured times as text;
+//! * `exit`: exit codes, and writing into a pipe that may be closed; `atomic_write`: files that are written atomically; `output`: the
+//!   files that a command may write and replace;
 //! * [`charted`], [`chosen_model`], [`steady_motions`], [`forces_along`], [`regulator`], [`consistent_regimes`], [`reference_solution`],
 //!   [`finding_object`], [`unjudged_object`]: results of commands as values, for other programs;
 //! * `clock`: the deadline and Ctrl-C; `progress`: the progress bar.

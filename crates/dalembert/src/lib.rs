@@ -2,13 +2,13 @@
 //!
 //! # Overview
 //! * [`model`]: a system as data, its kinematics, the principles, equations of motion;
-//! * [`scenes`]: systems as text, as they run; [`simulation`]: runs, references, work against precision, ensembles;
+//! * [`scenes`]: runs of systems as text; [`simulation`]: runs, references, work-precision charts, ensembles;
 //! * [`motor`]: electric motors; [`claims`]: equations of papers, and their verdicts; [`manuscript`]: a paper as a file, its formulas read
 //!   from LaTeX ([`latex`]);
-//! * [`symbolic`], [`field`], [`algebra`], [`mechanics`], [`integrators`], [`units`], [`reader`]: the machinery beneath.
+//! * [`symbolic`], [`field`], [`algebra`], [`mechanics`], [`integrators`], [`units`], [`reader`]: the crates on which these are built.
 //!
-//! With the feature `commands` a program of one's own has every command of the program `dalembert`, on its own motors and
-//! papers too; with the feature `content` it has the systems, motors, papers and studies of the workbench.
+//! For Rust programs that use the workbench as a library. The feature `commands` adds every command of the program `dalembert`, including
+//! those for motors and papers of the program that links it. The feature `content` adds the systems, motors, papers and studies of the workbench.
 //!
 //! ```
 //! use dalembert::model::principles::Principle;

@@ -1,9 +1,11 @@
-//! Files of other programs: functional mock-up units of FMI 3.0, and archives of NumPy.
+//! Files for other programs: functional mock-up units (FMI), and archives of NumPy.
 //!
 //! # Overview
 //! * [`fmu`]: a system in C as a unit for model exchange and co-simulation, as source and as a binary for this platform;
 //! * [`npz`]: arrays that NumPy loads;
-//! * [`archive`]: files as one zip archive, equal bytes for equal files.
+//! * [`archive`]: files as one zip archive; equal files give equal bytes.
+//!
+//! For programs that export a system or a run. The example writes an archive that `numpy.load` reads.
 //!
 //! # Example
 //! ```

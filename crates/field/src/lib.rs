@@ -1,19 +1,19 @@
-//! The fields over which every law of the workbench is evaluated.
+//! Number types over which every law of motion is evaluated: floating-point, exact, with derivatives, and others.
 //!
 //! # Overview
-//! A law is a function generic over [`Scalar`]: field operations and exact constants, *no comparison*, so that no law
-//! can branch on a value. Angles enter as points ([`Circle`]) of the unit circle, so that laws stay algebraic.
+//! For authors of laws and methods. A law is a function generic over [`Scalar`], which has field operations and exact constants, but
+//! *no comparison*: a law cannot branch on a value. An angle is a point ([`Circle`]) of the unit circle; laws are therefore algebraic.
 //!
 //! | field | gives |
 //! |---|---|
-//! | `f64` | the simulation |
-//! | [`Tangent`] over any field, num-dual's duals over `f64` | derivatives, forward mode |
+//! | `f64` | simulation |
+//! | [`Tangent`] over any field, the dual numbers of `num-dual` over `f64` | derivatives in forward mode |
 //! | [`Rational`] | exact points and counterexamples |
 //! | [`DoubleDouble`] | reference solutions |
-//! | [`Batch`] | as many systems at once as a register is wide |
+//! | [`Batch`] | several systems at once, one in each place of a vector register |
 //! | `Sym` (crate `symbolic`) | proofs, printing, straight-line code |
 //!
-//! Key results: one suite of field laws ([`laws`]) that every field passes.
+//! Every field passes one suite of tests of the field laws ([`laws`]).
 //!
 //! # Example
 //! ```

@@ -1,17 +1,17 @@
 //! Integrators of ordinary differential equations y' = f(t, y).
 //!
 //! # Overview
-//! A law is written once ([`Ode`], [`System`]) and run by any [`Method`] through one entry, [`integrate`]: adaptors to
-//! maintained crates, and the methods that no crate has, over `f64` and double-double alike ([`integrate_in`]). A run has
-//! a budget, is shown to an [`Observer`], and ends in an [`Outcome`]: at its end, or with one of a closed set of failures
-//! and the last good state. Errors are measured against a [`reference()`]: two methods of different families in
-//! double-double, with the digits they share; [`judge`] finds errors, [`measure`] times.
+//! For programs that need accurate runs with measured errors. A law is written once ([`Ode`], [`System`]), and [`integrate`] runs it by any
+//! [`Method`]: those of maintained crates, and own methods over `f64` and double-double numbers ([`integrate_in`]). A run has a budget
+//! and reports its steps to an [`Observer`]. Its [`Outcome`] is the end of the span, or a failure with the last good state. Errors are
+//! measured against a [`reference()`], the digits that two methods of different families share in double-double; [`judge`] computes errors,
+//! [`measure`] times.
 //!
 //! | method | order | stiff | double-double | from |
 //! |---|---|---|---|---|
 //! | Euler, Runge-Kutta 4 (constant step) | 1, 4 | | yes | own |
 //! | Backward Euler, implicit midpoint (constant step) | 1, 2 | yes | yes | own |
-//! | Dormand-Prince 5(4), 8(5,3) | 5, 8 | says so | | own |
+//! | Dormand-Prince 5(4), 8(5,3) | 5, 8 | detected | | own |
 //! | Verner 6(5), 9(8) | 6, 9 | | | `differential-equations` |
 //! | Gragg-Bulirsch-Stoer | varies | | yes | own |
 //! | Taylor, for systems with a series | varies | | yes | own |
@@ -21,17 +21,17 @@
 //! | Bader-Deuflhard | varies | yes | | own |
 //! | Strang, Blanes-Moan, Kahan-Li splittings, for systems with pieces (constant step) | 2, 4, 6, 8 | | 2, 8 | own |
 //!
-//! Laws that are held to constraints by multipliers ([`Index2Dae`], DAEs of index 2) have an entry and methods of their own,
+//! Laws with constraints and multipliers ([`Index2Dae`], differential-algebraic equations of index 2) have their own entry and methods,
 //! [`hold()`]; [`integrate_projected`] projects the steps of any method with a constant step onto the constraint.
 //!
-//! [`clock`] ends every integration of a process at one time, or when the user asks.
+//! [`clock`] ends every integration of a process at a deadline, or on the user's request.
 //!
-//! [`beside()`] checks a run with constant steps by shorter ones; [`follow`] is the continuation of equilibria and of periodic motions over a
-//! parameter.
+//! [`beside()`] checks a run with constant steps by runs with shorter steps; [`follow`] is the continuation of equilibria and of periodic
+//! motions over a parameter.
 //!
-//! Key results: every method has its order on nonlinear laws (`tests/methods/orders.rs`), outputs change no step and are as accurate as the end,
-//! the own inner loops do not allocate, and Gauss collocation with Jacobians in `f64` and residuals in double-double
-//! gives 26 digits at any stiffness in milliseconds.
+//! Tested properties: every method has its order on nonlinear laws (`tests/methods/orders.rs`); outputs change no step and are as accurate
+//! as the end of the run; the inner loops of own methods do not allocate. Gauss collocation with Jacobians in `f64` and residuals in
+//! double-double gives 26 digits at any stiffness in milliseconds.
 //!
 //! # Example
 //! ```

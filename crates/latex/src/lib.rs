@@ -1,11 +1,13 @@
-//! Formulas in LaTeX over declared letters, read without a guess.
+//! A reader of LaTeX formulas over declared letters that refuses ambiguous formulas instead of guessing.
 //!
 //! # Overview
-//! * [`letter_name`]: the name of a letter in one spelling, whatever braces and spaces it was written with;
-//! * [`read`]: a formula as a [`Statement`]: sides with their relations, every part with its place; an ambiguous formula
-//!   is a [`NotFormula`] that names the accepted spellings;
-//! * [`formulas`]: the formulas of a display on several lines, and of double signs;
-//! * [`Meaning`], [`value`]: the sides over the values of the letters.
+//! For programs that read the formulas of papers. The example reads a formula, and refuses a letter that is not declared.
+//!
+//! * [`letter_name`]: the name of a letter in one spelling, independent of braces and spaces;
+//! * [`read`]: a formula as a [`Statement`]: sides with their relations, every part with its place; for an ambiguous formula
+//!   the error [`NotFormula`] names the accepted spellings;
+//! * [`formulas`]: the formulas of a display with several lines, and both formulas of a double sign;
+//! * [`Meaning`], [`value`]: the values of the sides, from the values of the letters.
 //!
 //! | accepted | refused, since it has two readings |
 //! |---|---|

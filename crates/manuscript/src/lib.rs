@@ -1,11 +1,14 @@
-//! A paper as a file: the letters of its formulas over a model, its claims as printed, and the finding on each.
+//! A paper as a text file: the letters of its formulas over a model, its claims as printed, and a finding for each claim.
 //!
 //! # Overview
+//! For readers and authors who check the equations of a paper. The example refutes and corrects a wrong sign.
+//!
 //! * [`PaperText`]: a file with `[letters]` and `[[claim]]`, and with the tables of its system or the name of the system's file;
 //! * `letters`: the meaning of each letter, over the symbols of the model;
-//! * `motion`: the equations along every motion: accelerations, multipliers, constraints, hypotheses;
-//! * [`PaperText::judge`]: a [`Finding`] for each claim; [`PaperText::findings`] also where formulas cannot be read. The derived side is never typed: it comes from the model;
-//! * [`Correction`]: the smallest edit of a refuted formula that is proved;
+//! * `motion`: the equations that hold along every motion: accelerations, multipliers, constraints, hypotheses;
+//! * [`PaperText::judge`]: a [`Finding`] for each claim, with the derived side taken from the model; [`PaperText::findings`] accepts formulas
+//!   that cannot be read;
+//! * [`Correction`]: the smallest edit that makes a refuted formula true, with a proof;
 //! * [`PeerEquations`]: equations of motion that another program has derived, compared with those of the model.
 //!
 //! | kind of claim | statement |

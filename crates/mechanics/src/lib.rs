@@ -1,8 +1,9 @@
 //! The principles of mechanics over any field.
 //!
 //! # Overview
-//! A system is given by its energies as laws generic over the scalar. Each principle turns them into equations of
-//! motion by forward-mode differentiation ([`field::Tangent`]); none of them names a system or contains a formula of one.
+//! For programs that derive equations of motion and prove statements about them. A system is given by its energies, as functions generic
+//! over the number type. Each principle turns the energies into equations of motion by forward-mode differentiation ([`field::Tangent`]).
+//! The crate contains no particular system.
 //!
 //! | principle | from | module |
 //! |---|---|---|
@@ -12,15 +13,15 @@
 //! | angular momentum | the angular momentum of the mass points | [`momentum`] |
 //!
 //! For systems given by masses, forces and constraints in the coordinates of their mass points, [`constrained`] derives
-//! from that one description multipliers, reactions, Gauss' minimum and equations in redundant coordinates. [`regimes`]
-//! is not a principle: it finds the modes of rough contacts that agree with the laws of friction.
+//! multipliers, reactions, Gauss' minimum and equations in redundant coordinates from this single description. [`regimes`]
+//! finds the modes of contacts that satisfy Coulomb's law of friction.
 //!
 //! [`bellman`] derives Riccati's equation of optimal control from Bellman's. [`stability`] decides asymptotic stability
-//! by Hurwitz' minors; [`linear_stability`] counts roots and signs exactly, singular cases included.
+//! by Hurwitz' determinants; [`linear_stability`] counts roots and signs exactly, including singular cases.
 //! [`one_step_stability`] gives the linear stability of a one-step method on a steady motion.
 //!
 //! Each principle returns *residuals*: expressions in accelerations that vanish along the motion. The right-hand side of
-//! a run is one of the forms; it is a claim, and proved, that it makes every residual vanish.
+//! a run makes every residual vanish; claims of the ledger prove this.
 //!
 //! # Example
 //! ```

@@ -1,11 +1,13 @@
-//! A system as data: its bodies, loads and constraints; and its equations of motion by every principle.
+//! A mechanical system as data (bodies, loads, constraints), and its equations of motion by every principle.
 //!
 //! # Overview
-//! * [`Source`]: a system as it is written, by keys whose values are expressions ([`expression`]);
+//! For programs that derive equations of motion. The example derives the equation of a pendulum.
+//!
+//! * [`Source`]: the text of a system, as keys whose values are expressions ([`expression`]);
 //! * [`Model`]: the system with every name resolved and every dimension checked. It owns its expressions and may be sent
 //!   between threads;
-//! * [`Trace`]: the model over symbols, in the graph of one thread: positions, velocities and accelerations formed recursively,
-//!   each in a convenient frame;
+//! * [`Trace`]: the model over symbols, in the expression graph of one thread: positions, velocities and accelerations, formed recursively,
+//!   each in the frame in which it is short;
 //! * [`principles`]: the equations of motion; each principle takes its derivatives automatically.
 //!
 //! ```

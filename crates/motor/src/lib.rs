@@ -1,12 +1,13 @@
-//! Electric motors: their laws, their data, and the forms in which they run.
+//! Electric motors: their laws, their data, and their forms for runs.
 //!
 //! # Overview
-//! * [`Machine`]: the trait that a motor's file implements: energies and laws of force, from which torque, currents, energies and power
-//!   balance are derived;
+//! For authors of motors. The example derives the torque of a magnet from its energy.
+//!
+//! * [`Machine`]: the trait of a motor: energies and laws of force, from which torque, currents, energies and power balance are derived;
 //! * [`Motor`]: the form in which a motor runs: its laws, recorded once as programs, and its data;
-//! * [`catalogue`]: the motors by name, from every crate that is linked;
-//! * [`machine_table`]: the table `[machine]` of a scene; [`text`] is a motor whose laws stand there;
-//! * [`Bench`]: a motor alone, its housing at rest; [`Metered`]: its run with the work of its supply;
+//! * [`catalogue`]: the motors of all linked crates, by name;
+//! * [`machine_table`]: the table `[machine]` of a scene; [`text`] is a motor whose laws are written in this table;
+//! * [`Bench`]: a motor alone, with its housing at rest; [`Metered`]: a run of the bench with the work of the supply;
 //! * [`Separable`]: laws that are sums of fields whose flows are known, for splitting methods; [`Kick`] is the motor's part of them.
 //!
 //! # Example

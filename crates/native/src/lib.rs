@@ -1,11 +1,11 @@
-//! Straight-line programs as machine code of this processor, made while the program runs.
+//! A just-in-time compiler from straight-line programs to machine code of this processor.
 //!
-//! A law that is known only at run time (text of a scene, a mechanism of masses and a chart) would otherwise be evaluated
-//! operation by operation through a table. Here each of its operations is one instruction: in the order of the tape, none
-//! regrouped and none fused that is not so on the tape. The values have the very bits of [`symbolic::Tape::evaluate`] in `f64`.
+//! For laws that are known only at run time, such as the text of a scene. Without this crate they are interpreted, operation by
+//! operation. Here each operation of the tape is one instruction, in the order of the tape; none is regrouped, and none is fused unless
+//! it is fused on the tape. The values agree with [`symbolic::Tape::evaluate`] in `f64` bit for bit.
 //!
-//! This is the one crate with unsafe code. Its conditions are few: the code is whole before it becomes executable, it lives as long as
-//! [`Code`] does, its frame on the stack is bounded and touched page by page, and [`Code::run`] checks every length that it relies on.
+//! No other crate has unsafe code. Four conditions make it sound: the code is complete before it becomes executable, it lives as long as
+//! [`Code`], its stack frame is bounded and touched page by page, and [`Code::run`] checks every length on which the code relies.
 //!
 //! # Example
 //! ```

@@ -1,4 +1,5 @@
-//! The module `dalembert._native`: what the Python package `dalembert` is made of. Sentences for users stand in the package.
+//! The native module `dalembert._native` of the Python package `dalembert`. Only that package uses it; the package contains the
+//! documentation for users.
 
 mod callables;
 mod equations;

@@ -1,10 +1,12 @@
-//! Scene files: TOML with the place of every value, read table by table.
+//! A reader of scene files in TOML that knows the place of every value.
 //!
-//! * [`Table`]: the entries of a table as they are asked for, each with its unit and its bound; keys that nobody asks for are
-//!   errors;
+//! For authors of file formats with units. In the example the misspelt key `mas` is an error.
+//!
+//! * [`Table`]: a table, from which a program asks for entries with their units and bounds; a key that is never asked for is an
+//!   error;
 //! * [`Quantity`]: a datum with its unit, its meaning and the values that it may have ([`Bound`], [`Allowed`]);
 //! * [`Issue`]: an error at a place, and the input accepted there; [`SceneError`] shows all errors of a file;
-//! * [`Family`]: systems that are read in one way, each by its name in the file.
+//! * [`Family`]: systems with a common reader, each selected by its name in the file.
 //!
 //! ```
 //! use dalembert_reader::tables;

@@ -1,13 +1,15 @@
-//! Systems as text: a TOML file becomes a model, and the model a run.
+//! Systems as text: TOML files that are read as models and run.
 //!
 //! # Overview
-//! * [`ModelScene`]: a file with `[coordinates]`, read and checked; every command that runs a scene runs it;
+//! For programs that read a system from a file. The example reads a pendulum, and a file with a wrong unit.
+//!
+//! * [`ModelScene`]: a file with `[coordinates]`, read and checked; every command that runs scenes accepts it;
 //! * [`SystemText`], [`derivation`]: the equations of motion of a text by a principle;
 //! * [`text`]: the tables of a file as a [`model::Source`];
-//! * [`exchange`]: the system as a functional mock-up unit, and as a program of other languages;
+//! * [`exchange`]: the system as a functional mock-up unit, and as code of other languages;
 //! * [`linearisation`]: x' = A x + B w about a point; [`equilibrium()`]: a point of rest near a guess;
-//! * [`parse_ensemble`]: the same file with `[ensemble]`: many members, parameters and starts of their own;
-//! * [`CompiledSystem`]: the equations of motion as machine code, as series, and over every field that runs.
+//! * [`parse_ensemble`]: a file with the table `[ensemble]`: many members, each with its own parameters and start;
+//! * [`CompiledSystem`]: the equations of motion as machine code, as Taylor series, and over every number type of a run.
 //!
 //! # Example
 //! ```

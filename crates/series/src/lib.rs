@@ -1,18 +1,18 @@
-//! Taylor series of the solutions of y' = f(t, y), with f reduced to two kinds of steps: sums and products.
+//! Taylor series of the solutions of y' = f(t, y), with f reduced to two kinds of operations: sums and products.
 //!
-//! The series of a sum with constant coefficients is the sum of the series, that of a product is Cauchy's: (a b)_k =
-//! sum_j a_j b_(k-j). Everything else is brought to these two. Cosine and sine of an angle become states with c' = -a' s,
-//! s' = a' c; a quotient solves (q b)_k = a_k, a root (r r)_k = a_k, each a product solved for its last term.
+//! For integration with long steps and many digits. The operations of a law are recorded once over expressions; the series can then be
+//! computed in `f64`, double-double, dual numbers and batches, for any values of the parameters.
 //!
-//! Unknowns of linear equations are found order by order with one factorisation of the matrix: see [`algebra::linear`].
+//! The series of a sum with constant coefficients is the sum of the series. The series of a product is Cauchy's product, (a b)_k =
+//! sum_j a_j b_(k-j). All other operations are reduced to these two. Cosine c and sine s of an angle a become states with c' = -a' s,
+//! s' = a' c. A quotient q = a/b solves (q b)_k = a_k, and a root r of a solves (r r)_k = a_k, each for the last term of the product.
+//!
+//! The unknowns of linear equations are computed order by order with one factorisation of the matrix: see [`algebra::linear`].
 //!
 //! The cost of a series is the number of products times the square of its order, plus the number of terms of the sums
-//! times the order. Sums are therefore kept in one piece, products of sums are multiplied out where their parts are
-//! needed elsewhere (slip cos, slip sin), and terms with a common factor are gathered: seven currents, each with the
-//! field at its own angle, take two products.
-//!
-//! Long steps and many digits are the purpose: a law is recorded once over expressions, and its series then runs over `f64`,
-//! double-double, duals and lanes, at any values of its parameters.
+//! times the order. Three rules reduce this cost: sums are not split, products of sums are expanded if their parts are
+//! needed elsewhere (slip cos, slip sin), and terms with a common factor are collected. Seven currents, each with the
+//! field at its own angle, then take two products.
 //!
 //! ```
 //! use dalembert_series::{Equations, Recurrence};

@@ -1,16 +1,16 @@
-//! Laws of motion as they run.
+//! Runs of laws of motion: simulation, events, references, and comparison of methods.
 //!
-//! A [`Problem`] is a law with a start, its integrals and its end; it runs by any method ([`Choice`]), across [`events`],
-//! beside [`references`], and by every method at every tolerance ([`work_precision`]). A scene that
-//! is one such problem is [`IvpScene`].
+//! For programs that run scenes. A [`Problem`] is a law with a start, its integrals of motion and its end. It runs by any method
+//! ([`Choice`]) and across [`events`], is compared with [`references`], and is run by every method at every tolerance
+//! ([`work_precision`]). [`IvpScene`] is a scene that is one such problem.
 //!
-//! A law y' = f(t, y) is written down once, over expressions ([`TracedOde`]); all that runs are programs of these:
+//! A law y' = f(t, y) is written once, over expressions ([`TracedOde`]), from which these programs are made:
 //!
 //! * [`Program`]: the rates as straight-line code, machine code in `f64`, operation by operation over dual and double-double numbers;
 //! * [`LawSeries`]: the recurrence of the Taylor coefficients;
-//! * [`JacobianProgram`]: the derivatives, exact and with common parts once;
-//! * [`CompiledLaw`]: all of them behind [`integrators::System`], each made when a method first asks for it;
-//! * [`CompiledDae`]: the same for a law that is held to constraints.
+//! * [`JacobianProgram`]: the exact derivatives, with common subexpressions computed once;
+//! * [`CompiledLaw`]: all these programs as an [`integrators::System`], each compiled when a method first uses it;
+//! * [`CompiledDae`]: the programs of a law with constraints and multipliers.
 //!
 //! ```
 //! use dalembert_simulation::CompiledLaw;

@@ -1,14 +1,17 @@
 //! Exact expressions: the field in which equations of motion are proved, printed and turned into straight-line code.
 //!
 //! # Overview
+//! For programs that prove or print formulas. The example proves an identity on the unit sphere and refutes another one.
 //! A [`Sym`] is a `Copy` handle into a hash-consed expression graph of the current thread. It implements the
-//! workbench's scalar traits: every law that runs over `f64` also runs over `Sym`, and so records itself.
+//! workbench's scalar traits: a law that is evaluated over `f64` can also be evaluated over `Sym`, which records its operations.
 //!
-//! Angles are circle points and roots are generators with a known square: expressions are fractions of polynomials modulo
-//! rewriting rules ([`Hypotheses`]). Whether one vanishes is then decidable: [`decide`] brings it over a denominator kept
-//! as a product of known factors and examines the numerator. [`normal`] gives the normal form, [`Tape`] the straight-line
-//! program, [`Formulas`] the steps for enclosures, [`linear`] the unknowns of linear equations, [`dimension`] the physical
-//! dimension. [`parse`] reads the printed notation.
+//! An angle is a point of the unit circle, and a root is a generator with a known square; expressions are therefore fractions of
+//! polynomials modulo rewriting rules ([`Hypotheses`]). It is decidable whether such a fraction vanishes:
+//!
+//! * [`decide`] forms a common denominator, kept as a product of known factors, and examines the numerator;
+//! * [`normal`] gives the normal form, [`Tape`] the straight-line program, [`Formulas`] the steps for enclosures;
+//! * [`linear`] gives the unknowns of linear equations, [`dimension`] the physical dimension;
+//! * [`parse`] reads the printed notation.
 //!
 //! ```
 //! use field::{Analytic, Scalar};
@@ -27,9 +30,9 @@
 //! ```
 //!
 //! # Limits
-//! Exponents up to 127, 160 generators, a million terms; beyond them a decision is [`Decision::GaveUp`], never a guess.
+//! Exponents up to 127, 160 generators, a million terms; beyond these limits the decision is [`Decision::GaveUp`].
 //! Sines and cosines of fractions of one angle (x/2 and x/3) are reduced to those of a common part; no other relation between transcendental
-//! functions is known. Rules rewrite powers of single symbols; any other relation is given to [`decide_modulo`], with its cofactor.
+//! functions is used. Rules rewrite powers of single symbols; give any other relation to [`decide_modulo`], with its cofactor.
 
 mod analytic;
 mod angles;

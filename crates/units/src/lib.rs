@@ -1,4 +1,6 @@
-//! Units of measurement and quantities as texts: `"0.02 kg m^2"`, `"90 deg"`.
+//! Units of measurement, and a reader of quantities with units such as `"0.02 kg m^2"` and `"90 deg"`.
+//!
+//! For programs that read files with units: a quantity is converted to SI units and its dimension is returned.
 //!
 //! # Example
 //! ```
