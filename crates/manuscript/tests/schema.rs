@@ -77,7 +77,7 @@ fn own() -> Value {
     json!({
         "citation": text("Authors, title, journal, year."),
         "summary": text("Subject of the paper."),
-        "model": text("File of the system, by its path from the folder of this file, where the tables of the system do not stand here."),
+        "model": text("File of the system, by its path from the folder of this file, if this file does not contain the tables of the system."),
         "letters": {
             "type": "object",
             "description": "Each letter of the formulas in LaTeX with its meaning, an expression of the model; a vector has a list of them; 'f(q)' is a function.",

@@ -185,7 +185,7 @@ pub struct ContactSource {
     pub restitution: Option<Text>,
     /// `newton` or `poisson`: the law of restitution.
     pub impact: Option<Text>,
-    /// Whether the start is completed so that it touches.
+    /// Whether the start is completed so that the gap is zero.
     pub touching: bool,
     /// The position in the file, in bytes.
     pub at: Range<usize>,
@@ -208,7 +208,7 @@ pub struct OneWaySource {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DriveSource {
     pub name: Option<Text>,
-    /// The angle of the shaft beside the ground.
+    /// The angle of the shaft relative to the ground.
     pub turns: Option<Text>,
     /// Two bodies or frames: the motor sits on the first and turns the second.
     pub between: Option<[Text; 2]>,

@@ -1,5 +1,6 @@
-//! The native module `dalembert._native` of the Python package `dalembert`. Only that package uses it; the package contains the
-//! documentation for users.
+//! The native module `dalembert._native` of the Python package `dalembert`.
+//!
+//! Only this package uses the module; the documentation for users is in the package.
 
 mod callables;
 mod equations;
