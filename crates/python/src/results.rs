@@ -57,7 +57,10 @@ pub fn judge_paper<'py>(
         return Err(failed);
     }
     about.set_item("findings", found.findings.iter().map(object).collect::<Vec<_>>())?;
-    about.set_item("unread", found.unjudged.iter().map(|claim| unjudged_object(claim).to_string()).collect::<Vec<_>>())?;
+    about.set_item(
+        "unread",
+        found.unjudged.iter().map(|claim| unjudged_object(claim).to_string()).collect::<Vec<_>>(),
+    )?;
     Ok(about)
 }
 
