@@ -307,7 +307,11 @@ fn with_open_letters(found: Refutation, conditions: &[Condition]) -> Option<Refu
 fn may_be_real(point: &[(Sym, Sym)], conditions: &[Condition]) -> bool {
     let asked = |letter: Sym| conditions.iter().any(|condition| condition.expression().leaves_of().contains(&letter));
     point.iter().all(|(letter, _)| match letter.node() {
-        Node::Cos(angle) | Node::Sin(angle) => !asked(angle),
+        Node::Cos(angle) | Node::Sin(angle) => {
+            // conditions on every letter of an angle such as theta/2 or s/R tie it
+            let letters = angle.symbols_of();
+            !letters.into_iter().filter(|letter| !is_half_turn(*letter)).all(asked)
+        }
         _ => true,
     })
 }

@@ -69,12 +69,29 @@ pub(crate) fn linear_terms(expression: Sym) -> Vec<(Sym, Rational)> {
             Node::Product(a, b) if a.as_constant().is_some() => open.push((b, times(a, factor))),
             Node::Product(a, b) if b.as_constant().is_some() => open.push((a, times(b, factor))),
             Node::Quotient(a, b) if b.as_constant().is_some() => open.push((a, factor / times(b, Rational::one()))),
+            Node::Quotient(a, b) => {
+                let ((above, numerator), (below, denominator)) = (scaled(a), scaled(b));
+                let is_plain = numerator == a && denominator == b;
+                collect(&mut terms, if is_plain { next } else { numerator / denominator }, factor * above / below);
+            }
             Node::Constant(_) => collect(&mut terms, Sym::ONE, times(next, factor)),
             _ => collect(&mut terms, next, factor),
         }
     }
     terms.retain(|(_, coefficient)| !coefficient.is_zero());
     terms
+}
+
+/// An expression as a rational number times another one: 2 s and s - t as 2 by s and 1 by s - t, so that 2 s/R is a multiple of s/R.
+fn scaled(expression: Sym) -> (Rational, Sym) {
+    let terms = linear_terms(expression);
+    match terms[..] {
+        [(_, scale), ..] if scale != Rational::one() => {
+            let own = terms.iter().map(|&(term, coefficient)| Sym::constant(coefficient / scale) * term);
+            (scale, own.fold(Sym::ZERO, |sum, term| sum + term))
+        }
+        _ => (Rational::one(), expression),
+    }
 }
 
 fn times(constant: Sym, factor: Rational) -> Rational {

@@ -118,3 +118,22 @@ fn a_fast_mode_that_accuracy_resolves_is_followed_to_the_end() {
     }
     std::fs::remove_file(&file).expect("it is there");
 }
+
+/// Circles of a sleigh: eigenvalues of x, y and the heading change along them, those of both speeds do not.
+#[test]
+fn methods_are_judged_by_what_is_constant_along_a_circling_motion() {
+    let file = temporary("circling.toml");
+    let sleigh = "title = \"Sleigh\"\n[parameters]\nm = \"2 kg\"\nJ = \"0.5 kg m^2\"\na = \"0.2 m\"\n[coordinates]\nX = \"m\"\nY = \"m\"\np = \"rad\"\n\
+        [speeds]\nv = \"velocity(K) . B.x\"\nw = \"p'\"\n[frames]\nB = \"N turned p about z\"\n\
+        [points]\nG = \"O + X*N.x + Y*N.y\"\nK = \"G - a*B.x\"\n[bodies.s]\nframe = \"B\"\ncentre = \"G\"\nmass = \"m\"\ninertia = \"J\"\n\
+        [[constraint]]\nname = \"edge\"\nzero = \"velocity(s at K) . B.y\"\n[[force]]\nalong = \"v\"\nis = \"(4 N) - (2 N s/m)*v\"\n\
+        [[torque]]\non = \"s\"\nis = \"((0.6 N m) - (0.3 N m s)*w)*B.z\"\n[start]\nv = \"1 m/s\"\n[run]\nspan = \"5 s\"\n";
+    std::fs::write(&file, sleigh).expect("it can be written");
+    let path = file.to_string_lossy().into_owned();
+    let output = run(&["numerical-stability", &path, "--range", "v=-10..10", "--range", "p'=-10..10"]);
+    std::fs::remove_file(&file).expect("it is there");
+    let told = text(&output);
+    // m v' = m a w^2 + F - c v, (J + m a^2) w' = -m a v w + T - d w
+    assert!(told.contains("eigenvalues, 1/s: -1.0935018589, -1.8424344592"), "{told}");
+    assert!(told.contains("honest up to h = 1.085520296"), "{told}");
+}

@@ -6,7 +6,7 @@ use crate::exit::{Exit, print, warn};
 use crate::stationary::combinations::{Combination, Combinations};
 use crate::stationary::steady_box::{Found, system_in};
 use crate::stationary::verdict::singular;
-use ::scenes::linearisation::VariedEquations;
+use ::scenes::linearisation::{Standing, VariedEquations};
 use ::scenes::steady_motions::{SteadyMotion, SteadyStability};
 use mechanics::one_step_stability::Mode;
 use serde_json::{Map, Value, json};
@@ -105,9 +105,26 @@ fn judged<'a>(asked: &Asked, found: &'a Found, is_at_condition: bool) -> Vec<Jud
 
 fn near(equations: &VariedEquations, motion: &SteadyMotion, keeps_energy: bool) -> Result<Near, String> {
     let linear = equations.about(0.0, &motion.state).map_err(|why| why.to_string())?;
-    let eigenvalues = linear.eigenvalues;
+    let eigenvalues = match linear.standing {
+        Standing::Moving => without_cyclic(motion)?,
+        _ => linear.eigenvalues,
+    };
     let (modes, zeros) = modes(&eigenvalues, keeps_energy)?;
+    if modes.is_empty() {
+        return Err("every eigenvalue of the linear equations is zero: they decide nothing".to_owned());
+    }
     Ok(Near { rows: rows(&modes), zeros, modes, eigenvalues })
+}
+
+/// The eigenvalues of the linear equations without cyclic coordinates, which are constant along a motion in which those with them change: centres
+/// of the discs that enclose them.
+fn without_cyclic(motion: &SteadyMotion) -> Result<Vec<[f64; 2]>, String> {
+    let SteadyStability::Linear(found) = &motion.stability else {
+        return Err("the linear equations change along the motion".to_owned());
+    };
+    let enclosed = found.enclosed.as_ref().map_err(|why| format!("eigenvalues are not enclosed, since {why}"))?;
+    let others = enclosed.discs.iter().flat_map(|disc| std::iter::repeat_n(disc.centre, disc.count));
+    Ok(std::iter::repeat_n([0.0; 2], enclosed.zeros.len()).chain(others).collect())
 }
 
 /// A sentence on the linear motion.

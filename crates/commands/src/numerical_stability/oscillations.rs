@@ -6,7 +6,7 @@ use super::drift::{goes_on, methods, name, periods};
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
 use crate::stationary::steady_box::{Found, system_in};
-use ::scenes::linearisation::VariedEquations;
+use ::scenes::linearisation::{Standing, VariedEquations};
 use ::scenes::steady_motions::SteadyMotion;
 use ::scenes::{Given, KeptScene, ModelScene};
 use integrators::Method;
@@ -86,6 +86,11 @@ fn oscillations(
     kept: &KeptScene,
 ) -> Result<Vec<Oscillation>, String> {
     let linear = equations.about(0.0, &motion.state).map_err(|why| why.to_string())?;
+    if linear.standing == Standing::Moving {
+        return Err(
+            "the linear equations change along the motion, so that their eigenvalues are no frequencies".to_owned()
+        );
+    }
     let all = studies::numerical_stability::oscillation::frequencies(&linear.eigenvalues);
     let of = |frequency: f64| {
         let displacement = &linear.linear.variations * displaced(&linear.linear.a, frequency);

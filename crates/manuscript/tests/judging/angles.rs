@@ -49,3 +49,30 @@ fn numbers_of_parts_of_pi_have_signs() {
         assert_eq!(verdict(&found), expected, "{}", found.text());
     }
 }
+
+/// A bead on an arc of radius R, by its distance s along it.
+const ARC: &str = r#"
+title = "Bead"
+gravity = "-g*N.y"
+parameters = { m = "kg", R = "m", g = "m/s^2", K = "J" }
+coordinates = { s = "m" }
+frames = { A = "N turned s/R about z" }
+bodies = { b = { centre = "O - R*A.y", mass = "m" } }
+energies = { potential = "K*sin(s/R)^2" }
+letters = { m = "m", R = "R", g = "g", K = "K", s = "s" }
+"#;
+
+#[test]
+fn multiples_of_an_angle_that_is_divided_by_a_letter_belong_together() {
+    for (kind, formula, given, expected) in [
+        ("equation of motion", r"m\ddot{s} + m g\sin\frac{s}{R} + \frac{K}{R}\sin\frac{2s}{R} = 0", "", "proved"),
+        ("identity", r"\cos\frac{2s}{R} = 2\cos^2\frac{s}{R} - 1", "", "proved"),
+        ("identity", r"\sin\frac{s}{R} = 2\sin\frac{s}{2R}\cos\frac{s}{2R}", "", "proved"),
+        ("identity", r"\cos\frac{2s}{R} = 2\cos^2\frac{s}{R} + 1", "", "refuted"),
+        // sin(1/2) is positive: no point may give it another sign
+        ("identity", r"\sqrt{\sin^2\frac{s}{R}} = \sin\frac{s}{R}", "given = ['s > 0', 's < R']", "undecided"),
+    ] {
+        let found = on(ARC, kind, formula, given);
+        assert_eq!(verdict(&found), expected, "{}", found.text());
+    }
+}

@@ -63,6 +63,7 @@ use simulation::events::{Passage, Segment, Switching};
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 pub(crate) use switch_values::{SwitchValues, switch_values_at_start};
+pub(crate) use touches::NEGATIVE;
 pub use unfit::Unfit;
 use words::Words;
 

@@ -21,7 +21,7 @@ const ENERGY: &str =
     "an impact would add energy: the laws of restitution and of friction contradict each other here (Kane 1984)";
 const TURNS: &str =
     "an impact with friction in space would turn the direction of sliding, which its laws do not follow";
-pub(super) const NEGATIVE: &str = "a coefficient of friction is negative";
+pub(crate) const NEGATIVE: &str = "a coefficient of friction is negative";
 /// Bouncing ends when all further bounces together take less than this fraction of the time of the run.
 const BOUNCES: f64 = 1e-9;
 /// A fall exceeds the previous one by at most this many roundings of the gap.

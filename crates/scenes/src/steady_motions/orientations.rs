@@ -140,7 +140,9 @@ impl Orientation {
                 let point = |value: f64| Range { from: value, to: value };
                 let about_ends = about.unwrap_or(point(rates[0]));
                 let spin_ends = spin.unwrap_or(point(if set.is_spinning { rates[2] } else { 0.0 }));
+                let own = range(first.clone()).map(|own| [own.from, own.to]);
                 let ends = match set.is_positive {
+                    _ if own.is_some() => own.unwrap_or_default(),
                     Some(false) => [about_ends.from - spin_ends.to, about_ends.to - spin_ends.from],
                     _ => [about_ends.from + spin_ends.from, about_ends.to + spin_ends.to],
                 };

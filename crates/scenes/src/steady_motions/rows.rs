@@ -12,6 +12,7 @@ use super::NoSteadyMotions;
 use super::determinacy::{Data, Solution, Wanted, solutions};
 use super::potential::{EnergyIntegral, energy_integral, momenta_kept};
 use crate::letters::Letters;
+use crate::modes::NEGATIVE;
 use model::equations::{Equation, Level, Residuals, constraints_of, implied_constraints, vanishes};
 use model::{Contact, Model, Sides, Trace};
 use symbolic::{Sym, substitute_all};
@@ -95,6 +96,12 @@ impl Rows {
             slides: put(&contact.slides.iter().map(|&slide| trace.scalar(slide)).collect::<Vec<_>>()),
         };
         let contacts: Vec<Touching> = model.contacts.iter().enumerate().map(touching).collect();
+        let is_negative = |own: &Touching| {
+            own.friction.is_some_and(|own| own.as_constant().and_then(|value| value.sign()) == Some(-1))
+        };
+        if contacts.iter().any(is_negative) {
+            return Err(NoSteadyMotions::Undefined { why: NEGATIVE.to_owned() });
+        }
         // no potential depends on it
         let potential = put(&[trace.potential_energy()])[0];
         let is_held = |own: &Sym| {

@@ -96,7 +96,10 @@ pub(super) fn judged(
     let is_whole =
         equations.coordinates == equations.unknowns.len() && equations.coordinates + equations.cyclic.len() == n;
     let keeps_energy = equations.energy_integral.is_some() || keeps_energy(model);
-    if is_whole && keeps_energy && inertia.is_positive() {
+    // the amended potential is taken at the momenta of cyclic coordinates: these must be kept
+    let keeps_momenta =
+        equations.cyclic_places.iter().all(|place| equations.kept_momenta.iter().any(|(kept, _)| kept == place));
+    if is_whole && keeps_energy && keeps_momenta && inertia.is_positive() {
         let is_gyroscopic = equations.energy_integral.is_some_and(|integral| integral.is_gyroscopic);
         let rests = state[n..].iter().all(|speed| *speed == 0.0) && !is_gyroscopic;
         let falls = match degenerate {

@@ -270,3 +270,24 @@ fn a_ball_that_rolls_spins_steadily_with_its_centre_of_mass_below_and_above() {
     assert_eq!(verdict_at(-0.5, 0.5), Some(EnclosedVerdict::Undecided { on_axis: 4, touching: 0 }));
     assert_eq!(verdict_at(2.6, 3.6), Some(EnclosedVerdict::Unstable(2)));
 }
+
+/// A sleeping top whose file gives it a spin: the value that is asked for is that of the whole turn, and the spin is not added.
+#[test]
+fn the_turn_about_the_common_axis_has_the_value_that_is_asked_for() {
+    let text = "title = \"Top\"\ngravity = \"-(10 m/s^2)*N.z\"\n[frames]\nF = \"N free\"\n[points]\nG = \"O + (10 cm)*F.z\"\n\
+                [bodies.top]\nframe = \"F\"\ncentre = \"G\"\nmass = \"1 kg\"\ninertia = { principal = [\"10 g m^2\", \"10 g m^2\", \"8 g m^2\"] }\n\
+                [start]\n\"F.wz\" = \"40 rad/s\"\n[run]\nspan = \"1 s\"\n";
+    // the centre turns about O: A = 20 g m^2, stable for C w > sqrt(4 A m g h), w > 35.36 rad/s
+    for (turn, unstable) in [(35.0, 2), (36.0, 0)] {
+        let all = found(text, &[("F.yaw'", turn, turn)]);
+        let right = |motion: &SteadyMotion| match &motion.stability {
+            SteadyStability::Linear(own) => match own.enclosed.as_ref().map(EnclosedSpectrum::verdict) {
+                Ok(EnclosedVerdict::Unstable(count)) => count,
+                _ => 0,
+            },
+            _ => 0,
+        };
+        let counts: usize = all.iter().flat_map(|(_, found)| &found.motions).map(right).sum();
+        assert_eq!(counts, unstable, "{turn}");
+    }
+}

@@ -74,3 +74,17 @@ fn gyroscopic_forces_in_a_turning_plane_leave_the_decision_to_linear_equations()
     };
     assert_eq!(verdict(plane(5.0, 6.0)), Ok(EnclosedVerdict::Undecided { on_axis: 4, touching: 0 }));
 }
+
+/// Where the centrifugal force balances a spring nothing depends on x, but the momentum dT/dx' = x' - w y is not kept, and no amended potential
+/// belongs to it: x' - 2 w y is kept, and y'' + (3 w^2 + k) y = const is stable for k = -w^2.
+#[test]
+fn no_amended_potential_is_taken_where_a_momentum_is_not_kept() {
+    let text = "title = \"Rotating saddle\"\n[parameters]\nm = \"1 kg\"\nk = \"1 N/m\"\nw = \"1 rad/s\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
+                [frames]\nR = \"N turned w*t about z\"\n[bodies]\np = { centre = \"O + x*R.x + y*R.y\", mass = \"m\" }\n\
+                [energies]\npotential = \"k/2*(x^2 - y^2)\"\n[run]\nspan = \"1 s\"\n";
+    let found = all(text, &[("y", -1.0, 1.0)]);
+    let [motion] = &found.motions[..] else { panic!("{found:?}") };
+    let SteadyStability::Linear(own) = &motion.stability else { panic!("{:?}", motion.stability) };
+    let enclosed = own.enclosed.as_ref().expect("eigenvalues are enclosed");
+    assert_eq!(enclosed.verdict(), EnclosedVerdict::Undecided { on_axis: 2, touching: 0 });
+}
