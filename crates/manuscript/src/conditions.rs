@@ -6,7 +6,7 @@ use crate::passage::{Passage, placed};
 use claims::Condition;
 use latex::{Chain, Form, Relation, Term, Value, read, value};
 use reader::Issue;
-use symbolic::Sym;
+use symbolic::{Sym, dimension};
 
 /// A hypothesis as it was read.
 #[derive(Clone)]
@@ -79,7 +79,8 @@ fn hypothesis(text: &Passage, letters: &Letters<'_, '_>) -> Result<Hypothesis, I
         format!("{left_own} {} {right_own}", relation.sign()),
         format!("{} {} {}", left_own.latex(), relation.latex(), right_own.latex()),
     );
-    let scales = *relation == Relation::Equal && right_is != Sym::ZERO;
+    let is_mixed = || dimension(left_own - right_own, &|name: &str| letters.dimension(name)).is_err();
+    let scales = *relation == Relation::Equal && right_is != Sym::ZERO && is_mixed();
     let is_number = |side: Sym| side.as_constant().is_some_and(|value| value.sign() != Some(0));
     let own = (!is_number(left_own) && !is_number(right_own)).then_some(left_own - right_own);
     let mut found = Hypothesis { told, own, equality: None, scales, condition: None, at: text.span.clone() };

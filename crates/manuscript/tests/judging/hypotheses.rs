@@ -74,3 +74,12 @@ fn an_angle_that_is_a_part_of_pi_has_its_cosine() {
         assert_eq!(verdict(&found), expected, "{}", found.text());
     }
 }
+
+/// A letter with a numerical value sets a scale, one that equals another letter does not.
+#[test]
+fn an_equality_of_letters_keeps_the_check_of_dimensions() {
+    for (given, is_checked) in [("h = l", true), (r"\theta = \frac{\pi}{3}", true), ("l = 1", false)] {
+        let found = on_pendulum("formula", "m = 2 g", &format!("given = ['{given}']"));
+        assert_eq!(found.judged.evidence.contains("has the dimension"), is_checked, "{}", found.text());
+    }
+}

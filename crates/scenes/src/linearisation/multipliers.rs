@@ -212,7 +212,12 @@ impl Multipliers {
     /// The meaning for the stability of the motion, by numbers.
     pub fn orbit(&self) -> Orbit {
         let margin = NEAR + 10.0 * self.error;
-        let sizes: Vec<f64> = self.others().iter().map(|[re, im]| re.hypot(*im)).collect();
+        // an error splits several ones by its root: those that belong to reasons and others
+        let split = (margin + self.distance).sqrt();
+        let is_one = |[re, im]: &[f64; 2]| (re - 1.0).hypot(*im) <= split;
+        let are_several = self.values.iter().filter(|value| is_one(value)).count() > 1;
+        let size = |value: [f64; 2]| if are_several && is_one(&value) { 1.0 } else { value[0].hypot(value[1]) };
+        let sizes: Vec<f64> = self.others().into_iter().map(size).collect();
         let outside = sizes.iter().filter(|size| **size > 1.0 + margin).count();
         let inside = sizes.iter().filter(|size| **size < 1.0 - margin).count();
         match (outside, sizes.len() - inside) {

@@ -77,3 +77,18 @@ fn a_time_within_which_nothing_returns_is_no_period() {
     let swing = scene("-x", "x = \"1\"");
     assert!(matches!(over(&swing, 1e-8), Err(NoMultipliers::Short)) && over(&swing, TAU).is_ok());
 }
+
+/// A disc that rolls in a circle, its lean given to ten digits: the ones of its family are several, and an error splits them by its root.
+#[test]
+fn several_ones_that_an_error_splits_lie_on_the_circle() {
+    let text = "title = \"Disc\"\ngravity = \"-g*N.z\"\n[parameters]\nm = \"1 kg\"\nr = \"0.3 m\"\ng = \"9 m/s^2\"\n\
+                [coordinates]\nx = \"m\"\ny = \"m\"\npsi = \"rad\"\nth = \"rad\"\ns = \"rad\"\n\
+                [frames]\nH = \"N turned psi about z\"\nL = \"H turned th about x\"\nW = \"L turned s about y\"\n\
+                [points]\nC = \"O + x*N.x + y*N.y\"\nG = \"C + r*L.z\"\n\
+                [bodies.disc]\nframe = \"W\"\ncentre = \"G\"\nmass = \"m\"\ninertia = { principal = [\"m*r^2/4\", \"m*r^2/2\", \"m*r^2/4\"] }\n\
+                [[constraint]]\nname = \"roll\"\nzero = \"velocity(disc at C)\"\n\
+                [start]\nth = \"0.6023163586 rad\"\n\"psi'\" = \"3 rad/s\"\n\"s'\" = \"-6 rad/s\"\n[run]\nspan = \"3 s\"\n";
+    let disc = ModelScene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}"));
+    let found = Multipliers::of(&disc, TAU / 3.0).unwrap_or_else(|why| panic!("{why}"));
+    assert!(matches!(found.orbit(), Orbit::Undecided(_)), "{:?}", found.values);
+}
