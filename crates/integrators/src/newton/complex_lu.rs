@@ -7,7 +7,7 @@ use super::lu::by_couplings;
 use nalgebra::Complex;
 use pulp::{Arch, Simd, WithSimd};
 
-/// What is left of a complex matrix mu I - J, and its factors.
+/// The equations that remain of a complex matrix mu I - J, and their factors.
 pub(crate) struct ComplexLu {
     size: usize,
     /// The matrix, row after row.
@@ -35,7 +35,7 @@ impl ComplexLu {
         }
     }
 
-    /// Makes the factors of what is left of mu I - J; false if that is singular or not finite.
+    /// Makes the factors of the equations that remain of mu I - J; false if these are singular or not finite.
     pub fn factorise(&mut self, mu: Complex<f64>, jacobian: &Condensation) -> bool {
         if self.size != jacobian.size() {
             *self = ComplexLu::new(jacobian.size());

@@ -65,7 +65,7 @@ impl Lu {
         self.arch.dispatch(Eliminate(self))
     }
 
-    /// Makes the factors of what is left of mu I - J; false if that is singular or not finite.
+    /// Makes the factors of the equations that remain of mu I - J; false if these are singular or not finite.
     pub fn factorise_shifted(&mut self, mu: f64, jacobian: &Condensation) -> bool {
         if self.size != jacobian.size() {
             *self = Lu::new(jacobian.size());

@@ -5,12 +5,12 @@ mod complex_lu;
 mod condensation;
 mod convergence;
 mod lu;
-mod shifted;
+mod shifted_matrix;
 mod spectral;
 
 pub(crate) use complex_lu::ComplexLu;
 pub(crate) use condensation::Condensation;
 pub(crate) use convergence::Newton;
 pub(crate) use lu::Lu;
-pub(crate) use shifted::Shifted;
+pub(crate) use shifted_matrix::Shifted;
 pub(crate) use spectral::SpectralRadius;
