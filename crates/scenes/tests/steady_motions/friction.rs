@@ -87,3 +87,21 @@ fn friction_without_force_leaves_the_energy_to_decide() {
     let [motion] = motions[..] else { panic!("{all:?}") };
     assert!(matches!(motion.stability, SteadyStability::Minimum), "{motion:?}");
 }
+
+/// A run refuses it too: friction that feeds a sliding contact is no law of contacts.
+#[test]
+fn a_negative_coefficient_of_a_contact_is_refused() {
+    let block = |coefficient: &str| {
+        format!(
+            "title = \"Block on an incline\"\ngravity = \"-(10 m/s^2)*N.y\"\n[parameters]\nmu = \"{coefficient}\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
+             [frames]\nI = \"N turned (0.3 rad) about z\"\n[bodies.b]\ncentre = \"O + x*I.x + y*I.y\"\nmass = \"1 kg\"\n\
+             [[contact]]\nname = \"plane\"\nof = \"b\"\nthrough = \"O\"\nnormal = \"I.y\"\nfriction = \"mu\"\n\
+             [energies]\npotential = \"(10 N/m)*x^2\"\n[run]\nspan = \"1 s\"\n"
+        )
+    };
+    let ranges = asked(&[("x", -1.0, 1.0), ("y", -1.0, 1.0)], 1_000);
+    let refused =
+        |text: &str| SteadyMotions::of_cases(&model(text), &ranges, || true).err().map(|why| format!("{why:?}"));
+    assert!(refused(&block("-0.5")).is_some_and(|why| why.contains("a coefficient of friction is negative")));
+    assert_eq!(refused(&block("0.5")), None);
+}
