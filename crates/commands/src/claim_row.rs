@@ -3,6 +3,7 @@
 use crate::values;
 use charts::ClaimRow;
 use claims::{Judged, Verdict};
+use manuscript::UnjudgedClaim;
 
 /// The row of a judged claim; to be called in the thread that made the paper's claims.
 pub fn row(claim: &Judged) -> ClaimRow {
@@ -22,6 +23,19 @@ pub fn row(claim: &Judged) -> ClaimRow {
         why: claim.why.clone(),
         reading: claim.reading.clone(),
         note: claim.note.clone(),
+    }
+}
+
+/// The row of a claim that could not be read: its print, its fault and the spelling that would be accepted.
+pub fn unread_row(claim: &UnjudgedClaim) -> ClaimRow {
+    let accepted = claim.accepted.as_ref().map_or_else(String::new, |accepted| format!("; accepted: {accepted}"));
+    ClaimRow {
+        id: claim.id.clone(),
+        equation_label: format!("({})", claim.equation),
+        verdict: Verdict::Open,
+        evidence: format!("not read, line {} of the file: {}{accepted}", claim.line, claim.fault),
+        reading: format!("printed: {}", claim.printed),
+        ..ClaimRow::default()
     }
 }
 

@@ -6,9 +6,10 @@ use crate::conditions::Hypothesis;
 use crate::consequence::{is_apart, is_apart_by};
 use crate::display::factors;
 use crate::motion::{Motion, solution};
+use crate::polynomial_factors::polynomial_factors;
 use claims::Condition;
 use reader::Issue;
-use symbolic::{Hypotheses, Sym, coefficients, decide, normal};
+use symbolic::{Hypotheses, Sym, decide, normal};
 
 /// The largest number of cases of one claim.
 const MOST_CASES: usize = 16;
@@ -141,7 +142,7 @@ fn is_multiple(one: Sym, other: Sym) -> bool {
     normal(one / other, &Hypotheses::none()).is_ok_and(|form| form.to_sym().as_constant().is_some())
 }
 
-/// The factors of an expression that may be zero: those that are written, powers of letters, and common factors of the coefficients of a letter.
+/// The factors of an expression that may be zero: those that are written, and those of its polynomials.
 fn vanishing_factors(expression: Sym) -> Vec<Sym> {
     if Sym::operations_of(&[expression]) > MOST_OPERATIONS {
         return vec![expression];
@@ -149,35 +150,9 @@ fn vanishing_factors(expression: Sym) -> Vec<Sym> {
     let numerator = |of: Sym| normal(of, &Hypotheses::none()).map_or(of, |form| form.numerator());
     let written = factors(expression).into_iter().map(numerator).collect::<Vec<Sym>>();
     let written = if written.len() > 1 { written } else { vec![numerator(expression)] };
-    let all = written.into_iter().flat_map(|part| parted(part, DEPTH));
+    let all = written.into_iter().flat_map(polynomial_factors);
     all.filter(|part| part.as_constant().is_none()).collect()
 }
 
 /// Longer expressions are not taken apart.
 const MOST_OPERATIONS: usize = 400;
-
-/// The largest number of factors that are taken from one polynomial.
-const DEPTH: usize = 8;
-
-fn parted(polynomial: Sym, depth: usize) -> Vec<Sym> {
-    let form = |of: Sym| normal(of, &Hypotheses::none()).ok();
-    let leaves: Vec<Sym> = polynomial.leaves_of().into_iter().filter(|leaf| leaf.as_constant().is_none()).collect();
-    let split = leaves.into_iter().filter(|_| depth > 0).find_map(|leaf| {
-        let terms = coefficients(polynomial, &[leaf]).ok()?;
-        let (highest, lowest) =
-            (terms.iter().map(|(powers, _)| powers[0]).max()?, terms.iter().map(|(powers, _)| powers[0]).min()?);
-        if lowest > 0 && polynomial != leaf {
-            return Some((leaf, form(polynomial / leaf)?.numerator()));
-        }
-        let of = |power: u32| terms.iter().find(|(powers, _)| powers[0] == power).map(|(_, value)| *value);
-        let (slope, constant) = (of(1).filter(|_| highest == 1)?, of(0)?);
-        let below = form(constant / slope)?.denominator();
-        let common = form(slope / below)?.to_sym();
-        let rest = form(polynomial / common)?.numerator();
-        common.as_constant().is_none().then_some((common, rest))
-    });
-    match split {
-        Some((one, other)) => [parted(one, depth - 1), parted(other, depth - 1)].concat(),
-        None => vec![polynomial],
-    }
-}

@@ -130,18 +130,65 @@ impl Correction {
     /// The corrected formula with the changes underlined.
     pub(crate) fn marked(&self) -> String {
         let mut text = self.formula.clone();
-        let mut parts = self.parts.clone();
-        parts.sort_by_key(|part| std::cmp::Reverse(part.start));
-        for part in parts {
+        for part in whole_parts(&self.formula, &self.parts).into_iter().rev() {
             let changed = &self.formula[part.clone()];
             let held = changed.trim();
-            let marked = match held.strip_prefix('^') {
+            let script = held.strip_prefix(['^', '_']).map(|script| (&held[..1], script));
+            let marked = match script {
                 _ if held.is_empty() => continue,
-                Some(exponent) => format!(r"^{{\underline{{{exponent}}}}}"),
+                Some((sign, script)) => format!(r"{sign}{{\underline{{{script}}}}}"),
                 None => format!(r" {{\underline{{{held}}}}} "),
             };
             text.replace_range(part, &marked);
         }
         text
+    }
+}
+
+/// The changed parts, each a whole piece of LaTeX: one that opens a brace or a bracket ends where this is closed, with the parts between.
+fn whole_parts(formula: &str, parts: &[Range<usize>]) -> Vec<Range<usize>> {
+    let mut ordered = parts.to_vec();
+    ordered.sort_by_key(|part| (part.start, part.end));
+    let mut whole: Vec<Range<usize>> = Vec::new();
+    for part in ordered {
+        // the second argument of a fraction is a part that begins with the brace that closes the first one
+        let joined = whole.pop_if(|last| part.start < last.end).map_or(part.clone(), |last| last.start..part.end.max(last.end));
+        let is_end = |end: &usize| formula.get(joined.start..*end).is_some_and(is_closed);
+        whole.extend((joined.end..=formula.len()).find(is_end).map(|end| joined.start..end));
+    }
+    whole
+}
+
+/// Whether all braces and brackets of sized commands that are opened in a piece of LaTeX are closed in it.
+fn is_closed(piece: &str) -> bool {
+    let ends: Option<usize> = piece.char_indices().try_fold(0_usize, |depth, (at, letter)| match letter {
+        _ if piece[..at].ends_with('\\') => Some(depth),
+        '{' => Some(depth + 1),
+        '}' => depth.checked_sub(1),
+        _ => Some(depth),
+    });
+    ends == Some(0) && piece.matches(r"\left").count() == piece.matches(r"\right").count()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn marked(formula: &str, parts: &[Range<usize>]) -> String {
+        let (formula, parts) = (formula.to_owned(), parts.to_vec());
+        let judged = Judged::default();
+        Correction { changes: Vec::new(), formula, parts, judged, certificate: None }.marked()
+    }
+
+    #[test]
+    fn a_fraction_that_was_put_around_a_term_is_underlined_as_a_whole() {
+        assert_eq!(marked(r"x = \frac{a b}{c} + d", &[4..10, 13..17]), r"x =  {\underline{\frac{a b}{c}}}  + d");
+        assert_eq!(marked(r"x = a^2", &[5..7]), r"x = a^{\underline{2}}");
+        assert_eq!(marked(r"\left(a + b\right)", &[0..7]), r" {\underline{\left(a + b\right)}} ");
+    }
+
+    #[test]
+    fn a_part_that_nothing_closes_is_not_underlined() {
+        assert_eq!(marked(r"\frac{a}{b}", &[7..8]), r"\frac{a}{b}");
     }
 }

@@ -6,9 +6,10 @@ use crate::equation::{Outcome, vanishes_within};
 use crate::finding::Finding;
 use crate::letters::Letters;
 use crate::motion::{Motion, Solution, solution};
+use crate::polynomial_factors::polynomial_factors;
 use crate::real_signs::vanishes_by_signs;
 use crate::refutation::Refutation;
-use crate::signs::{Effort, completed, shows};
+use crate::signs::{Effort, completed, search, shows};
 use crate::verdict::neither;
 use claims::{Condition, Verdict};
 use model::equations::Equations;
@@ -81,7 +82,8 @@ fn step_within<'t, 'm>(
     let inertia: Vec<Condition> = inertia.map(Condition::Positive).collect();
     let conditions = &[conditions, &inertia].concat()[..];
     let open = |factor: &Sym| !is_apart(*factor, motion, conditions);
-    let parts = normal(zero, &motion.hypotheses).map_or(vec![zero], |form| factors(form.numerator()));
+    let written = normal(zero, &motion.hypotheses).map_or(vec![zero], |form| factors(form.numerator()));
+    let parts: Vec<Sym> = written.into_iter().flat_map(polynomial_factors).collect();
     if zero != Sym::ZERO && !parts.iter().any(open) {
         return Step::Open(Outcome::Undecided(format!("{zero} vanishes nowhere within the hypotheses")));
     }
@@ -102,8 +104,8 @@ fn step_within<'t, 'm>(
         }
     }
     let Some(Solution { symbol, value, divisor }) = solution(motion.trace, zero, None) else {
-        let why = "a condition is linear in none of its letters, so that it was not solved";
-        return Step::Open(Outcome::Undecided(why.to_owned()));
+        let parts: Vec<Sym> = parts.into_iter().filter(open).collect();
+        return by_cases(motion, (zero, &parts), then, conditions, effort);
     };
     let mut there = motion.clone();
     if let Err(why) = there.assume(zero, Some(symbol)) {
@@ -138,6 +140,33 @@ fn step_within<'t, 'm>(
         }
         other => Step::Open(other),
     }
+}
+
+/// The step in each case of a condition that no letter solves: one of its factors vanishes. Else a point among small numbers.
+fn by_cases<'t, 'm>(
+    motion: &Motion<'t, 'm>,
+    (zero, parts): (Sym, &[Sym]),
+    then: Sym,
+    conditions: &[Condition],
+    effort: Effort,
+) -> Step<'t, 'm> {
+    let is_part = |part: &&Sym| parts.len() > 1 || solution(motion.trace, **part, None).is_some();
+    let mut divided: Vec<Sym> = Vec::new();
+    let mut has_all = parts.iter().all(|part| is_part(&part));
+    for part in parts.iter().filter(is_part) {
+        match step_within(motion, *part, then, conditions, effort) {
+            Step::Follows(below, _) => divided.extend(below),
+            failing @ Step::Fails(_) => return failing,
+            Step::Open(_) => has_all = false,
+        }
+    }
+    if has_all {
+        return Step::Follows(divided, Way::Factors);
+    }
+    let fails = |signs: &[i8]| matches!(signs, [0, other] if *other != 0);
+    let why = "a condition is linear in none of its letters, so that it was not solved, and no exact point was found at which it holds and the other one does not";
+    let found = search(&[zero, then], conditions, motion, effort, fails).filter(|found| found.is_on(motion));
+    found.map_or_else(|| Step::Open(Outcome::Undecided(why.to_owned())), Step::Fails)
 }
 
 fn undivided(factor: Sym) -> String {

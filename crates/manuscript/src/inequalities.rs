@@ -28,7 +28,7 @@ use symbolic::{Sym, normal};
 
 /// The sides of an inequality.
 pub(crate) struct Sides {
-    /// The side that is claimed to be greater, less the other.
+    /// The side that is claimed to be greater, less the other; of `a \neq b` the square of the difference.
     pub greater: Sym,
     pub is_strict: bool,
     /// Over the model.
@@ -47,7 +47,7 @@ pub(crate) struct Sides {
 pub(crate) fn sides(claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>) -> Result<Sides, Issue> {
     let refused = |title: &str| {
         Issue::at(claim.formula.span.clone(), title.to_owned(), "here")
-            .accepted(r"two sides with <, >, \leq or \geq between them")
+            .accepted(r"two sides with <, >, \leq, \geq or \neq between them")
     };
     let ([left, right], relation) = match &statement.chains[..] {
         [chain] => match (&chain.sides[..], &chain.relations[..]) {
@@ -63,14 +63,16 @@ pub(crate) fn sides(claim: &ClaimText, statement: &Statement, letters: &Letters<
         Relation::GreaterOrEqual => (left - right, false),
         Relation::Less => (right - left, true),
         Relation::LessOrEqual => (right - left, false),
-        Relation::Equal | Relation::NotEqual => return Err(refused("this formula is no inequality")),
+        // two sides differ where the square of their difference is positive
+        Relation::NotEqual => ((left - right) * (left - right), true),
+        Relation::Equal => return Err(refused("this formula is no inequality")),
     };
     let text = format!("{left_own} {} {right_own}", relation.sign());
     let latex = format!("{} {} {}", left_own.latex(), relation.latex(), right_own.latex());
     Ok(Sides { greater, is_strict, left, right, own: [left_own, right_own], text, latex })
 }
 
-/// `a > b` and `a \geq b` where the hypotheses hold.
+/// `a > b`, `a \geq b` and `a \neq b` where the hypotheses hold.
 pub(crate) fn inequality(
     claim: &ClaimText,
     statement: &Statement,

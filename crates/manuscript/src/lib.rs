@@ -47,6 +47,7 @@
 //! ```
 
 mod admissible;
+mod base_motion;
 mod case_findings;
 mod cases;
 mod certificate;
@@ -89,6 +90,7 @@ mod paper_findings;
 mod paper_text;
 mod passage;
 mod peer_equations;
+mod polynomial_factors;
 mod polynomial_signs;
 mod polynomial_terms;
 mod position_letters;

@@ -1,5 +1,6 @@
 //! Linearised equations of motion: the printed equation holds up to terms of the second order about a motion on which letters are constant.
 
+use crate::base_motion::Residuals;
 use crate::certificate::Record;
 use crate::claim_text::ClaimText;
 use crate::conditions::{Hypothesis, assume, conditions};
@@ -24,6 +25,8 @@ pub(crate) struct Linearisation<'t, 'm> {
     pub base: Motion<'t, 'm>,
     inputs: Vec<Sym>,
     feedback: Feedback,
+    /// The rates that are zero on the motion.
+    rates: Vec<Sym>,
 }
 
 impl<'t, 'm> Linearisation<'t, 'm> {
@@ -40,7 +43,8 @@ impl<'t, 'm> Linearisation<'t, 'm> {
         let trace = letters.trace;
         let resting = Resting::of(claim, letters)?;
         let mut base = Motion::without_anything(trace);
-        base.set(resting.rates(letters));
+        let rates = resting.rates(letters);
+        base.set(rates.clone());
         assume(&mut base, assumed)?;
         let inputs = trace.model.inputs.iter().map(|input| Sym::symbol(&input.name));
         let inputs: Vec<Sym> = inputs.filter(|input| base.reduced(*input) == *input).collect();
@@ -57,7 +61,14 @@ impl<'t, 'm> Linearisation<'t, 'm> {
                     .to_owned(),
             ));
         }
-        Ok(Ok(Linearisation { along, base, inputs, feedback }))
+        let rates = rates.into_iter().map(|(rate, _)| rate).collect();
+        Ok(Ok(Linearisation { along, base, inputs, feedback, rates }))
+    }
+
+    /// What keeps the letters from being constant on the motion.
+    fn residuals(&self) -> Residuals {
+        let accelerations = self.rates.iter().filter(|rate| self.base.trace.accelerations.contains(rate));
+        Residuals::of(&self.base, accelerations.map(|&acceleration| (acceleration, self.along.reduced(acceleration))))
     }
 
     /// The parts of an expression that a linear equation keeps: its value on the motion, and its derivatives there by each coordinate,
@@ -146,6 +157,13 @@ pub(crate) fn linearised(
             .to_owned();
     let (base, told) = (&linearisation.base, Told(letters));
     let known = conditions(base, assumed);
+    let residuals = linearisation.residuals();
+    if let Some(why) = residuals.excluded(base, &known, letters) {
+        finding.judged.verdict = Verdict::Undefined;
+        finding.judged.evidence = why;
+        return Ok(());
+    }
+    let mut is_open = false;
     for line in &lines {
         let difference = line.model[0] - line.model[1];
         let parts = linearisation.parts(difference);
@@ -156,6 +174,12 @@ pub(crate) fn linearised(
                     finding.judged.requires.extend(divisors(&found, told));
                 }
                 Outcome::NonZero(refutation) => {
+                    // a point that is on no such motion refutes nothing
+                    let found = Some(refutation).filter(|found| residuals.vanish_at(found));
+                    let Some(refutation) = found.or_else(|| residuals.failing(part, base, &known)) else {
+                        is_open = true;
+                        continue;
+                    };
                     linearisation.record(difference, assumed, Some((by, &refutation)), record);
                     let of_part = Line { model: [part, Sym::ZERO], own: line.own };
                     refute(&of_part, &refutation, base, told, finding);
@@ -185,6 +209,16 @@ pub(crate) fn linearised(
         }
         linearisation.record(difference, assumed, None, record);
     }
+    if is_open {
+        let conditions: Vec<String> = residuals.told(letters).into_iter().map(|(text, _)| text).collect();
+        let why = format!(
+            "the letters of `resting` are constant only where {}, and this condition of the motion is missing in `given`",
+            conditions.join(" and ")
+        );
+        neither(Outcome::Undecided(why), letters, finding);
+        return Ok(());
+    }
+    finding.judged.requires.extend(residuals.told(letters));
     finding.judged.requires.sort();
     finding.judged.requires.dedup();
     finding.judged.verdict = Verdict::Proved;

@@ -15,6 +15,7 @@ use claims::{Condition, Verdict};
 use field::{Interval, Rational};
 use latex::{Relation, Statement};
 use reader::Issue;
+use std::ops::Range;
 use symbolic::{Hypotheses, NotNormal, Sym, normal};
 
 /// `\ddot{\theta} = -12.98`: the value, determined by `given`, agrees with every printed digit. Numbers are in SI units.
@@ -139,8 +140,10 @@ impl Agreement {
 /// The printed number with the digits that it should have.
 pub(crate) struct Right {
     /// The printed digits in the formula.
-    pub span: std::ops::Range<usize>,
+    pub span: Range<usize>,
     pub digits: String,
+    /// The exponent of the power of ten, with which the printed digits are right: its place and its print.
+    pub power: Option<(Range<usize>, String)>,
 }
 
 /// The correct decimals, as many as are printed; none if the value is not determined.
@@ -156,7 +159,8 @@ pub(crate) fn right(
     assume(&mut motion, assumed).ok()?;
     let value = enclosed(cancelled(&motion, motion.reduced(quantity)))?.middle();
     let printed = PrintedDecimal::of(right, &claim.formula.text)?;
-    value.is_finite().then(|| Right { digits: printed.digits(value), span: printed.span })
+    let power = printed.power_for(value, &claim.formula.text);
+    value.is_finite().then(|| Right { digits: printed.digits(value), span: printed.span, power })
 }
 
 /// A letter that cancels needs no value.

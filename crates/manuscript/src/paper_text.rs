@@ -58,7 +58,7 @@ impl PaperText {
     /// # Errors
     /// All that is wrong with either, each at its place; formulas and meanings are read when they are judged.
     pub fn read(path: &Path) -> Result<Self, SceneError> {
-        Self::parse(path, read_text(path)?)
+        Self::parse(path, read_text(path).map_err(of_paper)?)
     }
 
     /// Reads a text as the content of a file; messages name this file, and the file of the system is searched for in its folder.
@@ -77,7 +77,8 @@ impl PaperText {
                 Some(model) => named = Some(Passage::of(top, &text, model)),
             }
             Some(paper(top, &name, &text, &key))
-        })?;
+        })
+        .map_err(of_paper)?;
         if let Some(Passage { text: model, span, .. }) = named {
             let beside = path.parent().unwrap_or(Path::new("")).join(model);
             paper.system = SystemText::read(&beside).map_err(|error| {
@@ -118,6 +119,14 @@ impl PaperText {
     pub(crate) fn has_own_system(&self) -> bool {
         self.system.name == self.path
     }
+}
+
+/// A fault of a whole file, with the files that are accepted as papers.
+fn of_paper(mut error: SceneError) -> SceneError {
+    for issue in error.issues.iter_mut().filter(|issue| issue.span.is_none()) {
+        issue.help = Some("a TOML file with [letters] and [[claim]] is accepted; the folder `papers` holds examples".to_owned());
+    }
+    error
 }
 
 fn paper(top: &mut Table<'_>, name: &str, text: &str, key: &str) -> PaperText {

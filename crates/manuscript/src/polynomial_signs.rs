@@ -150,11 +150,14 @@ fn by_square(polynomial: Sym, symbol: Sym, known: &Known, depth: usize) -> Optio
         }
     }
     let degree = terms.iter().map(|(exponents, _)| exponents[0]).max()?;
-    if degree != 2 || shown(of(2)) != Some(true) {
+    if degree != 2 {
         return None;
     }
+    let leading = shown(of(2))?;
     let four = Sym::constant(Rational::new(4, 1));
-    shown(four * of(2) * of(0) - of(1) * of(1))
+    let discriminant = shown(four * of(2) * of(0) - of(1) * of(1))?;
+    // where the leading coefficient vanishes, the discriminant leaves the constant alone
+    if leading { Some(discriminant) } else { shown(of(0)).map(|_| discriminant) }
 }
 
 /// A polynomial in one unknown, or a homogeneous one in two, by its real roots.

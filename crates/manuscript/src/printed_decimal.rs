@@ -5,6 +5,7 @@ use latex::{Form, Term};
 use std::ops::Range;
 
 /// The digits of a number, and the power of ten beside them.
+#[derive(Clone)]
 pub(crate) struct PrintedDecimal {
     /// The digits in the formula, with a sign before them.
     pub span: Range<usize>,
@@ -12,6 +13,8 @@ pub(crate) struct PrintedDecimal {
     pub decimals: usize,
     /// The exponent of the power of ten; zero without one.
     pub exponent: i32,
+    /// The exponent in the formula, with the sign before it; none without a power of ten.
+    script: Option<Range<usize>>,
 }
 
 impl PrintedDecimal {
@@ -21,7 +24,7 @@ impl PrintedDecimal {
             Form::Number(_) => {
                 let digits = formula.get(term.span.clone())?.trim();
                 let decimals = digits.split_once('.').map_or(0, |(_, part)| part.len());
-                Some(PrintedDecimal { span: term.span.clone(), decimals, exponent: 0 })
+                Some(PrintedDecimal { span: term.span.clone(), decimals, exponent: 0, script: None })
             }
             Form::Negation(of) => {
                 let found = Self::of(of, formula)?;
@@ -29,9 +32,10 @@ impl PrintedDecimal {
             }
             Form::Product(of, power) | Form::Dot(of, power) | Form::Cross(of, power) => {
                 let exponent = power_of_ten(power)?;
-                Self::of(of, formula)
-                    .filter(|found| found.exponent == 0)
-                    .map(|found| PrintedDecimal { exponent, ..found })
+                let sign = formula.get(power.span.clone())?.find('^').unwrap_or(power.span.len());
+                let script = Some(power.span.start + sign..power.span.end);
+                let found = Self::of(of, formula).filter(|found| found.script.is_none())?;
+                Some(PrintedDecimal { exponent, script, ..found })
             }
             _ => None,
         }
@@ -44,9 +48,26 @@ impl PrintedDecimal {
         (0..places.unsigned_abs()).fold(half, |unit, _| if places < 0 { unit / ten } else { unit * ten })
     }
 
+    /// The power of ten with which the printed digits, with their sign or the other one, are those of a value: its place in the formula, and its print. None
+    /// without a power of ten, or where other digits are needed.
+    pub fn power_for(&self, value: f64, formula: &str) -> Option<(Range<usize>, String)> {
+        let script = self.script.clone()?;
+        let printed: f64 = formula.get(self.span.clone())?.replace(char::is_whitespace, "").parse().ok()?;
+        let apart = (value / printed).abs().log10() - f64::from(self.exponent);
+        let exponent = apart.is_finite().then(|| self.exponent + apart.round() as i32)?;
+        let right = PrintedDecimal { exponent, ..self.clone() };
+        let is_right = right.digits(value.abs()) == self.with_decimals(printed.abs());
+        let power = if exponent == 1 { String::new() } else { format!("^{{{exponent}}}") };
+        (is_right && exponent != self.exponent).then_some((script, power))
+    }
+
     /// A value with as many digits as are printed, without the power of ten.
     pub fn digits(&self, value: f64) -> String {
-        format!("{:.*}", self.decimals, value / 10f64.powi(self.exponent))
+        self.with_decimals(value / 10f64.powi(self.exponent))
+    }
+
+    fn with_decimals(&self, value: f64) -> String {
+        format!("{value:.*}", self.decimals)
     }
 }
 

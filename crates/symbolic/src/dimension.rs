@@ -87,8 +87,8 @@ impl fmt::Display for Dimension {
 pub enum Mismatch {
     /// Two terms that are added or subtracted.
     Sum(Box<[(Sym, Dimension); 2]>),
-    /// An argument of a cosine or sine that is not a number.
-    Angle { argument: Sym, dimension: Dimension },
+    /// An argument of a function, such as a cosine or a logarithm, that is not a number.
+    Argument { function: &'static str, argument: Sym, dimension: Dimension },
     /// This symbol or function has no known dimension.
     Unknown(Sym),
 }
@@ -100,8 +100,8 @@ impl fmt::Display for Mismatch {
                 let [(left, first), (right, second)] = **terms;
                 write!(f, "`{left}` has the dimension {first} and `{right}` has {second}")
             }
-            Mismatch::Angle { argument, dimension } => {
-                write!(f, "the angle `{argument}` has the dimension {dimension} and should have none")
+            Mismatch::Argument { function, argument, dimension } => {
+                write!(f, "the argument `{argument}` of `{function}` has the dimension {dimension} and should have none")
             }
             Mismatch::Unknown(symbol) => write!(f, "the dimension of `{symbol}` is not known"),
         }
@@ -134,24 +134,15 @@ pub fn dimension(expression: Sym, lookup: &impl Fn(&str) -> Option<Dimension>) -
             Node::Negation(a) => of(a),
             Node::Power(a, n) => of(a).map(|a| a.power(Rational::new(n.into(), 1))),
             Node::Root(a) => of(a).map(|a| a.power(Rational::new(1, 2))),
-            Node::Cos(argument) | Node::Sin(argument) => match of(argument) {
-                Some(dimension) if dimension != Dimension::none() => {
-                    return Err(Mismatch::Angle { argument, dimension });
-                }
-                _ => Some(Dimension::none()),
-            },
+            Node::Cos(argument) => number("cos", argument, of(argument))?,
+            Node::Sin(argument) => number("sin", argument, of(argument))?,
             Node::Elementary(Elementary::Atan2, a, b) => match (of(a), of(b)) {
                 (Some(first), Some(second)) if first != second => {
                     return Err(Mismatch::Sum(Box::new([(a, first), (b, second)])));
                 }
                 _ => Some(Dimension::none()),
             },
-            Node::Elementary(_, argument, _) => match of(argument) {
-                Some(dimension) if dimension != Dimension::none() => {
-                    return Err(Mismatch::Angle { argument, dimension });
-                }
-                _ => Some(Dimension::none()),
-            },
+            Node::Elementary(function, argument, _) => number(function.name(), argument, of(argument))?,
             Node::Function(name, order, argument) => {
                 let own = lookup(&name.text()).ok_or(Mismatch::Unknown(each))?;
                 let below = of(argument).unwrap_or(Dimension::none());
@@ -161,4 +152,16 @@ pub fn dimension(expression: Sym, lookup: &impl Fn(&str) -> Option<Dimension>) -
         known.insert(each, value);
     }
     Ok(known[&expression])
+}
+
+/// The dimension of a function whose argument must be a number.
+fn number(
+    function: &'static str,
+    argument: Sym,
+    own: Option<Dimension>,
+) -> Result<Option<Dimension>, Mismatch> {
+    match own.filter(|dimension| *dimension != Dimension::none()) {
+        Some(dimension) => Err(Mismatch::Argument { function, argument, dimension }),
+        None => Ok(Some(Dimension::none())),
+    }
 }

@@ -2,11 +2,11 @@
 
 use super::certificates::CertificateFolder;
 use crate::arguments::Format;
-use crate::claim_row::row;
+use crate::claim_row::{row, unread_row};
 use crate::clock;
 use crate::exit::{Exit, print, warn};
 use crate::output::{Form, Maker, Writes};
-use charts::{PaperSection, Report};
+use charts::{ClaimRow, PaperSection, Report};
 use claims::Verdict;
 use clap::{ArgGroup, Args};
 use manuscript::{Change, Correction, Finding, PaperFindings, PaperText, UnjudgedClaim};
@@ -121,7 +121,7 @@ pub fn judge(asked: &Asked) -> Result<Exit, Exit> {
         }
     })?;
     if let Some(output) = output {
-        let html = charts::page::render(&report(&paper, &findings, unjudged.len())).html;
+        let html = charts::page::render(&report(&paper, &findings, &unjudged)).html;
         output.write_text(&html)?.tell(if asked.json { Format::Json } else { Format::Text })?;
     }
     if let Some(folder) = folder {
@@ -223,23 +223,33 @@ fn corrected(correction: &Correction) -> serde_json::Value {
     })
 }
 
-fn report(paper: &PaperText, findings: &[Finding], unjudged: usize) -> Report {
+fn report(paper: &PaperText, findings: &[Finding], unjudged: &[UnjudgedClaim]) -> Report {
     Report {
         title: paper.title.clone(),
-        summary: counted(findings, unjudged),
+        summary: counted(findings, unjudged.len()),
         generated_by: Maker("judge").generator(),
-        papers: vec![section(paper, findings)],
+        papers: vec![section(paper, findings, unjudged)],
         ..Report::default()
     }
 }
 
-fn section(paper: &PaperText, findings: &[Finding]) -> PaperSection {
+/// The claims in the order of the file, those that were not read among them.
+fn section(paper: &PaperText, findings: &[Finding], unjudged: &[UnjudgedClaim]) -> PaperSection {
+    let (mut judged, mut unread) = (findings.iter().peekable(), unjudged.iter().peekable());
+    let claims = paper.claims.iter().filter_map(|claim| {
+        let id = paper.id_of(claim);
+        // the second of two claims with one name was not judged
+        let finding = judged.next_if(|finding| finding.judged.id == id && claim.faults.is_empty());
+        finding.map(|finding| row(&finding.judged)).or_else(|| {
+            unread.next_if(|one| one.id == id).map(|one| ClaimRow { section: claim.section.clone(), ..unread_row(one) })
+        })
+    });
     PaperSection {
         id: paper.key.clone(),
         title: paper.title.clone(),
         citation: paper.citation.clone(),
         summary: paper.summary.clone(),
-        claims: findings.iter().map(|finding| row(&finding.judged)).collect(),
+        claims: claims.collect(),
     }
 }
 
@@ -249,7 +259,7 @@ fn section(paper: &PaperText, findings: &[Finding]) -> PaperSection {
 /// All faults of the file.
 pub fn judged(paper: &PaperText) -> Result<(PaperSection, bool), SceneError> {
     let findings = paper.judge_each(|_| (), || clock::left() > KEPT)?;
-    let mut section = section(paper, &findings);
+    let mut section = section(paper, &findings, &[]);
     // to keep the report small, formulas of proved claims are left as printed; `judge --page` typesets them
     for row in section.claims.iter_mut().filter(|row| row.verdict == Verdict::Proved && !row.reading.is_empty()) {
         row.latex.clear();

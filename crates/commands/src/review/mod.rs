@@ -14,6 +14,7 @@ use ::scenes::SystemText;
 use ::scenes::steady_motions::Range;
 use clap::Args;
 use manuscript::is_paper;
+use paper::PaperChanges;
 use serde_json::json;
 use std::path::PathBuf;
 
@@ -66,10 +67,14 @@ pub fn review(asked: &Asked) -> Result<Exit, Exit> {
         )));
     }
     let mut parts = vec![("text".to_owned(), tables::changes([&before.text, &now.text]))];
-    parts.extend(match kinds[1] {
-        true => paper::changes(file, &asked.against, [before, now])?,
-        false => system::changes([before, now], &asked.range)?,
-    });
+    let (changes, faults) = match kinds[1] {
+        true => {
+            let PaperChanges { changes, faults } = paper::changes(file, &asked.against, [before, now])?;
+            (changes, faults)
+        }
+        false => (system::changes([before, now], &asked.range)?, None),
+    };
+    parts.extend(changes);
     let parts: Vec<Part> = parts.into_iter().map(|(title, told)| Part { title, told }).collect();
     let changed = || parts.iter().filter(|part| !part.told.is_empty());
     print(&match asked.format {
@@ -82,5 +87,5 @@ pub fn review(asked: &Asked) -> Result<Exit, Exit> {
             format!("{:#}\n", parts.collect::<serde_json::Value>())
         }
     })?;
-    Ok(Exit::Done)
+    faults.map_or(Ok(Exit::Done), |faults| Err(faults.into()))
 }

@@ -5,12 +5,19 @@ use super::system::{Changes, of_equations};
 use crate::clock;
 use crate::exit::Exit;
 use claims::review::compare;
-use manuscript::{Finding, PaperText};
+use manuscript::{Finding, PaperFindings, PaperText, UnjudgedClaim};
+use reader::SceneError;
 use scenes::SystemText;
 use std::path::Path;
 
+/// The changes between two texts of a paper, and the faults of those claims of the present text that cannot be read.
+pub(super) struct PaperChanges {
+    pub changes: Changes,
+    pub faults: Option<SceneError>,
+}
+
 /// All changes between two texts of a paper, each judged on the system of its time.
-pub(super) fn changes(file: &Path, against: &str, [before, now]: [SystemText; 2]) -> Result<Changes, Exit> {
+pub(super) fn changes(file: &Path, against: &str, [before, now]: [SystemText; 2]) -> Result<PaperChanges, Exit> {
     let mut old = PaperText::parse(other_file(against).unwrap_or(file), before.text)?;
     let model = old.model_file().filter(|_| other_file(against).is_none()).map(Path::to_owned);
     if let Some(model) = model {
@@ -19,19 +26,41 @@ pub(super) fn changes(file: &Path, against: &str, [before, now]: [SystemText; 2]
     let new = PaperText::parse(file, now.text)?;
     old.key.clone_from(&new.key);
     let mut all = of_equations(&[old.system().clone(), new.system().clone()])?;
-    let judge = |paper: &PaperText| paper.judge_each(|_| {}, clock::has_time);
+    let judge = |paper: &PaperText| paper.findings(false, |_| {}, clock::has_time);
     let [old, new] = [judge(&old)?, judge(&new)?];
-    for finding in &new {
+    for finding in &new.findings {
         let id = &finding.judged.id;
-        let told = match old.iter().find(|before| before.judged.id == *id) {
-            None => vec![format!("new, {}", finding.judged.verdict.name())],
-            Some(before) => changed(before, finding),
+        let now = finding.judged.verdict.name();
+        let told = match (finding_of(&old, id), fault_of(&old, id)) {
+            (Some(before), _) => changed(before, finding),
+            (None, Some(_)) => vec![format!("not read before, {now} now: {}", finding.judged.evidence)],
+            (None, None) => vec![format!("new, {now}")],
         };
         all.push((id.clone(), told));
     }
-    let gone = old.iter().filter(|before| !new.iter().any(|finding| finding.judged.id == before.judged.id));
-    all.extend(gone.map(|before| (before.judged.id.clone(), vec!["gone".to_owned()])));
-    Ok(all)
+    for UnjudgedClaim { id, fault, .. } in &new.unjudged {
+        // the second of two claims with one name has no verdict of its own
+        let told = match (finding_of(&old, id).filter(|_| finding_of(&new, id).is_none()), fault_of(&old, id)) {
+            (Some(before), _) => vec![format!("{} before, not read now: {fault}", before.judged.verdict.name())],
+            (None, Some(before)) if before == fault => Vec::new(),
+            (None, Some(before)) => vec![format!("not read before: {before}; not read now: {fault}")],
+            (None, None) => vec![format!("new, not read: {fault}")],
+        };
+        all.push((id.clone(), told));
+    }
+    let known = |id: &String| finding_of(&new, id).is_some() || fault_of(&new, id).is_some();
+    let before = old.findings.iter().map(|finding| &finding.judged.id).chain(old.unjudged.iter().map(|claim| &claim.id));
+    all.extend(before.filter(|id| !known(id)).map(|id| (id.clone(), vec!["gone".to_owned()])));
+    Ok(PaperChanges { changes: all, faults: new.error })
+}
+
+fn finding_of<'a>(paper: &'a PaperFindings, id: &str) -> Option<&'a Finding> {
+    paper.findings.iter().find(|finding| finding.judged.id == id)
+}
+
+/// The fault of a claim that was not read.
+fn fault_of<'a>(paper: &'a PaperFindings, id: &str) -> Option<&'a String> {
+    paper.unjudged.iter().find(|claim| claim.id == id).map(|claim| &claim.fault)
 }
 
 fn changed(before: &Finding, now: &Finding) -> Vec<String> {

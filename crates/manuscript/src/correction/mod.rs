@@ -57,9 +57,16 @@ pub(crate) fn corrections(
     let ground = TextClaim::of(claim, statement, letters, assumed, judge);
     let search = Search::of(&ground, statement);
     if claim.kind == Kind::Number {
-        let digits = digits(claim, statement, letters, assumed);
-        let edits = exchanges::signs(&search.places, ground.text()).into_iter().chain(digits);
-        return search.proved(edits.map(|edit| vec![edit])).into_iter().take(1).collect();
+        let right = right(claim, statement, letters, assumed);
+        let signs = exchanges::signs(&search.places, ground.text());
+        let power = right.as_ref().and_then(|right| power_of_ten(claim, right));
+        // a power of ten beside another sign
+        let with_sign = power.iter().flat_map(|power| signs.iter().map(|sign| vec![sign.clone(), power.clone()]));
+        let with_sign: Vec<Vec<Edit>> = with_sign.collect();
+        let digits = right.map(|right| digits(claim, right));
+        let single = signs.into_iter().chain(power).map(|edit| vec![edit]);
+        let edits = single.chain(with_sign).chain(digits.map(|edit| vec![edit]));
+        return search.proved(edits).into_iter().take(1).collect();
     }
     let candidates = || hypotheses::candidates(&search.places, ground.text(), ground.rates());
     let together = || hypotheses::signs_of_parameters(claim, statement, letters, ground.rates());
@@ -129,9 +136,15 @@ fn by_hypotheses(ground: &TextClaim<'_, '_, '_>, hypotheses: Vec<String>, proof:
     Correction { changes, formula: ground.text().to_owned(), parts: Vec::new(), judged, certificate }
 }
 
+/// The power of ten with which the printed digits are right.
+fn power_of_ten(claim: &ClaimText, right: &Right) -> Option<Edit> {
+    let (span, power) = right.power.clone()?;
+    let words = format!("the power of ten `10{power}` for `10{}`", &claim.formula.text[span.clone()]);
+    Some(Edit::new(EditKind::Exponent, span, power, words))
+}
+
 /// The correct digits of a printed number, as many as are printed.
-fn digits(claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>, assumed: &[Hypothesis]) -> Option<Edit> {
-    let Right { span, digits } = right(claim, statement, letters, assumed)?;
+fn digits(claim: &ClaimText, Right { span, digits, .. }: Right) -> Edit {
     let words = format!("the number `{digits}` for `{}`", &claim.formula.text[span.clone()]);
-    Some(Edit::new(EditKind::Digits, span, digits, words))
+    Edit::new(EditKind::Digits, span, digits, words)
 }

@@ -22,6 +22,28 @@ pub(super) fn on_both_sides(statement: &Statement, own: &dyn Fn(&Term) -> Option
     left.iter().map(|one| right.iter().filter(|other| are_alike(*one, **other)).count()).sum()
 }
 
+/// The number of factors of products that vanish on the motion, by what they stand for; a printed zero is none of them.
+pub(super) fn vanishing_factors(statement: &Statement, vanishes: &dyn Fn(&Term) -> bool) -> usize {
+    statement.chains.iter().flat_map(|chain| &chain.sides).map(|side| vanishing_in(side, vanishes)).sum()
+}
+
+fn vanishing_in(term: &Term, vanishes: &dyn Fn(&Term) -> bool) -> usize {
+    let inner = |parts: &[&Term]| parts.iter().map(|part| vanishing_in(part, vanishes)).sum::<usize>();
+    let of_product = |parts: &[&Term]| {
+        let is_product = |part: &&&Term| matches!(part.form, Form::Product(..) | Form::Dot(..) | Form::Quotient(..));
+        parts.iter().filter(|part| !is_product(part) && vanishes(part)).count() + inner(parts)
+    };
+    match &term.form {
+        Form::Number(_) | Form::Letter(_) | Form::Rate(..) | Form::Matrix(_) => 0,
+        Form::Sum(a, b) | Form::Difference(a, b) | Form::Cross(a, b) | Form::Partial(a, b) => inner(&[a, b]),
+        Form::Product(a, b) | Form::Dot(a, b) => of_product(&[a, b]),
+        Form::Quotient(above, below) => of_product(&[above]) + inner(&[below]),
+        Form::Negation(of) | Form::Power(of, _) | Form::Root(of) | Form::Function(_, of) | Form::Transposed(of) => {
+            inner(&[of])
+        }
+    }
+}
+
 fn within(term: &Term, own: &dyn Fn(&Term) -> Option<Sym>) -> usize {
     let inner = |parts: &[&Term]| parts.iter().map(|part| within(part, own)).sum::<usize>();
     match &term.form {

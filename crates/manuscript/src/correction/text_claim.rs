@@ -6,7 +6,7 @@ use super::letter_rates::{LetterRate, rates};
 use super::lost::{lack, lost, sought_values};
 use super::places::Places;
 use super::probe::{Probe, own_difference};
-use super::redundancy::{are_alike, on_both_sides, redundancies, summands};
+use super::redundancy::{are_alike, on_both_sides, redundancies, summands, vanishing_factors};
 use crate::claim_text::{ClaimText, Kind};
 use crate::conditions::{Hypothesis, assume, hypotheses};
 use crate::finding::Finding;
@@ -36,6 +36,8 @@ pub(super) struct TextClaim<'a, 't, 'm> {
     rates: Vec<LetterRate>,
     /// The differences of the sides of hypotheses, over the model.
     given: Vec<Sym>,
+    /// The motion of the claim: under its hypotheses, where letters rest as it says.
+    motion: Option<Motion<'t, 'm>>,
     probe: Option<Probe<'t, 'm>>,
 }
 
@@ -67,12 +69,8 @@ impl<'a, 't, 'm> TextClaim<'a, 't, 'm> {
             let _ = assume(&mut motion, assumed);
             motion
         });
-        let vanishes = |value: Sym| {
-            motion.as_ref().is_some_and(|motion| {
-                normal(motion.reduced(value), &motion.hypotheses).is_ok_and(|form| form.to_sym() == Sym::ZERO)
-            })
-        };
-        let with_motion = |rate: LetterRate| LetterRate { vanishes: rate.order > 0 && vanishes(rate.value), ..rate };
+        let vanishes = |value: Sym| motion.as_ref().is_some_and(|motion| vanishes_on(motion, value));
+        let with_motion = |rate: LetterRate| LetterRate { vanishes: vanishes(rate.value), ..rate };
         // a condition is corrected by no rate of a letter that it does not have, and by none that vanishes
         let is_condition =
             matches!(claim.kind, Kind::SteadyMotion | Kind::Stability | Kind::Equivalence | Kind::Inequality);
@@ -83,7 +81,7 @@ impl<'a, 't, 'm> TextClaim<'a, 't, 'm> {
         let rates = all.filter(corrects).collect();
         let given = hypotheses(&claim.given, letters).unwrap_or_default();
         let given = given.iter().filter_map(|hypothesis| hypothesis.equality.map(|(zero, _)| zero)).collect();
-        TextClaim { claim, letters, judge, rates, given, probe }
+        TextClaim { claim, letters, judge, rates, given, motion, probe }
     }
 
     /// The difference of both sides of a formula, over the model.
@@ -160,7 +158,12 @@ impl Ground for TextClaim<'_, '_, '_> {
         let repeated = usize::from(states && self.difference(statement).is_some_and(is_given));
         // letters that stand for products are what they stand for
         let meaning = |term: &Term| scalar(value(term, &self.letters.in_model()));
-        redundancies(statement, &meaning) + on_both_sides(statement, &own) + of_kind + repeated
+        let vanishes = |term: &Term| {
+            let value = self.motion.as_ref().zip(meaning(term));
+            value.is_some_and(|(motion, value)| value != Sym::ZERO && vanishes_on(motion, value))
+        };
+        let empty = vanishing_factors(statement, &vanishes);
+        redundancies(statement, &meaning) + on_both_sides(statement, &own) + of_kind + repeated + empty
     }
 
     fn has_points(&self) -> bool {
@@ -199,6 +202,10 @@ impl Ground for TextClaim<'_, '_, '_> {
     fn goes_on(&self) -> bool {
         (self.judge.goes_on)()
     }
+}
+
+fn vanishes_on(motion: &Motion<'_, '_>, value: Sym) -> bool {
+    normal(motion.reduced(value), &motion.hypotheses).is_ok_and(|form| form.to_sym() == Sym::ZERO)
 }
 
 /// Whether a letter stands alone on one side, and not on the other.

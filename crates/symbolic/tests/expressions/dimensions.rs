@@ -35,7 +35,7 @@ fn a_sum_of_unlike_terms_names_both() {
     let [m, x, theta] = symbols(["m", "x", "theta"]);
     let error = dimension(m + x * theta, &lookup).unwrap_err();
     assert_eq!(error.to_string(), "`m` has the dimension kg and `x*theta` has m");
-    assert!(matches!(dimension(x.circle().cos, &lookup), Err(Mismatch::Angle { .. })));
+    assert!(matches!(dimension(x.circle().cos, &lookup), Err(Mismatch::Argument { .. })));
     assert_eq!(dimension(Sym::symbol("q"), &lookup), Err(Mismatch::Unknown(Sym::symbol("q"))));
 }
 

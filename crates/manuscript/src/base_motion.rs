@@ -1,0 +1,90 @@
+//! The motion about which an equation is linearised: its letters stay as they are only where the equations of motion give them no acceleration.
+
+use crate::consequence::is_apart;
+use crate::display::factors;
+use crate::equation::{Outcome, vanishes};
+use crate::half_turn::sign_of_number;
+use crate::letters::Letters;
+use crate::motion::Motion;
+use crate::refutation::Refutation;
+use crate::signs::{Effort, completed, search};
+use claims::Condition;
+use symbolic::{Decision, Hypotheses, Sym, decide, normal};
+
+/// Accelerations of letters that are constant by `resting`, with other values than zero by the equations of motion.
+pub(crate) struct Residuals(Vec<(Sym, Sym)>);
+
+impl Residuals {
+    /// The residuals on `base` of these accelerations, whose values hold along every motion.
+    pub fn of(base: &Motion<'_, '_>, accelerations: impl Iterator<Item = (Sym, Sym)>) -> Self {
+        let there = accelerations.map(|(acceleration, value)| (acceleration, base.reduced(value)));
+        let is_open = |(_, value): &(Sym, Sym)| match decide(*value, &base.hypotheses) {
+            Decision::NonZero(_) => true,
+            // a number such as sin(1)
+            Decision::GaveUp(_) => sign_of_number(*value).is_some_and(|sign| sign != 0),
+            Decision::Zero(_) | Decision::Undefined(_) => false,
+        };
+        Residuals(there.filter(is_open).collect())
+    }
+
+    /// The first residual that vanishes nowhere, in words: no such motion exists.
+    pub fn excluded(&self, base: &Motion<'_, '_>, conditions: &[Condition], letters: &Letters<'_, '_>) -> Option<String> {
+        // with a parameter that is zero the model is another one
+        let is_parameter = |factor: &Sym| base.trace.parameters.contains(factor);
+        let stays = |factor: &Sym| {
+            let is_number = sign_of_number(*factor).is_some_and(|sign| sign != 0);
+            is_number || is_parameter(factor) || is_apart(*factor, base, conditions)
+        };
+        let parts = |value: Sym| normal(value, &Hypotheses::none()).map_or(vec![value], |form| factors(form.numerator()));
+        let found = self.0.iter().find(|(_, value)| parts(*value).iter().all(stays))?;
+        Some(format!("the letters of `resting` do not stay constant: the equations of motion give {} there", told(found, letters)))
+    }
+
+    /// Whether the letters stay constant at a point.
+    pub fn vanish_at(&self, found: &Refutation) -> bool {
+        self.0.iter().all(|(_, value)| found.value(*value) == Some(Sym::ZERO))
+    }
+
+    /// An exact point of a motion on which the letters stay constant and this expression is not zero.
+    pub fn failing(&self, expression: Sym, base: &Motion<'_, '_>, conditions: &[Condition]) -> Option<Refutation> {
+        let values: Vec<Sym> = self.0.iter().map(|(_, value)| *value).chain([expression]).collect();
+        let is_it =
+            |signs: &[i8]| signs.split_last().is_some_and(|(last, all)| *last != 0 && all.iter().all(|sign| *sign == 0));
+        let found = search(&values, conditions, base, Effort::Whole, is_it);
+        found.or_else(|| self.failing_at_quarter_turns(expression, base, conditions))
+    }
+
+    /// Such a point at which one angle is a multiple of a right angle.
+    fn failing_at_quarter_turns(&self, expression: Sym, base: &Motion<'_, '_>, conditions: &[Condition]) -> Option<Refutation> {
+        let (pi, two) = (base.trace.pi, Sym::ONE + Sym::ONE);
+        let quarters = [Sym::ZERO, pi / two, pi, Sym::ZERO - pi / two];
+        let angles = base.trace.coordinates.iter().filter(|angle| self.0.iter().any(|(_, value)| value.symbols_of().contains(angle)));
+        angles.flat_map(|angle| quarters.map(|value| (*angle, value))).find_map(|turned| {
+            let mut there = base.clone();
+            there.set(vec![turned]);
+            let stays = self.0.iter().all(|(_, value)| decide(there.reduced(*value), &there.hypotheses).is_zero());
+            let known: Vec<Condition> = conditions.iter().map(|condition| condition.mapped(|of| there.reduced(of))).collect();
+            match stays.then(|| vanishes(&there, expression, &known))? {
+                Outcome::NonZero(found) => {
+                    let point = [&[turned][..], &found.point].concat();
+                    completed(Refutation { point, ..found }, &known)
+                }
+                _ => None,
+            }
+        })
+    }
+
+    /// The condition of the motion, in words: the equations that its letters must satisfy to be constant.
+    pub fn told(&self, letters: &Letters<'_, '_>) -> Vec<(String, String)> {
+        let line = |(_, value): &(Sym, Sym)| {
+            let own = letters.told(normal(*value, &Hypotheses::none()).map_or(*value, |form| form.numerator()));
+            (format!("{own} = 0"), format!("{} = 0", own.latex()))
+        };
+        self.0.iter().map(line).collect()
+    }
+}
+
+fn told((acceleration, value): &(Sym, Sym), letters: &Letters<'_, '_>) -> String {
+    let value = normal(*value, &Hypotheses::none()).map_or(*value, |form| form.to_sym());
+    format!("{} = {}", letters.told(*acceleration), letters.told(value))
+}
