@@ -7,7 +7,7 @@ use crate::half_turn::sign_of_number;
 use crate::letters::Letters;
 use crate::motion::Motion;
 use crate::refutation::Refutation;
-use crate::signs::{Effort, completed, search};
+use crate::exact_points::{Effort, completed, search};
 use claims::Condition;
 use symbolic::{Decision, Hypotheses, Sym, decide, normal};
 
@@ -16,12 +16,16 @@ pub(crate) struct Residuals(Vec<(Sym, Sym)>);
 
 impl Residuals {
     /// The residuals on `base` of these accelerations, whose values hold along every motion.
-    pub fn of(base: &Motion<'_, '_>, accelerations: impl Iterator<Item = (Sym, Sym)>) -> Self {
+    pub fn of(
+        base: &Motion<'_, '_>,
+        accelerations: impl Iterator<Item = (Sym, Sym)>,
+        conditions: &[Condition],
+    ) -> Self {
         let there = accelerations.map(|(acceleration, value)| (acceleration, base.reduced(value)));
         let is_open = |(_, value): &(Sym, Sym)| match decide(*value, &base.hypotheses) {
             Decision::NonZero(_) => true,
-            // a number such as sin(1)
-            Decision::GaveUp(_) => sign_of_number(*value).is_some_and(|sign| sign != 0),
+            // with a number such as sin(1)
+            Decision::GaveUp(_) => vanishing(*value, base, conditions).is_empty(),
             Decision::Zero(_) | Decision::Undefined(_) => false,
         };
         Residuals(there.filter(is_open).collect())
@@ -29,15 +33,12 @@ impl Residuals {
 
     /// The first residual that vanishes nowhere, in words: no such motion exists.
     pub fn excluded(&self, base: &Motion<'_, '_>, conditions: &[Condition], letters: &Letters<'_, '_>) -> Option<String> {
-        // with a parameter that is zero the model is another one
-        let is_parameter = |factor: &Sym| base.trace.parameters.contains(factor);
-        let stays = |factor: &Sym| {
-            let is_number = sign_of_number(*factor).is_some_and(|sign| sign != 0);
-            is_number || is_parameter(factor) || is_apart(*factor, base, conditions)
-        };
-        let parts = |value: Sym| normal(value, &Hypotheses::none()).map_or(vec![value], |form| factors(form.numerator()));
-        let found = self.0.iter().find(|(_, value)| parts(*value).iter().all(stays))?;
-        Some(format!("the letters of `resting` do not stay constant: the equations of motion give {} there", told(found, letters)))
+        let (acceleration, value) = self.0.iter().find(|(_, value)| vanishing(*value, base, conditions).is_empty())?;
+        let value = normal(*value, &Hypotheses::none()).map_or(*value, |form| form.to_sym());
+        let (acceleration, value) = (letters.told(*acceleration), letters.told(value));
+        Some(format!(
+            "the letters of `resting` do not stay constant: the equations of motion give {acceleration} = {value} there"
+        ))
     }
 
     /// Whether the letters stay constant at a point.
@@ -75,16 +76,22 @@ impl Residuals {
     }
 
     /// The condition of the motion, in words: the equations that its letters must satisfy to be constant.
-    pub fn told(&self, letters: &Letters<'_, '_>) -> Vec<(String, String)> {
+    pub fn told(&self, base: &Motion<'_, '_>, conditions: &[Condition], letters: &Letters<'_, '_>) -> Vec<(String, String)> {
         let line = |(_, value): &(Sym, Sym)| {
-            let own = letters.told(normal(*value, &Hypotheses::none()).map_or(*value, |form| form.numerator()));
+            let product = vanishing(*value, base, conditions).into_iter().reduce(|product, factor| product * factor);
+            let own = letters.told(product.unwrap_or(*value));
             (format!("{own} = 0"), format!("{} = 0", own.latex()))
         };
         self.0.iter().map(line).collect()
     }
 }
 
-fn told((acceleration, value): &(Sym, Sym), letters: &Letters<'_, '_>) -> String {
-    let value = normal(*value, &Hypotheses::none()).map_or(*value, |form| form.to_sym());
-    format!("{} = {}", letters.told(*acceleration), letters.told(value))
+/// The factors of a value that may vanish. With a parameter that is zero the model is another one.
+fn vanishing(value: Sym, base: &Motion<'_, '_>, conditions: &[Condition]) -> Vec<Sym> {
+    let parts = normal(value, &Hypotheses::none()).map_or(vec![value], |form| factors(form.numerator()));
+    let stays = |factor: &Sym| {
+        let is_number = || sign_of_number(*factor).is_some_and(|sign| sign != 0);
+        base.trace.parameters.contains(factor) || is_number() || is_apart(*factor, base, conditions)
+    };
+    parts.into_iter().filter(|part| !stays(part)).collect()
 }

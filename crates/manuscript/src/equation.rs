@@ -4,7 +4,7 @@ use crate::admissible::admissible;
 use crate::half_turn::{is_number_of_half_turn, sign_of_number};
 use crate::motion::Motion;
 use crate::refutation::Refutation;
-use crate::signs::{Effort, completed, search};
+use crate::exact_points::{Effort, completed, search};
 use claims::Condition;
 use model::equations::constraints_of;
 use symbolic::{Decision, HIGHEST_MULTIPLE, Identity, Node, Sym, Witness, decide, identified};
@@ -141,9 +141,15 @@ fn refuted(
     if let Some(refutation) = completed(found(witness), conditions) {
         return Outcome::NonZero(refutation);
     }
-    // positive letters are replaced by squares
+    // positive letters are replaced by squares, unless a sine would become that of a square
+    let is_in_angle = |letter: Sym| {
+        reduced.leaves_of().into_iter().any(|leaf| match leaf.node() {
+            Node::Cos(angle) | Node::Sin(angle) => angle.symbols_of().contains(&letter),
+            _ => false,
+        })
+    };
     let positive = conditions.iter().filter_map(|condition| match condition {
-        Condition::Positive(e) if e.symbol_name().is_some() => Some((*e, Sym::symbol(&format!("root of {e}")))),
+        Condition::Positive(e) if e.symbol_name().is_some() && !is_in_angle(*e) => Some((*e, Sym::symbol(&format!("root of {e}")))),
         _ => None,
     });
     let positive: Vec<(Sym, Sym)> = positive.collect();

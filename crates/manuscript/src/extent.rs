@@ -6,7 +6,7 @@ use crate::motion::Motion;
 use crate::natural_domain::natural_domain;
 use crate::real_signs;
 use crate::refutation::Refutation;
-use crate::signs::completed;
+use crate::exact_points::completed;
 use crate::{condition_products, line_signs};
 use claims::Condition;
 use symbolic::Sym;

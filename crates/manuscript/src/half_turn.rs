@@ -1,9 +1,22 @@
 //! The number pi, a symbol that no point gives a value: pi is transcendental, so that an expression which is rational in it vanishes only where it
 //! vanishes identically. Its sign follows from enclosures.
 
-use field::Interval;
+use claims::Condition;
+use field::{Interval, Rational};
 use std::f64::consts::PI;
-use symbolic::Sym;
+use symbolic::{Hypotheses, Node, Sym, normal};
+
+/// The number pi.
+pub(crate) fn half_turn() -> Sym {
+    Sym::symbol("pi")
+}
+
+/// Bounds of the number pi: 333/106 < pi < 355/113.
+pub(crate) fn bounds() -> [Condition; 3] {
+    let number = |above: i64, below: i64| Sym::constant(Rational::new(above, below));
+    let pi = half_turn();
+    [pi, pi - number(333, 106), number(355, 113) - pi].map(Condition::Positive)
+}
 
 /// Whether a symbol is the number pi.
 pub(crate) fn is_half_turn(symbol: Sym) -> bool {
@@ -31,4 +44,22 @@ pub(crate) fn sign_of_number(expression: Sym) -> Option<i32> {
 pub(crate) fn enclosed(number: Sym) -> Option<Interval> {
     // the double-precision number lies below pi
     number.evaluate_analytic(&|name: &str| (name == "pi").then(|| Interval::new(PI, PI.next_up()))).ok()
+}
+
+/// An expression in which sines and cosines of fractions of pi have their exact values.
+pub(crate) fn with_exact_turns(expression: Sym) -> Sym {
+    let value = |leaf: Sym| {
+        let (Node::Cos(angle) | Node::Sin(angle)) = leaf.node() else { return None };
+        let is_number = angle.symbols_of().into_iter().all(is_half_turn);
+        let point = if is_number { Sym::of_half_turns(half_turns_of(angle)?)? } else { return None };
+        Some((leaf, if matches!(leaf.node(), Node::Cos(_)) { point.cos } else { point.sin }))
+    };
+    let known: Vec<(Sym, Sym)> = Sym::ascending(&[expression]).into_iter().filter_map(value).collect();
+    if known.is_empty() { expression } else { expression.substitute(&known) }
+}
+
+/// The fraction of pi that an angle is.
+fn half_turns_of(angle: Sym) -> Option<Rational> {
+    let quotient = normal(angle / half_turn(), &Hypotheses::none()).ok()?;
+    quotient.to_sym().as_constant().filter(|number| number.is_defined())
 }

@@ -2,12 +2,10 @@
 
 use crate::claim_text::ClaimText;
 use crate::conditions::Hypothesis;
-use crate::half_turn::holds_half_turn;
+use crate::half_turn::{self, holds_half_turn};
 use crate::letters::Letters;
 use claims::Condition;
-use field::Rational;
 use latex::{Statement, value};
-use symbolic::Sym;
 
 /// Bounds of the number pi, 0 < 333/106 < pi < 355/113, as hypotheses of a claim in whose formula or hypotheses it stands.
 pub(crate) fn bounds(
@@ -25,19 +23,18 @@ pub(crate) fn bounds(
     if !printed.chain(given).any(holds_half_turn) {
         return Vec::new();
     }
-    let pi = letters.trace.pi;
-    let number = |above: i64, below: i64| Sym::constant(Rational::new(above, below));
-    let bound = |greater: Sym, told: &str, latex: &str| Hypothesis {
+    let told = [
+        ("pi > 0", r"\pi > 0"),
+        ("pi > 333/106", r"\pi > \frac{333}{106}"),
+        ("pi < 355/113", r"\pi < \frac{355}{113}"),
+    ];
+    let bound = |(condition, (told, latex)): (Condition, (&str, &str))| Hypothesis {
         told: (told.to_owned(), latex.to_owned()),
         own: None,
         equality: None,
         scales: false,
-        condition: Some(Condition::Positive(greater)),
+        condition: Some(condition),
         at: claim.formula.span.clone(),
     };
-    vec![
-        bound(pi, "pi > 0", r"\pi > 0"),
-        bound(pi - number(333, 106), "pi > 333/106", r"\pi > \frac{333}{106}"),
-        bound(number(355, 113) - pi, "pi < 355/113", r"\pi < \frac{355}{113}"),
-    ]
+    half_turn::bounds().into_iter().zip(told).map(bound).collect()
 }

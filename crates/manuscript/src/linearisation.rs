@@ -14,7 +14,7 @@ use crate::motion::Motion;
 use crate::refutation::Refutation;
 use crate::steady_motion::Resting;
 use crate::verdict::{neither, refute};
-use claims::Verdict;
+use claims::{Condition, Verdict};
 use latex::Statement;
 use reader::Issue;
 use symbolic::{Sym, decide};
@@ -66,9 +66,10 @@ impl<'t, 'm> Linearisation<'t, 'm> {
     }
 
     /// What keeps the letters from being constant on the motion.
-    fn residuals(&self) -> Residuals {
+    fn residuals(&self, conditions: &[Condition]) -> Residuals {
         let accelerations = self.rates.iter().filter(|rate| self.base.trace.accelerations.contains(rate));
-        Residuals::of(&self.base, accelerations.map(|&acceleration| (acceleration, self.along.reduced(acceleration))))
+        let values = accelerations.map(|&acceleration| (acceleration, self.along.reduced(acceleration)));
+        Residuals::of(&self.base, values, conditions)
     }
 
     /// The parts of an expression that a linear equation keeps: its value on the motion, and its derivatives there by each coordinate,
@@ -157,7 +158,7 @@ pub(crate) fn linearised(
             .to_owned();
     let (base, told) = (&linearisation.base, Told(letters));
     let known = conditions(base, assumed);
-    let residuals = linearisation.residuals();
+    let residuals = linearisation.residuals(&known);
     if let Some(why) = residuals.excluded(base, &known, letters) {
         finding.judged.verdict = Verdict::Undefined;
         finding.judged.evidence = why;
@@ -210,7 +211,7 @@ pub(crate) fn linearised(
         linearisation.record(difference, assumed, None, record);
     }
     if is_open {
-        let conditions: Vec<String> = residuals.told(letters).into_iter().map(|(text, _)| text).collect();
+        let conditions: Vec<String> = residuals.told(base, &known, letters).into_iter().map(|(text, _)| text).collect();
         let why = format!(
             "the letters of `resting` are constant only where {}, and this condition of the motion is missing in `given`",
             conditions.join(" and ")
@@ -218,7 +219,7 @@ pub(crate) fn linearised(
         neither(Outcome::Undecided(why), letters, finding);
         return Ok(());
     }
-    finding.judged.requires.extend(residuals.told(letters));
+    finding.judged.requires.extend(residuals.told(base, &known, letters));
     finding.judged.requires.sort();
     finding.judged.requires.dedup();
     finding.judged.verdict = Verdict::Proved;

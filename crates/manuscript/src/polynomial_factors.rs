@@ -56,7 +56,7 @@ fn dense(polynomial: Sym, leaf: Sym) -> Option<Vec<Sym>> {
 }
 
 /// The polynomial whose square this one is, by its coefficients from the highest on.
-fn square_root(polynomial: Sym) -> Option<Sym> {
+pub(crate) fn square_root(polynomial: Sym) -> Option<Sym> {
     let form = |of: Sym| normal(of, &Hypotheses::none()).ok().map(|form| form.to_sym());
     if let Some(value) = polynomial.as_constant() {
         let root = form(Sym::constant(value).sqrt())?;

@@ -6,6 +6,7 @@ use crate::domains::{NoValue, domains};
 use crate::equation::Outcome;
 use crate::extent::{Contradiction, contradiction, has_inside, is_met};
 use crate::finding::Finding;
+use crate::half_turn;
 use crate::letters::Letters;
 use crate::motion::Motion;
 use crate::paper_text::PaperText;
@@ -46,14 +47,20 @@ pub(crate) fn where_they_hold(
     }
     match contradiction(&base, assumed, &[]) {
         Some(Contradiction { hypotheses, .. }) => {
-            let each = hypotheses.iter().map(|&place| of_line(paper, &assumed[place]));
-            let each = each.collect::<Vec<_>>().join(", ");
+            let printed: Vec<&Hypothesis> = printed(&hypotheses, assumed).collect();
+            let each = printed.iter().map(|one| of_line(paper, one)).collect::<Vec<_>>().join(", ");
             let title = format!("these hypotheses contradict each other, so that nothing is claimed: {each}");
-            let last = hypotheses.last().map_or(0..0, |&place| assumed[place].at.clone());
+            let last = printed.last().map_or(0..0, |one| one.at.clone());
             Err(Issue::at(last, title, "excluded by the others").accepted("hypotheses that hold together"))
         }
         None => Ok(there),
     }
+}
+
+/// The hypotheses at these places that stand in the file: bounds of pi do not.
+fn printed<'a>(places: &'a [usize], assumed: &'a [Hypothesis]) -> impl Iterator<Item = &'a Hypothesis> {
+    let is_bound = |one: &Hypothesis| one.condition.is_some_and(|condition| half_turn::bounds().contains(&condition));
+    places.iter().map(|&place| &assumed[place]).filter(move |one| !is_bound(one))
 }
 
 /// A hypothesis with the line at which it stands.
@@ -96,7 +103,7 @@ pub(crate) fn presupposed(
     let found = (!demands.is_empty()).then(|| contradiction(&base, assumed, &demands)).flatten();
     if let Some(Contradiction { hypotheses, demands: demanded }) = found {
         let asked: Vec<&str> = demanded.iter().map(|&place| demands[place].told.0.as_str()).collect();
-        let given: Vec<String> = hypotheses.iter().map(|&place| of_line(paper, &assumed[place])).collect();
+        let given: Vec<String> = printed(&hypotheses, assumed).map(|one| of_line(paper, one)).collect();
         let beside = match given.is_empty() {
             true => "which no point satisfies".to_owned(),
             false => format!("which is satisfied nowhere together with {}", given.join(", ")),

@@ -1,6 +1,7 @@
 //! Signs of expressions over real letters: in one unknown by roots of polynomials; for square roots by squares; by conditions that are factors; and
 //! by squares and discriminants.
 
+use crate::circle_signs::circle_signs;
 use crate::half_turn::sign_of_number;
 use crate::line_signs::least;
 use crate::motion::Motion;
@@ -22,7 +23,8 @@ pub(crate) fn shows(expression: Sym, conditions: &[Condition]) -> Option<Shown> 
         return None;
     }
     let short = |condition: &Condition| length(condition.expression()) <= LONGEST;
-    let known: Vec<Condition> = conditions.iter().copied().chain(natural_domain(&[expression])).filter(short).collect();
+    let of_parts = natural_domain(&[expression]).into_iter().chain(circle_signs(&[expression], conditions));
+    let known: Vec<Condition> = conditions.iter().copied().chain(of_parts).filter(short).collect();
     let known = with_factors(&known);
     let is_strict = is_at_least_zero(expression, &known, DEPTH)?;
     let evidence =
@@ -143,7 +145,8 @@ pub(crate) fn vanishes_by_signs(expression: Sym, conditions: &[Condition]) -> bo
 /// Whether two sides have one square and one sign.
 pub(crate) fn are_equal_by_squares(sides: [Sym; 2], motion: &Motion<'_, '_>, conditions: &[Condition]) -> bool {
     let [left, right] = sides.map(|side| motion.reduced(side));
-    let known = [conditions, &natural_domain(&[left, right])].concat();
+    let of_circles = circle_signs(&[left, right], conditions);
+    let known = [conditions, &natural_domain(&[left, right]), &of_circles].concat();
     let is_up = |side: Sym| shows(side, &known).is_some();
     let squares = left * left - right * right;
     let have_one_sign = || is_up(left) && is_up(right) || is_up(-left) && is_up(-right);

@@ -1,6 +1,6 @@
 //! Exact points at which a claim fails.
 
-use crate::half_turn::{enclosed, holds_half_turn, is_half_turn, is_number_of_half_turn};
+use crate::half_turn::{enclosed, holds_half_turn, is_half_turn, is_number_of_half_turn, with_exact_turns};
 use crate::motion::{Motion, solution};
 use claims::{Condition, Point};
 use field::Analytic;
@@ -18,7 +18,7 @@ impl Refutation {
     /// The value of an expression there, where the point gives it one; the number pi may stand in it.
     pub fn value(&self, expression: Sym) -> Option<Sym> {
         let at = |expression: Sym| {
-            let there = self.with_parts_of_angles(expression).substitute(&self.point);
+            let there = with_exact_turns(self.with_parts_of_angles(expression).substitute(&self.point));
             let form = normal(there, &Hypotheses::none()).ok()?.to_sym();
             form.symbols_of().into_iter().all(is_half_turn).then_some(form)
         };
@@ -92,7 +92,8 @@ impl Refutation {
             let value = if has_root() { self.value(of)?.as_constant()? } else { return None };
             value.is_defined().then(|| condition.allows(value.sign().unwrap_or_default()))
         };
-        let by_half_turn = || if holds_half_turn(of) { sign(self.value(of)?) } else { None };
+        let has_half_turn = || holds_half_turn(of) || self.point.iter().any(|(_, value)| holds_half_turn(*value));
+        let by_half_turn = || if has_half_turn() { sign(self.value(of)?) } else { None };
         let by_enclosure = || by_half_turn().map(|sign| condition.allows(sign));
         condition.holds_at(&exact(&self.point)).or_else(by_roots).or_else(by_enclosure)
     }

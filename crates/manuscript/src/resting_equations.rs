@@ -12,7 +12,7 @@ use claims::Condition;
 use model::Trace;
 use model::equations::{Characteristics, Equation, Equations, constraints_of, solved};
 use reader::Issue;
-use symbolic::Sym;
+use symbolic::{Hypotheses, Sym, decide, normal};
 
 /// Motions on which letters are constant, with the conditions that follow from the equations of motion.
 pub(crate) struct SteadyMotion<'t, 'm> {
@@ -101,6 +101,7 @@ fn without_reactions(
 ) -> Vec<(Sym, String)> {
     let acts = |one: &&Equation| places.iter().any(|&k| one.row[k] != Sym::ZERO);
     let rows: Vec<&Equation> = constraints.iter().filter(acts).collect();
+    let (free, places) = free_directions(&rows, inertia, places, trace);
     if places.len() > MOST_SPEEDS || rows.len() > MOST_CONSTRAINTS {
         let along = Characteristics::of(trace, constraints).along(inertia);
         return along.into_iter().enumerate().map(|(k, equation)| (equation, trace.direction(k))).collect();
@@ -112,10 +113,43 @@ fn without_reactions(
         (determinant(&all), names.join(" and "))
     };
     let choices = chosen(0, places.len(), rows.len() + 1).into_iter();
-    choices
+    let tied = choices
         .map(|choice| of(choice.into_iter().map(|place| places[place]).collect()))
-        .filter(|(equation, _)| *equation != Sym::ZERO)
-        .collect()
+        .filter(|(equation, _)| *equation != Sym::ZERO);
+    free.into_iter().chain(tied).collect()
+}
+
+/// Equations along displacements that the constraints allow everywhere: of one coordinate alone, or of two by a numeric ratio; and the places of the
+/// coordinates that are left.
+fn free_directions(
+    rows: &[&Equation],
+    inertia: &[Sym],
+    places: &[usize],
+    trace: &Trace<'_>,
+) -> (Vec<(Sym, String)>, Vec<usize>) {
+    let (mut free, mut left): (Vec<(Sym, String)>, Vec<usize>) = (Vec::new(), Vec::new());
+    for &k in places {
+        if rows.iter().all(|one| one.row[k] == Sym::ZERO) {
+            free.push((inertia[k], trace.direction(k)));
+            continue;
+        }
+        match left.iter().find_map(|&j| Some((j, ratio(rows, k, j)?))) {
+            Some((j, ratio)) => {
+                let name = format!("{} and {}", trace.direction(j), trace.direction(k));
+                free.push((inertia[k] - ratio * inertia[j], name));
+            }
+            None => left.push(k),
+        }
+    }
+    (free, left)
+}
+
+/// The number by which the column of one coordinate is a multiple of another one.
+fn ratio(rows: &[&Equation], of: usize, to: usize) -> Option<Sym> {
+    let first = rows.iter().find(|one| one.row[to] != Sym::ZERO)?;
+    let ratio = normal(first.row[of] / first.row[to], &Hypotheses::none()).ok()?.to_sym();
+    let is_it = |one: &&Equation| decide(one.row[of] - ratio * one.row[to], &Hypotheses::none()).is_zero();
+    (ratio.as_constant().is_some() && rows.iter().all(is_it)).then_some(ratio)
 }
 
 /// The largest number of rows of an expanded determinant.

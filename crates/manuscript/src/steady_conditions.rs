@@ -11,7 +11,7 @@ use crate::ideal_membership::combination;
 use crate::letters::Letters;
 use crate::motion::Motion;
 use crate::resting_equations::SteadyMotion;
-use crate::signs::{Effort, search};
+use crate::exact_points::{Effort, search};
 use crate::verdict::neither;
 use claims::{Condition, Verdict};
 use symbolic::{Sym, decide, normal};

@@ -6,7 +6,7 @@ use crate::equation::{Outcome, vanishes};
 use crate::inertia::inertia_determinant;
 use crate::refutation::Refutation;
 use crate::resting_equations::SteadyMotion;
-use crate::signs::{Effort, completed, search};
+use crate::exact_points::{Effort, completed, search};
 use claims::Condition;
 use model::Trace;
 use model::equations::constraints_of;
@@ -24,7 +24,7 @@ pub(crate) fn failing_motion(steady: &SteadyMotion<'_, '_>) -> Option<Refutation
         |found: &Refutation| is_steady(steady, found) && keeps_constraints(steady, found) && fails_at(first, found);
     let within = |conditions: &[Condition], effort: Effort| {
         let beside = || others.iter().find_map(|&other| beside(steady, other, conditions).filter(is_motion));
-        let solved = || by_equations(steady, conditions).filter(is_motion);
+        let solved = || by_equations(steady, conditions, effort).into_iter().find(is_motion);
         let among_small = || {
             let expressions: Vec<Sym> = equations.iter().map(|(equation, _)| *equation).chain([first]).collect();
             let is_it = |signs: &[i8]| {
@@ -47,21 +47,31 @@ fn beside(steady: &SteadyMotion<'_, '_>, other: Sym, conditions: &[Condition]) -
     }
 }
 
-/// A point at which the equations of motion, each solved for a letter, hold and the first printed condition does not.
-fn by_equations(steady: &SteadyMotion<'_, '_>, conditions: &[Condition]) -> Option<Refutation> {
+/// Points at which the equations of motion, each solved for a letter, hold and the first printed condition does not.
+fn by_equations(steady: &SteadyMotion<'_, '_>, conditions: &[Condition], effort: Effort) -> Vec<Refutation> {
     let mut there = steady.motion.clone();
     for (equation, _) in &steady.equations {
-        there.assume(*equation, None).ok()?;
-    }
-    let known: Vec<Condition> = conditions.iter().map(|condition| condition.mapped(|of| there.reduced(of))).collect();
-    let Outcome::NonZero(mut found) = vanishes(&there, steady.printed[0], &known) else { return None };
-    for symbol in there.replaced() {
-        let is_listed = found.point.iter().any(|(known, _)| *known == symbol);
-        if let (false, Some(value)) = (is_listed, found.value(there.reduced(symbol))) {
-            found.point.push((symbol, value));
+        if there.assume(*equation, None).is_err() {
+            return Vec::new();
         }
     }
-    completed(found, conditions)
+    let known: Vec<Condition> = conditions.iter().map(|condition| condition.mapped(|of| there.reduced(of))).collect();
+    let by_witness = match vanishes(&there, steady.printed[0], &known) {
+        Outcome::NonZero(found) => Some(found),
+        _ => None,
+    };
+    // a witness need not lie on the constraints
+    let among_small = || search(&[there.reduced(steady.printed[0])], &known, &there, effort, |signs| signs[0] != 0);
+    let whole = |mut found: Refutation| {
+        for symbol in there.replaced() {
+            let is_listed = found.point.iter().any(|(known, _)| *known == symbol);
+            if let (false, Some(value)) = (is_listed, found.value(there.reduced(symbol))) {
+                found.point.push((symbol, value));
+            }
+        }
+        completed(found, conditions)
+    };
+    by_witness.into_iter().chain(among_small()).filter_map(whole).collect()
 }
 
 /// The conditions of a motion, with those under which the model has inertia there: at a pole of its coordinates the equations of motion ask for less.
@@ -107,8 +117,9 @@ fn fails_at(printed: Sym, found: &Refutation) -> bool {
     found.value(printed).is_some_and(|value| value != Sym::ZERO && crate::refutation::sign(value).is_some())
 }
 
-/// Whether an expression stays as it is where these rates vanish.
+/// Whether an expression stays as it is where these rates vanish. An input may be kept constant.
 fn lasts(expression: Sym, rates: &[(Sym, Sym)], trace: &Trace<'_>) -> bool {
-    crate::letters::rate(trace, expression)
+    let inputs = trace.model.inputs.iter().map(|input| (Sym::symbol(&input.name), Sym::ONE));
+    crate::letters::rate(trace, expression.substitute(&inputs.collect::<Vec<_>>()))
         .is_ok_and(|rate| decide(rate.substitute(rates), &Hypotheses::none()).is_zero())
 }

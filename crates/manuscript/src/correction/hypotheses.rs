@@ -45,16 +45,18 @@ pub(super) fn candidates(places: &Places, text: &str, rates: &[LetterRate]) -> V
 pub(super) fn of_parameters(kind: Kind, places: &Places, text: &str, rates: &[LetterRate]) -> Vec<String> {
     let signs: &[&str] = match kind {
         Kind::Inequality => &[r"\geq", ">"],
+        Kind::Stability => &[">"],
         Kind::SteadyMotion | Kind::Equivalence => &[r"\neq"],
         _ => &[],
     };
     let is_printed =
         |rate: &LetterRate| places.atoms.iter().any(|atom| atom.name == rate.name && atom.order == rate.order);
-    let divides = |rate: &&LetterRate| kind != Kind::Inequality && rate.is_symbol && is_printed(rate);
+    let is_divided = matches!(kind, Kind::SteadyMotion | Kind::Equivalence);
+    let divides = |rate: &&LetterRate| is_divided && rate.is_symbol && is_printed(rate);
     let parameters = rates.iter().filter(|rate| rate.is_parameter);
     let others = rates.iter().filter(|rate| !rate.is_parameter).filter(divides);
     let letters = parameters.chain(others).map(|rate| rate.latex.clone());
-    let calls = places.calls.iter().filter(|call| kind != Kind::Inequality && is_circular(call.function));
+    let calls = places.calls.iter().filter(|call| is_divided && is_circular(call.function));
     let circles =
         calls.flat_map(|call| [r"\sin", r"\cos"].map(|name| format!("{name}{{{}}}", &text[call.argument.clone()])));
     let all: Vec<String> = letters.chain(circles).collect();

@@ -22,7 +22,7 @@ pub(super) fn on_both_sides(statement: &Statement, own: &dyn Fn(&Term) -> Option
     left.iter().map(|one| right.iter().filter(|other| are_alike(*one, **other)).count()).sum()
 }
 
-/// The number of factors of products that vanish on the motion, by what they stand for; a printed zero is none of them.
+/// The number of factors of products that vanish on the motion, by what they stand for.
 pub(super) fn vanishing_factors(statement: &Statement, vanishes: &dyn Fn(&Term) -> bool) -> usize {
     statement.chains.iter().flat_map(|chain| &chain.sides).map(|side| vanishing_in(side, vanishes)).sum()
 }

@@ -160,7 +160,7 @@ impl Ground for TextClaim<'_, '_, '_> {
         let meaning = |term: &Term| scalar(value(term, &self.letters.in_model()));
         let vanishes = |term: &Term| {
             let value = self.motion.as_ref().zip(meaning(term));
-            value.is_some_and(|(motion, value)| value != Sym::ZERO && vanishes_on(motion, value))
+            value.is_some_and(|(motion, value)| vanishes_on(motion, value))
         };
         let empty = vanishing_factors(statement, &vanishes);
         redundancies(statement, &meaning) + on_both_sides(statement, &own) + of_kind + repeated + empty

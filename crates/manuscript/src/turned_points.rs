@@ -1,0 +1,58 @@
+//! Exact points at which angles are fractions of pi: for expressions in which an angle stands beside its sine, or in sums and parts of angles.
+
+use crate::half_turn::{half_turn, is_half_turn};
+use crate::refutation::{Refutation, sign};
+use claims::Condition;
+use field::Rational;
+use symbolic::{Node, Sym};
+
+/// Angles in twelfths of pi, those with the plainest sines first.
+const TWELFTHS: [i64; 16] = [6, 12, -6, 4, 2, 3, 8, 9, 0, -4, -2, -3, 24, 18, 16, -12];
+
+/// The plain numbers that letters get.
+const NUMBERS: [(i64, i64); 9] = [(1, 1), (2, 1), (1, 2), (3, 1), (-1, 1), (-2, 1), (4, 1), (0, 1), (-1, 2)];
+
+/// The first of so many points at which the conditions hold and the expressions have the signs that are asked for.
+pub(crate) fn find(
+    expressions: &[Sym],
+    conditions: &[Condition],
+    points: u32,
+    asked: impl Fn(&[i8]) -> bool,
+) -> Option<Refutation> {
+    let all: Vec<Sym> = expressions.iter().copied().chain(conditions.iter().map(|one| one.expression())).collect();
+    let parts = Sym::ascending(&all);
+    let angles = parts.iter().filter_map(|part| match part.node() {
+        Node::Cos(angle) | Node::Sin(angle) => Some(angle.symbols_of()),
+        _ => None,
+    });
+    let angles: Vec<Sym> = angles.flatten().filter(|letter| !is_half_turn(*letter)).collect();
+    if angles.is_empty() || parts.iter().any(|part| matches!(part.node(), Node::Function(..))) {
+        return None;
+    }
+    let mut letters: Vec<Sym> = all.iter().flat_map(|of| of.symbols_of()).filter(|letter| !is_half_turn(*letter)).collect();
+    letters.sort_unstable();
+    letters.dedup();
+    let mut state = 1_u32;
+    let mut next = |count: usize| {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (state >> 8) as usize % count
+    };
+    (0..points).find_map(|attempt| {
+        // plain values first, and more of them with every point
+        let among = |all: usize| (1 + attempt as usize / 2).min(all);
+        let mut value = |letter: Sym| match angles.contains(&letter) {
+            true => half_turn() * Sym::constant(Rational::new(TWELFTHS[next(among(TWELFTHS.len()))], 12)),
+            false => {
+                let (above, below) = NUMBERS[next(among(NUMBERS.len()))];
+                Sym::constant(Rational::new(above, below))
+            }
+        };
+        let point = letters.iter().map(|&letter| (letter, value(letter))).collect();
+        let found = Refutation { point, is_formal: false };
+        let sign_there = |of: Sym| found.value(of).and_then(sign);
+        let holds = |one: &Condition| sign_there(one.expression()).is_some_and(|sign| one.allows(sign));
+        let signs = || expressions.iter().map(|of| sign_there(*of).map(|sign| sign as i8)).collect::<Option<Vec<i8>>>();
+        let is_it = conditions.iter().all(holds) && signs().is_some_and(|signs| asked(&signs));
+        is_it.then_some(found)
+    })
+}
