@@ -4,6 +4,7 @@ use crate::admissible::admissible;
 use crate::consequence::{Step, is_of_inertia, step};
 use crate::equation::{Outcome, vanishes};
 use crate::inertia::inertia_determinant;
+use crate::motion::{Motion, solution};
 use crate::refutation::Refutation;
 use crate::resting_equations::SteadyMotion;
 use crate::exact_points::{Effort, completed, search};
@@ -51,7 +52,7 @@ fn beside(steady: &SteadyMotion<'_, '_>, other: Sym, conditions: &[Condition]) -
 fn by_equations(steady: &SteadyMotion<'_, '_>, conditions: &[Condition], effort: Effort) -> Vec<Refutation> {
     let mut there = steady.motion.clone();
     for (equation, _) in &steady.equations {
-        if there.assume(*equation, None).is_err() {
+        if there.assume(*equation, letter_beside_constraints(&there, *equation)).is_err() {
             return Vec::new();
         }
     }
@@ -72,6 +73,19 @@ fn by_equations(steady: &SteadyMotion<'_, '_>, conditions: &[Condition], effort:
         completed(found, conditions)
     };
     by_witness.into_iter().chain(among_small()).filter_map(whole).collect()
+}
+
+/// An input or a parameter for which an equation is solved so that the constraints of positions stay as they are.
+fn letter_beside_constraints(there: &Motion<'_, '_>, equation: Sym) -> Option<Sym> {
+    if there.squares.is_empty() {
+        return None;
+    }
+    let tied: Vec<Sym> = there.squares.iter().flat_map(|(_, zero)| there.reduced(*zero).symbols_of()).collect();
+    let left = there.reduced(equation);
+    let inputs = there.trace.model.inputs.iter().map(|input| Sym::symbol(&input.name));
+    let letters = inputs.chain(there.trace.parameters.iter().copied()).filter(|letter| !tied.contains(letter));
+    let is_solved = |letter: &Sym| solution(there.trace, left, Some(*letter)).is_some_and(|found| found.symbol == *letter);
+    letters.filter(|letter| left.symbols_of().contains(letter)).find(is_solved)
 }
 
 /// The conditions of a motion, with those under which the model has inertia there: at a pole of its coordinates the equations of motion ask for less.

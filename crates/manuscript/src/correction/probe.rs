@@ -67,7 +67,7 @@ impl<'t, 'm> Probe<'t, 'm> {
         let is_foreign = |value: Sym, own: Sym| value.symbol_name().is_none() && !printed.contains(&own);
         let foreign = letters.scalars().filter(|(_, value, own, _)| is_foreign(*value, *own));
         probe.foreign = foreign.map(|(_, value, own, _)| (own, letters.told(value))).collect();
-        probe.empty = lines.iter().filter(|line| says_nothing(line)).count();
+        probe.empty = lines.iter().filter(|line| probe.is_empty(line)).count();
         let conditions = conditions(&probe.motion, assumed);
         let refuted =
             lines.iter().find_map(|line| match vanishes(&probe.motion, line.model[0] - line.model[1], &conditions) {
@@ -112,6 +112,17 @@ impl<'t, 'm> Probe<'t, 'm> {
         }
     }
 
+    /// Whether a line says nothing: of an identity, that both sides are equal with sines, cosines and roots as letters of their own.
+    fn is_empty(&self, line: &Line) -> bool {
+        if self.kind != Kind::Identity {
+            return says_nothing(line);
+        }
+        let leaves = line.own.iter().flat_map(|side| side.leaves_of()).filter(|leaf| leaf.symbol_name().is_none());
+        let leaves = leaves.filter(|leaf| leaf.as_constant().is_none());
+        let letters: Vec<(Sym, Sym)> = leaves.map(|leaf| (leaf, Sym::symbol(&format!("letter for {leaf}")))).collect();
+        says_nothing(&Line { model: line.model, own: line.own.map(|side| side.substitute(&letters)) })
+    }
+
     /// The residual of a claim's lines at points, in double precision.
     pub fn residual(&self, claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>) -> Option<Vec<f64>> {
         let lines = self.lines(claim, statement, letters)?;
@@ -128,7 +139,7 @@ impl<'t, 'm> Probe<'t, 'm> {
         let fails = values.iter().flatten().any(|value| *value != Sym::ZERO);
         // a letter of the paper that abbreviates others is replaced, since its definition is no statement
         let plain = |line: &Line| Line { model: line.model, own: line.own.map(|own| own.substitute(&self.foreign)) };
-        if fails || lines.iter().filter(|line| says_nothing(&plain(line))).count() > self.empty {
+        if fails || lines.iter().filter(|line| self.is_empty(&plain(line))).count() > self.empty {
             return Look::Fails;
         }
         // an expression that is constant without the equations is no integral; an identity is no equation of motion
