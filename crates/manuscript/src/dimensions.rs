@@ -7,7 +7,7 @@ use claims::Verdict;
 use latex::{Statement, Value, value};
 use symbolic::{Mismatch, Sym, dimension};
 
-/// Parts of mixed dimensions: an objection, and for a refutation that the file expects a reason of it. Printed numbers are in SI units.
+/// Parts of mixed dimensions: a reason for a refutation, and an objection unless the file expects the refutation. Printed numbers are in SI units.
 pub(crate) fn object_to_dimensions(
     kind: Kind,
     statement: &Statement,
@@ -18,11 +18,12 @@ pub(crate) fn object_to_dimensions(
         return;
     }
     let Some(mismatch) = mismatch(statement, letters).map(|mismatch| mismatch.to_string()) else { return };
-    match finding.judged.verdict {
-        Verdict::Refuted if finding.expected == Some(Verdict::Refuted) => {
-            finding.judged.evidence += &format!("; {mismatch}");
-        }
-        _ => finding.judged.objections.push(mismatch),
+    let is_refuted = finding.judged.verdict == Verdict::Refuted;
+    if is_refuted {
+        finding.judged.evidence += &format!("; {mismatch}");
+    }
+    if !is_refuted || finding.expected != Some(Verdict::Refuted) {
+        finding.judged.objections.push(mismatch);
     }
 }
 

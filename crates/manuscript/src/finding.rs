@@ -109,7 +109,8 @@ impl Finding {
                 line("where", &conditions.join(", "));
             }
         }
-        for objection in objections {
+        // a reason for a refutation is told once
+        for objection in objections.iter().filter(|objection| !evidence.contains(objection.as_str())) {
             line("objection", objection);
         }
         page.push('\n');

@@ -64,7 +64,11 @@ fn is_at_least_zero(expression: Sym, known: &[Condition], depth: usize) -> Optio
         return value.sign().filter(|sign| *sign >= 0).map(|sign| sign > 0);
     }
     if let Some(root) = Sym::ascending(&[expression]).into_iter().find(|part| matches!(part.node(), Node::Root(_))) {
-        return if depth == 0 { None } else { by_root(expression, root, known, depth) };
+        let by_root = || if depth == 0 { None } else { by_root(expression, root, known, depth) };
+        return match is_written_as_positive(expression, known) {
+            Some(true) => Some(true),
+            written => by_root().or(written),
+        };
     }
     // the first rule that excludes zero
     let rules: [&dyn Fn() -> Option<bool>; 4] = [

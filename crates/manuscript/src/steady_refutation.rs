@@ -63,8 +63,9 @@ fn by_equations(steady: &SteadyMotion<'_, '_>, conditions: &[Condition], effort:
     };
     // a witness need not lie on the constraints
     let among_small = || search(&[there.reduced(steady.printed[0])], &known, &there, effort, |signs| signs[0] != 0);
+    let inputs = || there.trace.model.inputs.iter().map(|input| Sym::symbol(&input.name));
     let whole = |mut found: Refutation| {
-        for symbol in there.replaced() {
+        for symbol in there.replaced().into_iter().chain(inputs()) {
             let is_listed = found.point.iter().any(|(known, _)| *known == symbol);
             if let (false, Some(value)) = (is_listed, found.value(there.reduced(symbol))) {
                 found.point.push((symbol, value));

@@ -55,8 +55,8 @@ pub(super) fn factors(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<
         for (place, factor) in summand.factors.iter().enumerate() {
             // with an adjoining product sign
             let (span, after) = match (place, summand.factors.get(place + 1)) {
-                // removing a term that consists of this factor alone is an edit of a term
-                (0, None) if summand.count > 1 => continue,
+                // removing a term that consists of this factor alone is an edit of a term, and a side is not replaced by one
+                (0, None) if summand.count > 1 || summand.side.is_some() => continue,
                 (0, None) => (factor.clone(), "1".to_owned()),
                 (0, Some(next)) => (factor.start..next.start, String::new()),
                 (place, _) => (summand.factors[place - 1].end..factor.end, String::new()),

@@ -13,7 +13,7 @@ use crate::lines::{Line, lines};
 use crate::motion::Motion;
 use crate::refutation::Refutation;
 use latex::{Chain, Statement, Term, Value, value};
-use symbolic::{Hypotheses, Identity, Sym, decide, identified};
+use symbolic::{Hypotheses, Identity, Node, Sym, decide, identified, normal};
 
 /// The motion of a claim with the point at which its print fails.
 pub(super) struct Probe<'t, 'm> {
@@ -117,10 +117,7 @@ impl<'t, 'm> Probe<'t, 'm> {
         if self.kind != Kind::Identity {
             return says_nothing(line);
         }
-        let leaves = line.own.iter().flat_map(|side| side.leaves_of()).filter(|leaf| leaf.symbol_name().is_none());
-        let leaves = leaves.filter(|leaf| leaf.as_constant().is_none());
-        let letters: Vec<(Sym, Sym)> = leaves.map(|leaf| (leaf, Sym::symbol(&format!("letter for {leaf}")))).collect();
-        says_nothing(&Line { model: line.model, own: line.own.map(|side| side.substitute(&letters)) })
+        says_nothing(&Line { model: line.model, own: line.own.map(with_formal_functions) })
     }
 
     /// The residual of a claim's lines at points, in double precision.
@@ -162,14 +159,38 @@ impl<'t, 'm> Probe<'t, 'm> {
             return Look::Fails;
         }
         let reduced: Vec<Sym> = zeros.iter().map(|zero| self.motion.reduced(*zero)).collect();
+        // in a prime field the root of a square may be either one
+        let has_root = reduced.iter().any(|zero| zero.leaves_of().iter().any(|leaf| matches!(leaf.node(), Node::Root(_))));
         match identified(&reduced) {
             // rules of hypotheses cannot be used in prime fields
-            Identity::NotZero if self.motion.hypotheses.statements().is_empty() => Look::Fails,
+            Identity::NotZero if self.motion.hypotheses.statements().is_empty() && !has_root => Look::Fails,
             Identity::Identified { .. } => Look::Holds,
             _ if values.iter().all(Option::is_some) => Look::Holds,
             _ => Look::Open,
         }
     }
+}
+
+/// An expression with a letter for each of its functions: for sines and cosines of one angle and of its opposite the same one.
+pub(super) fn with_formal_functions(expression: Sym) -> Sym {
+    let plain = |angle: Sym| normal(angle, &Hypotheses::none()).map_or(angle, |form| form.to_sym());
+    let letter = |word: &str, of: Sym| Sym::symbol(&format!("{word} of {of}"));
+    let of_leaf = |leaf: Sym| match leaf.node() {
+        Node::Cos(angle) | Node::Sin(angle) => {
+            let (one, other) = (plain(angle), plain(Sym::ZERO - angle));
+            let is_turned = other.to_string().len() < one.to_string().len();
+            let of = if is_turned { other } else { one };
+            match (leaf.node(), is_turned) {
+                (Node::Cos(_), _) => letter("cosine", of),
+                (_, true) => Sym::ZERO - letter("sine", of),
+                (_, false) => letter("sine", of),
+            }
+        }
+        _ => letter("value", leaf),
+    };
+    let leaves = expression.leaves_of().into_iter();
+    let leaves = leaves.filter(|leaf| leaf.symbol_name().is_none() && leaf.as_constant().is_none());
+    expression.substitute(&leaves.map(|leaf| (leaf, of_leaf(leaf))).collect::<Vec<_>>())
 }
 
 /// Whether both sides are equal as expressions of the letters.

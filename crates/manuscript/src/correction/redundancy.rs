@@ -22,7 +22,7 @@ pub(super) fn on_both_sides(statement: &Statement, own: &dyn Fn(&Term) -> Option
     left.iter().map(|one| right.iter().filter(|other| are_alike(*one, **other)).count()).sum()
 }
 
-/// The number of factors of products that vanish on the motion, by what they stand for.
+/// The number of factors of products that vanish on the motion, by what they stand for, or are one.
 pub(super) fn vanishing_factors(statement: &Statement, vanishes: &dyn Fn(&Term) -> bool) -> usize {
     statement.chains.iter().flat_map(|chain| &chain.sides).map(|side| vanishing_in(side, vanishes)).sum()
 }
@@ -31,12 +31,14 @@ fn vanishing_in(term: &Term, vanishes: &dyn Fn(&Term) -> bool) -> usize {
     let inner = |parts: &[&Term]| parts.iter().map(|part| vanishing_in(part, vanishes)).sum::<usize>();
     let of_product = |parts: &[&Term]| {
         let is_product = |part: &&&Term| matches!(part.form, Form::Product(..) | Form::Dot(..) | Form::Quotient(..));
-        parts.iter().filter(|part| !is_product(part) && vanishes(part)).count() + inner(parts)
+        parts.iter().filter(|part| !is_product(part) && (is_one(part) || vanishes(part))).count() + inner(parts)
     };
     match &term.form {
         Form::Number(_) | Form::Letter(_) | Form::Rate(..) | Form::Matrix(_) => 0,
         Form::Sum(a, b) | Form::Difference(a, b) | Form::Cross(a, b) | Form::Partial(a, b) => inner(&[a, b]),
         Form::Product(a, b) | Form::Dot(a, b) => of_product(&[a, b]),
+        // one over a divisor
+        Form::Quotient(above, below) if is_one(above) => inner(&[below]),
         Form::Quotient(above, below) => of_product(&[above]) + inner(&[below]),
         Form::Negation(of) | Form::Power(of, _) | Form::Root(of) | Form::Function(_, of) | Form::Transposed(of) => {
             inner(&[of])
@@ -62,7 +64,7 @@ fn within(term: &Term, own: &dyn Fn(&Term) -> Option<Sym>) -> usize {
         Form::Quotient(above, below) => {
             let products = [above, below].map(|side| factors(side));
             // the factors of both sides are compared here, those of each are not once more
-            cancelling(term, own) + usize::from(is_by_one(below)) + inner(&products.concat())
+            cancelling(term, own) + usize::from(is_one(below)) + inner(&products.concat())
         }
         Form::Rate(of, _) | Form::Power(of, _) | Form::Root(of) | Form::Function(_, of) | Form::Transposed(of) => {
             within(of, own)
@@ -126,9 +128,9 @@ fn collect(product: &Term, [above, below]: [&mut Vec<Sym>; 2], own: &dyn Fn(&Ter
     }
 }
 
-/// Whether a quotient is by one.
-fn is_by_one(below: &Term) -> bool {
-    matches!(&below.form, Form::Number(value) if *value == field::Rational::new(1, 1))
+/// Whether a term is the number one.
+fn is_one(term: &Term) -> bool {
+    matches!(&term.form, Form::Number(value) if *value == field::Rational::new(1, 1))
 }
 
 /// The terms of a sum with their signs: whether each is subtracted.

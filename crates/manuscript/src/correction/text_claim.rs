@@ -5,7 +5,7 @@ use super::ground::{Ground, Look, Proof, cleared};
 use super::letter_rates::{LetterRate, rates};
 use super::lost::{lack, lost, sought_values};
 use super::places::Places;
-use super::probe::{Probe, own_difference};
+use super::probe::{Probe, own_difference, with_formal_functions};
 use super::redundancy::{are_alike, on_both_sides, redundancies, summands, vanishing_factors};
 use crate::claim_text::{ClaimText, Kind};
 use crate::conditions::{Hypothesis, assume, hypotheses};
@@ -36,8 +36,8 @@ pub(super) struct TextClaim<'a, 't, 'm> {
     rates: Vec<LetterRate>,
     /// The differences of the sides of hypotheses, over the model.
     given: Vec<Sym>,
-    /// The motion of the claim: under its hypotheses, where letters rest as it says.
-    motion: Option<Motion<'t, 'm>>,
+    /// All that constraints and hypotheses allow, where letters rest as the claim says.
+    allowed: Motion<'t, 'm>,
     probe: Option<Probe<'t, 'm>>,
 }
 
@@ -64,11 +64,16 @@ impl<'a, 't, 'm> TextClaim<'a, 't, 'm> {
             true => Motion::by_equations(letters.trace).ok(),
             false => Some(Motion::at_rest(letters.trace, &resting)),
         };
-        let motion = motion.map(|mut motion| {
+        let under_hypotheses = |mut motion: Motion<'t, 'm>| {
             // one that cannot be assumed is reported where the claim is judged
             let _ = assume(&mut motion, assumed);
             motion
-        });
+        };
+        let motion = motion.map(under_hypotheses);
+        let allowed = match resting.is_empty() {
+            true => under_hypotheses(Motion::by_constraints(letters.trace)),
+            false => under_hypotheses(Motion::at_rest(letters.trace, &resting)),
+        };
         let vanishes = |value: Sym| motion.as_ref().is_some_and(|motion| vanishes_on(motion, value));
         let with_motion = |rate: LetterRate| LetterRate { vanishes: vanishes(rate.value), ..rate };
         // a condition is corrected by no rate of a letter that it does not have, and by none that vanishes
@@ -81,7 +86,7 @@ impl<'a, 't, 'm> TextClaim<'a, 't, 'm> {
         let rates = all.filter(corrects).collect();
         let given = hypotheses(&claim.given, letters).unwrap_or_default();
         let given = given.iter().filter_map(|hypothesis| hypothesis.equality.map(|(zero, _)| zero)).collect();
-        TextClaim { claim, letters, judge, rates, given, motion, probe }
+        TextClaim { claim, letters, judge, rates, given, allowed, probe }
     }
 
     /// The difference of both sides of a formula, over the model.
@@ -123,7 +128,9 @@ impl Ground for TextClaim<'_, '_, '_> {
     }
 
     fn own_difference(&self, statement: &Statement) -> Option<Sym> {
-        own_difference(statement, self.letters)
+        let own = own_difference(statement, self.letters)?;
+        // an identity between functions is one of their values alone
+        Some(if self.claim.kind == Kind::Identity { with_formal_functions(own) } else { own })
     }
 
     fn redundancies(&self, statement: &Statement) -> usize {
@@ -158,10 +165,7 @@ impl Ground for TextClaim<'_, '_, '_> {
         let repeated = usize::from(states && self.difference(statement).is_some_and(is_given));
         // letters that stand for products are what they stand for
         let meaning = |term: &Term| scalar(value(term, &self.letters.in_model()));
-        let vanishes = |term: &Term| {
-            let value = self.motion.as_ref().zip(meaning(term));
-            value.is_some_and(|(motion, value)| vanishes_on(motion, value))
-        };
+        let vanishes = |term: &Term| meaning(term).is_some_and(|value| vanishes_on(&self.allowed, value));
         let empty = vanishing_factors(statement, &vanishes);
         redundancies(statement, &meaning) + on_both_sides(statement, &own) + of_kind + repeated + empty
     }

@@ -69,8 +69,8 @@ fn multiples_of_an_angle_that_is_divided_by_a_letter_belong_together() {
         ("identity", r"\cos\frac{2s}{R} = 2\cos^2\frac{s}{R} - 1", "", "proved"),
         ("identity", r"\sin\frac{s}{R} = 2\sin\frac{s}{2R}\cos\frac{s}{2R}", "", "proved"),
         ("identity", r"\cos\frac{2s}{R} = 2\cos^2\frac{s}{R} + 1", "", "refuted"),
-        // sin(1/2) is positive: no point may give it another sign
-        ("identity", r"\sqrt{\sin^2\frac{s}{R}} = \sin\frac{s}{R}", "given = ['s > 0', 's < R']", "undecided"),
+        // between 0 and 1 the sine is positive
+        ("identity", r"\sqrt{\sin^2\frac{s}{R}} = \sin\frac{s}{R}", "given = ['s > 0', 's < R']", "proved"),
     ] {
         let found = on(ARC, kind, formula, given);
         assert_eq!(verdict(&found), expected, "{}", found.text());
