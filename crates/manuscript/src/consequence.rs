@@ -82,6 +82,14 @@ fn step_within<'t, 'm>(
     let inertia = [zero, then].into_iter().flat_map(Sym::symbols_of).filter(|symbol| is_of_inertia(*symbol, motion));
     let inertia: Vec<Condition> = inertia.map(Condition::Positive).collect();
     let conditions = &[conditions, &inertia].concat()[..];
+    if decide(zero, &motion.hypotheses).is_zero() {
+        // a condition that always holds
+        return match vanishes_within(motion, then, conditions, effort) {
+            Outcome::Zero(divided) => Step::Follows(divided, Way::Solved(Box::new(motion.clone()))),
+            Outcome::NonZero(refutation) => Step::Fails(refutation),
+            other => Step::Open(other),
+        };
+    }
     let open = |factor: &Sym| !is_apart(*factor, motion, conditions);
     let written = normal(zero, &motion.hypotheses).map_or(vec![zero], |form| factors(form.numerator()));
     let parts: Vec<Sym> = written.into_iter().flat_map(polynomial_factors).collect();

@@ -63,7 +63,7 @@ pub(crate) fn search(
             let there = |each: Sym| Refutation { point: point.to_vec(), is_formal: false }.value(each);
             let by_half_turn =
                 |each: Sym| if holds_half_turn(each) { there(each).and_then(refutation::sign) } else { None };
-            let by_roots = |each: Sym| if has_root(&each) { there(each)?.as_constant()?.sign() } else { None };
+            let by_roots = |each: Sym| if has_root(&each) { there(each).and_then(refutation::sign) } else { None };
             let holds = || {
                 let holds = |condition: &Condition| {
                     let of = condition.expression();

@@ -87,10 +87,10 @@ impl Refutation {
     pub fn satisfies(&self, condition: Condition) -> Option<bool> {
         let of = condition.expression();
         let has_root = || of.leaves_of().iter().any(|leaf| matches!(leaf.node(), Node::Root(_)));
-        // the root of a square is a fraction
+        // the root of a square is a fraction, and another one is enclosed
         let by_roots = || {
-            let value = if has_root() { self.value(of)?.as_constant()? } else { return None };
-            value.is_defined().then(|| condition.allows(value.sign().unwrap_or_default()))
+            let value = if has_root() { self.value(of)? } else { return None };
+            sign(value).map(|sign| condition.allows(sign))
         };
         let has_half_turn = || holds_half_turn(of) || self.point.iter().any(|(_, value)| holds_half_turn(*value));
         let by_half_turn = || if has_half_turn() { sign(self.value(of)?) } else { None };

@@ -6,6 +6,7 @@ use crate::certificate::Record;
 use crate::claim_text::ClaimText;
 use crate::condition_products;
 use crate::conditions::{Hypothesis, assume, conditions};
+use crate::consequence::is_of_inertia;
 use crate::display::{Told, divisors, readable, tell_point};
 use crate::equation::Outcome;
 use crate::extent::{exclude_each_other, is_met};
@@ -25,11 +26,12 @@ use crate::stability_region::{Criterion, Region, Theorem};
 use crate::steady_motion::Resting;
 use crate::verdict::neither;
 use claims::{Condition, Verdict};
-use latex::Statement;
+use latex::{Relation, Statement};
 use reader::Issue;
 use symbolic::{Hypotheses, Sym, coefficients, normal};
 
-/// `a > b` if and only if the motion on which the letters of `resting` are constant is stable.
+/// `a > b` if and only if the motion on which the letters of `resting` are constant is stable: by the hypotheses, else also by the parameters without which
+/// the model has no inertia.
 pub(crate) fn stability(
     claim: &ClaimText,
     statement: &Statement,
@@ -38,8 +40,51 @@ pub(crate) fn stability(
     finding: &mut Finding,
     record: &mut Record,
 ) -> Result<(), Issue> {
+    stability_within(claim, statement, letters, assumed, finding, record)?;
+    let inertia = inertia(claim, letters, assumed);
+    if finding.judged.verdict != Verdict::Undecided || inertia.is_empty() {
+        return Ok(());
+    }
+    let (mut trial, mut with_inertia) = (finding.clone(), Record::of(record.is_wanted()));
+    trial.judged.requires.extend(inertia.iter().map(|one| one.told.clone()));
+    let assumed = [assumed, &inertia].concat();
+    stability_within(claim, statement, letters, &assumed, &mut trial, &mut with_inertia)?;
+    if trial.judged.verdict == Verdict::Proved {
+        (*finding, *record) = (trial, with_inertia);
+    }
+    Ok(())
+}
+
+/// The parameters without which the model has no inertia, as hypotheses that they are not zero.
+fn inertia(claim: &ClaimText, letters: &Letters<'_, '_>, assumed: &[Hypothesis]) -> Vec<Hypothesis> {
+    let motion = Motion::without_anything(letters.trace);
+    let is_new = |of: &Sym| assumed.iter().all(|one| one.condition.is_none_or(|condition| condition.expression() != *of));
+    let parameters = letters.trace.parameters.iter().filter(|one| is_of_inertia(**one, &motion)).filter(|one| is_new(one));
+    let hypothesis = |&parameter: &Sym| {
+        let own = letters.told(parameter);
+        Hypothesis {
+            told: (format!("{own} != 0"), format!(r"{} \neq 0", own.latex())),
+            own: None,
+            equality: None,
+            scales: false,
+            condition: Some(Condition::NonZero(parameter)),
+            at: claim.formula.span.clone(),
+        }
+    };
+    parameters.map(hypothesis).collect()
+}
+
+fn stability_within(
+    claim: &ClaimText,
+    statement: &Statement,
+    letters: &Letters<'_, '_>,
+    assumed: &[Hypothesis],
+    finding: &mut Finding,
+    record: &mut Record,
+) -> Result<(), Issue> {
     let sides = sides(claim, statement, letters)?;
-    if !sides.is_strict {
+    let differs = statement.chains.iter().any(|chain| chain.relations.contains(&Relation::NotEqual));
+    if !sides.is_strict || differs {
         let issue = Issue::at(
             claim.formula.span.clone(),
             "the edge of stability is decided by no linear equation",

@@ -10,9 +10,11 @@ use symbolic::{Node, Sym};
 const TWELFTHS: [i64; 16] = [6, 12, -6, 4, 2, 3, 8, 9, 0, -4, -2, -3, 24, 18, 16, -12];
 
 /// The plain numbers that letters get.
-const NUMBERS: [(i64, i64); 9] = [(1, 1), (2, 1), (1, 2), (3, 1), (-1, 1), (-2, 1), (4, 1), (0, 1), (-1, 2)];
+const NUMBERS: [(i64, i64); 10] =
+    [(1, 1), (2, 1), (1, 2), (3, 1), (-1, 1), (-2, 1), (4, 1), (3, 2), (0, 1), (-1, 2)];
 
-/// The first of so many points at which the conditions hold and the expressions have the signs that are asked for.
+/// The first of so many points at which the conditions hold and the expressions have the signs that are asked for. Where only conditions are asked for,
+/// every second point gives angles plain numbers: their sines are enclosed.
 pub(crate) fn find(
     expressions: &[Sym],
     conditions: &[Condition],
@@ -40,7 +42,7 @@ pub(crate) fn find(
     (0..points).find_map(|attempt| {
         // plain values first, and more of them with every point
         let among = |all: usize| (1 + attempt as usize / 2).min(all);
-        let mut value = |letter: Sym| match angles.contains(&letter) {
+        let mut value = |letter: Sym| match angles.contains(&letter) && (attempt % 2 == 0 || !expressions.is_empty()) {
             true => half_turn() * Sym::constant(Rational::new(TWELFTHS[next(among(TWELFTHS.len()))], 12)),
             false => {
                 let (above, below) = NUMBERS[next(among(NUMBERS.len()))];

@@ -94,6 +94,9 @@ pub(super) fn leaves_something(claim: &ClaimText, letters: &Letters<'_, '_>) -> 
         return false;
     }
     let before = &claim.given[..claim.given.len() - 1];
+    if vanishing_parameters(&claim.given, letters) > vanishing_parameters(before, letters) {
+        return false;
+    }
     let (Some(motion), Some(free)) = (under(&claim.given, claim, letters), under(before, claim, letters)) else {
         return false;
     };
@@ -118,6 +121,14 @@ pub(super) fn leaves_something(claim: &ClaimText, letters: &Letters<'_, '_>) -> 
     let gone = terms.iter().filter(is_gone).count();
     lines.iter_mut().for_each(|line| line.own = line.own.map(there));
     2 * gone < terms.len() && !lines.iter().any(says_nothing)
+}
+
+/// The number of parameters that are zero along every motion under some hypotheses: an acceleration is zero without the weight that causes it.
+fn vanishing_parameters(given: &[Passage], letters: &Letters<'_, '_>) -> usize {
+    let motion = Motion::by_equations(letters.trace).ok().zip(hypotheses(given, letters).ok());
+    let motion = motion.and_then(|(mut motion, given)| assume(&mut motion, &given).ok().map(|()| motion));
+    let vanishes = |motion: &Motion<'_, '_>, parameter: Sym| decide(motion.reduced(parameter), &motion.hypotheses).is_zero();
+    motion.map_or(0, |motion| letters.trace.parameters.iter().filter(|one| vanishes(&motion, **one)).count())
 }
 
 /// All that constraints and hypotheses allow, where letters rest as a claim says; none where the hypotheses contradict each other.

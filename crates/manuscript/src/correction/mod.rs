@@ -58,7 +58,9 @@ pub(crate) fn corrections(
     let search = Search::of(&ground, statement);
     if claim.kind == Kind::Number {
         let right = right(claim, statement, letters, assumed);
-        let signs = exchanges::signs(&search.places, ground.text());
+        // the printed number has the wrong sign, not its letter
+        let mut signs = exchanges::signs(&search.places, ground.text());
+        signs.reverse();
         let power = right.as_ref().and_then(|right| power_of_ten(claim, right));
         // a power of ten beside another sign
         let with_sign = power.iter().flat_map(|power| signs.iter().map(|sign| vec![sign.clone(), power.clone()]));

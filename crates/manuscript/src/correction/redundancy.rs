@@ -22,6 +22,21 @@ pub(super) fn on_both_sides(statement: &Statement, own: &dyn Fn(&Term) -> Option
     left.iter().map(|one| right.iter().filter(|other| are_alike(*one, **other)).count()).sum()
 }
 
+/// The number of moving letters by which both sides of an equality are multiplied: where such a letter is zero the equality says nothing.
+pub(super) fn common_factors(statement: &Statement, own: &dyn Fn(&Term) -> Option<Sym>, moves: &dyn Fn(Sym) -> bool) -> usize {
+    let [Chain { sides, .. }] = &statement.chains[..] else { return 0 };
+    let values: Option<Vec<Sym>> = sides.iter().map(own).collect();
+    let values: Vec<Sym> = values.unwrap_or_default().into_iter().filter(|value| !is_zero(*value)).collect();
+    let [first, others @ ..] = &values[..] else { return 0 };
+    let divides = |leaf: Sym, side: Sym| {
+        let rest = normal(side / leaf, &Hypotheses::none());
+        rest.is_ok_and(|rest| !rest.denominator().leaves_of().contains(&leaf))
+    };
+    let is_common = |leaf: &Sym| divides(*leaf, *first) && others.iter().all(|side| divides(*leaf, *side));
+    let leaves = first.leaves_of().into_iter().filter(|leaf| leaf.as_constant().is_none() && moves(*leaf));
+    if others.is_empty() { 0 } else { leaves.filter(is_common).count() }
+}
+
 /// The number of factors of products that vanish on the motion, by what they stand for, or are one.
 pub(super) fn vanishing_factors(statement: &Statement, vanishes: &dyn Fn(&Term) -> bool) -> usize {
     statement.chains.iter().flat_map(|chain| &chain.sides).map(|side| vanishing_in(side, vanishes)).sum()

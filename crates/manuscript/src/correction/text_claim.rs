@@ -6,7 +6,7 @@ use super::letter_rates::{LetterRate, rates};
 use super::lost::{lack, lost, sought_values};
 use super::places::Places;
 use super::probe::{Probe, own_difference, with_formal_functions};
-use super::redundancy::{are_alike, on_both_sides, redundancies, summands, vanishing_factors};
+use super::redundancy::{are_alike, common_factors, on_both_sides, redundancies, summands, vanishing_factors};
 use crate::claim_text::{ClaimText, Kind};
 use crate::conditions::{Hypothesis, assume, hypotheses};
 use crate::finding::Finding;
@@ -167,6 +167,11 @@ impl Ground for TextClaim<'_, '_, '_> {
         let meaning = |term: &Term| scalar(value(term, &self.letters.in_model()));
         let vanishes = |term: &Term| meaning(term).is_some_and(|value| vanishes_on(&self.allowed, value));
         let empty = vanishing_factors(statement, &vanishes);
+        let moves = |leaf: Sym| {
+            let value = leaf.substitute(&self.letters.meanings(leaf));
+            !value.symbols_of().iter().all(|symbol| self.letters.trace.parameters.contains(symbol))
+        };
+        let empty = empty + common_factors(statement, &own, &moves);
         redundancies(statement, &meaning) + on_both_sides(statement, &own) + of_kind + repeated + empty
     }
 
