@@ -10,6 +10,7 @@ use signal_hook::consts::SIGINT;
 use signal_hook::flag;
 use std::io::{self, Write};
 use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError, RwLock, RwLockReadGuard};
@@ -58,6 +59,9 @@ static PHASE: OnceLock<Option<String>> = OnceLock::new();
 /// Results that are printed if the program is ended before it prints them.
 static FOUND: Mutex<String> = Mutex::new(String::new());
 
+/// The file that a command writes last, until it is written.
+static DUE: Mutex<Option<PathBuf>> = Mutex::new(None);
+
 /// Starts the clock of a command; once, before its work.
 pub fn start(command: &'static str, keeps: Keeps, seconds: Option<u32>) {
     let deadline = seconds.map(|seconds| Instant::now() + Duration::from_secs(seconds.into()));
@@ -99,6 +103,11 @@ pub fn held() -> RwLockReadGuard<'static, ()> {
 /// Results so far: printed if the clock ends the program before more are found.
 pub fn publish(found: String) {
     *FOUND.lock().unwrap_or_else(PoisonError::into_inner) = found;
+}
+
+/// Names the file that is written last: if the clock ends the program before, it says that the file is missing. None where the file is written.
+pub fn due(file: Option<&Path>) {
+    *DUE.lock().unwrap_or_else(PoisonError::into_inner) = file.map(Path::to_owned);
 }
 
 /// Records the present phase as the one in which the end came; only the first call counts.
@@ -161,7 +170,10 @@ impl Clock {
             // where this cannot be written, the exit code must do
             let _ = io::stdout().write_all(charts::visible(&found).as_bytes()).and_then(|()| io::stdout().flush());
         }
-        self.tell(if found.is_empty() { "nothing is kept" } else { "the results so far are printed" });
+        let kept = if found.is_empty() { "nothing is kept" } else { "the results so far are printed" };
+        let due = DUE.try_lock().ok().and_then(|due| due.clone());
+        let missing = due.map_or_else(String::new, |file| format!(", and {} is not written", file.display()));
+        self.tell(&format!("{kept}{missing}"));
         process::exit(self.code().into())
     }
 

@@ -167,7 +167,9 @@ fn is_closed(piece: &str) -> bool {
         '}' => depth.checked_sub(1),
         _ => Some(depth),
     });
-    ends == Some(0) && piece.matches(r"\left").count() == piece.matches(r"\right").count()
+    // a bracket stands behind the command for its size
+    let is_cut = [r"\left", r"\right", r"\"].iter().any(|end| piece.ends_with(end));
+    ends == Some(0) && !is_cut && piece.matches(r"\left").count() == piece.matches(r"\right").count()
 }
 
 #[cfg(test)]

@@ -168,3 +168,24 @@ fn certificates_go_into_a_folder_and_over_no_file_of_others() {
     folder.refused(&["ledger", "synchronism", "--certificates", "scene.toml"], "the name of a folder is accepted");
     folder.refused(&["judge", &paper, "--force"], "--page");
 }
+
+#[test]
+fn a_page_of_a_paper_has_its_claims_that_cannot_be_read() {
+    let folder = Folder::new();
+    let paper = std::fs::read_to_string(root().join("papers/cart_pole.toml")).expect("it can be read");
+    let head = paper.split("[[claim]]").next().expect("a beginning");
+    let head = head.replace("../scenes", &root().join("scenes").to_string_lossy());
+    let claim = |number: u32, formula: &str| {
+        format!("[[claim]]\nequation = \"{number}\"\nkind = \"formula\"\nformula = '{formula}'\n")
+    };
+    std::fs::write(folder.at("paper.toml"), head + &claim(1, "m = m") + &claim(2, r"m = \frac{m}{") + &claim(3, "l = l"))
+        .expect("it can be written");
+    let output = folder.run(&["judge", "paper.toml", "--page", "page.html"]);
+    assert_eq!(output.status.code(), Some(2), "{}", String::from_utf8_lossy(&output.stderr));
+    let page = folder.read("page.html");
+    let places = ["paper/eq1", "paper/eq2", "paper/eq3"].map(|id| page.find(&format!("id=\"{id}\"")));
+    assert!(places.is_sorted() && places.iter().all(Option::is_some), "{places:?}");
+    assert!(page.contains("not read, line"), "the fault of the second claim");
+    let nowhere = folder.run(&["judge", "nosuch.toml"]);
+    assert!(String::from_utf8_lossy(&nowhere.stderr).contains("the folder `papers` holds examples"));
+}

@@ -81,3 +81,24 @@ fn a_file_that_no_commit_has_is_refused_with_what_is_accepted() {
     );
     std::fs::remove_file(file).expect("it is there");
 }
+
+#[test]
+fn a_claim_that_cannot_be_read_leaves_the_others_reviewed() {
+    let claim = |number: u32, formula: &str| {
+        format!("[[claim]]\nequation = \"{number}\"\nkind = \"formula\"\nformula = '{formula}'\n")
+    };
+    let paper = |formulas: [&str; 2]| {
+        let head = CART.split("[[force]]").next().expect("a beginning");
+        let letters = "[letters]\n'm' = \"m\"\n'V' = \"potential_energy\"\n'T' = \"kinetic_energy\"\n";
+        format!("{head}{letters}{}{}", claim(1, formulas[0]), claim(2, formulas[1]))
+    };
+    let (old, before) = written("faults_old.toml", &paper(["T = T", "V = V"]));
+    let (new, now) = written("faults_new.toml", &paper(["T = 2 T", "V = q"]));
+    let output = run(&["review", &now, "--against", &before]);
+    let (told, faults) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    assert_eq!(output.status.code(), Some(2), "{told}{faults}");
+    assert!(told.contains("proved before, refuted now"), "{told}");
+    assert!(told.contains("proved before, not read now: unknown letter `q`"), "{told}");
+    assert!(faults.contains("V = q"), "{faults}");
+    [old, new].iter().for_each(|file| std::fs::remove_file(file).expect("it is there"));
+}

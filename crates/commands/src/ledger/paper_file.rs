@@ -86,6 +86,7 @@ pub fn judge(asked: &Asked) -> Result<Exit, Exit> {
     let mut paper = PaperText::read(&asked.paper)?;
     let writes = Writes { command: "judge", force: asked.force, reads: vec![&asked.paper] };
     let output = writes.optional(asked.page.as_deref(), &[Form::Page])?;
+    clock::due(asked.page.as_deref());
     let ids: Vec<String> = paper.claims.iter().map(|claim| paper.id_of(claim)).collect();
     let mut chosen = ids.iter().map(|id| id.contains(&asked.filter));
     paper.claims.retain(|_| chosen.next().unwrap_or_default());
@@ -122,6 +123,7 @@ pub fn judge(asked: &Asked) -> Result<Exit, Exit> {
     })?;
     if let Some(output) = output {
         let html = charts::page::render(&report(&paper, &findings, &unjudged)).html;
+        clock::due(None);
         output.write_text(&html)?.tell(if asked.json { Format::Json } else { Format::Text })?;
     }
     if let Some(folder) = folder {

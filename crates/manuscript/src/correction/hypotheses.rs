@@ -94,7 +94,8 @@ pub(super) fn leaves_something(claim: &ClaimText, letters: &Letters<'_, '_>) -> 
         return false;
     }
     let before = &claim.given[..claim.given.len() - 1];
-    if vanishing_parameters(&claim.given, letters) > vanishing_parameters(before, letters) {
+    let is_parameter = vanishing_symbol(last, letters).is_some_and(|zero| letters.trace.parameters.contains(&zero));
+    if !is_parameter && vanishing_parameters(&claim.given, letters) > vanishing_parameters(before, letters) {
         return false;
     }
     let (Some(motion), Some(free)) = (under(&claim.given, claim, letters), under(before, claim, letters)) else {
@@ -162,9 +163,14 @@ fn stated(claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>) -
 
 /// Whether a letter that is zero is a parameter without which a coordinate of the model has no inertia.
 fn is_parameter_of_inertia(hypothesis: &Passage, letters: &Letters<'_, '_>) -> bool {
-    let read = hypotheses(std::slice::from_ref(hypothesis), letters);
-    let zero = read.ok().and_then(|all| all.first().and_then(|one| one.equality));
-    zero.is_some_and(|(zero, _)| is_of_inertia(zero, &Motion::without_anything(letters.trace)))
+    let zero = vanishing_symbol(hypothesis, letters);
+    zero.is_some_and(|zero| is_of_inertia(zero, &Motion::without_anything(letters.trace)))
+}
+
+/// The expression that a hypothesis says to be zero.
+fn vanishing_symbol(hypothesis: &Passage, letters: &Letters<'_, '_>) -> Option<Sym> {
+    let read = hypotheses(std::slice::from_ref(hypothesis), letters).ok()?;
+    read.first()?.equality.map(|(zero, _)| zero)
 }
 
 /// The terms of a sum, as it is written.

@@ -171,7 +171,9 @@ impl Ground for TextClaim<'_, '_, '_> {
             let value = leaf.substitute(&self.letters.meanings(leaf));
             !value.symbols_of().iter().all(|symbol| self.letters.trace.parameters.contains(symbol))
         };
-        let empty = empty + common_factors(statement, &own, &moves);
+        // a multiple of an angle is a multiple of its sine
+        let is_identity = self.claim.kind == Kind::Identity;
+        let empty = empty + if is_identity { 0 } else { common_factors(statement, &own, &moves) };
         redundancies(statement, &meaning) + on_both_sides(statement, &own) + of_kind + repeated + empty
     }
 

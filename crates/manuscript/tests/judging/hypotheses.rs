@@ -28,6 +28,9 @@ fn hypotheses_that_contradict_each_other_state_nothing() {
         let told = refused(&claim("formula", "V = V", given));
         assert!(told.contains("contradict each other"), "{told}");
     }
+    // bounds of pi stand in no line of the file
+    let told = refused(&claim("formula", "V = V", r"'\theta > \pi', '\theta < 2'"));
+    assert!(told.contains("`theta < 2`") && !told.contains("333/106"), "{told}");
 }
 
 #[test]

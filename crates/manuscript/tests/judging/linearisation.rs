@@ -40,3 +40,21 @@ fn inputs_are_small_where_no_hypothesis_gives_them() {
     let found = on(&driven, "linearised equation", r"m l^2 \ddot\theta + m g l \theta = 0", more);
     assert_eq!(verdict(&found), "refuted", "{}", found.text());
 }
+
+/// At a right angle the weight turns the pendulum: no small motions are about it.
+#[test]
+fn letters_that_do_not_stay_constant_are_told_with_their_acceleration() {
+    let about = |given: &str| format!("resting = ['\\theta']\ngiven = [{given}]");
+    for (formula, given) in [(r"l \ddot\theta + g = 0", r"'\theta = \frac{\pi}{2}'"), (r"l \ddot\theta = 0", r"'\theta = 1'")] {
+        let found = on_pendulum("linearised equation", formula, &about(given));
+        assert_eq!(verdict(&found), "undefined", "{}", found.text());
+        assert!(found.judged.evidence.contains("give theta'' = -g"), "{}", found.text());
+    }
+    // without a value of the angle the equation holds where the weight turns nothing, and a wrong one fails at such an angle
+    let found = on_pendulum("linearised equation", r"l \ddot\theta + g\sin\theta = 0", &about(""));
+    assert_eq!(verdict(&found), "proved", "{}", found.text());
+    assert!(found.judged.requires.iter().any(|(told, _)| told == "sin(theta) = 0"), "{}", found.text());
+    let found = on_pendulum("linearised equation", r"l \ddot\theta + g \theta = 0", &about(""));
+    assert_eq!(verdict(&found), "refuted", "{}", found.text());
+    assert!(found.judged.counterexample.contains(&("theta".to_owned(), "pi".to_owned())), "{}", found.text());
+}

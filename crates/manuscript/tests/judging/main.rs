@@ -1,13 +1,16 @@
 //! Findings on papers of a few lines.
 
 mod admissible;
+mod angle_bounds;
 mod angles;
 mod cases;
 mod certificates;
+mod constrained_rest;
 mod constraints;
 mod corrections;
 mod divisors;
 mod domains;
+mod empty_corrections;
 mod feedback;
 mod functions;
 mod half_turn;
@@ -19,6 +22,7 @@ mod numbers;
 mod pendulum;
 mod plain_corrections;
 mod real_signs;
+mod relations;
 mod shortfalls;
 mod stability;
 mod steady_motions;

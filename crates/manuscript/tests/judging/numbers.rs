@@ -18,6 +18,17 @@ fn a_power_of_ten_stands_beside_the_digits() {
     }
     let found = on(BLOCK, "number", r"k = -3.0\cdot 10^{-3}", "given = ['k = -0.0031']");
     assert_eq!(found.corrections[0].formula, r"k = -3.1\cdot 10^{-3}", "{}", found.text());
+    for (formula, right) in [
+        (r"k = 3.0 \cdot 10^{-2}", r"k = 3.0 \cdot 10^{-3}"),
+        (r"k = -3.0 \cdot 10^{4}", r"k = -3.0 \cdot 10^{-3}"),
+        (r"k = 3.0 \cdot 10", r"k = 3.0 \cdot 10^{-3}"),
+    ] {
+        let value = if formula.contains("-3.0") { "-0.003" } else { "0.003" };
+        let found = on(BLOCK, "number", formula, &format!("given = ['k = {value}']"));
+        assert_eq!(found.corrections[0].formula, right, "{}", found.text());
+    }
+    let found = on(BLOCK, "number", r"k = 3.0 \cdot 10^{-2}", "given = ['k = -0.003']");
+    assert_eq!(found.corrections[0].formula, r"k = -3.0 \cdot 10^{-3}", "{}", found.text());
 }
 
 #[test]

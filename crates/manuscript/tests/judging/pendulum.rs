@@ -116,6 +116,10 @@ fn an_expectation_that_is_not_met_is_told() {
 fn mixed_dimensions_speak_against_a_formula() {
     let found = on_pendulum("equation of motion", r"m l \ddot{\theta} + m g l \sin\theta = 0", "");
     assert!(found.judged.evidence.contains("dimension"), "{}", found.judged.evidence);
+    assert!(found.as_expected().is_err_and(|why| why.contains("dimension")), "{}", found.text());
+    // an author who expects the refutation knows its reason
+    let found = on_pendulum("equation of motion", r"m l \ddot{\theta} + m g l \sin\theta = 0", "expect = \"refuted\"");
+    assert!(found.as_expected().is_ok(), "{}", found.text());
 }
 
 #[test]

@@ -201,3 +201,15 @@ fn an_inequality_that_holds_nowhere_is_no_condition_of_stability() {
         assert!(found.text().contains("holds nowhere"), "{}", found.text());
     }
 }
+
+/// The moment of the weight is that of a length which must be positive; a model without its mass has no motion.
+#[test]
+fn the_sign_of_a_length_is_a_missing_hypothesis() {
+    let hanging = "resting = ['\\theta']\ngiven = ['\\theta = 0']";
+    let found = on(crate::PENDULUM, "stability", r"g > 0", hanging);
+    let offered: Vec<&str> = found.corrections.iter().map(|one| one.changes[0].after.as_str()).collect();
+    assert_eq!((verdict(&found), &offered[..]), ("refuted", &["l > 0"][..]), "{}", found.text());
+    let found = on(crate::PENDULUM, "stability", r"g > 0", &hanging.replace("0']", "0', 'l > 0']"));
+    assert_eq!(verdict(&found), "proved", "{}", found.text());
+    assert!(found.judged.requires.iter().any(|(told, _)| told == "m != 0"), "{}", found.text());
+}
