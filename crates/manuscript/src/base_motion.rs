@@ -3,11 +3,11 @@
 use crate::consequence::is_apart;
 use crate::display::factors;
 use crate::equation::{Outcome, vanishes};
+use crate::exact_points::{Effort, completed, search};
 use crate::half_turn::sign_of_number;
 use crate::letters::Letters;
 use crate::motion::Motion;
 use crate::refutation::Refutation;
-use crate::exact_points::{Effort, completed, search};
 use claims::Condition;
 use symbolic::{Decision, Hypotheses, Sym, decide, normal};
 
@@ -32,7 +32,12 @@ impl Residuals {
     }
 
     /// The first residual that vanishes nowhere, in words: no such motion exists.
-    pub fn excluded(&self, base: &Motion<'_, '_>, conditions: &[Condition], letters: &Letters<'_, '_>) -> Option<String> {
+    pub fn excluded(
+        &self,
+        base: &Motion<'_, '_>,
+        conditions: &[Condition],
+        letters: &Letters<'_, '_>,
+    ) -> Option<String> {
         let (acceleration, value) = self.0.iter().find(|(_, value)| vanishing(*value, base, conditions).is_empty())?;
         let value = normal(*value, &Hypotheses::none()).map_or(*value, |form| form.to_sym());
         let (acceleration, value) = (letters.told(*acceleration), letters.told(value));
@@ -49,22 +54,33 @@ impl Residuals {
     /// An exact point of a motion on which the letters stay constant and this expression is not zero.
     pub fn failing(&self, expression: Sym, base: &Motion<'_, '_>, conditions: &[Condition]) -> Option<Refutation> {
         let values: Vec<Sym> = self.0.iter().map(|(_, value)| *value).chain([expression]).collect();
-        let is_it =
-            |signs: &[i8]| signs.split_last().is_some_and(|(last, all)| *last != 0 && all.iter().all(|sign| *sign == 0));
+        let is_it = |signs: &[i8]| {
+            signs.split_last().is_some_and(|(last, all)| *last != 0 && all.iter().all(|sign| *sign == 0))
+        };
         let found = search(&values, conditions, base, Effort::Whole, is_it);
         found.or_else(|| self.failing_at_quarter_turns(expression, base, conditions))
     }
 
     /// Such a point at which one angle is a multiple of a right angle.
-    fn failing_at_quarter_turns(&self, expression: Sym, base: &Motion<'_, '_>, conditions: &[Condition]) -> Option<Refutation> {
+    fn failing_at_quarter_turns(
+        &self,
+        expression: Sym,
+        base: &Motion<'_, '_>,
+        conditions: &[Condition],
+    ) -> Option<Refutation> {
         let (pi, two) = (base.trace.pi, Sym::ONE + Sym::ONE);
         let quarters = [Sym::ZERO, pi / two, pi, Sym::ZERO - pi / two];
-        let angles = base.trace.coordinates.iter().filter(|angle| self.0.iter().any(|(_, value)| value.symbols_of().contains(angle)));
+        let angles = base
+            .trace
+            .coordinates
+            .iter()
+            .filter(|angle| self.0.iter().any(|(_, value)| value.symbols_of().contains(angle)));
         angles.flat_map(|angle| quarters.map(|value| (*angle, value))).find_map(|turned| {
             let mut there = base.clone();
             there.set(vec![turned]);
             let stays = self.0.iter().all(|(_, value)| decide(there.reduced(*value), &there.hypotheses).is_zero());
-            let known: Vec<Condition> = conditions.iter().map(|condition| condition.mapped(|of| there.reduced(of))).collect();
+            let known: Vec<Condition> =
+                conditions.iter().map(|condition| condition.mapped(|of| there.reduced(of))).collect();
             match stays.then(|| vanishes(&there, expression, &known))? {
                 Outcome::NonZero(found) => {
                     let point = [&[turned][..], &found.point].concat();
@@ -76,7 +92,12 @@ impl Residuals {
     }
 
     /// The condition of the motion, in words: the equations that its letters must satisfy to be constant.
-    pub fn told(&self, base: &Motion<'_, '_>, conditions: &[Condition], letters: &Letters<'_, '_>) -> Vec<(String, String)> {
+    pub fn told(
+        &self,
+        base: &Motion<'_, '_>,
+        conditions: &[Condition],
+        letters: &Letters<'_, '_>,
+    ) -> Vec<(String, String)> {
         let line = |(_, value): &(Sym, Sym)| {
             let product = vanishing(*value, base, conditions).into_iter().reduce(|product, factor| product * factor);
             let own = letters.told(product.unwrap_or(*value));

@@ -152,7 +152,8 @@ fn whole_parts(formula: &str, parts: &[Range<usize>]) -> Vec<Range<usize>> {
     let mut whole: Vec<Range<usize>> = Vec::new();
     for part in ordered {
         // the second argument of a fraction is a part that begins with the brace that closes the first one
-        let joined = whole.pop_if(|last| part.start < last.end).map_or(part.clone(), |last| last.start..part.end.max(last.end));
+        let joined =
+            whole.pop_if(|last| part.start < last.end).map_or(part.clone(), |last| last.start..part.end.max(last.end));
         let is_end = |end: &usize| formula.get(joined.start..*end).is_some_and(is_closed);
         whole.extend((joined.end..=formula.len()).find(is_end).map(|end| joined.start..end));
     }

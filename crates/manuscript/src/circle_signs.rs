@@ -12,7 +12,8 @@ const HALF_TURNS: [i64; 5] = [0, -1, 1, -2, 2];
 /// The signs of all sines and cosines of some expressions that follow from conditions on the letters of their angles.
 pub(crate) fn circle_signs(expressions: &[Sym], conditions: &[Condition]) -> Vec<Condition> {
     let is_letter = |leaf: &Sym| leaf.symbol_name().is_some() || leaf.as_constant().is_some();
-    let on_letters = conditions.iter().copied().filter(|condition| condition.expression().leaves_of().iter().all(is_letter));
+    let on_letters =
+        conditions.iter().copied().filter(|condition| condition.expression().leaves_of().iter().all(is_letter));
     let on_letters: Vec<Condition> = on_letters.collect();
     let sign = |leaf: Sym| match leaf.node() {
         Node::Sin(angle) => sign_of_sine(leaf, angle, angle, &on_letters),

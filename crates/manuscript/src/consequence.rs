@@ -3,13 +3,13 @@
 use crate::admissible::admissible;
 use crate::display::{Told, divisors, factors, tell_point};
 use crate::equation::{Outcome, vanishes_within};
+use crate::exact_points::{Effort, completed, search};
 use crate::finding::Finding;
 use crate::letters::Letters;
 use crate::motion::{Motion, Solution, solution};
 use crate::polynomial_factors::polynomial_factors;
 use crate::real_signs::vanishes_by_signs;
 use crate::refutation::Refutation;
-use crate::exact_points::{Effort, completed, search};
 use crate::signs::shows;
 use crate::verdict::neither;
 use claims::{Condition, Verdict};

@@ -48,7 +48,9 @@ impl Circles {
 
     /// A point with these coordinates; none if they are not fractions.
     pub fn completed(&self, point: Vec<(Sym, Sym)>) -> Option<Vec<(Sym, Sym)>> {
-        self.0.iter().try_fold(point, |point, circle| circle.as_drawn(&point).or_else(|| circle.by_rational_point(point)))
+        self.0
+            .iter()
+            .try_fold(point, |point, circle| circle.as_drawn(&point).or_else(|| circle.by_rational_point(point)))
     }
 }
 

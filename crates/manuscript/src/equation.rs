@@ -1,10 +1,10 @@
 //! Equality of two sides along motions: a proof, or an exact point at which they differ.
 
 use crate::admissible::admissible;
+use crate::exact_points::{Effort, completed, search};
 use crate::half_turn::{is_number_of_half_turn, sign_of_number};
 use crate::motion::Motion;
 use crate::refutation::Refutation;
-use crate::exact_points::{Effort, completed, search};
 use claims::Condition;
 use model::equations::constraints_of;
 use symbolic::{Decision, HIGHEST_MULTIPLE, Identity, Node, Sym, Witness, decide, identified};
@@ -149,7 +149,9 @@ fn refuted(
         })
     };
     let positive = conditions.iter().filter_map(|condition| match condition {
-        Condition::Positive(e) if e.symbol_name().is_some() && !is_in_angle(*e) => Some((*e, Sym::symbol(&format!("root of {e}")))),
+        Condition::Positive(e) if e.symbol_name().is_some() && !is_in_angle(*e) => {
+            Some((*e, Sym::symbol(&format!("root of {e}"))))
+        }
         _ => None,
     });
     let positive: Vec<(Sym, Sym)> = positive.collect();

@@ -128,7 +128,8 @@ fn with_open_letters(found: Refutation, conditions: &[Condition]) -> Option<Refu
     if open.is_empty() {
         return Some(found);
     }
-    let left: Vec<Condition> = open.iter().map(|condition| condition.mapped(|of| of.substitute(&found.point))).collect();
+    let left: Vec<Condition> =
+        open.iter().map(|condition| condition.mapped(|of| of.substitute(&found.point))).collect();
     let whole = |point: &[(Sym, Sym)]| [&found.point[..], point].concat();
     let Some(draw) = Draw::of(left.iter().map(|condition| condition.expression()), conditions) else {
         let more = turned_points::find(&[], &left, POINTS_OF_ROOTS, |_| true)?;

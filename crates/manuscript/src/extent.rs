@@ -2,11 +2,11 @@
 
 use crate::cases::{Case, cases};
 use crate::conditions::{Hypothesis, assume, conditions};
+use crate::exact_points::completed;
 use crate::motion::Motion;
 use crate::natural_domain::natural_domain;
 use crate::real_signs;
 use crate::refutation::Refutation;
-use crate::exact_points::completed;
 use crate::{condition_products, line_signs};
 use claims::Condition;
 use symbolic::Sym;

@@ -124,7 +124,8 @@ impl PaperText {
 /// A fault of a whole file, with the files that are accepted as papers.
 fn of_paper(mut error: SceneError) -> SceneError {
     for issue in error.issues.iter_mut().filter(|issue| issue.span.is_none()) {
-        issue.help = Some("a TOML file with [letters] and [[claim]] is accepted; the folder `papers` holds examples".to_owned());
+        issue.help =
+            Some("a TOML file with [letters] and [[claim]] is accepted; the folder `papers` holds examples".to_owned());
     }
     error
 }

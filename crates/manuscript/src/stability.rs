@@ -9,6 +9,7 @@ use crate::conditions::{Hypothesis, assume, conditions};
 use crate::consequence::is_of_inertia;
 use crate::display::{Told, divisors, readable, tell_point};
 use crate::equation::Outcome;
+use crate::exact_points::{Effort, search};
 use crate::extent::{exclude_each_other, is_met};
 use crate::feedback::Feedback;
 use crate::finding::Finding;
@@ -20,7 +21,6 @@ use crate::minimum_certificate::minimum;
 use crate::motion::Motion;
 use crate::real_signs;
 use crate::refutation::{Refutation, sign};
-use crate::exact_points::{Effort, search};
 use crate::signs::{Shown, shows};
 use crate::stability_region::{Criterion, Region, Theorem};
 use crate::steady_motion::Resting;
@@ -58,8 +58,10 @@ pub(crate) fn stability(
 /// The parameters without which the model has no inertia, as hypotheses that they are not zero.
 fn inertia(claim: &ClaimText, letters: &Letters<'_, '_>, assumed: &[Hypothesis]) -> Vec<Hypothesis> {
     let motion = Motion::without_anything(letters.trace);
-    let is_new = |of: &Sym| assumed.iter().all(|one| one.condition.is_none_or(|condition| condition.expression() != *of));
-    let parameters = letters.trace.parameters.iter().filter(|one| is_of_inertia(**one, &motion)).filter(|one| is_new(one));
+    let is_new =
+        |of: &Sym| assumed.iter().all(|one| one.condition.is_none_or(|condition| condition.expression() != *of));
+    let parameters =
+        letters.trace.parameters.iter().filter(|one| is_of_inertia(**one, &motion)).filter(|one| is_new(one));
     let hypothesis = |&parameter: &Sym| {
         let own = letters.told(parameter);
         Hypothesis {

@@ -3,11 +3,11 @@
 use crate::admissible::admissible;
 use crate::consequence::{Step, is_of_inertia, step};
 use crate::equation::{Outcome, vanishes};
+use crate::exact_points::{Effort, completed, search};
 use crate::inertia::inertia_determinant;
 use crate::motion::{Motion, solution};
 use crate::refutation::Refutation;
 use crate::resting_equations::SteadyMotion;
-use crate::exact_points::{Effort, completed, search};
 use claims::Condition;
 use model::Trace;
 use model::equations::constraints_of;
@@ -16,11 +16,9 @@ use symbolic::{Hypotheses, Sym, decide};
 /// An exact point of such a motion at which the first printed condition fails: where one of the other printed ones holds, where the equations of motion
 /// are solved, or among small numbers.
 pub(crate) fn failing_motion(steady: &SteadyMotion<'_, '_>) -> Option<Refutation> {
+    let steady = &lasting(steady)?;
     let SteadyMotion { motion, equations, printed, .. } = steady;
     let (&first, others) = printed.split_first()?;
-    if !all_rests(steady) {
-        return None;
-    }
     let is_motion =
         |found: &Refutation| is_steady(steady, found) && keeps_constraints(steady, found) && fails_at(first, found);
     let within = |conditions: &[Condition], effort: Effort| {
@@ -85,7 +83,8 @@ fn letter_beside_constraints(there: &Motion<'_, '_>, equation: Sym) -> Option<Sy
     let left = there.reduced(equation);
     let inputs = there.trace.model.inputs.iter().map(|input| Sym::symbol(&input.name));
     let letters = inputs.chain(there.trace.parameters.iter().copied()).filter(|letter| !tied.contains(letter));
-    let is_solved = |letter: &Sym| solution(there.trace, left, Some(*letter)).is_some_and(|found| found.symbol == *letter);
+    let is_solved =
+        |letter: &Sym| solution(there.trace, left, Some(*letter)).is_some_and(|found| found.symbol == *letter);
     letters.filter(|letter| left.symbols_of().contains(letter)).find(is_solved)
 }
 
@@ -132,9 +131,45 @@ fn fails_at(printed: Sym, found: &Refutation) -> bool {
     found.value(printed).is_some_and(|value| value != Sym::ZERO && crate::refutation::sign(value).is_some())
 }
 
-/// Whether an expression stays as it is where these rates vanish. An input may be kept constant.
+/// Whether an expression stays as it is where these rates vanish.
 fn lasts(expression: Sym, rates: &[(Sym, Sym)], trace: &Trace<'_>) -> bool {
+    rate_there(expression, rates, trace).is_some_and(|rate| decide(rate, &Hypotheses::none()).is_zero())
+}
+
+/// The rate of an expression where these rates vanish. An input may be kept constant.
+fn rate_there(expression: Sym, rates: &[(Sym, Sym)], trace: &Trace<'_>) -> Option<Sym> {
     let inputs = trace.model.inputs.iter().map(|input| (Sym::symbol(&input.name), Sym::ONE));
-    crate::letters::rate(trace, expression.substitute(&inputs.collect::<Vec<_>>()))
-        .is_ok_and(|rate| decide(rate.substitute(rates), &Hypotheses::none()).is_zero())
+    // another quantity without a known rate stands there
+    crate::letters::rate(trace, expression.substitute(&inputs.collect::<Vec<_>>())).ok()?;
+    Some(trace.rate_of(expression).substitute(rates))
+}
+
+/// How often the equations of a steady motion are differentiated: positions and speeds may be tied by them.
+const MOST_RATES: usize = 2;
+
+/// The steady motion with the rates of its equations, which vanish too since the equations hold at all times; none where further rates were needed.
+fn lasting<'t, 'm>(steady: &SteadyMotion<'t, 'm>) -> Option<SteadyMotion<'t, 'm>> {
+    let SteadyMotion { motion, equations, printed, conditions, rates } = steady;
+    let mut all = SteadyMotion {
+        motion: motion.clone(),
+        equations: equations.clone(),
+        printed: printed.clone(),
+        conditions: conditions.clone(),
+        rates: rates.clone(),
+    };
+    for _ in 0..MOST_RATES {
+        let mut new: Vec<(Sym, String)> = Vec::new();
+        for (equation, name) in &all.equations {
+            let rate = motion.reduced(rate_there(*equation, rates, motion.trace)?);
+            let is_known = all.equations.iter().chain(&new).any(|(known, _)| *known == rate);
+            if !is_known && !decide(rate, &motion.hypotheses).is_zero() {
+                new.push((rate, name.clone()));
+            }
+        }
+        if new.is_empty() {
+            break;
+        }
+        all.equations.extend(new);
+    }
+    all_rests(&all).then_some(all)
 }

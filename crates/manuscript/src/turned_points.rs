@@ -10,8 +10,7 @@ use symbolic::{Node, Sym};
 const TWELFTHS: [i64; 16] = [6, 12, -6, 4, 2, 3, 8, 9, 0, -4, -2, -3, 24, 18, 16, -12];
 
 /// The plain numbers that letters get.
-const NUMBERS: [(i64, i64); 10] =
-    [(1, 1), (2, 1), (1, 2), (3, 1), (-1, 1), (-2, 1), (4, 1), (3, 2), (0, 1), (-1, 2)];
+const NUMBERS: [(i64, i64); 10] = [(1, 1), (2, 1), (1, 2), (3, 1), (-1, 1), (-2, 1), (4, 1), (3, 2), (0, 1), (-1, 2)];
 
 /// The first of so many points at which the conditions hold and the expressions have the signs that are asked for. Where only conditions are asked for,
 /// every second point gives angles plain numbers: their sines are enclosed.
@@ -31,7 +30,8 @@ pub(crate) fn find(
     if angles.is_empty() || parts.iter().any(|part| matches!(part.node(), Node::Function(..))) {
         return None;
     }
-    let mut letters: Vec<Sym> = all.iter().flat_map(|of| of.symbols_of()).filter(|letter| !is_half_turn(*letter)).collect();
+    let mut letters: Vec<Sym> =
+        all.iter().flat_map(|of| of.symbols_of()).filter(|letter| !is_half_turn(*letter)).collect();
     letters.sort_unstable();
     letters.dedup();
     let mut state = 1_u32;

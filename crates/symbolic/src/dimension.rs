@@ -101,7 +101,10 @@ impl fmt::Display for Mismatch {
                 write!(f, "`{left}` has the dimension {first} and `{right}` has {second}")
             }
             Mismatch::Argument { function, argument, dimension } => {
-                write!(f, "the argument `{argument}` of `{function}` has the dimension {dimension} and should have none")
+                write!(
+                    f,
+                    "the argument `{argument}` of `{function}` has the dimension {dimension} and should have none"
+                )
             }
             Mismatch::Unknown(symbol) => write!(f, "the dimension of `{symbol}` is not known"),
         }
@@ -155,11 +158,7 @@ pub fn dimension(expression: Sym, lookup: &impl Fn(&str) -> Option<Dimension>) -
 }
 
 /// The dimension of a function whose argument must be a number.
-fn number(
-    function: &'static str,
-    argument: Sym,
-    own: Option<Dimension>,
-) -> Result<Option<Dimension>, Mismatch> {
+fn number(function: &'static str, argument: Sym, own: Option<Dimension>) -> Result<Option<Dimension>, Mismatch> {
     match own.filter(|dimension| *dimension != Dimension::none()) {
         Some(dimension) => Err(Mismatch::Argument { function, argument, dimension }),
         None => Ok(Some(Dimension::none())),

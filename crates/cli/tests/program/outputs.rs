@@ -178,8 +178,11 @@ fn a_page_of_a_paper_has_its_claims_that_cannot_be_read() {
     let claim = |number: u32, formula: &str| {
         format!("[[claim]]\nequation = \"{number}\"\nkind = \"formula\"\nformula = '{formula}'\n")
     };
-    std::fs::write(folder.at("paper.toml"), head + &claim(1, "m = m") + &claim(2, r"m = \frac{m}{") + &claim(3, "l = l"))
-        .expect("it can be written");
+    std::fs::write(
+        folder.at("paper.toml"),
+        head + &claim(1, "m = m") + &claim(2, r"m = \frac{m}{") + &claim(3, "l = l"),
+    )
+    .expect("it can be written");
     let output = folder.run(&["judge", "paper.toml", "--page", "page.html"]);
     assert_eq!(output.status.code(), Some(2), "{}", String::from_utf8_lossy(&output.stderr));
     let page = folder.read("page.html");

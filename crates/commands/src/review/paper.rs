@@ -49,7 +49,8 @@ pub(super) fn changes(file: &Path, against: &str, [before, now]: [SystemText; 2]
         all.push((id.clone(), told));
     }
     let known = |id: &String| finding_of(&new, id).is_some() || fault_of(&new, id).is_some();
-    let before = old.findings.iter().map(|finding| &finding.judged.id).chain(old.unjudged.iter().map(|claim| &claim.id));
+    let before =
+        old.findings.iter().map(|finding| &finding.judged.id).chain(old.unjudged.iter().map(|claim| &claim.id));
     all.extend(before.filter(|id| !known(id)).map(|id| (id.clone(), vec!["gone".to_owned()])));
     Ok(PaperChanges { changes: all, faults: new.error })
 }

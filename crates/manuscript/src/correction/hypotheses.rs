@@ -128,7 +128,8 @@ pub(super) fn leaves_something(claim: &ClaimText, letters: &Letters<'_, '_>) -> 
 fn vanishing_parameters(given: &[Passage], letters: &Letters<'_, '_>) -> usize {
     let motion = Motion::by_equations(letters.trace).ok().zip(hypotheses(given, letters).ok());
     let motion = motion.and_then(|(mut motion, given)| assume(&mut motion, &given).ok().map(|()| motion));
-    let vanishes = |motion: &Motion<'_, '_>, parameter: Sym| decide(motion.reduced(parameter), &motion.hypotheses).is_zero();
+    let vanishes =
+        |motion: &Motion<'_, '_>, parameter: Sym| decide(motion.reduced(parameter), &motion.hypotheses).is_zero();
     motion.map_or(0, |motion| letters.trace.parameters.iter().filter(|one| vanishes(&motion, **one)).count())
 }
 

@@ -160,7 +160,8 @@ impl<'t, 'm> Probe<'t, 'm> {
         }
         let reduced: Vec<Sym> = zeros.iter().map(|zero| self.motion.reduced(*zero)).collect();
         // in a prime field the root of a square may be either one
-        let has_root = reduced.iter().any(|zero| zero.leaves_of().iter().any(|leaf| matches!(leaf.node(), Node::Root(_))));
+        let has_root =
+            reduced.iter().any(|zero| zero.leaves_of().iter().any(|leaf| matches!(leaf.node(), Node::Root(_))));
         match identified(&reduced) {
             // rules of hypotheses cannot be used in prime fields
             Identity::NotZero if self.motion.hypotheses.statements().is_empty() && !has_root => Look::Fails,

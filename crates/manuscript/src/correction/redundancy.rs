@@ -23,7 +23,11 @@ pub(super) fn on_both_sides(statement: &Statement, own: &dyn Fn(&Term) -> Option
 }
 
 /// The number of moving letters by which both sides of an equality are multiplied: where such a letter is zero the equality says nothing.
-pub(super) fn common_factors(statement: &Statement, own: &dyn Fn(&Term) -> Option<Sym>, moves: &dyn Fn(Sym) -> bool) -> usize {
+pub(super) fn common_factors(
+    statement: &Statement,
+    own: &dyn Fn(&Term) -> Option<Sym>,
+    moves: &dyn Fn(Sym) -> bool,
+) -> usize {
     let [Chain { sides, .. }] = &statement.chains[..] else { return 0 };
     let values: Option<Vec<Sym>> = sides.iter().map(own).collect();
     let values: Vec<Sym> = values.unwrap_or_default().into_iter().filter(|value| !is_zero(*value)).collect();

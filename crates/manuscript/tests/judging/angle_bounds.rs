@@ -9,9 +9,17 @@ fn roots_of_half_angles_have_the_sign_of_the_bounds() {
         (r"\cos\frac{\theta}{2} = \sqrt{\frac{1 + \cos\theta}{2}}", within, "proved"),
         (r"\sin\frac{\theta}{2} = \sqrt{\frac{1 - \cos\theta}{2}}", within, "proved"),
         (r"\sin\theta = \sqrt{1 - \cos^2\theta}", within, "proved"),
-        (r"\cos\frac{\theta}{2} = \sqrt{\frac{1 + \cos\theta}{2}}", r"given = ['\cos\frac{\theta}{2} \geq 0']", "proved"),
+        (
+            r"\cos\frac{\theta}{2} = \sqrt{\frac{1 + \cos\theta}{2}}",
+            r"given = ['\cos\frac{\theta}{2} \geq 0']",
+            "proved",
+        ),
         (r"\cos\theta = \sqrt{1 - \sin^2\theta}", within, "refuted"),
-        (r"\cos\frac{\theta}{2} = \sqrt{\frac{1 + \cos\theta}{2}}", r"given = ['\theta > \pi', '\theta < 2 \pi']", "refuted"),
+        (
+            r"\cos\frac{\theta}{2} = \sqrt{\frac{1 + \cos\theta}{2}}",
+            r"given = ['\theta > \pi', '\theta < 2 \pi']",
+            "refuted",
+        ),
     ] {
         let found = on_pendulum("identity", formula, given);
         assert_eq!(verdict(&found), expected, "{}", found.text());
@@ -37,7 +45,9 @@ fn a_point_gives_an_angle_beside_its_sine_a_fraction_of_pi() {
 
 #[test]
 fn hypotheses_with_roots_hold_somewhere() {
-    for given in [r"'\sin\theta > \frac{\sqrt{3}}{2}'", r"'\theta > \sqrt{2}', '\theta < \frac{\pi}{2}', '\sin\theta > 0'"] {
+    for given in
+        [r"'\sin\theta > \frac{\sqrt{3}}{2}'", r"'\theta > \sqrt{2}', '\theta < \frac{\pi}{2}', '\sin\theta > 0'"]
+    {
         let found = on_pendulum("formula", r"T = \frac12 m l^2 \dot\theta^2", &format!("given = [{given}]"));
         assert_eq!(verdict(&found), "proved", "{}", found.text());
     }

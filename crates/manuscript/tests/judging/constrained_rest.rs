@@ -50,7 +50,9 @@ fn the_cart_and_the_rod_have_a_condition_each() {
 
 #[test]
 fn a_wrong_condition_beside_a_true_one_is_refuted_by_bodies_that_exist() {
-    for (formulas, wrong, right) in [(["F y = m g x", "k X = 2 F"], 1, "k X = F"), (["F y = 2 m g x", "k X = F"], 0, "F y = m g x")] {
+    for (formulas, wrong, right) in
+        [(["F y = m g x", "k X = 2 F"], 1, "k X = F"), (["F y = 2 m g x", "k X = F"], 0, "F y = m g x")]
+    {
         let found = claims(formulas);
         assert_eq!(verdict(&found[wrong]), "refuted", "{}", found[wrong].text());
         assert_eq!(verdict(&found[1 - wrong]), "undecided", "{}", found[1 - wrong].text());

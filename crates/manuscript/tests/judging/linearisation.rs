@@ -45,7 +45,9 @@ fn inputs_are_small_where_no_hypothesis_gives_them() {
 #[test]
 fn letters_that_do_not_stay_constant_are_told_with_their_acceleration() {
     let about = |given: &str| format!("resting = ['\\theta']\ngiven = [{given}]");
-    for (formula, given) in [(r"l \ddot\theta + g = 0", r"'\theta = \frac{\pi}{2}'"), (r"l \ddot\theta = 0", r"'\theta = 1'")] {
+    for (formula, given) in
+        [(r"l \ddot\theta + g = 0", r"'\theta = \frac{\pi}{2}'"), (r"l \ddot\theta = 0", r"'\theta = 1'")]
+    {
         let found = on_pendulum("linearised equation", formula, &about(given));
         assert_eq!(verdict(&found), "undefined", "{}", found.text());
         assert!(found.judged.evidence.contains("give theta'' = -g"), "{}", found.text());
