@@ -177,21 +177,21 @@ fn is_closed(piece: &str) -> bool {
 mod tests {
     use super::*;
 
-    fn marked(formula: &str, parts: &[Range<usize>]) -> String {
-        let (formula, parts) = (formula.to_owned(), parts.to_vec());
+    fn marked(formula: &str, parts: &[[usize; 2]]) -> String {
+        let (formula, parts) = (formula.to_owned(), parts.iter().map(|&[start, end]| start..end).collect());
         let judged = Judged::default();
         Correction { changes: Vec::new(), formula, parts, judged, certificate: None }.marked()
     }
 
     #[test]
     fn a_fraction_that_was_put_around_a_term_is_underlined_as_a_whole() {
-        assert_eq!(marked(r"x = \frac{a b}{c} + d", &[4..10, 13..17]), r"x =  {\underline{\frac{a b}{c}}}  + d");
-        assert_eq!(marked(r"x = a^2", &[5..7]), r"x = a^{\underline{2}}");
-        assert_eq!(marked(r"\left(a + b\right)", &[0..7]), r" {\underline{\left(a + b\right)}} ");
+        assert_eq!(marked(r"x = \frac{a b}{c} + d", &[[4, 10], [13, 17]]), r"x =  {\underline{\frac{a b}{c}}}  + d");
+        assert_eq!(marked(r"x = a^2", &[[5, 7]]), r"x = a^{\underline{2}}");
+        assert_eq!(marked(r"\left(a + b\right)", &[[0, 7]]), r" {\underline{\left(a + b\right)}} ");
     }
 
     #[test]
     fn a_part_that_nothing_closes_is_not_underlined() {
-        assert_eq!(marked(r"\frac{a}{b}", &[7..8]), r"\frac{a}{b}");
+        assert_eq!(marked(r"\frac{a}{b}", &[[7, 8]]), r"\frac{a}{b}");
     }
 }

@@ -110,8 +110,13 @@ pub(crate) fn tell_point(
             add(letter.to_string(), value);
         }
     }
-    // roots are told by the letters below them
-    let is_told = |symbol: Sym| !matches!(symbol.node(), Node::Product(..) | Node::Root(_));
+    // roots are told by the letters below them, and sines by their angles where these have values
+    let has_value = |letter: &Sym| refutation.point.iter().any(|(known, _)| known == letter);
+    let is_told = |symbol: Sym| match symbol.node() {
+        Node::Product(..) | Node::Root(_) => false,
+        Node::Cos(angle) | Node::Sin(angle) => refutation.is_formal || !angle.symbols_of().iter().all(has_value),
+        _ => true,
+    };
     for &(symbol, value) in refutation.point.iter().filter(|(symbol, _)| is_told(*symbol)) {
         add(told.0.told(symbol).to_string(), value);
     }

@@ -55,6 +55,14 @@ pub(crate) fn find(
         let holds = |one: &Condition| sign_there(one.expression()).is_some_and(|sign| one.allows(sign));
         let signs = || expressions.iter().map(|of| sign_there(*of).map(|sign| sign as i8)).collect::<Option<Vec<i8>>>();
         let is_it = conditions.iter().all(holds) && signs().is_some_and(|signs| asked(&signs));
-        is_it.then_some(found)
+        is_it.then(|| with_circles(found, &parts))
     })
+}
+
+/// A point with the sines and cosines that stand among parts of expressions.
+fn with_circles(mut found: Refutation, parts: &[Sym]) -> Refutation {
+    let circles = parts.iter().filter(|part| matches!(part.node(), Node::Cos(_) | Node::Sin(_)));
+    let values: Vec<(Sym, Sym)> = circles.filter_map(|&leaf| Some((leaf, found.value(leaf)?))).collect();
+    found.point.extend(values);
+    found
 }
