@@ -173,7 +173,7 @@ fn by_cases<'t, 'm>(
         return Step::Follows(divided, Way::Factors);
     }
     let fails = |signs: &[i8]| matches!(signs, [0, other] if *other != 0);
-    let why = "a condition is linear in none of its letters, so that it was not solved, and no exact point was found at which it holds and the other one does not";
+    let why = "a condition is linear in none of its letters, so that it was not solved, and no exact point was found at which it holds and the other does not";
     let found = search(&[zero, then], conditions, motion, effort, fails).filter(|found| found.is_on(motion));
     found.map_or_else(|| Step::Open(Outcome::Undecided(why.to_owned())), Step::Fails)
 }

@@ -4,7 +4,7 @@ use crate::half_turn::{half_turn, is_half_turn};
 use crate::refutation::{Refutation, sign};
 use claims::Condition;
 use field::Rational;
-use symbolic::{Node, Sym};
+use symbolic::{Hypotheses, Node, Sym, normal};
 
 /// Angles in twelfths of pi, those with the plainest sines first.
 const TWELFTHS: [i64; 16] = [6, 12, -6, 4, 2, 3, 8, 9, 0, -4, -2, -3, 24, 18, 16, -12];
@@ -59,9 +59,19 @@ pub(crate) fn find(
     })
 }
 
-/// A point with the sines and cosines that stand among parts of expressions.
+/// A point with the sines and cosines that stand among parts of expressions; those of multiples of an angle follow from its own.
 fn with_circles(mut found: Refutation, parts: &[Sym]) -> Refutation {
-    let circles = parts.iter().filter(|part| matches!(part.node(), Node::Cos(_) | Node::Sin(_)));
+    let angle_of = |part: Sym| match part.node() {
+        Node::Cos(angle) | Node::Sin(angle) => Some(angle),
+        _ => None,
+    };
+    let angles: Vec<Sym> = parts.iter().filter_map(|part| angle_of(*part)).collect();
+    let is_multiple = |angle: Sym, of: Sym| {
+        let ratio = normal(angle / of, &Hypotheses::none()).ok().and_then(|ratio| ratio.to_sym().as_constant());
+        ratio.is_some_and(|ratio| ratio.to_f64().abs() > 1.0)
+    };
+    let is_own = |angle: Sym| !angles.iter().any(|of| is_multiple(angle, *of));
+    let circles = parts.iter().filter(|part| angle_of(**part).is_some_and(is_own));
     let values: Vec<(Sym, Sym)> = circles.filter_map(|&leaf| Some((leaf, found.value(leaf)?))).collect();
     found.point.extend(values);
     found
