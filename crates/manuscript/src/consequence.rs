@@ -235,9 +235,17 @@ pub(crate) fn is_apart_by(factor: Sym, motion: &Motion<'_, '_>, known: &[Conditi
     if factor.as_constant().is_some() {
         return true;
     }
+    // a multiple by a number vanishes where the factor does
+    let letters = factor.symbols_of();
+    let is_multiple = |part: Sym| {
+        let ratio =
+            || normal(part / factor, &Hypotheses::none()).is_ok_and(|ratio| ratio.to_sym().as_constant().is_some());
+        part == factor || part == -factor || part.symbols_of() == letters && ratio()
+    };
     let is_stated = known.iter().any(|condition| match condition {
-        Condition::NonZero(e) | Condition::Positive(e) => normal(*e, &motion.hypotheses)
-            .is_ok_and(|form| factors(form.numerator()).into_iter().any(|part| part == factor || part == -factor)),
+        Condition::NonZero(e) | Condition::Positive(e) => {
+            normal(*e, &motion.hypotheses).is_ok_and(|form| factors(form.numerator()).into_iter().any(is_multiple))
+        }
         _ => false,
     });
     let shown = |e: Sym| shows(e, motion, known).is_some_and(|shown| shown.is_strict);
