@@ -71,7 +71,7 @@ def steady(found):
 
 
 def steps(found):
-    """At each motion the largest real part of numerical eigenvalues, and the longest honest step of the method."""
+    """At each motion the largest real part of numerical eigenvalues, and the longest step at which the method is correct."""
     if isinstance(found, str):
         return found.split(": ", 2)[-1]
     told = []
@@ -79,8 +79,8 @@ def steps(found):
         largest = max((value[0] for value in motion["eigenvalues"]), default=0.0)
         method = next(one for one in motion["methods"] if one["method"] == METHOD)
         first = method["stretches"][0]
-        honest = "never" if first["says"] != "honest" else "always" if first["to"] is None else f"{first['to']:.4g} s"
-        told.append(f"{largest:.3g}/s: {honest}")
+        correct = "never" if first["says"] != "correct" else "always" if first["to"] is None else f"{first['to']:.4g} s"
+        told.append(f"{largest:.3g}/s: {correct}")
     return "; ".join(f"{told.count(one)} x {one}" if told.count(one) > 1 else one for one in dict.fromkeys(told)) or "no motion"
 
 

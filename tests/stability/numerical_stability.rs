@@ -86,7 +86,7 @@ fn thresholds_by_runs_are_the_exact_ones() {
 }
 
 #[test]
-fn the_midpoint_rule_and_gauss_are_honest_at_every_step_and_backward_euler_hides_every_motion_that_grows() {
+fn the_midpoint_rule_and_gauss_are_correct_at_every_step_and_backward_euler_hides_every_motion_that_grows() {
     for (_, scene, w) in cases() {
         for (motion, row) in each(&chart(&scene, w)) {
             let steps = row.steps.as_ref().expect("thresholds are apart");
@@ -94,7 +94,7 @@ fn the_midpoint_rule_and_gauss_are_honest_at_every_step_and_backward_euler_hides
             let grows = matches!(ChartedMotion::of(spectrum), ChartedMotion::Grows { .. });
             let last = steps.stretches.last().map(|stretch| stretch.judgement);
             match row.method.to_string().as_str() {
-                "implicit midpoint" | "Gauss, 2 stages" | "Gauss, 3 stages" => assert_eq!(steps.honest(), Ok(None)),
+                "implicit midpoint" | "Gauss, 2 stages" | "Gauss, 3 stages" => assert_eq!(steps.correct(), Ok(None)),
                 "backward Euler" if grows => assert_eq!(last, Some(Judgement::Hides), "{motion}"),
                 "Euler" if !grows => assert_eq!(last, Some(Judgement::Invents), "{motion}"),
                 _ => {}

@@ -135,15 +135,15 @@ fn methods_are_judged_by_what_is_constant_along_a_circling_motion() {
     let told = text(&output);
     // m v' = m a w^2 + F - c v, (J + m a^2) w' = -m a v w + T - d w
     assert!(told.contains("eigenvalues, 1/s: -1.0935018589, -1.8424344592"), "{told}");
-    assert!(told.contains("honest up to h = 1.085520296"), "{told}");
+    assert!(told.contains("correct up to h = 1.085520296"), "{told}");
 }
 
-/// x'' = -x^3: both eigenvalues are zero, and no method is called honest by them.
+/// x'' = -x^3: both eigenvalues are zero, and no method is called correct by them.
 #[test]
 fn zero_eigenvalues_alone_judge_no_method() {
     let cubes = "[[force]]\non = \"a\"\nis = \"-(1 N/m^3)*x^3*N.x\"\n[run]\nspan = \"1 s\"\n";
     let output = asked("zeros", "", cubes, &["numerical-stability", "--range", "x=-1..1"]);
     let told = text(&output);
     assert!(told.contains("every eigenvalue of the linear equations is zero: they decide nothing"), "{told}");
-    assert!(!told.contains("honest"), "{told}");
+    assert!(!told.contains("correct"), "{told}");
 }

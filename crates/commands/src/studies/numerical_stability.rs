@@ -36,7 +36,7 @@ impl NumericalStability {
             id: "steps-and-stability".into(),
             title: "Numerical stability of steady motions".into(),
             lead: r"Near a steady motion $\dot x=Ax$ a Runge-Kutta method has the matrix $R(hA)$. A mode $\mu$ decays, keeps its size or grows in the numerical map if $|R(h\mu)|$ is below, at or above one, which may differ from the motion: a method hides growth (phantom stability) or invents it. The verdicts cover every step $h$ (in s): thresholds are roots of one polynomial for each mode, and all of them are isolated. Modes that follow from integrals and from windings without effect are split off exactly.".into(),
-            note: r"Splitting methods have a steady motion of their own near that of the law, followed here from short steps to 1 s. The stability of their one-step matrix is proved with Taylor models over the ranges of steps that a row states, and tested at eight steps per decade elsewhere; windows between the tested steps are found too. Dark lines: thresholds from runs near the motion, each as long as the growth near the threshold and the slowest of the other modes require; if that is more than 40 000 steps, as for Euler near lightly damped motions, there is no line. Honest means the correct sign of the growth, not the correct rate: the classical Runge-Kutta method and backward Euler may damp much more than the motion.".into(),
+            note: r"Splitting methods have a steady motion of their own near that of the law, followed here from short steps to 1 s. The stability of their one-step matrix is proved with Taylor models over the ranges of steps that a row states, and tested at eight steps per decade elsewhere; windows between the tested steps are found too. Dark lines: thresholds from runs near the motion, each as long as the growth near the threshold and the slowest of the other modes require; if that is more than 40 000 steps, as for Euler near lightly damped motions, there is no line. Correct means that the sign of the growth is right, not its rate: the classical Runge-Kutta method and backward Euler may damp much more than the motion.".into(),
             ..Study::default()
         };
         for found in self.scenes.into_iter().flatten() {
@@ -54,7 +54,7 @@ impl NumericalStability {
 
 /// The kinds of a picture, in the order of its legend.
 const KINDS: [&str; 6] = [
-    "honest",
+    "correct",
     "damps an undamped mode",
     "HIDES GROWTH",
     "invents growth",
@@ -64,7 +64,7 @@ const KINDS: [&str; 6] = [
 
 fn kind(judgement: Judgement) -> usize {
     match judgement {
-        Judgement::Honest => 0,
+        Judgement::Correct => 0,
         Judgement::Damps => 1,
         Judgement::Hides => 2,
         Judgement::Invents => 3,
@@ -77,7 +77,7 @@ fn picture(of: &Surveyed) -> Areas {
     let [first, last] = DECADES;
     let step = |column: usize| 10f64.powf(first + (last - first) * (column as f64 + 0.5) / COLUMNS as f64);
     let grows = of.methods.iter().filter_map(|method| method.row.steps.as_ref()?.stretches.first()).next();
-    let motion_grows = grows.is_some_and(|first| first.judgement == Judgement::Honest && first.growing > 0);
+    let motion_grows = grows.is_some_and(|first| first.judgement == Judgement::Correct && first.growing > 0);
     let of_method = |method: &Method| -> Vec<usize> {
         let judged = |step: f64| Some(kind(method.row.steps.as_ref()?.at(step)?.judgement));
         (0..COLUMNS).map(|column| judged(step(column)).unwrap_or(KINDS.len() - 1)).collect()
@@ -124,7 +124,7 @@ fn tested(split: &Split, step: f64, motion_grows: bool) -> usize {
         let passed = |edge: &&f64| (**edge > step) != (**edge > *known);
         grows.map(|grows| grows != (split.tested.edges.iter().filter(passed).count() % 2 == 1))
     }) {
-        Some(grows) if grows == motion_grows => kind(Judgement::Honest),
+        Some(grows) if grows == motion_grows => kind(Judgement::Correct),
         Some(true) => kind(Judgement::Invents),
         Some(false) => kind(Judgement::Hides),
         None => KINDS.len() - 1,

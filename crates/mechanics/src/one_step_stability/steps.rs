@@ -7,7 +7,7 @@ use algebra::real::Enclosure;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Judgement {
     /// Every mode decays, stays or grows as it does in the motion.
-    Honest,
+    Correct,
     /// The motion grows, the map does not: phantom stability.
     Hides,
     /// The map grows, the motion does not: phantom instability.
@@ -72,13 +72,13 @@ impl Steps {
         Ok(Steps { cuts, stretches })
     }
 
-    /// The largest step size up to which all are honest; `Ok(None)` where all step sizes are.
+    /// The largest step size up to which all are correct; `Ok(None)` where all step sizes are.
     ///
     /// # Errors
-    /// `Err` with the judgement of the shortest steps, where these are not honest.
-    pub fn honest(&self) -> Result<Option<&Enclosure>, Judgement> {
+    /// `Err` with the judgement of the shortest steps, where these are not correct.
+    pub fn correct(&self) -> Result<Option<&Enclosure>, Judgement> {
         match self.stretches.first() {
-            Some(StepInterval { judgement: Judgement::Honest, .. }) => Ok(self.cuts.first()),
+            Some(StepInterval { judgement: Judgement::Correct, .. }) => Ok(self.cuts.first()),
             Some(first) => Err(first.judgement),
             None => Ok(None),
         }
@@ -115,7 +115,7 @@ impl StepInterval {
         let right = modes.iter().zip(signs).all(|(mode, sign)| mode.place.sign() == *sign);
         let grows = modes.iter().any(|mode| mode.place.sign() > 0);
         let judgement = match (right, grows, growing > 0) {
-            (true, ..) => Judgement::Honest,
+            (true, ..) => Judgement::Correct,
             (false, true, false) => Judgement::Hides,
             (false, false, true) => Judgement::Invents,
             (false, false, false) => Judgement::Damps,

@@ -81,8 +81,8 @@ fn all_modes_together_have_the_least_threshold_and_every_stretch_its_judgement()
     let ends: Vec<f64> = steps.cuts.iter().map(Enclosure::to_f64).collect();
     assert_eq!(ends, [0.4, 2.0]);
     let judged: Vec<_> = steps.stretches.iter().map(|stretch| (stretch.judgement, stretch.growing)).collect();
-    assert_eq!(judged, [(Judgement::Honest, 0), (Judgement::Invents, 2), (Judgement::Invents, 3)]);
-    assert_eq!(steps.at(0.3).map(|stretch| stretch.judgement), Some(Judgement::Honest));
+    assert_eq!(judged, [(Judgement::Correct, 0), (Judgement::Invents, 2), (Judgement::Invents, 3)]);
+    assert_eq!(steps.at(0.3).map(|stretch| stretch.judgement), Some(Judgement::Correct));
     assert_eq!(steps.at(0.5).map(|stretch| stretch.judgement), Some(Judgement::Invents));
 }
 

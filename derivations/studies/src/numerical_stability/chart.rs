@@ -100,17 +100,17 @@ impl Row {
     /// The intervals of step sizes with their verdicts, in a line.
     pub fn told(&self) -> String {
         let Some(steps) = &self.steps else { return "not known: thresholds lie too close together".to_owned() };
-        let honest = match steps.honest() {
-            Ok(None) => "honest at every step".to_owned(),
-            Ok(Some(most)) => format!("honest up to h = {}", digits(most)),
-            Err(_) => "never honest".to_owned(),
+        let correct = match steps.correct() {
+            Ok(None) => "correct at every step".to_owned(),
+            Ok(Some(most)) => format!("correct up to h = {}", digits(most)),
+            Err(_) => "never correct".to_owned(),
         };
         let stretches: Vec<_> = steps.all().collect();
         let runs = stretches.chunk_by(|a, b| a.2.judgement == b.2.judgement);
-        let wrong = runs.filter(|run| run[0].2.judgement != Judgement::Honest);
+        let wrong = runs.filter(|run| run[0].2.judgement != Judgement::Correct);
         let each: Vec<String> =
             wrong.map(|run| format!("{} {}", said(run[0].2), range(run[0].0, run[run.len() - 1].1))).collect();
-        if each.is_empty() { honest } else { format!("{honest}; {}", each.join("; ")) }
+        if each.is_empty() { correct } else { format!("{correct}; {}", each.join("; ")) }
     }
 
     /// The step sizes at which the map becomes unstable or stable: the thresholds that runs can measure.
@@ -124,7 +124,7 @@ impl Row {
 /// The word of a chart for a verdict.
 pub fn said(stretch: StepInterval) -> &'static str {
     match stretch.judgement {
-        Judgement::Honest => "honest",
+        Judgement::Correct => "correct",
         Judgement::Hides => "HIDES GROWTH",
         Judgement::Invents => "invents growth",
         Judgement::Damps => "damps an undamped mode",

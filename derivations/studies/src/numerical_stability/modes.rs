@@ -42,10 +42,10 @@ mod tests {
     use mechanics::one_step_stability::Judgement;
 
     /// The largest step size, s, up to which each method preserves stability and instability.
-    fn honest(eigenvalues: &[[f64; 2]], keeps_energy: bool) -> Vec<(String, Result<Option<f64>, Judgement>)> {
+    fn correct(eigenvalues: &[[f64; 2]], keeps_energy: bool) -> Vec<(String, Result<Option<f64>, Judgement>)> {
         let (modes, _) = modes(eigenvalues, keeps_energy).expect("they have modes");
         let most =
-            |steps: &mechanics::one_step_stability::Steps| steps.honest().map(|most| most.map(|most| most.to_f64()));
+            |steps: &mechanics::one_step_stability::Steps| steps.correct().map(|most| most.map(|most| most.to_f64()));
         rows(&modes)
             .into_iter()
             .map(|row| (row.method.to_string(), most(&row.steps.expect("they are apart"))))
@@ -55,14 +55,14 @@ mod tests {
     #[test]
     fn thresholds_are_those_of_the_methods_in_closed_form() {
         // a decaying mode with a zero eigenvalue, and an oscillator
-        let fading = honest(&[[-3.0, 0.0], [0.0, 0.0]], false);
+        let fading = correct(&[[-3.0, 0.0], [0.0, 0.0]], false);
         let of = |all: &[(String, Result<Option<f64>, Judgement>)], name: &str| {
             all.iter().find(|(own, _)| own == name).map(|(_, most)| *most).expect("it is there")
         };
         let Ok(Some(euler)) = of(&fading, "Euler") else { panic!("{fading:?}") };
         assert!((euler - 2.0 / 3.0).abs() < 1e-15);
         assert_eq!(of(&fading, "backward Euler"), Ok(None));
-        let oscillating = honest(&[[1e-15, 2.0], [1e-15, -2.0]], true);
+        let oscillating = correct(&[[1e-15, 2.0], [1e-15, -2.0]], true);
         assert_eq!(of(&oscillating, "Euler"), Err(Judgement::Invents));
         assert_eq!(of(&oscillating, "backward Euler"), Err(Judgement::Damps));
         assert_eq!(of(&oscillating, "implicit midpoint"), Ok(None));

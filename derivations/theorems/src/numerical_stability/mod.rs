@@ -18,8 +18,8 @@ pub const PAPER: Paper = Paper {
     key: "numerical_stability",
     title: "Numerical stability: the map of a step beside the motion",
     citation: "The workbench's own page. The stability function and A-stability are those of G. Dahlquist (1963); collocation after E. Hairer, G. Wanner: Solving ordinary differential equations II (1991), IV.3 and IV.5.",
-    summary: r"Near a stationary motion $\dot x=Ax$ a Runge-Kutta method has the matrix $R(hA)$, and a mode $\mu$ fades, stays or grows under it as $|R(h\mu)|$ is below, at or above one. Euler lets grow at every step what stays; the classical Runge-Kutta method damps it up to $h|\mu|=2\sqrt2$; backward Euler and Radau IIA damp it always, and hide a mode that grows from some step on: phantom stability. The midpoint rule and Gauss with two and three stages are honest at every step on every motion. The command `dalembert numerical-stability` gives for a scene's motions every threshold, isolated.",
-    entries: &["function", "axis", "grows", "honest", "splitting"],
+    summary: r"Near a stationary motion $\dot x=Ax$ a Runge-Kutta method has the matrix $R(hA)$, and a mode $\mu$ fades, stays or grows under it as $|R(h\mu)|$ is below, at or above one. Euler lets grow at every step what stays; the classical Runge-Kutta method damps it up to $h|\mu|=2\sqrt2$; backward Euler and Radau IIA damp it always, and hide a mode that grows from some step on: phantom stability. The midpoint rule and Gauss with two and three stages are correct at every step on every motion. The command `dalembert numerical-stability` gives for a scene's motions every threshold, isolated.",
+    entries: &["function", "axis", "grows", "correct", "splitting"],
     page,
 };
 
@@ -199,14 +199,14 @@ fn plane(page: &mut Page) {
     );
     let modulus = |re: Sym, im: Sym| re.powi(2) + im.powi(2);
     say(
-        "honest",
+        "correct",
         "midpoint",
         r"the midpoint rule never hides a growing mode and never lets a fading one grow: $|R|^2-1$ has the sign of $a$, $z=h\mu=a+\mathrm ib$, at every step",
         MIDPOINT,
         n(1) + n(8) * a / modulus(n(2) - a, b),
     );
     say(
-        "honest",
+        "correct",
         "gauss-2",
         r"Gauss with two stages never hides a growing mode and never lets a fading one grow: $|R|^2-1$ has the sign of $a$, $z=h\mu=a+\mathrm ib$, at every step",
         gauss(2),
@@ -215,7 +215,7 @@ fn plane(page: &mut Page) {
     );
     let cubed = [a.powi(3) - n(3) * a * b.powi(2), n(3) * a.powi(2) * b - b.powi(3)];
     say(
-        "honest",
+        "correct",
         "gauss-3",
         r"Gauss with three stages never hides a growing mode and never lets a fading one grow: $|R|^2-1$ has the sign of $a$, $z=h\mu=a+\mathrm ib$, at every step",
         gauss(3),

@@ -119,8 +119,8 @@ fn motions_between_events_are_those_without_them() {
 fn steps_that_misjudge_a_motion_of_a_file_are_told_for_each_method() {
     let told = printed(&["numerical-stability", MODEL]);
     // sqrt(8) over the larger frequency
-    assert!(told.contains("Runge-Kutta 4        never honest; damps an undamped mode for h < 0.4887256673; invents growth for h > 0.4887256673"), "{told}");
-    assert!(told.contains("implicit midpoint    honest at every step"), "{told}");
+    assert!(told.contains("Runge-Kutta 4        never correct; damps an undamped mode for h < 0.4887256673; invents growth for h > 0.4887256673"), "{told}");
+    assert!(told.contains("implicit midpoint    correct at every step"), "{told}");
     let object: Value =
         serde_json::from_str(&printed(&["numerical-stability", MODEL, "--format", "json"])).expect("it is JSON");
     let of_first = object["motions"][0]["methods"].as_array().expect("methods");
@@ -143,7 +143,7 @@ fn steps_on_a_motion_of_a_law_with_conditions_are_those_of_its_side() {
     let asked = ["numerical-stability", scene, "--range", "theta=-1..1", "--range", "motor.q'=-20..20"];
     let told = printed(&asked);
     assert!(
-        told.contains("where asked - most > 0") && told.contains("Euler                honest up to h = 0.001;"),
+        told.contains("where asked - most > 0") && told.contains("Euler                correct up to h = 0.001;"),
         "{told}"
     );
     let object: Value =
