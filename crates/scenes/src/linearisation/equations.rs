@@ -1,7 +1,8 @@
 //! The varied equations of a model as numbers at a point.
 
-use crate::compiled_system::{NotCompiled, has_values_but, values};
+use crate::compiled_system::{NotCompiled, has_values_but};
 use crate::layout::Layout;
+use crate::letters::Letters;
 use crate::program::recorded;
 use crate::row_units::{coherent, multiplier_unit};
 use model::equations::{Equation, Level, constraints_of};
@@ -339,10 +340,10 @@ fn flat(point: &Point) -> Vec<f64> {
     parts.into_iter().flat_map(|part| part.iter().copied()).collect()
 }
 
-/// Letters of a trace by those of a program.
+/// Letters of a trace by those of a program, parameters by the decimals that were written.
 fn letters_of(trace: &Trace<'_>, multipliers: &[Sym], inputs: &[Sym], time: Sym, state: &[Sym]) -> Vec<(Sym, Sym)> {
     let moving = trace.coordinates.len() + trace.speeds.len();
-    let mut known = values(trace, time, &state[..moving]);
+    let mut known = Letters::with_decimals(time, &state[..moving]).known(trace);
     known.retain(|(letter, _)| !inputs.contains(letter));
     let others = trace.accelerations.iter().chain(multipliers).chain(inputs).chain(&trace.switches);
     known.extend(others.copied().zip(state[moving..].iter().copied()));

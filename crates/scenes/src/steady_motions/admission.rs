@@ -1,7 +1,7 @@
 //! Models whose steady motions are sought, and the combinations of cases of a law that changes.
 
 use super::conditions::{self, Case};
-use super::determinacy::{Data, Wanted};
+use super::determinacy::Wanted;
 use super::quasi_velocities::state_names;
 use super::rows::{Rows, Touching};
 use super::{Asked, NoSteadyMotions};
@@ -22,7 +22,7 @@ pub(super) fn combinations(model: &Model, asked: &Asked) -> Result<Vec<Vec<Case>
         let start = model.start_state();
         let (names, n) = (state_names(model), trace.speeds.len());
         let free = (0..n).filter(|&k| asked.range(&names[n + k]).is_some()).collect();
-        let rows = Rows::of(model, &trace, &Wanted { free, state: &start, is_near: false, data: Data::Floats })?;
+        let rows = Rows::of(model, &trace, &Wanted { free, state: &start, is_near: false })?;
         // a gap that no coordinate opens has a reaction that no position determines
         let gaps = &rows.conditions[rows.condition_letters.len()..];
         if let Some(place) = gaps.iter().position(|gap| vanishes(*gap)) {
@@ -43,6 +43,12 @@ pub(super) fn checked(model: &Model) -> Result<(), NoSteadyMotions> {
     // an event changes the state alone: between events the law is one
     let is_one = model.switches.is_empty() && model.contacts.is_empty();
     if is_one { Ok(()) } else { Err(NoSteadyMotions::Changes) }
+}
+
+/// Refuses contacts, and everything that no law may hold.
+pub(super) fn checked_but_for_cases(model: &Model) -> Result<(), NoSteadyMotions> {
+    checked_but_for_conditions(model)?;
+    if model.contacts.is_empty() { Ok(()) } else { Err(NoSteadyMotions::Changes) }
 }
 
 /// Refuses speeds without inertia, frames that turn freely, and laws without values.

@@ -6,12 +6,10 @@
 //!
 //! and q0 is the only zero there. The force f is the negative slope of the energy, whose rise or fall on each side follows from its sign.
 
-use super::determinacy::Data;
+use super::Region;
 use super::equations::SteadyEquations;
 use super::search::Boxes;
-use super::{Asked, Region};
 use field::{Interval, Rational};
-use model::Model;
 use model::equations::vanishes;
 use symbolic::Sym;
 
@@ -29,15 +27,14 @@ pub(super) struct Degenerate {
 
 impl Degenerate {
     /// The zero of a region; none where that is not shown.
-    pub fn of(model: &Model, asked: &Asked, equations: &SteadyEquations, region: &Region) -> Option<Self> {
+    pub fn of(equations: &SteadyEquations, region: &Region) -> Option<Self> {
         let [[low, high]] = region.hull[..] else { return None };
         let others = equations.tapes.surplus.outputs() + equations.tapes.implied.outputs() + equations.reactions;
         if equations.rows != 1 || others > 0 || equations.is_at_condition {
             return None;
         }
         symbolic::apart(|| {
-            let exact = SteadyEquations::with_data(model, asked, &equations.cases, Data::Decimals).ok()?;
-            let tape = exact.derivatives?;
+            let tape = equations.derivatives.as_ref()?;
             let mut bounds = vec![Interval::EVERYTHING; tape.outputs()];
             tape.over::<Interval>().evaluate(&[Interval::new(low, high)], &mut bounds);
             let order = (1..tape.outputs()).find(|&order| bounds[order].sign().is_some_and(|sign| sign != 0))?;

@@ -1,7 +1,6 @@
 //! Dependent speeds of nonholonomic constraints in terms of the others, by Cramer's rule.
 
 use algebra::linear::minors;
-use field::Rational;
 use model::Trace;
 use model::equations::{Equation, vanishes};
 use symbolic::{Sym, Tape, substitute_all};
@@ -15,24 +14,6 @@ const MOST_COMPARED: usize = 16;
 /// A part of the largest determinant at a state below which speeds are not determined there.
 const REGULAR: f64 = 1e-3;
 
-/// The numbers that parameters stand for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Data {
-    /// Those of runs.
-    Floats,
-    /// Those that were written: for exact decisions.
-    Decimals,
-}
-
-impl Data {
-    pub fn number(self, value: f64) -> Sym {
-        Sym::constant(match self {
-            Data::Floats => Rational::exactly(value),
-            Data::Decimals => Rational::decimal(value),
-        })
-    }
-}
-
 /// Preferences for independent speeds.
 pub(super) struct Wanted<'a> {
     /// Speeds that remain independent as far as the others can be determined.
@@ -40,7 +21,6 @@ pub(super) struct Wanted<'a> {
     /// A state at which the constraints must determine the other speeds, for a motion near this state; otherwise this is a preference.
     pub state: &'a [f64],
     pub is_near: bool,
-    pub data: Data,
 }
 
 /// Determined speeds, each by the others, and whether they are determined at the state.

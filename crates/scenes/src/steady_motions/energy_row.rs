@@ -24,7 +24,7 @@ pub(super) fn implied(
         return None;
     }
     let state = [&trace.coordinates[..], &trace.speeds].concat();
-    let energy = Letters::with_data(trace.time, &state).put_into(trace, &[trace.potential_energy()])[0];
+    let energy = Letters::with_decimals(trace.time, &state).put_into(trace, &[trace.potential_energy()])[0];
     let n = trace.speeds.len();
     let is_level = (0..n).filter(|&k| rows.is_cyclic[k]).all(|k| vanishes(energy.diff(trace.coordinates[k])));
     let is_independent = |k: &usize| rows.is_cyclic[*k] && rows.determined.iter().all(|(place, _)| place != k);

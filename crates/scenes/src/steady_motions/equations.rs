@@ -3,11 +3,11 @@
 //!
 //!   J^T lambda - h(q, w) = 0 ,    f(q) = 0 .
 
-use super::admission::{at_rest, checked};
+use super::admission::{at_rest, checked, checked_but_for_cases};
 use super::angle_sums::AngleSums;
 use super::circles::is_periodic;
 use super::conditions::{Case, Laws};
-use super::determinacy::{Data, Wanted};
+use super::determinacy::Wanted;
 use super::energy_row::implied;
 use super::families::Identity;
 use super::friction::{AtRest, FrictionLaw};
@@ -19,7 +19,7 @@ use super::rows::{Rows, without_idle};
 use super::surplus::Selection;
 use super::tapes::{self, Expressions, Tapes};
 use super::{Asked, NoSteadyMotions, Range};
-use field::Interval;
+use field::{Interval, Rational};
 use model::equations::vanishes;
 use model::{Model, Trace};
 use std::f64::consts::PI;
@@ -71,6 +71,8 @@ pub(super) struct SteadyEquations {
     pub cases: Vec<Case>,
     /// Whether a condition is zero.
     pub is_at_condition: bool,
+    /// Contacts without friction, by their places in the combination.
+    pub smooth_contacts: Vec<usize>,
     /// The dry friction of these, where the system rests.
     pub friction: Option<FrictionLaw>,
     /// For each condition of the law 1 where it holds, else 0.
@@ -86,7 +88,7 @@ pub(super) struct SteadyEquations {
     pub masses: Option<Tape>,
     /// The programs of the search.
     pub tapes: Tapes,
-    /// The one equation of one unknown with its derivatives, with data as decimals.
+    /// The one equation of one unknown with its derivatives.
     pub derivatives: Option<Tape>,
     /// The programs with sums of angles as unknowns, if the equations are simpler in them.
     pub by_sums: Option<(AngleSums, Tapes)>,
@@ -97,19 +99,19 @@ pub(super) struct SteadyEquations {
 impl SteadyEquations {
     pub fn of(model: &Model, asked: &Asked) -> Result<Self, NoSteadyMotions> {
         checked(model)?;
-        symbolic::apart(|| Self::with_data(model, asked, &[], Data::Floats))
+        symbolic::apart(|| Self::written(model, asked, (None, false), &[]))
     }
 
     /// In one combination of cases of the conditions of a law that changes.
     pub fn in_cases(model: &Model, asked: &Asked, cases: &[Case]) -> Result<Self, NoSteadyMotions> {
-        symbolic::apart(|| Self::with_data(model, asked, cases, Data::Floats))
+        symbolic::apart(|| Self::written(model, asked, (None, false), cases))
     }
 
     /// The equations for the motion of a state, if they hold at it identically except for reactions; otherwise for motions near it. Speeds of
-    /// cyclic coordinates are those of the state unless an equation determines them.
-    pub fn near(model: &Model, state: &[f64]) -> Result<Self, NoSteadyMotions> {
-        checked(model)?;
-        let written = |is_pinned| Self::written(model, &Asked::default(), (Some(state), is_pinned), &[], Data::Floats);
+    /// cyclic coordinates are those of the state unless an equation determines them; the conditions of the law have their cases.
+    pub fn near(model: &Model, state: &[f64], cases: &[Case]) -> Result<Self, NoSteadyMotions> {
+        checked_but_for_cases(model)?;
+        let written = |is_pinned| Self::written(model, &Asked::default(), (Some(state), is_pinned), cases);
         let is_square = |own: &Self| {
             own.is_unbalanced || own.rows == own.unknowns.len() + own.reactions && own.tapes.surplus.outputs() == 0
         };
@@ -121,17 +123,12 @@ impl SteadyEquations {
         })
     }
 
-    /// In the graph of the thread, with the data as floats or as decimals.
-    pub fn with_data(model: &Model, asked: &Asked, cases: &[Case], data: Data) -> Result<Self, NoSteadyMotions> {
-        Self::written(model, asked, (None, false), cases, data)
-    }
-
+    /// In the graph of the thread; every number is the decimal that was written, so that sums such as k1 + k2 - k3 are exact.
     fn written(
         model: &Model,
         asked: &Asked,
         (near, is_pinned): (Option<&[f64]>, bool),
         cases: &[Case],
-        data: Data,
     ) -> Result<Self, NoSteadyMotions> {
         let trace = Trace::of(model);
         let n = trace.speeds.len();
@@ -140,7 +137,7 @@ impl SteadyEquations {
             |k: &usize| is_integral(model, *k) || asked.ranges.iter().any(|(name, _)| *name == names[n + *k]);
         let start = model.start_state();
         let free = (0..n).filter(is_asked).collect();
-        let wanted = Wanted { free, state: near.unwrap_or(&start), is_near: near.is_some(), data };
+        let wanted = Wanted { free, state: near.unwrap_or(&start), is_near: near.is_some() };
         let mut rows = Rows::of(model, &trace, &wanted)?;
         // a frame that is turned steadily leaves no time in the equations, however they are written
         let all = rows.residuals.iter_mut().chain(&mut rows.zeros).chain(&mut rows.conditions);
@@ -192,7 +189,7 @@ impl SteadyEquations {
                 Some(range) if range.is_point() => {
                     state[place] = range.from;
                     valued.push((symbol, name.clone(), range.from));
-                    known.push((symbol, data.number(range.from)));
+                    known.push((symbol, number(range.from)));
                     given.push((name, range.from));
                 }
                 // a range above a turn would contain positions twice
@@ -205,7 +202,7 @@ impl SteadyEquations {
                 }
                 None if is_sought => without_range.push(name),
                 _ => {
-                    known.push((symbol, data.number(state[place])));
+                    known.push((symbol, number(state[place])));
                     given.push((name, state[place]));
                 }
             }
@@ -319,11 +316,16 @@ impl SteadyEquations {
         let kept_momenta = rows.kept_momenta.iter().map(|&k| (k, names[k].clone())).collect();
         Ok(SteadyEquations {
             rows: expressions.values.len(),
-            derivatives: (data == Data::Decimals).then(|| tapes::derivatives(&letters, &expressions.values)).flatten(),
+            derivatives: tapes::derivatives(&letters, &expressions.values),
             holds,
             side_places,
             cases: cases.to_vec(),
             is_at_condition: cases.contains(&Case::Between),
+            smooth_contacts: (model.switches.len()..)
+                .zip(&rows.contacts)
+                .filter(|(_, contact)| contact.friction.is_none())
+                .map(|(place, _)| place)
+                .collect(),
             friction,
             switches: cases
                 .iter()
@@ -374,6 +376,11 @@ impl SteadyEquations {
         places.iter().zip(speeds).for_each(|(&place, speed)| state[place] = speed);
         state
     }
+}
+
+/// A number of the state as the decimal that was written.
+fn number(value: f64) -> Sym {
+    Sym::constant(Rational::decimal(value))
 }
 
 /// The place of a side that belongs to no case.

@@ -2,12 +2,11 @@
 //! zeros are no kinks, and the steady motions of both sides belong together.
 
 use super::conditions::Case;
+use super::differentiability::Sides;
 use super::families::Family;
 use super::{Member, SteadyMotions};
-use crate::letters::Letters;
-use model::equations::{Residuals, constraints_of, vanishes};
-use model::{Model, Trace};
-use symbolic::{Sym, substitute_all};
+use model::Model;
+use model::equations::vanishes;
 
 type Combination = (Vec<Case>, SteadyMotions);
 
@@ -18,24 +17,8 @@ pub(super) fn is_one_law(model: &Model, cases: &[Case], places: &[usize]) -> boo
 }
 
 fn does_not_hold(model: &Model, cases: &[Case], places: &[usize]) -> bool {
-    let trace = Trace::of(model);
-    let Some(equations) = Residuals::of(&trace).into_iter().next() else { return false };
-    let held = constraints_of(&trace).into_iter().map(|one| one.zero);
-    let reactions = model.contacts.iter().flat_map(|own| own.slides.iter().chain(&own.friction).chain([&own.gap]));
-    let law: Vec<Sym> = equations.residuals.iter().copied().chain(held).collect();
-    let law: Vec<Sym> = law.into_iter().chain(reactions.map(|&own| trace.scalar(own))).collect();
-    let state = [&trace.coordinates[..], &trace.speeds].concat();
-    let law = Letters::with_data(trace.time, &state).put_into(&trace, &law);
-    let known = trace.switches.iter().zip(cases).enumerate().filter(|(place, _)| !places.contains(place));
-    let known: Vec<(Sym, Sym)> = known
-        .filter_map(|(_, (&letter, case))| match case {
-            Case::Holds => Some((letter, Sym::ONE)),
-            Case::Fails => Some((letter, Sym::ZERO)),
-            _ => None,
-        })
-        .collect();
-    let law = substitute_all(&law, &known);
-    places.iter().all(|&place| law.iter().all(|row| vanishes(row.diff(trace.switches[place]))))
+    let Some(Sides { rows, letters, .. }) = Sides::of(model, cases, places) else { return false };
+    letters.iter().all(|letter| rows.iter().all(|row| vanishes(row.diff(*letter))))
 }
 
 /// Joins families that come from both sides to the zero of a condition on which the law does not depend there.

@@ -247,6 +247,7 @@ impl SteadyMotions {
             undecided_part: 0.0,
             elsewhere: 0,
             examined,
+            singular_places: 0,
         }
     }
 }

@@ -12,6 +12,7 @@ mod definiteness;
 mod degenerate;
 mod dependence;
 mod determinacy;
+mod differentiability;
 mod energy_row;
 mod equations;
 mod families;
@@ -50,7 +51,7 @@ pub use spectrum::{
 };
 pub use stability::{Eigenvalues, OnSide, SteadyStability};
 
-use crate::linearisation::{Linear, VariedEquations};
+use crate::linearisation::{Linear, Standing, VariedEquations};
 use algebra::boxes::Zero;
 use circles::{is_same, turns_to_zero};
 use decision::{Decision, is_in_range, part};
@@ -151,6 +152,8 @@ pub struct Member {
     pub state: Vec<f64>,
     /// The linear equations there, as numbers.
     pub linear: Option<Linear>,
+    /// The eigenvalues without cyclic coordinates by enclosures, where the member moves, so that equations at one instant say nothing.
+    pub enclosed: Option<EnclosedSpectrum>,
     /// Coordinates that have no inertia there, so that they do not describe the position.
     pub without_inertia: Vec<String>,
 }
@@ -186,6 +189,8 @@ pub struct SteadyMotions {
     pub elsewhere: usize,
     /// The number of examined boxes.
     pub examined: usize,
+    /// Places at which the coordinates are singular, where the motions are listed without these.
+    pub singular_places: usize,
 }
 
 /// The distance from a state, relative to one in SI units and to the value, within which a steady motion counts as the one of this state.
@@ -245,7 +250,7 @@ impl SteadyMotions {
         let mut regions = region::regions(&equations, &zeros, &found.undecided);
         let mut zeros: Vec<(Zero, Option<Degenerate>)> = zeros.into_iter().map(|zero| (zero, None)).collect();
         regions.retain(|region| {
-            let Some(own) = Degenerate::of(model, asked, &equations, region) else { return true };
+            let Some(own) = Degenerate::of(&equations, region) else { return true };
             let alone: Vec<Interval> = region.hull.iter().map(|&[low, high]| Interval::new(low, high)).collect();
             found.undecided.retain(|at| !at.iter().zip(&alone).all(|(at, alone)| at.is_part_of(*alone)));
             undecided_part = part(&found.undecided, &domain);
@@ -310,8 +315,10 @@ impl SteadyMotions {
                     };
                     let linear = varied.as_ref().filter(|_| without_inertia.is_empty() && goes_on());
                     let linear = linear.and_then(|own| own.about(0.0, &state).ok());
+                    let moves = linear.as_ref().is_some_and(|own| own.standing == Standing::Moving);
+                    let enclosed = moves.then(|| EnclosedSpectrum::near(model, &state, &mut *goes_on).ok()).flatten();
                     let values = values[..equations.unknowns.len()].to_vec();
-                    Member { values, state: original(state).0, linear, without_inertia }
+                    Member { values, state: original(state).0, linear, enclosed, without_inertia }
                 };
                 let members = family.members.iter().map(member).collect();
                 // friction stops a motion that has a kinetic energy
@@ -338,7 +345,16 @@ impl SteadyMotions {
             undecided_part,
             elsewhere: 0,
             examined: found.examined,
+            singular_places: 0,
         }
+    }
+
+    /// The motions at which the coordinates describe the position; others are counted alone.
+    fn without_singular_places(mut self) -> Self {
+        let all = self.motions.len();
+        self.motions.retain(|motion| !matches!(motion.stability, SteadyStability::Singular(_)));
+        self.singular_places += all - self.motions.len();
+        self
     }
 
     /// Whether there is no steady motion, and nothing is undecided.

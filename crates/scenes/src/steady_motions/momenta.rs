@@ -16,7 +16,7 @@ pub(super) fn momenta(
     };
     let (speeds, others) = (chosen(true), chosen(false));
     let state = [&trace.coordinates[..], &trace.speeds].concat();
-    let energy = Letters::with_data(trace.time, &state).put_into(trace, &[trace.kinetic_energy()])[0];
+    let energy = Letters::with_decimals(trace.time, &state).put_into(trace, &[trace.kinetic_energy()])[0];
     let by = |energy: Sym, of: &[Sym], all: &[Sym]| -> Vec<Sym> {
         of.iter().flat_map(|&speed| all.iter().map(move |&by| energy.diff(speed).diff(by))).collect()
     };

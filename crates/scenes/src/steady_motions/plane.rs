@@ -13,6 +13,8 @@ pub type Direction<'a> = (&'a str, Range);
 pub struct PlaneCell {
     pub values: [f64; 2],
     pub found: SteadyMotions,
+    /// Why steady motions are not searched for there, if they are not.
+    pub left_out: Option<NoSteadyMotions>,
 }
 
 /// Halvings of the distance between the middles of two cells that differ.
@@ -37,35 +39,38 @@ impl PlaneCell {
         goes_on: impl FnMut() -> bool,
     ) -> Result<Self, NoSteadyMotions> {
         let found = found_at(model, asked, &[(names[0], values[0]), (names[1], values[1])], goes_on)?;
-        Ok(PlaneCell { values, found })
+        Ok(PlaneCell { values, found, left_out: None })
     }
 
     /// The column of cells at a value of the first parameter.
-    ///
-    /// # Errors
-    /// The reason for which steady motions are not searched for, at the first such cell.
     pub fn column(
         model: &Model,
         asked: &Asked,
         [first, second]: [Direction<'_>; 2],
         (value, rows): (f64, usize),
         mut goes_on: impl FnMut() -> bool,
-    ) -> Result<Vec<Self>, NoSteadyMotions> {
+    ) -> Vec<Self> {
         let names = [first.0, second.0];
-        let at = |other: f64| PlaneCell::at(model, asked, names, [value, other], &mut goes_on);
+        let at = |other: f64| {
+            let values = [value, other];
+            let left_out = |why| PlaneCell { values, found: SteadyMotions::default(), left_out: Some(why) };
+            PlaneCell::at(model, asked, names, values, &mut goes_on).unwrap_or_else(left_out)
+        };
         middles(second.1, rows).into_iter().map(at).collect()
+    }
+
+    /// Whether every motion in the cell is known.
+    pub fn is_complete(&self) -> bool {
+        self.left_out.is_none() && self.found.is_complete()
     }
 
     /// Whether two cells have equal numbers of motions with equal numbers of unstable directions; false for undecided cells.
     pub fn is_like(&self, other: &Self) -> bool {
-        let decided = self.found.is_complete() && other.found.is_complete();
+        let decided = self.is_complete() && other.is_complete();
         !decided || kinds(&self.found) == kinds(&other.found)
     }
 
-    /// A narrow bracket of the change of motions between two cells that differ.
-    ///
-    /// # Errors
-    /// The reason for which steady motions are not searched for at some point in between.
+    /// A narrow bracket of the change of motions between two cells that differ, as far as searches in between are complete.
     pub fn border(
         &self,
         other: &Self,
@@ -73,19 +78,17 @@ impl PlaneCell {
         asked: &Asked,
         names: [&str; 2],
         mut goes_on: impl FnMut() -> bool,
-    ) -> Result<[[f64; 2]; 2], NoSteadyMotions> {
+    ) -> [[f64; 2]; 2] {
         let [mut near, mut far] = [self.values, other.values];
         for _ in 0..HALVINGS {
             if !goes_on() {
                 break;
             }
             let middle = [0.5 * (near[0] + far[0]), 0.5 * (near[1] + far[1])];
-            let found = PlaneCell::at(model, asked, names, middle, &mut goes_on)?;
-            if !found.found.is_complete() {
-                break;
-            }
+            let found = PlaneCell::at(model, asked, names, middle, &mut goes_on).ok();
+            let Some(found) = found.filter(PlaneCell::is_complete) else { break };
             if self.is_like(&found) { near = middle } else { far = middle }
         }
-        Ok([near, far])
+        [near, far]
     }
 }

@@ -6,7 +6,7 @@
 //! coordinates only.
 
 use super::NoSteadyMotions;
-use super::determinacy::{Data, Wanted};
+use super::determinacy::Wanted;
 use super::rows::Rows;
 use crate::changing_laws::changes;
 use crate::letters::Letters;
@@ -118,7 +118,7 @@ impl Extended {
         let trace = Trace::of(&self.original);
         let letters = [&trace.coordinates[..], &trace.speeds].concat();
         let own: Vec<_> = self.speeds.iter().map(|speed| trace.scalar(speed.is)).collect();
-        let own = Letters::with_data(trace.time, &letters).put_into(&trace, &own);
+        let own = Letters::with_decimals(trace.time, &letters).put_into(&trace, &own);
         let tape = Tape::record(&[&letters[..], &[trace.time]].concat(), &own).ok()?;
         let mut values = vec![0.0; own.len()];
         tape.over::<f64>().evaluate(&[state, &[0.0]].concat(), &mut values);
@@ -160,7 +160,7 @@ pub(super) fn is_integral(model: &Model, place: usize) -> bool {
 pub(super) fn without_part(model: &Model) -> Result<Vec<bool>, NoSteadyMotions> {
     let trace = Trace::of(model);
     let start = model.start_state();
-    let wanted = Wanted { free: Vec::new(), state: &start, is_near: false, data: Data::Floats };
+    let wanted = Wanted { free: Vec::new(), state: &start, is_near: false };
     Rows::of(model, &trace, &wanted).map(|rows| rows.is_cyclic)
 }
 
@@ -170,7 +170,7 @@ fn score(model: &Model, asked: &[&str], state: Option<&[f64]>) -> Option<(usize,
     let names = state_names(model);
     let free = (0..n).filter(|&k| asked.contains(&names[n + k].as_str()) || is_integral(model, k)).collect();
     let start = model.start_state();
-    let wanted = Wanted { free, state: state.unwrap_or(&start), is_near: state.is_some(), data: Data::Floats };
+    let wanted = Wanted { free, state: state.unwrap_or(&start), is_near: state.is_some() };
     let rows = Rows::of(model, &trace, &wanted).ok()?;
     Some((rows.cyclic_count(), rows.is_regular, rows.most_cyclic))
 }

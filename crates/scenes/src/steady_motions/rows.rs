@@ -9,7 +9,7 @@
 //! rolls in a circle moves steadily.
 
 use super::NoSteadyMotions;
-use super::determinacy::{Data, Solution, Wanted, solutions};
+use super::determinacy::{Solution, Wanted, solutions};
 use super::potential::{EnergyIntegral, energy_integral, momenta_kept};
 use crate::letters::Letters;
 use crate::modes::NEGATIVE;
@@ -53,7 +53,7 @@ pub(super) struct Rows {
 pub(super) struct Touching {
     /// Letters of N, then of T along each tangent.
     pub reactions: Vec<Sym>,
-    /// The coefficient of friction; none for a smooth contact.
+    /// The coefficient of friction; none for a smooth contact, also where the coefficient is zero.
     pub friction: Option<Sym>,
     /// Whether the contact may open.
     pub is_one_sided: bool,
@@ -76,10 +76,7 @@ impl Rows {
         let equations = Residuals::of(trace).into_iter().next().ok_or(NoSteadyMotions::Singular)?;
         let state = [&trace.coordinates[..], &trace.speeds].concat();
         // letters for everything that moves
-        let letters = match wanted.data {
-            Data::Floats => Letters::with_data(trace.time, &state),
-            Data::Decimals => Letters::with_decimals(trace.time, &state),
-        };
+        let letters = Letters::with_decimals(trace.time, &state);
         let put = |all: &[Sym]| letters.put_into(trace, all);
         let residuals = put(&equations.residuals[..model.speeds()]);
         let zeros = put(&constraints.iter().map(|one| one.zero).collect::<Vec<_>>());
@@ -91,11 +88,15 @@ impl Rows {
         let conditions = put(&conditions);
         let touching = |(place, contact): (usize, &Contact)| Touching {
             reactions: (0..contact.reactions.len()).map(|component| trace.reaction(place, component)).collect(),
-            friction: contact.friction.map(|friction| put(&[trace.scalar(friction)])[0]),
+            friction: contact.friction.map(|friction| put(&[trace.scalar(friction)])[0]).filter(|own| !vanishes(*own)),
             is_one_sided: contact.sides == Sides::One,
             slides: put(&contact.slides.iter().map(|&slide| trace.scalar(slide)).collect::<Vec<_>>()),
         };
         let contacts: Vec<Touching> = model.contacts.iter().enumerate().map(touching).collect();
+        let smooth = contacts.iter().filter(|contact| contact.friction.is_none());
+        let smooth: Vec<(Sym, Sym)> =
+            smooth.flat_map(|own| own.reactions.iter().skip(1).map(|own| (*own, Sym::ZERO))).collect();
+        let residuals = substitute_all(&residuals, &smooth);
         let is_negative = |own: &Touching| {
             own.friction.is_some_and(|own| own.as_constant().and_then(|value| value.sign()) == Some(-1))
         };

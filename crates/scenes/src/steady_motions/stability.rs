@@ -3,15 +3,15 @@
 use super::conditions::Case;
 use super::definiteness::signs;
 use super::degenerate::Degenerate;
+use super::differentiability::joins_smoothly;
 use super::equations::SteadyEquations;
 use super::friction::Friction;
-use super::idle_conditions;
 use super::inertia::Inertia;
 use super::quasi_velocities::state_names;
 use super::search::Boxes;
 use super::spectrum::{EnclosedSpectrum, NotEnclosed};
 use crate::conservation::keeps_energy;
-use crate::linearisation::{Linear, VariedEquations};
+use crate::linearisation::{Linear, Stability, VariedEquations};
 use algebra::boxes::Equations;
 use field::Interval;
 use model::Model;
@@ -60,6 +60,14 @@ pub struct Eigenvalues {
     pub enclosed: Result<EnclosedSpectrum, NotEnclosed>,
 }
 
+impl Eigenvalues {
+    /// The stability by numbers: by the centres of discs, where there are some.
+    pub fn by_numbers(&self) -> Stability {
+        let centres = self.enclosed.as_ref().ok().and_then(EnclosedSpectrum::by_centres);
+        centres.unwrap_or(self.linear.stability)
+    }
+}
+
 /// The potential energy of one side of a kink.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OnSide {
@@ -88,10 +96,13 @@ pub(super) fn judged(
         Some(Friction::Feeds) => return SteadyStability::FedByFriction,
         _ => {}
     }
+    let presses = presses(model, equations);
     if equations.is_at_condition && !is_without_jumps(model, equations) {
         return SteadyStability::AtCondition(None);
     }
-    let is_open = boxes.lies_aside(enclosure) != Some(true) && !is_one_law(model, equations, boxes, enclosure);
+    // the first derivatives say nothing at a degenerate motion: each side is judged alone
+    let is_open = boxes.lies_aside(enclosure) != Some(true)
+        && (degenerate.is_some() || !is_smooth(model, equations, boxes, enclosure));
     // a coordinate held fixed by the user may move: then the energy test decides nothing
     let is_whole =
         equations.coordinates == equations.unknowns.len() && equations.coordinates + equations.cyclic.len() == n;
@@ -117,6 +128,10 @@ pub(super) fn judged(
             Some(falls) if falls % 2 == 1 => return SteadyStability::FallsOdd(falls),
             _ => {}
         }
+    }
+    // a contact that presses may open after a push: linear equations know nothing of impacts
+    if presses {
+        return SteadyStability::AtCondition(None);
     }
     if is_open {
         let side = if inertia.is_positive() { drives_away(equations, boxes, enclosure, n) } else { None };
@@ -155,20 +170,37 @@ fn drives_away(equations: &SteadyEquations, boxes: &mut Boxes<'_>, enclosure: &[
     (slope[0].low() > 0.0).then_some(OnSide { falls: 1, is_regular })
 }
 
-/// Whether the law is one on both sides of every condition that is held at zero, as of dry friction without force.
-fn is_without_jumps(model: &Model, equations: &SteadyEquations) -> bool {
-    let cases = &equations.cases;
-    let held: Vec<usize> = (0..cases.len()).filter(|&place| cases[place] == Case::Between).collect();
-    idle_conditions::is_one_law(model, cases, &held)
+/// The conditions and contacts that are held at zero, by their places.
+fn held(equations: &SteadyEquations) -> impl Iterator<Item = usize> {
+    equations.cases.iter().enumerate().filter(|(_, case)| **case == Case::Between).map(|(place, _)| place)
 }
 
-/// Whether the law does not depend on the conditions that may be zero in an enclosure, and everything else lies aside.
-fn is_one_law(model: &Model, equations: &SteadyEquations, boxes: &mut Boxes<'_>, enclosure: &[Interval]) -> bool {
+/// Whether a contact is in touch.
+fn presses(model: &Model, equations: &SteadyEquations) -> bool {
+    held(equations).any(|place| place >= model.switches.len())
+}
+
+/// Whether the law has no kink at any condition that is held at zero, as that of dry friction without force, and contacts in touch are smooth.
+/// Where such a contact presses, V - V0 >= N gap + (a positive definite form) about a minimum on its surface, and impacts add no energy.
+fn is_without_jumps(model: &Model, equations: &SteadyEquations) -> bool {
+    let (conditions, contacts): (Vec<usize>, Vec<usize>) =
+        held(equations).partition(|place| *place < model.switches.len());
+    contacts.iter().all(|place| equations.smooth_contacts.contains(place))
+        && joins_smoothly(model, &equations.cases, &conditions)
+}
+
+/// Whether the law is once continuously differentiable at the conditions that may be zero in an enclosure, and everything else lies aside.
+pub(super) fn is_smooth(
+    model: &Model,
+    equations: &SteadyEquations,
+    boxes: &mut Boxes<'_>,
+    enclosure: &[Interval],
+) -> bool {
     let sides = boxes.open_sides(enclosure);
     let places: Vec<usize> = sides.iter().map(|&side| equations.side_places[side]).collect();
     boxes.lies_aside_but_for(enclosure, &sides) == Some(true)
         && !places.is_empty()
-        && idle_conditions::is_one_law(model, &equations.cases, &places)
+        && joins_smoothly(model, &equations.cases, &places)
 }
 
 /// The number of directions in which the amended potential energy decreases; none if this is not decided. The matrix

@@ -48,7 +48,7 @@ fn over_two_parameters_motions_change_where_the_closed_form_says() {
     let directions = [("l", Range { from: 0.25, to: 1.25 }), ("phi'", Range { from: 2.0, to: 7.0 })];
     let columns: Vec<Vec<PlaneCell>> = middles(directions[0].1, 4)
         .into_iter()
-        .map(|value| PlaneCell::column(&model, &asked, directions, (value, 5), || true).expect("they are sought"))
+        .map(|value| PlaneCell::column(&model, &asked, directions, (value, 5), || true))
         .collect();
     for cell in columns.iter().flatten() {
         let [l, w] = cell.values;
@@ -57,13 +57,76 @@ fn over_two_parameters_motions_change_where_the_closed_form_says() {
     }
     let mut borders = 0;
     for pair in columns.iter().flat_map(|column| column.windows(2)).filter(|pair| !pair[0].is_like(&pair[1])) {
-        let [[l, below], [_, above]] =
-            pair[0].border(&pair[1], &model, &asked, ["l", "phi'"], || true).expect("they are sought");
+        let [[l, below], [_, above]] = pair[0].border(&pair[1], &model, &asked, ["l", "phi'"], || true);
         let w = (9.81 / l).sqrt();
         assert!((below..=above).contains(&w) && above - below <= 1.0 / 32.0 + 1e-12, "{below} to {above} beside {w}");
         borders += 1;
     }
     assert_eq!(borders, 4);
+}
+
+/// J x'' + d x' + k x = 0: the damped oscillation becomes a growing one where J passes zero, and no eigenvalue crosses the imaginary axis.
+#[test]
+fn eigenvalues_become_infinite_where_the_inertia_vanishes() {
+    for (damping, values) in [("0.1 N s/m", 6), ("0 N s/m", 7)] {
+        let text = format!(
+            "title = \"Inertia\"\n[parameters]\nJ = \"1 kg\"\nk = \"5 N/m\"\nd = \"{damping}\"\n[coordinates]\nx = \"m\"\n[energies]\n\
+             kinetic = \"J*x'^2/2\"\npotential = \"k*x^2/2\"\n[[force]]\nalong = \"x\"\nis = \"-d*x'\"\n"
+        );
+        let range = Range { from: -1.0, to: 1.5 };
+        let found = Along::of(&model(&text), &asked(&[("x", -1.0, 1.0)], 1_000), ("J", range), values, || true);
+        let found = found.unwrap_or_else(|why| panic!("{why:?}"));
+        assert_changes(&found, &[(0.0, Change::Infinite)]);
+    }
+}
+
+/// Ziegler's double pendulum with a follower force P flutters from P = (7/2 - sqrt 2) k/l on.
+#[test]
+fn a_follower_force_makes_a_pair_cross_the_imaginary_axis() {
+    let text = "title = \"Ziegler\"\n[parameters]\nP = \"1 N\"\n[coordinates]\na = \"rad\"\nb = \"rad\"\n[frames]\nA = \"N turned a about z\"\nB = \"N turned b about z\"\n\
+        [points]\nM = \"O + (1 m)*A.x\"\n[bodies]\nmid = { centre = \"M\", mass = \"2 kg\" }\nend = { centre = \"M + (1 m)*B.x\", mass = \"1 kg\" }\n\
+        [energies]\npotential = \"(1 N m)*a^2/2 + (1 N m)*(b - a)^2/2\"\n[[force]]\non = \"end\"\nis = \"-P*B.x\"\n";
+    let found = along(text, &[("a", -0.1, 0.1), ("b", -0.1, 0.1)], ("P", 1.0, 2.9));
+    assert_changes(&found, &[(3.5 - 2f64.sqrt(), Change::Pair)]);
+}
+
+/// A block on a spring and on a belt: at the speed zero of the belt alone it rests in an interval.
+#[test]
+fn motions_that_differ_at_one_value_alone_are_told_with_it() {
+    let text = "title = \"Belt\"\n[parameters]\nm = \"1 kg\"\nk = \"50 N/m\"\nv = \"0.5 m/s\"\nF = \"3 N\"\n[coordinates]\nx = \"m\"\n\
+        [bodies]\nb = { centre = \"O + x*N.x\", mass = \"m\" }\n[energies]\npotential = \"k*x^2/2\"\n\
+        [[force]]\non = \"b\"\nis = \"-F*sign(x' - v)*N.x\"\n";
+    let range = Range { from: -1.0, to: 1.0 };
+    let found = Along::of(&model(text), &asked(&[("x", -1.0, 1.0)], 1_000), ("v", range), 5, || true);
+    let found = found.unwrap_or_else(|why| panic!("{why:?}"));
+    assert_changes(&found, &[(0.0, Change::AtValue)]);
+    let at = found.bifurcations[0].at.as_ref().expect("it is known there");
+    assert_eq!((at.value, at.found.motions.len(), at.found.families.len()), (0.0, 0, 1));
+}
+
+#[test]
+fn values_without_a_system_are_left_out_and_the_others_are_searched() {
+    let text = "title = \"Mass\"\n[parameters]\nm = \"1 kg\"\nk = \"5 N/m\"\n[coordinates]\nx = \"m\"\n[bodies]\nb = { centre = \"O + x*N.x\", mass = \"m\" }\n\
+        [[force]]\non = \"b\"\nis = \"-k*x*N.x\"\n";
+    let at = |from: f64, to: f64| {
+        Along::of(&model(text), &asked(&[("x", -1.0, 1.0)], 1_000), ("m", Range { from, to }), 5, || true)
+    };
+    let found = at(-1.0, 1.0).unwrap_or_else(|why| panic!("{why:?}"));
+    assert_eq!(found.left_out.iter().map(|(value, _)| *value).collect::<Vec<_>>(), [-1.0, -0.5, 0.0]);
+    assert!(found.samples.len() == 2 && found.bifurcations.is_empty(), "{found:?}");
+    assert!(at(-2.0, -1.0).is_err());
+}
+
+#[test]
+fn a_search_whose_time_is_over_keeps_the_values_that_were_examined() {
+    let mut left = 40;
+    let goes_on = || {
+        left -= 1;
+        left > 0
+    };
+    let found = Along::of(&model(SHAFT), &asked(&[], 20_000), ("phi'", Range { from: 3.0, to: 6.0 }), 30, goes_on);
+    let found = found.unwrap_or_else(|why| panic!("{why:?}"));
+    assert!(!found.samples.is_empty() && found.samples.len() < 30, "{}", found.samples.len());
 }
 
 #[test]

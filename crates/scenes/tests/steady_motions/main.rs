@@ -2,6 +2,7 @@
 
 mod along;
 mod conditions;
+mod decimals;
 mod ends;
 mod friction;
 mod loops;
@@ -10,6 +11,7 @@ mod plays;
 mod quasi_velocities;
 mod reactions;
 mod singular_coordinates;
+mod smooth_laws;
 mod turning_frames;
 
 use dalembert_scenes::steady_motions::{
@@ -340,10 +342,13 @@ const DRIVEN: &str = "title = \"Shaft\"\n[parameters]\nT = \"0.1 N m\"\nd = \"0.
 #[test]
 fn one_value_of_a_speed_that_an_equation_asks_for_is_refused() {
     let of = |ranges: &[(&str, f64, f64)]| SteadyMotions::of(&model(DRIVEN), &asked(ranges, 200_000), || true);
-    for value in [10.0, 3.0] {
+    for value in [9.999, 3.0] {
         let refused = NoSteadyMotions::Sought { name: "phi'".to_owned(), value };
         assert_eq!(of(&[("phi'", value, value)]).err(), Some(refused));
     }
+    // 0.1 = 0.01 10 exactly, by the decimals that were written; at no other speed
+    let exact = of(&[("phi'", 10.0, 10.0)]).unwrap_or_else(|why| panic!("{why:?}"));
+    assert_eq!((exact.motions.len(), exact.free_speeds.len()), (2, 0), "{exact:?}");
     assert_eq!(of(&[("phi'", 9.9, 10.1)]).map(|found| found.motions.len()), Ok(2));
     let along = Along::of(&model(DRIVEN), &asked(&[], 1000), ("phi'", Range { from: 5.0, to: 12.0 }), 3, || true);
     assert!(matches!(along, Err(NoSteadyMotions::Sought { .. })));

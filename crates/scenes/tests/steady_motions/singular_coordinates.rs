@@ -69,9 +69,28 @@ fn a_parameter_that_takes_the_inertia_of_a_coordinate_away_is_told() {
         3,
         || true,
     );
-    let Err(NoSteadyMotions::At { values, why }) = along else { panic!("{along:?}") };
-    assert_eq!(values, [("R".to_owned(), 0.0)]);
-    assert_eq!(*why, NoSteadyMotions::Empty { coordinate: "th".to_owned() });
+    let along = along.unwrap_or_else(|why| panic!("{why:?}"));
+    let [(0.0, NoSteadyMotions::At { values, why })] = &along.left_out[..] else { panic!("{along:?}") };
+    assert_eq!(values[..], [("R".to_owned(), 0.0)]);
+    assert_eq!(**why, NoSteadyMotions::Empty { coordinate: "th".to_owned() });
+    assert_eq!(along.samples.iter().map(|sample| sample.value).collect::<Vec<_>>(), [0.5, 1.0]);
+}
+
+#[test]
+fn poles_count_as_no_motions_along_a_speed() {
+    let asked = Asked { boxes: 1_000, ..Asked::default() };
+    let along = Along::of(&model(SPHERICAL), &asked, ("ph'", Range { from: 3.0, to: 6.0 }), 4, || true);
+    let along = along.unwrap_or_else(|why| panic!("{why:?}"));
+    for sample in &along.samples {
+        let moves = sample.value > (9.81_f64 / 0.5).sqrt();
+        assert_eq!(
+            (sample.found.motions.len(), sample.found.singular_places),
+            (if moves { 2 } else { 0 }, 2),
+            "{sample:?}"
+        );
+    }
+    let [one] = &along.bifurcations[..] else { panic!("{:?}", along.bifurcations) };
+    assert!(one.before.value < 4.43 && one.after.value > 4.42 && one.after.value < 4.46, "{one:?}");
 }
 
 /// A bead on a rod that turns at the frequency of its spring: its place is cyclic at this stiffness alone.

@@ -3,11 +3,14 @@
 //! At each value all motions are found. If the number of motions or their stability differs between two values with complete searches, there is a
 //! bifurcation in between, and its bracket is narrowed as far as motions can be distinguished.
 
-use super::spectrum::{EnclosedSpectrum, EnclosedVerdict};
-use super::stability::SteadyStability;
-use super::{Asked, NoSteadyMotions, Orientation, Range, SteadyMotion, SteadyMotions};
+mod change;
+
+pub use change::Change;
+
+use super::{Asked, NoSteadyMotions, Orientation, Range, SteadyMotions};
 use crate::admissible::impossible;
-use crate::linearisation::{Stability, Standing};
+pub(super) use change::kinds;
+use change::{change, largest_eigenvalue};
 use model::Model;
 use std::cell::RefCell;
 
@@ -18,36 +21,13 @@ pub struct Sample {
     pub found: SteadyMotions,
 }
 
-/// A change between two values.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Change {
-    /// Two motions appear or vanish together: a fold, or saddle-node.
-    Fold,
-    /// Two motions appear or vanish at a third: a pitchfork.
-    Pitchfork,
-    /// The motions persist; a pair of eigenvalues crosses the imaginary axis: a Hopf bifurcation, or the loss of gyroscopic stability.
-    Pair,
-    /// The motions persist; their stability changes in another way.
-    Exchange,
-    /// The number of directions changes in which a motion is unstable; motions neither appear nor vanish, and none becomes stable or unstable.
-    Directions,
-    /// A motion leaves the ranges, or enters them.
-    Leaves,
-    /// A motion appears or vanishes within the ranges, since a condition changes or friction reaches its bound.
-    Ends,
-    /// Two or more motions leave the ranges, or enter them, at their ends.
-    LeaveTogether,
-    /// Families appear or vanish, such as positions at which friction holds, and no isolated motion does.
-    Families,
-    /// Several of these at once.
-    Several,
-}
-
 /// Two values between which the motions change.
 #[derive(Clone, Debug)]
 pub struct Bifurcation {
     /// The last value before the change and the first one after it, each with a complete search.
     pub before: Sample,
+    /// Motions in between that differ from those on both sides.
+    pub at: Option<Sample>,
     pub after: Sample,
     pub change: Change,
 }
@@ -56,6 +36,8 @@ pub struct Bifurcation {
 #[derive(Clone, Debug)]
 pub struct Along {
     pub samples: Vec<Sample>,
+    /// Values at which steady motions are not searched for, and why.
+    pub left_out: Vec<(f64, NoSteadyMotions)>,
     /// All examined values in ascending order, including those of brackets.
     pub visited: Vec<Sample>,
     pub bifurcations: Vec<Bifurcation>,
@@ -70,56 +52,61 @@ const ONE: f64 = 1e-6;
 /// If the search at a value between two others is not complete, values at these fractions of the distance are tried.
 const PARTS: [f64; 5] = [0.5, 0.381_966, 0.618_034, 0.236, 0.764];
 
-/// If two motions merge and a third is closer than this fraction of the ranges, all three merge.
-const TOGETHER: f64 = 1e-2;
-
-/// A motion closer to an end of a range than this fraction of it counts as leaving the range there.
-const AT_END: f64 = 1e-5;
-
 impl Along {
-    /// The motions at a number of values between two, in SI units.
+    /// The motions at a number of values between two, in SI units; values at which none are searched for are left out.
     ///
     /// # Errors
-    /// The reason for which steady motions are not searched for at some value, or for which the name is not a parameter.
+    /// The reason for which steady motions are not searched for at any value, or for which the name is not a parameter.
     pub fn of(
         model: &Model,
         asked: &Asked,
         (name, range): (&str, Range),
         values: usize,
-        mut goes_on: impl FnMut() -> bool,
+        goes_on: impl FnMut() -> bool,
     ) -> Result<Self, NoSteadyMotions> {
-        let visited = RefCell::new(Vec::new());
-        let mut at = |value: f64| {
-            let found = found_at(model, asked, &[(name, value)], &mut goes_on)?;
+        let (visited, goes_on) = (RefCell::new(Vec::new()), RefCell::new(goes_on));
+        let at = |value: f64| {
+            let found = found_at(model, asked, &[(name, value)], || (goes_on.borrow_mut())())?;
             let sample = Sample { value, found };
             visited.borrow_mut().push(sample.clone());
             Ok(sample)
         };
         let last = values.saturating_sub(1).max(1);
         let value = |k: usize| range.from + (range.to - range.from) * k as f64 / last as f64;
-        let samples = (0..=last).map(|k| at(value(k))).collect::<Result<Vec<Sample>, _>>()?;
-        let complete: Vec<&Sample> = samples.iter().filter(|sample| sample.found.is_complete()).collect();
-        let mut bifurcations: Vec<Bifurcation> = Vec::new();
-        let size = range.to - range.from;
-        for pair in complete.windows(2).filter(|pair| kinds(&pair[0].found) != kinds(&pair[1].found)) {
-            let found = enclosed([pair[0].clone(), pair[1].clone()], size, &mut at)?;
-            bifurcations.extend(found);
+        let (mut samples, mut left_out): (Vec<Sample>, Vec<(f64, NoSteadyMotions)>) = (Vec::new(), Vec::new());
+        // the first value is examined in any case
+        for value in (0..=last).filter(|k| *k == 0 || (goes_on.borrow_mut())()).map(value) {
+            match at(value) {
+                Ok(sample) => samples.push(sample),
+                Err(why) => left_out.push((value, why)),
+            }
         }
-        let bifurcations = merged(bifurcations, ONE * size.abs());
+        if samples.is_empty()
+            && let Some((_, why)) = left_out.pop()
+        {
+            return Err(why);
+        }
+        let complete: Vec<&Sample> = samples.iter().filter(|sample| sample.found.is_complete()).collect();
+        let size = range.to - range.from;
+        let mut brackets: Vec<[Sample; 2]> = Vec::new();
+        for pair in complete.windows(2).filter(|pair| kinds(&pair[0].found) != kinds(&pair[1].found)) {
+            brackets.extend(enclosed([pair[0].clone(), pair[1].clone()], size, &at));
+        }
+        let bifurcations = merged(brackets, ONE * size.abs(), typical(&samples));
         let mut visited = visited.into_inner();
         visited.sort_by(|a, b| a.value.total_cmp(&b.value));
-        Ok(Along { samples, visited, bifurcations })
+        Ok(Along { samples, left_out, visited, bifurcations })
     }
 }
 
-/// All motions at values of parameters, or of speeds of cyclic coordinates, in SI units.
+/// All motions at values of parameters, or of speeds of cyclic coordinates, in SI units, without places at which the coordinates are singular.
 pub(super) fn found_at(
     model: &Model,
     asked: &Asked,
     values: &[(&str, f64)],
     goes_on: impl FnMut() -> bool,
 ) -> Result<SteadyMotions, NoSteadyMotions> {
-    searched(model, asked, values, goes_on).map_err(|why| {
+    searched(model, asked, values, goes_on).map(SteadyMotions::without_singular_places).map_err(|why| {
         let is_parameter = |(name, _): &&(&str, f64)| model.parameters.iter().any(|own| own.name == *name);
         let values: Vec<(String, f64)> =
             values.iter().filter(is_parameter).map(|(name, value)| ((*name).to_owned(), *value)).collect();
@@ -154,144 +141,53 @@ fn searched(
     }
 }
 
-/// The changes between two values, each enclosed.
-fn enclosed(
-    ends: [Sample; 2],
-    size: f64,
-    at: &mut impl FnMut(f64) -> Result<Sample, NoSteadyMotions>,
-) -> Result<Vec<Bifurcation>, NoSteadyMotions> {
+/// Brackets of the changes between two values, from the first to the last.
+fn enclosed(ends: [Sample; 2], size: f64, at: &impl Fn(f64) -> Result<Sample, NoSteadyMotions>) -> Vec<[Sample; 2]> {
     let mut open = vec![ends];
     let mut all = Vec::new();
-    // from the first to the last
     while let Some([before, after]) = open.pop() {
         if kinds(&before.found) == kinds(&after.found) {
             continue;
         }
         let way = after.value - before.value;
-        let mut between = None;
-        if way.abs() > ENCLOSED * size.abs() {
-            for part in PARTS {
-                let sample = at(before.value + part * way)?;
-                if sample.found.is_complete() {
-                    between = Some(sample);
-                    break;
-                }
-            }
-        }
-        match between {
+        let parts = if way.abs() > ENCLOSED * size.abs() { &PARTS[..] } else { &[] };
+        let tried = parts.iter().filter_map(|part| at(before.value + part * way).ok());
+        match tried.into_iter().find(|sample| sample.found.is_complete()) {
             Some(sample) => open.extend([[sample.clone(), after], [before, sample]]),
-            None => all.push(Bifurcation { change: change(&before, &after), before, after }),
+            None => all.push([before, after]),
         }
     }
-    Ok(all)
+    all
 }
 
-/// The changes, with those closer together than `near` as one.
-fn merged(all: Vec<Bifurcation>, near: f64) -> Vec<Bifurcation> {
-    let mut merged: Vec<Bifurcation> = Vec::new();
-    for next in all {
+/// The changes in brackets; brackets that are closer together than `near` hold one. `typical` is the size of usual eigenvalues.
+fn merged(brackets: Vec<[Sample; 2]>, near: f64, typical: f64) -> Vec<Bifurcation> {
+    let mut merged: Vec<(Sample, Option<Sample>, Sample)> = Vec::new();
+    for [before, after] in brackets {
         match merged.last_mut() {
-            Some(last) if (next.before.value - last.after.value).abs() <= near => {
-                last.after = next.after;
-                last.change = change(&last.before, &last.after);
+            Some((_, at, last)) if (before.value - last.value).abs() <= near => {
+                at.get_or_insert(before);
+                *last = after;
             }
-            _ => merged.push(next),
+            _ => merged.push((before, None, after)),
         }
     }
-    merged.retain(|one| kinds(&one.before.found) != kinds(&one.after.found));
-    merged
+    let told = merged.into_iter().map(|(before, at, after)| {
+        let differs = |own: &Sample| [&before, &after].iter().all(|end| kinds(&own.found) != kinds(&end.found));
+        let at = at.filter(differs);
+        let change = if kinds(&before.found) == kinds(&after.found) {
+            Change::AtValue
+        } else {
+            change(&before, &after, typical)
+        };
+        Bifurcation { before, at, after, change }
+    });
+    told.filter(|one| one.change != Change::AtValue || one.at.is_some()).collect()
 }
 
-/// The number of directions in which each motion is unstable, if known, in ascending order; and the number of families.
-pub(super) fn kinds(found: &SteadyMotions) -> (Vec<usize>, usize) {
-    let mut kinds: Vec<usize> = found.motions.iter().map(unstable).collect();
-    kinds.sort_unstable();
-    (kinds, found.families.len())
-}
-
-fn unstable(motion: &SteadyMotion) -> usize {
-    match &motion.stability {
-        SteadyStability::Falls(count) | SteadyStability::FallsOdd(count) | SteadyStability::FallsOnSide(count) => {
-            *count
-        }
-        SteadyStability::FedByFriction => 1,
-        // the linear equations without cyclic coordinates do not depend on the instant; those with cyclic coordinates may
-        SteadyStability::Linear(found) => {
-            match (found.enclosed.as_ref().map(EnclosedSpectrum::verdict), found.linear.stability) {
-                (Ok(EnclosedVerdict::Unstable(count)), _) => count,
-                (Ok(EnclosedVerdict::Undecided { touching: 1.., .. }) | Err(_), Stability::Unstable(count))
-                    if found.linear.standing != Standing::Moving =>
-                {
-                    count
-                }
-                _ => 0,
-            }
-        }
-        SteadyStability::Minimum
-        | SteadyStability::AtCondition(_)
-        | SteadyStability::MinimumOnSides
-        | SteadyStability::HeldByFriction
-        | SteadyStability::Singular(_)
-        | SteadyStability::Unknown(_) => 0,
-    }
-}
-
-fn change(before: &Sample, after: &Sample) -> Change {
-    let (fewer, more) = match before.found.motions.len() <= after.found.motions.len() {
-        true => (before, after),
-        false => (after, before),
-    };
-    let leaving = at_ends(more).saturating_sub(at_ends(fewer));
-    let [(alone, families), (others, other_families)] = [kinds(&before.found), kinds(&after.found)];
-    if families != other_families {
-        return if alone == others { Change::Families } else { Change::Several };
-    }
-    match more.found.motions.len() - fewer.found.motions.len() {
-        0 => exchanged(before, after),
-        1 if leaving > 0 => Change::Leaves,
-        1 => Change::Ends,
-        gap if leaving >= gap => Change::LeaveTogether,
-        2 if leaving == 0 && has_three_together(more) => Change::Pitchfork,
-        2 if leaving == 0 => Change::Fold,
-        _ => Change::Several,
-    }
-}
-
-/// The change if the number of motions stays equal, by the directions that become unstable.
-fn exchanged(before: &Sample, after: &Sample) -> Change {
-    let unstable = |sample: &Sample| -> usize { sample.found.motions.iter().map(unstable).sum() };
-    let stable = |sample: &Sample| kinds(&sample.found).0.iter().filter(|directions| **directions == 0).count();
-    match unstable(before).abs_diff(unstable(after)) {
-        2 => Change::Pair,
-        1.. if stable(before) == stable(after) => Change::Directions,
-        _ => Change::Exchange,
-    }
-}
-
-/// The number of motions that touch an end of a range.
-fn at_ends(sample: &Sample) -> usize {
-    let SteadyMotions { unknowns, motions, .. } = &sample.found;
-    let touches = |motion: &&SteadyMotion| {
-        unknowns.iter().zip(&motion.enclosure).any(|(unknown, [low, high])| {
-            let Range { from, to } = unknown.range;
-            let near = AT_END * (to - from);
-            !unknown.is_circle && (*low <= from + near || *high >= to - near)
-        })
-    };
-    motions.iter().filter(touches).count()
-}
-
-/// Whether three motions lie close together.
-fn has_three_together(sample: &Sample) -> bool {
-    let SteadyMotions { unknowns, motions, .. } = &sample.found;
-    let is_near = |a: &SteadyMotion, b: &SteadyMotion| {
-        let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
-        unknowns.iter().zip(a.enclosure.iter().zip(&b.enclosure)).all(|(unknown, (a, b))| {
-            let gap = (middle(*a) - middle(*b)).abs();
-            let whole = unknown.range.to - unknown.range.from;
-            let around = if unknown.is_circle { (2.0 * std::f64::consts::PI - gap).abs() } else { gap };
-            gap.min(around) < TOGETHER * whole
-        })
-    };
-    motions.iter().any(|own| motions.iter().filter(|other| is_near(own, other)).count() >= 3)
+/// The median of the largest eigenvalues at the values, 1/s; infinite where none are known.
+fn typical(samples: &[Sample]) -> f64 {
+    let mut all: Vec<f64> = samples.iter().filter_map(|sample| largest_eigenvalue(&sample.found)).collect();
+    all.sort_by(f64::total_cmp);
+    all.get(all.len() / 2).copied().unwrap_or(f64::INFINITY)
 }

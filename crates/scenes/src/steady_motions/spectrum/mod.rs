@@ -20,14 +20,14 @@ pub use exact::Routh;
 pub use zeros::ZeroReason;
 
 use super::equations::SteadyEquations;
-use crate::linearisation::VariedEquations;
+use crate::linearisation::{Spectrum, Stability, VariedEquations};
 use algebra::real::{Ball, Ordered};
 use exact::routh;
 use field::Interval;
 use integrators::eigenvalues;
 use mechanics::linear_stability::characteristic;
 use model::Model;
-use nalgebra::DMatrix;
+use nalgebra::{Complex, DMatrix};
 use reduction::{Layout, Reduced};
 use std::fmt;
 use zeros::{Kept, reasons};
@@ -68,6 +68,8 @@ pub enum NotEnclosed {
     NotSought(&'static str),
     /// The search does not prove a steady motion at the point.
     NoMotion,
+    /// A condition of the law is zero there, and its derivatives jump.
+    AtCondition,
     /// Inputs depend on the state, but the linear equations keep them constant.
     Feedback,
     /// The motion changes with the parameter, or some number is not a fraction.
@@ -83,6 +85,7 @@ impl fmt::Display for NotEnclosed {
             Self::Undetermined => write!(f, "the linear equations have no bounds there"),
             Self::NoEquations => write!(f, "there are no linear equations with numbers"),
             Self::NotSought(why) => write!(f, "{why}"),
+            Self::AtCondition => write!(f, "a condition of the law is zero there, and its derivatives jump"),
             Self::Feedback => write!(f, "inputs that depend on the state are held at their values"),
             Self::NotExact => write!(
                 f,
@@ -186,6 +189,15 @@ impl EnclosedSpectrum {
             (0, on_axis, touching) => EnclosedVerdict::Undecided { on_axis, touching },
             (unstable, ..) => EnclosedVerdict::Unstable(unstable),
         }
+    }
+
+    /// The stability by the centres of the discs, where these have bounds: zeros with reasons, which rounding splits in numerical eigenvalues,
+    /// are not among them.
+    pub fn by_centres(&self) -> Option<Stability> {
+        let centres = || self.discs.iter().flat_map(|disc| std::iter::repeat_n(disc.centre, disc.count));
+        let values = centres().map(|[re, im]| Complex::new(re, im)).collect();
+        let are_bounded = self.discs.iter().all(|disc| disc.radius.is_finite());
+        are_bounded.then(|| Stability::of(&Spectrum { values, idle: 0 }, true))
     }
 }
 

@@ -4,14 +4,14 @@ use super::reduction::{solved, whole};
 use crate::linearisation::{AllSlopes, VariedEquations};
 use crate::steady_motions::equations::SteadyEquations;
 use algebra::real::{Ball, Ordered};
-use field::Interval;
+use field::{Interval, Rational};
 use nalgebra::DMatrix;
 use num_traits::Zero;
 
 /// Steps of Newton's method over enclosures.
 const STEPS: usize = 6;
 
-/// The varied equations at a motion whose unknowns and reactions are enclosed, all other numbers being those of a state; and its
+/// The varied equations at a motion whose unknowns and reactions are enclosed, all other numbers being the decimals of a state; and its
 /// speeds. None where accelerations and reactions are not determined.
 pub(super) fn slopes_at(
     equations: &SteadyEquations,
@@ -22,7 +22,9 @@ pub(super) fn slopes_at(
     let [n, m, ..] = varied.counts();
     let unknowns = refined(equations, enclosure);
     let positions = equations.unknowns.len();
-    let mut point: Vec<Ball> = state.iter().map(|value| Ball::constant(*value)).collect();
+    let one = Ball::constant(1.0);
+    let number = |value: &f64| one.fraction(Rational::decimal(*value));
+    let mut point: Vec<Ball> = state.iter().map(number).collect::<Option<_>>()?;
     equations.unknowns.iter().zip(&unknowns).for_each(|(unknown, value)| point[unknown.place] = *value);
     let (places, rates) = &equations.determined;
     let mut speeds = vec![Ball::zero(); places.len()];

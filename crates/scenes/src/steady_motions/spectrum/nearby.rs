@@ -4,9 +4,11 @@ use super::along::{ExactAlong, along};
 use super::{EnclosedSpectrum, MOST_STATES, NotEnclosed, layout};
 use crate::conservation::keeps_energy;
 use crate::linearisation::VariedEquations;
+use crate::steady_motions::conditions::Case;
 use crate::steady_motions::equations::SteadyEquations;
 use crate::steady_motions::quasi_velocities::Extended;
 use crate::steady_motions::search::Boxes;
+use crate::steady_motions::stability::is_smooth;
 use crate::steady_motions::{ASIDE, NoSteadyMotions};
 use algebra::boxes::{Limits, zeros};
 use field::Interval;
@@ -27,14 +29,23 @@ impl EnclosedSpectrum {
         }
         let (model, state) = &Extended::about(model, state);
         let varied = VariedEquations::with_inputs(model, &[], &[]).map_err(|_| NotEnclosed::NoEquations)?;
-        let equations = SteadyEquations::near(model, state).map_err(|why| NotEnclosed::NotSought(why_not(&why)))?;
+        // a condition that is zero belongs to both sides, or there is a kink
+        let case = |holds: &f64| if *holds > 0.0 { Case::Holds } else { Case::Fails };
+        let cases: Vec<Case> = varied.point(0.0, state).switches.iter().map(case).collect();
+        let equations =
+            SteadyEquations::near(model, state, &cases).map_err(|why| NotEnclosed::NotSought(why_not(&why)))?;
         if equations.is_unbalanced {
             return Err(NotEnclosed::NoMotion);
         }
         let domain: Vec<Interval> = equations.unknowns.iter().map(|unknown| unknown.range.interval()).collect();
         let limits = Limits { boxes: BOXES, smallest: 1e-3 };
-        let found = zeros(&mut Boxes::of(&equations, &equations.tapes), &domain, limits, goes_on);
+        let mut boxes = Boxes::of(&equations, &equations.tapes);
+        let found = zeros(&mut boxes, &domain, limits, goes_on);
         let [zero] = &found.zeros[..] else { return Err(NotEnclosed::NoMotion) };
+        if boxes.lies_aside(&zero.enclosure) != Some(true) && !is_smooth(model, &equations, &mut boxes, &zero.enclosure)
+        {
+            return Err(NotEnclosed::AtCondition);
+        }
         if !moves_as(&equations, &zero.enclosure, state) {
             return Err(NotEnclosed::NoMotion);
         }
@@ -65,7 +76,11 @@ impl ExactAlong {
         let place = place.ok_or(NotEnclosed::NotSought("no parameter is called so"))?;
         let (model, state) = &Extended::about(model, state);
         let varied = VariedEquations::with_inputs(model, &[], &[]).map_err(|_| NotEnclosed::NoEquations)?;
-        let equations = SteadyEquations::near(model, state).map_err(|why| NotEnclosed::NotSought(why_not(&why)))?;
+        if !model.switches.is_empty() {
+            return Err(NotEnclosed::NotSought("the law changes at conditions"));
+        }
+        let equations =
+            SteadyEquations::near(model, state, &[]).map_err(|why| NotEnclosed::NotSought(why_not(&why)))?;
         // zeros are counted exactly: those with reasons are found at the value of the file
         let found = EnclosedSpectrum::near(model, state, || true)?;
         let reasons = found.zeros.len() - equations.cyclic.len();
@@ -75,7 +90,7 @@ impl ExactAlong {
 
 fn why_not(why: &NoSteadyMotions) -> &'static str {
     match why {
-        NoSteadyMotions::Changes => "the law changes at conditions or with contacts",
+        NoSteadyMotions::Changes => "the law changes with contacts, or some speeds have no inertia",
         NoSteadyMotions::FreeFrame { .. } => "a frame turns freely",
         NoSteadyMotions::OfTime => "the law depends on time",
         NoSteadyMotions::OfSpeeds { .. } => "a constraint of speeds has gains, or cannot be solved",

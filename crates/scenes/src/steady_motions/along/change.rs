@@ -1,0 +1,175 @@
+//! The kinds of changes of steady motions between two values of a parameter.
+
+use super::Sample;
+use crate::linearisation::{Stability, Standing};
+use crate::steady_motions::spectrum::{EnclosedSpectrum, EnclosedVerdict};
+use crate::steady_motions::stability::SteadyStability;
+use crate::steady_motions::{Range, SteadyMotion, SteadyMotions};
+
+/// If two motions merge and a third is closer than this fraction of the ranges, all three merge.
+const TOGETHER: f64 = 1e-2;
+
+/// A motion closer to an end of a range than this fraction of it counts as leaving the range there.
+const AT_END: f64 = 1e-5;
+
+/// Real parts below this part of a typical eigenvalue, beside a change, belong to eigenvalues that cross the imaginary axis.
+const NEAR_AXIS: f64 = 1e-2;
+
+/// Eigenvalues above this multiple of a typical one, on both sides of a change, become infinite in between.
+const HUGE: f64 = 30.0;
+
+/// A change between two values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Change {
+    /// Two motions appear or vanish together: a fold, or saddle-node.
+    Fold,
+    /// Two motions appear or vanish at a third: a pitchfork.
+    Pitchfork,
+    /// The motions persist; a pair of eigenvalues crosses the imaginary axis: a Hopf bifurcation, or the loss of gyroscopic stability.
+    Pair,
+    /// The motions persist; their stability changes in another way.
+    Exchange,
+    /// The number of directions changes in which a motion is unstable; motions neither appear nor vanish, and none becomes stable or unstable.
+    Directions,
+    /// A motion leaves the ranges, or enters them.
+    Leaves,
+    /// A motion appears or vanishes within the ranges, since a condition changes or friction reaches its bound.
+    Ends,
+    /// Two or more motions leave the ranges, or enter them, at their ends.
+    LeaveTogether,
+    /// Families appear or vanish, such as positions at which friction holds, and no isolated motion does.
+    Families,
+    /// The motions persist; eigenvalues become infinite, and none crosses the imaginary axis: the inertia, or the rank of the constraints,
+    /// vanishes in between.
+    Infinite,
+    /// Motions on both sides are alike, and differ at one value in between, as where dry friction holds at one speed of a belt alone.
+    AtValue,
+    /// Several of these at once.
+    Several,
+}
+
+/// The number of directions in which each motion is unstable, if known, in ascending order; and the number of families.
+pub(in crate::steady_motions) fn kinds(found: &SteadyMotions) -> (Vec<usize>, usize) {
+    let mut kinds: Vec<usize> = found.motions.iter().map(unstable).collect();
+    kinds.sort_unstable();
+    (kinds, found.families.len())
+}
+
+/// The number of unstable directions, as far as it is known.
+fn unstable(motion: &SteadyMotion) -> usize {
+    match &motion.stability {
+        SteadyStability::Falls(count) | SteadyStability::FallsOdd(count) | SteadyStability::FallsOnSide(count) => {
+            *count
+        }
+        SteadyStability::FedByFriction => 1,
+        // the linear equations without cyclic coordinates do not depend on the instant; those with cyclic coordinates may
+        SteadyStability::Linear(found) => {
+            match (found.enclosed.as_ref().map(EnclosedSpectrum::verdict), found.by_numbers()) {
+                (Ok(EnclosedVerdict::Unstable(count)), _) => count,
+                (Ok(EnclosedVerdict::Undecided { touching: 1.., .. }) | Err(_), Stability::Unstable(count))
+                    if found.linear.standing != Standing::Moving =>
+                {
+                    count
+                }
+                _ => 0,
+            }
+        }
+        SteadyStability::Minimum
+        | SteadyStability::AtCondition(_)
+        | SteadyStability::MinimumOnSides
+        | SteadyStability::HeldByFriction
+        | SteadyStability::Singular(_)
+        | SteadyStability::Unknown(_) => 0,
+    }
+}
+
+/// The change between two neighbouring samples, where usual eigenvalues have a typical size.
+pub(super) fn change(before: &Sample, after: &Sample, typical: f64) -> Change {
+    let (fewer, more) = match before.found.motions.len() <= after.found.motions.len() {
+        true => (before, after),
+        false => (after, before),
+    };
+    let leaving = at_ends(more).saturating_sub(at_ends(fewer));
+    let [(alone, families), (others, other_families)] = [kinds(&before.found), kinds(&after.found)];
+    if families != other_families {
+        return if alone == others { Change::Families } else { Change::Several };
+    }
+    match more.found.motions.len() - fewer.found.motions.len() {
+        0 => exchanged(before, after, typical),
+        1 if leaving > 0 => Change::Leaves,
+        1 => Change::Ends,
+        gap if leaving >= gap => Change::LeaveTogether,
+        2 if leaving == 0 && has_three_together(more) => Change::Pitchfork,
+        2 if leaving == 0 => Change::Fold,
+        _ => Change::Several,
+    }
+}
+
+/// The change if the number of motions stays equal, by the directions that become unstable.
+fn exchanged(before: &Sample, after: &Sample, typical: f64) -> Change {
+    let unstable = |sample: &Sample| -> usize { sample.found.motions.iter().map(unstable).sum() };
+    let stable = |sample: &Sample| kinds(&sample.found).0.iter().filter(|directions| **directions == 0).count();
+    let far = |sample: &Sample| largest_eigenvalue(&sample.found).is_none_or(|largest| largest > HUGE * typical);
+    if far(before) && far(after) && [before, after].iter().any(|own| largest_eigenvalue(&own.found).is_some()) {
+        return Change::Infinite;
+    }
+    let worse = if unstable(before) > unstable(after) { before } else { after };
+    match unstable(before).abs_diff(unstable(after)) {
+        2 if is_pair_at_axis(&worse.found, typical) => Change::Pair,
+        1.. if stable(before) == stable(after) => Change::Directions,
+        _ => Change::Exchange,
+    }
+}
+
+/// The eigenvalues of a motion, by enclosures where these have bounds; none where the energy alone decided.
+fn eigenvalues(motion: &SteadyMotion) -> Vec<[f64; 2]> {
+    let SteadyStability::Linear(found) = &motion.stability else { return Vec::new() };
+    match &found.enclosed {
+        Ok(enclosed) if enclosed.discs.iter().all(|disc| disc.radius.is_finite()) => {
+            enclosed.discs.iter().flat_map(|disc| std::iter::repeat_n(disc.centre, disc.count)).collect()
+        }
+        _ => found.linear.eigenvalues.clone(),
+    }
+}
+
+/// The size of the largest eigenvalue of all motions, where some are known and not zero.
+pub(super) fn largest_eigenvalue(found: &SteadyMotions) -> Option<f64> {
+    let sizes = found.motions.iter().flat_map(eigenvalues).map(|[re, im]| re.hypot(im));
+    Some(sizes.fold(0.0, f64::max)).filter(|size| *size > 0.0)
+}
+
+/// Whether the two eigenvalues that lie right of the imaginary axis, and nearest to it, are a complex pair close to it.
+fn is_pair_at_axis(found: &SteadyMotions, typical: f64) -> bool {
+    let mut right: Vec<[f64; 2]> = found.motions.iter().flat_map(eigenvalues).filter(|[re, _]| *re > 0.0).collect();
+    right.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let is_near = |[re, im]: &[f64; 2]| *re <= NEAR_AXIS * typical && *im != 0.0;
+    right.len() >= 2 && right[..2].iter().all(is_near)
+}
+
+/// The number of motions that touch an end of a range.
+fn at_ends(sample: &Sample) -> usize {
+    let SteadyMotions { unknowns, motions, .. } = &sample.found;
+    let touches = |motion: &&SteadyMotion| {
+        unknowns.iter().zip(&motion.enclosure).any(|(unknown, [low, high])| {
+            let Range { from, to } = unknown.range;
+            let near = AT_END * (to - from);
+            !unknown.is_circle && (*low <= from + near || *high >= to - near)
+        })
+    };
+    motions.iter().filter(touches).count()
+}
+
+/// Whether three motions lie close together.
+fn has_three_together(sample: &Sample) -> bool {
+    let SteadyMotions { unknowns, motions, .. } = &sample.found;
+    let is_near = |a: &SteadyMotion, b: &SteadyMotion| {
+        let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
+        unknowns.iter().zip(a.enclosure.iter().zip(&b.enclosure)).all(|(unknown, (a, b))| {
+            let gap = (middle(*a) - middle(*b)).abs();
+            let whole = unknown.range.to - unknown.range.from;
+            let around = if unknown.is_circle { (2.0 * std::f64::consts::PI - gap).abs() } else { gap };
+            gap.min(around) < TOGETHER * whole
+        })
+    };
+    motions.iter().any(|own| motions.iter().filter(|other| is_near(own, other)).count() >= 3)
+}

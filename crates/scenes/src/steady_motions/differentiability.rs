@@ -1,0 +1,75 @@
+//! Conditions across which the law is once continuously differentiable, as that of |w| in the torque k |w| w of a fan: their zeros are no kinks
+//! for linear equations and for energies.
+//!
+//! Let J be the difference of an expression on the two sides of a condition c that is linear in a letter x. Where J = 0 and dJ/dx = 0 on the
+//! whole of c = 0, all first derivatives of both sides agree there.
+
+use super::conditions::Case;
+use crate::letters::Letters;
+use model::equations::{Residuals, constraints_of, vanishes};
+use model::{Model, Trace};
+use symbolic::{Sym, substitute_all};
+
+/// Whether the law and its first derivatives are the same on both sides of the conditions at some places, at their zeros, all others
+/// having their cases.
+pub(super) fn joins_smoothly(model: &Model, cases: &[Case], places: &[usize]) -> bool {
+    let are_conditions = places.iter().all(|&place| place < model.switches.len());
+    are_conditions
+        && symbolic::apart(|| {
+            let Some(Sides { rows, letters, conditions }) = Sides::of(model, cases, places) else { return false };
+            let joins = |(&letter, &condition): (&Sym, &Sym)| {
+                let on = |value: Sym, row: Sym| row.substitute(&[(letter, value)]);
+                let jumps: Vec<Sym> = rows.iter().map(|&row| on(Sym::ONE, row) - on(Sym::ZERO, row)).collect();
+                jumps.iter().all(|jump| vanishes(*jump)) || are_tangent(&jumps, condition)
+            };
+            letters.iter().zip(&conditions).all(joins)
+        })
+}
+
+/// Whether differences vanish with their first derivatives where a condition is zero.
+fn are_tangent(jumps: &[Sym], condition: Sym) -> bool {
+    condition.symbols_of().into_iter().any(|letter| {
+        let slope = condition.diff(letter);
+        if slope.symbols_of().contains(&letter) || vanishes(slope) {
+            return false;
+        }
+        let there = [(letter, letter - condition / slope)];
+        jumps.iter().all(|jump| [*jump, jump.diff(letter)].iter().all(|own| vanishes(own.substitute(&there))))
+    })
+}
+
+/// The law where some conditions are open.
+pub(super) struct Sides {
+    /// Residuals, constraints, gaps, and frictions.
+    pub rows: Vec<Sym>,
+    /// The letters of the open conditions, and their values.
+    pub letters: Vec<Sym>,
+    conditions: Vec<Sym>,
+}
+
+impl Sides {
+    /// In the graph of the thread; none where the system has no equations.
+    pub fn of(model: &Model, cases: &[Case], places: &[usize]) -> Option<Self> {
+        let trace = Trace::of(model);
+        let equations = Residuals::of(&trace).into_iter().next()?;
+        let held = constraints_of(&trace).into_iter().map(|one| one.zero);
+        let reactions = model.contacts.iter().flat_map(|own| own.slides.iter().chain(&own.friction).chain([&own.gap]));
+        let rows: Vec<Sym> = equations.residuals.iter().copied().chain(held).collect();
+        let rows = rows.into_iter().chain(reactions.map(|&own| trace.scalar(own)));
+        let conditions = places.iter().map(|&place| trace.scalar(model.switches[place]));
+        let all: Vec<Sym> = rows.chain(conditions).collect();
+        let state = [&trace.coordinates[..], &trace.speeds].concat();
+        let all = Letters::with_decimals(trace.time, &state).put_into(&trace, &all);
+        let known = trace.switches.iter().zip(cases).enumerate().filter(|(place, _)| !places.contains(place));
+        let known: Vec<(Sym, Sym)> = known
+            .filter_map(|(_, (&letter, case))| match case {
+                Case::Holds => Some((letter, Sym::ONE)),
+                Case::Fails => Some((letter, Sym::ZERO)),
+                _ => None,
+            })
+            .collect();
+        let mut rows = substitute_all(&all, &known);
+        let conditions = rows.split_off(rows.len() - places.len());
+        Some(Sides { rows, letters: places.iter().map(|&place| trace.switches[place]).collect(), conditions })
+    }
+}
