@@ -110,6 +110,11 @@ pub(crate) fn verdict(found: &EnclosedSpectrum) -> String {
     }
 }
 
+/// Whether the eigenvalues decide stability, or show that the linear equations do not.
+pub(crate) fn is_decided(found: &EnclosedSpectrum) -> bool {
+    !matches!(found.verdict(), EnclosedVerdict::Undecided { touching, .. } if touching > 0)
+}
+
 /// The verdict in a word.
 pub(crate) fn word(found: &EnclosedSpectrum) -> &'static str {
     match found.verdict() {

@@ -7,6 +7,7 @@ mod print;
 
 use self::boundaries::AlongWhat;
 use self::print::{Found, Headed, csv, object, text};
+use crate::arguments::named_value;
 use crate::clock;
 use crate::exit::{Exit, placed, warn};
 use crate::progress::Progress;
@@ -81,13 +82,6 @@ fn instant(text: &str) -> Result<f64, String> {
     time.ok_or_else(|| "a time that is not negative, in seconds, such as 0.5 is accepted".to_owned())
 }
 
-fn named_value(text: &str) -> Result<(String, f64), String> {
-    let accepted = || "a name with a number in SI units, without the unit, such as m=0.5, is accepted".to_owned();
-    let (name, value) = text.split_once('=').ok_or_else(accepted)?;
-    let value = value.trim().parse().ok().filter(|value: &f64| value.is_finite()).ok_or_else(accepted)?;
-    Ok((name.trim().to_owned(), value))
-}
-
 fn period(text: &str) -> Result<f64, String> {
     let period = text.trim().parse().ok().filter(|period: &f64| period.is_finite() && *period > 0.0);
     period.ok_or_else(|| "a time above zero, in seconds, such as 0.5 is accepted".to_owned())
@@ -128,9 +122,13 @@ pub fn linearise(asked: &Asked) -> Result<Exit, Exit> {
         let no_linear = |why: NotLinear| placed(&asked.scene, why.at(&model, time));
         let linear = equations.about(time, &state).map_err(no_linear)?;
         let enclosed = match linear.standing {
-            Standing::Moving => None,
+            Standing::Moving if !equations.feedback.is_empty() => None,
             _ if !equations.feedback.is_empty() => Some(Err(NotEnclosed::Feedback)),
-            _ => Some(EnclosedSpectrum::near(&model, &state, || clock::goes_on().is_continue())),
+            standing => {
+                let found = EnclosedSpectrum::near(&model, &state, || clock::goes_on().is_continue());
+                // along a motion in a circle the linear equations without cyclic coordinates are constant
+                Some(found).filter(|found| found.is_ok() || standing != Standing::Moving)
+            }
         };
         all.push(Found { linear, enclosed });
     }

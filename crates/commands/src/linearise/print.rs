@@ -75,7 +75,7 @@ fn standing(standing: Standing) -> &'static str {
 }
 
 pub(super) fn text(headed: &Headed, Found { linear: found, enclosed }: &Found) -> String {
-    let Linear { linear, eigenvalues, stability, .. } = found;
+    let Linear { linear, eigenvalues, .. } = found;
     let mut text = format!("t = {} s, {}\n", linear.point.time, standing(found.standing));
     text += &headed.point(&linear.point, found.standing);
     let states = headed.names.states(linear);
@@ -116,14 +116,28 @@ pub(super) fn text(headed: &Headed, Found { linear: found, enclosed }: &Found) -
             im => writeln!(text, "  {} + {} i", number(*re), number(*im).trim()),
         };
     }
-    let _ = writeln!(text, "{stability}");
-    let _ = match enclosed {
-        _ if eigenvalues.is_empty() => Ok(()),
-        Some(Ok(enclosed)) => writeln!(text, "{}{}", spectrum::lines(enclosed), spectrum::verdict(enclosed)),
-        Some(Err(why)) => writeln!(text, "eigenvalues and stability are numerical, without enclosures: {why}"),
-        None => Ok(()),
-    };
+    if let (false, Some(Ok(enclosed))) = (eigenvalues.is_empty(), enclosed) {
+        text += &spectrum::lines(enclosed);
+    }
+    let _ = writeln!(text, "{}", verdict(found, enclosed.as_ref()));
     text
+}
+
+/// One verdict: by enclosures where these decide, or show that the linear equations do not; otherwise by numbers.
+fn verdict(
+    Linear { eigenvalues, stability, .. }: &Linear,
+    enclosed: Option<&Result<EnclosedSpectrum, NotEnclosed>>,
+) -> String {
+    match enclosed.filter(|_| !eigenvalues.is_empty()) {
+        // exact fractions leave no room for numbers
+        Some(Ok(enclosed)) if spectrum::is_decided(enclosed) || enclosed.exact.is_some() => spectrum::verdict(enclosed),
+        Some(Ok(enclosed)) => {
+            let stability = enclosed.by_centres().unwrap_or(*stability);
+            format!("{}; by numbers, {stability}", spectrum::verdict(enclosed))
+        }
+        Some(Err(why)) => format!("{stability}\neigenvalues and stability are numerical, without enclosures: {why}"),
+        None => stability.to_string(),
+    }
 }
 
 /// Values of one kind, with rounding errors replaced by zero.
@@ -151,7 +165,7 @@ fn number(value: f64) -> String {
 }
 
 pub(super) fn object(headed: &Headed, Found { linear: found, enclosed }: &Found) -> serde_json::Value {
-    let Linear { linear, eigenvalues, stability, .. } = found;
+    let Linear { linear, eigenvalues, .. } = found;
     let mut object = json!({
         "time": linear.point.time,
         "point": standing(found.standing),
@@ -162,7 +176,7 @@ pub(super) fn object(headed: &Headed, Found { linear: found, enclosed }: &Found)
         "inputs": headed.names.inputs,
         "outputs": headed.names.outputs,
         "eigenvalues": eigenvalues,
-        "stability": stability.to_string(),
+        "stability": verdict(found, enclosed.as_ref()),
         "enclosed": enclosed.as_ref().and_then(|found| found.as_ref().ok()).map(spectrum::object),
         "not_enclosed": enclosed.as_ref().and_then(|found| found.as_ref().err()).map(ToString::to_string),
     });

@@ -4,7 +4,7 @@ use super::{Asked, method};
 use crate::arguments::Format;
 use crate::exit::{Exit, print, warn};
 use crate::stationary::combinations::{Combination, Combinations};
-use crate::stationary::steady_box::{Found, system_in};
+use crate::stationary::steady_box::Found;
 use crate::stationary::verdict::singular;
 use ::scenes::linearisation::{Standing, VariedEquations};
 use ::scenes::steady_motions::{SteadyMotion, SteadyStability};
@@ -39,7 +39,7 @@ pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
             "{option} is about the built-in machines; of a system that is written in its file --range NAME=FROM..TO says where motions are sought"
         )));
     }
-    let system = system_in(&asked.scene)?;
+    let system = asked.steady.system_in(&asked.scene)?;
     let Some(parts) = Combinations::of(&asked.steady, &asked.scene, &system)? else {
         let found = asked.steady.find(&asked.scene, system)?;
         let all = judged(asked, &found, false);

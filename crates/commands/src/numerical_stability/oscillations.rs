@@ -5,7 +5,7 @@ use super::Asked;
 use super::drift::{goes_on, methods, name, periods};
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
-use crate::stationary::steady_box::{Found, system_in};
+use crate::stationary::steady_box::Found;
 use ::scenes::linearisation::{Standing, VariedEquations};
 use ::scenes::steady_motions::SteadyMotion;
 use ::scenes::{Given, KeptScene, ModelScene};
@@ -53,7 +53,7 @@ pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
              the start of any scene"
         )));
     }
-    let found = asked.steady.find(&asked.scene, system_in(&asked.scene)?)?;
+    let found = asked.steady.find(&asked.scene, asked.steady.system_in(&asked.scene)?)?;
     // a system without [run] gets a default one
     let run = Run { span: 1.0, samples: 2, tolerance: 1e-9, method: Method::DormandPrince8, outputs: Vec::new() };
     let scene = ModelScene::parse_with(&path.to_string(), &text, Given { run: Some(run), ..Given::default() });

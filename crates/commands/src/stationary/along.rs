@@ -19,13 +19,26 @@ const VALUES: usize = 41;
 pub(super) fn show(asked: &Asked, along: &(String, Range)) -> Result<Exit, Exit> {
     let writes = Writes { command: "stationary", force: asked.force, reads: vec![&asked.scene] };
     let output = writes.optional(asked.out.as_deref(), &[Form::Picture])?;
-    let found = asked.steady.find_along(&asked.scene, along, asked.values.unwrap_or(VALUES))?;
+    let values = asked.values.unwrap_or(VALUES);
+    let found = asked.steady.find_along(&asked.scene, along, values)?;
     print(&match asked.format {
         Format::Text => text(&found),
         Format::Json => format!("{:#}\n", object(&found)),
     })?;
     if let Some(output) = output {
         output.write_text(&branches::picture(&found, along.1).svg())?.tell(asked.format)?;
+    }
+    for (value, why) in &found.left_out {
+        let path = asked.scene.display();
+        warn(&format!("warning: {path}: steady motions are not sought at {} = {}: {why}", found.name, number(*value)));
+    }
+    let examined = found.along.samples.len() + found.left_out.len();
+    let is_cut = examined < values;
+    if is_cut {
+        warn(&format!(
+            "warning: {}: the time was over after {examined} of {values} values; more time (--seconds) or fewer values (--values) are accepted",
+            asked.scene.display()
+        ));
     }
     let open: Vec<String> = found
         .along
@@ -35,7 +48,7 @@ pub(super) fn show(asked: &Asked, along: &(String, Range)) -> Result<Exit, Exit>
         .map(|sample| number(sample.value))
         .collect();
     if open.is_empty() {
-        return Ok(Exit::Done);
+        return Ok(if is_cut || !found.left_out.is_empty() { Exit::Stopped } else { Exit::Done });
     }
     warn(&format!(
         "warning: {}: boxes are undecided at {} = {}: the neighbouring values are compared instead",
@@ -61,6 +74,10 @@ pub(super) fn named(change: Change) -> &'static str {
             "two or more motions leave or enter the ranges; wider ranges (--range) follow them further"
         }
         Change::Families => "families of motions appear or vanish, for example positions at which friction holds",
+        Change::Infinite => {
+            "eigenvalues become infinite, and none crosses the imaginary axis (the inertia, or the rank of the constraints, vanishes)"
+        }
+        Change::AtValue => "the motions differ at this value alone",
         Change::Several => "several changes at once",
     }
 }
@@ -71,14 +88,24 @@ fn counted(sample: &Sample) -> String {
     let count = |words: &[&str]| told.iter().filter(|told| words.contains(told)).count();
     let (stable, unstable) = (count(&["stable", "asymptotically stable"]), count(&["unstable"]));
     let open = told.len() - unstable - stable;
-    let motions = if told.len() == 1 { "one motion".to_owned() } else { format!("{} motions", told.len()) };
+    let motions = match told.len() {
+        0 => "no isolated motion".to_owned(),
+        1 => "one motion".to_owned(),
+        count => format!("{count} motions"),
+    };
     let open = if open == 0 { String::new() } else { format!(", {open} undecided") };
     let families = match sample.found.families.len() {
         0 => String::new(),
         1 => ", and one family".to_owned(),
         count => format!(", and {count} families"),
     };
-    format!("{motions}: {stable} stable, {unstable} unstable{open}{families}")
+    let singular = match sample.found.singular_places {
+        0 => String::new(),
+        1 => ", and one place at which the coordinates are singular".to_owned(),
+        count => format!(", and {count} places at which the coordinates are singular"),
+    };
+    let counts = if told.is_empty() { String::new() } else { format!(": {stable} stable, {unstable} unstable{open}") };
+    format!("{motions}{counts}{families}{singular}")
 }
 
 fn text(found: &AlongFound) -> String {
@@ -101,26 +128,22 @@ fn text(found: &AlongFound) -> String {
         }
     }
     lines.extend(last);
-    let is_even = lines.len() <= 1;
     for (told, from, to) in lines {
         let _ = match from == to {
             true => writeln!(out, "  {name} = {}{unit}: {told}", number(from)),
             false => writeln!(out, "  {name} from {} to {}{unit}: {told}", number(from), number(to)),
         };
     }
-    for Bifurcation { before, after, change } in &along.bifurcations {
+    for Bifurcation { before, at, after, change } in &along.bifurcations {
         let [middle, gap] = bracket([before.value, after.value]);
         let _ = writeln!(out, "\nat {name} = {middle} ± {gap}{unit}: {}", named(*change));
-        let _ = writeln!(out, "  before {}; after {}", counted(before), counted(after));
+        let at =
+            at.as_ref().map_or_else(String::new, |at| format!("; at {name} = {} {}", number(at.value), counted(at)));
+        let _ = writeln!(out, "  before {}{at}; after {}", counted(before), counted(after));
     }
     if along.bifurcations.is_empty() {
-        let told = match is_even {
-            true => "no change is seen between these values",
-            false => {
-                "where the motions change between these values is not located; other values (--values) may show it"
-            }
-        };
-        let _ = writeln!(out, "\n{told}");
+        out += "\nat all values that are decided the motions are equally many, with as many unstable directions; between two values a change and its \
+                reverse would not be seen\n";
     }
     out
 }
@@ -136,11 +159,12 @@ fn bracket([low, high]: [f64; 2]) -> [String; 2] {
     [middle, format!("{gap:.1e}")]
 }
 
-fn object(AlongFound { title, name, unit, along, .. }: &AlongFound) -> Value {
+fn object(AlongFound { title, name, unit, along, left_out, .. }: &AlongFound) -> Value {
     let sample = |sample: &Sample| {
         json!({
             "value": sample.value,
             "complete": sample.found.is_complete(),
+            "singular_places": sample.found.singular_places,
             "motions": sample.found.motions.iter().map(|one| motion(&sample.found, one)).collect::<Vec<_>>(),
         })
     };
@@ -149,10 +173,12 @@ fn object(AlongFound { title, name, unit, along, .. }: &AlongFound) -> Value {
         "along": name,
         "unit": unit.trim(),
         "samples": along.samples.iter().map(sample).collect::<Vec<_>>(),
+        "left_out": left_out.iter().map(|(value, why)| json!({ "value": value, "why": why })).collect::<Vec<_>>(),
         "changes": along.bifurcations.iter().map(|one| json!({
             "between": [one.before.value, one.after.value],
             "what": named(one.change),
             "before": sample(&one.before),
+            "at": one.at.as_ref().map(sample),
             "after": sample(&one.after),
         })).collect::<Vec<_>>(),
     })

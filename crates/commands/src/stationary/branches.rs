@@ -23,7 +23,7 @@ const KINDS: [&str; 5] = [
 
 /// The picture of all branches.
 pub(super) fn picture(found: &AlongFound, range: Range) -> Branches {
-    let AlongFound { title, name, unit, units, along } = found;
+    let AlongFound { title, name, unit, units, along, .. } = found;
     let samples: Vec<&Sample> = along.visited.iter().filter(|sample| sample.found.is_complete()).collect();
     let unknowns = samples.first().map_or(&[][..], |sample| &sample.found.unknowns);
     let panels = unknowns.iter().zip(units).enumerate().map(|(place, (unknown, unit))| {
@@ -156,7 +156,7 @@ fn marks(found: &AlongFound, place: usize) -> Vec<(usize, (f64, f64))> {
     found.along.bifurcations.iter().flat_map(|one| of_change(one, place)).collect()
 }
 
-fn of_change(Bifurcation { before, after, change }: &Bifurcation, place: usize) -> Vec<(usize, (f64, f64))> {
+fn of_change(Bifurcation { before, after, change, .. }: &Bifurcation, place: usize) -> Vec<(usize, (f64, f64))> {
     let kind = match change {
         Change::Fold => 0,
         Change::Pair => 1,
@@ -164,9 +164,13 @@ fn of_change(Bifurcation { before, after, change }: &Bifurcation, place: usize) 
         Change::Pitchfork => 3,
         Change::Several => 4,
         // no marks: branches that leave the range, families, which are not drawn, and changes among unstable motions
-        Change::Leaves | Change::LeaveTogether | Change::Ends | Change::Families | Change::Directions => {
-            return Vec::new();
-        }
+        Change::Leaves
+        | Change::LeaveTogether
+        | Change::Ends
+        | Change::Families
+        | Change::Directions
+        | Change::Infinite
+        | Change::AtValue => return Vec::new(),
     };
     let value = 0.5 * (before.value + after.value);
     let (fewer, more) = match before.found.motions.len() <= after.found.motions.len() {

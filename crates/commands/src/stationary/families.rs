@@ -2,6 +2,7 @@
 
 use super::steady_box::{Found, enclosed, number};
 use super::verdict::{FEEDS, RESISTS, singular};
+use crate::spectrum;
 use ::scenes::linearisation::{Linear, Stability, Standing};
 use ::scenes::steady_motions::{Family, Friction, Member, SteadyMotions};
 use serde_json::{Value, json};
@@ -148,12 +149,31 @@ fn stability(family: &Family, members: &[Member]) -> String {
         return "     stability is not decided: these motions have no linear equations\n".to_owned();
     }
     if judged.is_empty() {
-        return String::new();
+        return of_moving(members);
     }
     let unstable = judged.iter().filter(|is_unstable| **is_unstable).count();
     format!(
         "     tested motions of it: {}; of these {unstable} have an eigenvalue with a positive real part, by numbers\n",
         judged.len()
+    )
+}
+
+/// The line on members that move, by eigenvalues of the equations without cyclic coordinates, which are constant along such a motion.
+fn of_moving(members: &[Member]) -> String {
+    let words: Vec<&str> = members.iter().filter_map(|member| member.enclosed.as_ref()).map(spectrum::word).collect();
+    if words.is_empty() {
+        return "     stability is not decided: these motions move, and eigenvalues of an instant say nothing; linearise --along encloses those of \
+                chosen motions\n"
+            .to_owned();
+    }
+    let count = |word: &str| words.iter().filter(|own| **own == word).count();
+    format!(
+        "     tested motions of it: {}, by enclosed eigenvalues without cyclic coordinates: {} unstable, {} asymptotically stable but for zeros with \
+         reasons, {} not decided by linear equations\n",
+        words.len(),
+        count("unstable"),
+        count("asymptotically stable"),
+        count("not decided")
     )
 }
 
@@ -215,6 +235,7 @@ pub(super) fn family_object(found: &SteadyMotions, family: &Family, members: &[M
             "values": member.values,
             "state": member.state,
             "eigenvalues": member.linear.as_ref().map(|linear| &linear.eigenvalues),
+            "enclosed": member.enclosed.as_ref().map(spectrum::object),
         })).collect::<Vec<_>>(),
     })
 }

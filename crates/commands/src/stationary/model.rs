@@ -3,7 +3,7 @@
 use super::combinations::Combinations;
 use super::families::{count, ends, family_lines, family_object, is_one_place};
 use super::refusals::reason;
-use super::steady_box::{Found, number, sought, system_in};
+use super::steady_box::{Found, number, sought};
 use super::verdict::{stability, verdict};
 use super::{Asked, cases};
 use crate::arguments::Format;
@@ -20,7 +20,7 @@ const MOST_LISTED: usize = 6;
 
 /// Prints all steady motions.
 pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
-    let system = system_in(&asked.scene)?;
+    let system = asked.steady.system_in(&asked.scene)?;
     if let Some(parts) = Combinations::of(&asked.steady, &asked.scene, &system)? {
         return cases::show(asked, &parts);
     }

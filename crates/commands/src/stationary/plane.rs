@@ -1,7 +1,7 @@
 //! `dalembert stationary --along A=FROM..TO --along B=FROM..TO`: the numbers of steady motions and of stable ones over two parameters.
 
 use super::Asked;
-use super::refusals::refused;
+use super::refusals::{reason, refused};
 use super::steady_box::{number, unit};
 use super::verdict::verdict;
 use crate::arguments::Format;
@@ -10,7 +10,7 @@ use crate::exit::{Exit, print, warn};
 use crate::job_pool::JobPool;
 use crate::output::{Form, Writes};
 use crate::progress::Progress;
-use ::scenes::steady_motions::{Asked as Wanted, Direction, NoSteadyMotions, PlaneCell, Range, SteadyMotions, middles};
+use ::scenes::steady_motions::{Asked as Wanted, Direction, NoSteadyMotions, PlaneCell, Range, middles};
 use charts::{AreaCurve, Areas};
 use model::Model;
 use serde_json::{Value, json};
@@ -48,12 +48,22 @@ pub(super) fn show(asked: &Asked, [first, second]: [&(String, Range); 2]) -> Res
     let (title, model, wanted) = asked.steady.along(&asked.scene, &[&first.0, &second.0])?;
     let names = [first.0.as_str(), second.0.as_str()];
     let directions = [(names[0], first.1), (names[1], second.1)];
-    let found = cells((&wanted, asked.values.unwrap_or(CELLS)), &model, directions).and_then(|columns| {
-        let borders = borders(&wanted, &model, names, &columns)?;
-        let units = names.map(|name| unit(&model, name));
-        Ok(Map { title, names, ranges: [first.1, second.1], units, columns, borders })
-    });
-    let map = found.map_err(|why| refused(&asked.scene, (&model, wanted.text.as_deref()), why))?;
+    let columns = cells((&wanted, asked.values.unwrap_or(CELLS)), &model, directions);
+    let left_out: Vec<&NoSteadyMotions> = columns.iter().flatten().filter_map(|cell| cell.left_out.as_ref()).collect();
+    if let Some(why) = left_out.first().filter(|_| columns.iter().flatten().all(|cell| cell.left_out.is_some())) {
+        return Err(refused(&asked.scene, (&model, wanted.text.as_deref()), (*why).clone()));
+    }
+    if let Some(why) = left_out.first() {
+        warn(&format!(
+            "warning: {}: steady motions are not sought in {} of the cells, of which the first: {}",
+            asked.scene.display(),
+            left_out.len(),
+            reason(&model, wanted.text.as_deref(), (*why).clone()).title
+        ));
+    }
+    let borders = borders(&wanted, &model, names, &columns);
+    let units = names.map(|name| unit(&model, name));
+    let map = Map { title, names, ranges: [first.1, second.1], units, columns, borders };
     print(&match asked.format {
         Format::Text => map.text(),
         Format::Json => format!("{:#}\n", map.object()),
@@ -61,7 +71,7 @@ pub(super) fn show(asked: &Asked, [first, second]: [&(String, Range); 2]) -> Res
     if let Some(output) = output {
         output.write_text(&map.picture().svg())?.tell(asked.format)?;
     }
-    let open = map.columns.iter().flatten().filter(|cell| !cell.found.is_complete()).count();
+    let open = map.columns.iter().flatten().filter(|cell| !cell.is_complete()).count();
     if open == 0 {
         return Ok(Exit::Done);
     }
@@ -74,13 +84,9 @@ pub(super) fn show(asked: &Asked, [first, second]: [&(String, Range); 2]) -> Res
 }
 
 /// All cells, column by column.
-fn cells(
-    (wanted, count): (&Wanted, usize),
-    model: &Model,
-    directions: [Direction<'_>; 2],
-) -> Result<Vec<Vec<PlaneCell>>, NoSteadyMotions> {
+fn cells((wanted, count): (&Wanted, usize), model: &Model, directions: [Direction<'_>; 2]) -> Vec<Vec<PlaneCell>> {
     let mut progress = Progress::new("the map");
-    let mut columns: Vec<Option<Result<Vec<PlaneCell>, NoSteadyMotions>>> = (0..count).map(|_| None).collect();
+    let mut columns: Vec<Option<Vec<PlaneCell>>> = (0..count).map(|_| None).collect();
     let mut crew = JobPool::default();
     for (value, place) in middles(directions[0].1, count).into_iter().zip(&mut columns) {
         crew.add(1.0, place, move || PlaneCell::column(model, wanted, directions, (value, count), has_time));
@@ -90,17 +96,12 @@ fn cells(
 }
 
 /// Narrow brackets of the changes between neighbouring cells that differ.
-fn borders(
-    wanted: &Wanted,
-    model: &Model,
-    names: [&str; 2],
-    columns: &[Vec<PlaneCell>],
-) -> Result<Vec<[[f64; 2]; 2]>, NoSteadyMotions> {
+fn borders(wanted: &Wanted, model: &Model, names: [&str; 2], columns: &[Vec<PlaneCell>]) -> Vec<[[f64; 2]; 2]> {
     let beside = columns.windows(2).flat_map(|pair| pair[0].iter().zip(&pair[1]));
     let above = columns.iter().flat_map(|column| column.iter().zip(column.iter().skip(1)));
     let pairs: Vec<_> = beside.chain(above).filter(|(a, b)| !a.is_like(b)).collect();
     let mut progress = Progress::new("the boundaries");
-    let mut found: Vec<Option<Result<[[f64; 2]; 2], NoSteadyMotions>>> = pairs.iter().map(|_| None).collect();
+    let mut found: Vec<Option<[[f64; 2]; 2]>> = pairs.iter().map(|_| None).collect();
     let mut crew = JobPool::default();
     for ((one, other), place) in pairs.into_iter().zip(&mut found) {
         crew.add(1.0, place, move || one.border(other, model, wanted, names, has_time));
@@ -109,12 +110,13 @@ fn borders(
     found.into_iter().flatten().collect()
 }
 
-fn count(found: &SteadyMotions) -> Count {
+fn count(cell: &PlaneCell) -> Count {
+    let found = &cell.found;
     let told: Vec<&str> = found.motions.iter().map(|motion| verdict(motion, &found.cyclic).0).collect();
     let of = |words: &[&str]| told.iter().filter(|told| words.contains(told)).count();
     let (stable, unstable) = (of(&["stable", "asymptotically stable"]), of(&["unstable"]));
     let open = told.len() - stable - unstable;
-    found.is_complete().then_some([told.len(), stable, open, found.families.len()])
+    cell.is_complete().then_some([told.len(), stable, open, found.families.len()])
 }
 
 fn said(count: Count) -> String {
@@ -136,7 +138,7 @@ impl Map<'_> {
     fn kinds(&self) -> Vec<(Count, usize)> {
         let mut kinds: BTreeMap<Count, usize> = BTreeMap::new();
         for cell in self.columns.iter().flatten() {
-            *kinds.entry(count(&cell.found)).or_default() += 1;
+            *kinds.entry(count(cell)).or_default() += 1;
         }
         let mut kinds: Vec<(Count, usize)> = kinds.into_iter().collect();
         kinds.sort_by_key(|(kind, cells)| (std::cmp::Reverse(*cells), *kind));
@@ -145,7 +147,7 @@ impl Map<'_> {
 
     /// A row of cells, as indices into the kinds.
     fn row(&self, row: usize, kinds: &[(Count, usize)]) -> Vec<usize> {
-        let place = |cell: &PlaneCell| kinds.iter().position(|(kind, _)| *kind == count(&cell.found)).unwrap_or(0);
+        let place = |cell: &PlaneCell| kinds.iter().position(|(kind, _)| *kind == count(cell)).unwrap_or(0);
         self.columns.iter().map(|column| place(&column[row])).collect()
     }
 
@@ -213,7 +215,7 @@ impl Map<'_> {
 
     fn object(&self) -> Value {
         let cell = |cell: &PlaneCell| {
-            let count = count(&cell.found);
+            let count = count(cell);
             json!({
                 "values": cell.values,
                 "complete": count.is_some(),

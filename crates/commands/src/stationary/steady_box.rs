@@ -1,11 +1,11 @@
 //! The search for steady motions of a system that is written in its file, with the options that commands share.
 
-use super::refusals::refused;
-use crate::arguments::finite;
+use super::refusals::{reason, refused};
+use crate::arguments::{finite, named_value};
 use crate::clock::has_time;
 use crate::exit::{Exit, warn};
 use crate::progress::Progress;
-use ::scenes::steady_motions::{Along, Asked, Near, Range, SteadyMotions};
+use ::scenes::steady_motions::{Along, Asked, Near, NoSteadyMotions, Range, SteadyMotions};
 use ::scenes::{SystemText, Task, independent_start, parse_with_source, unit_of};
 use clap::Args;
 use clap::builder::RangedU64ValueParser;
@@ -26,6 +26,10 @@ pub struct SteadyBox {
     /// conditions or with contacts
     #[arg(long, value_name = "N", default_value_t = 200_000, allow_negative_numbers = true, value_parser = RangedU64ValueParser::<usize>::new().range(1..=1_000_000_000))]
     pub boxes: usize,
+    /// Another value, in SI units, for a parameter, or for a coordinate or a speed at the start, in a system that is written in its file; may be
+    /// repeated
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = named_value)]
+    pub values: Vec<(String, f64)>,
 }
 
 /// Reads a name with its range.
@@ -68,11 +72,8 @@ pub struct AlongFound {
     /// The units of the unknowns.
     pub units: Vec<String>,
     pub along: Along,
-}
-
-/// Reads the system of a file, prepared for the search, with its source.
-pub fn system_in(path: &Path) -> Result<SoughtSystem, Exit> {
-    Ok(sought(&SystemText::read(path)?)?)
+    /// Values at which steady motions are not sought, and why.
+    pub left_out: Vec<(f64, String)>,
 }
 
 /// The title, the model and the source of a system.
@@ -97,6 +98,11 @@ pub fn unit(model: &Model, name: &str) -> String {
 }
 
 impl SteadyBox {
+    /// Reads the system of a file, prepared for the search, with its source.
+    pub fn system_in(&self, path: &Path) -> Result<SoughtSystem, Exit> {
+        Ok(sought(&SystemText { values: self.values.clone(), ..SystemText::read(path)? })?)
+    }
+
     /// All steady motions of the system that was read from a file.
     pub fn find(&self, path: &Path, (title, model, source): SoughtSystem) -> Result<Found, Exit> {
         self.checked()?;
@@ -116,18 +122,25 @@ impl SteadyBox {
         let units = along.samples.first().map_or_else(Vec::new, |sample| {
             sample.found.unknowns.iter().map(|unknown| self::unit(&model, &unknown.name)).collect()
         });
-        Ok(AlongFound { title, name: name.clone(), unit, units, along })
+        let why = |why: &NoSteadyMotions| reason(&model, asked.text.as_deref(), why.clone()).title;
+        let left_out = along.left_out.iter().map(|(value, own)| (*value, why(own))).collect();
+        Ok(AlongFound { title, name: name.clone(), unit, units, along, left_out })
     }
 
     /// The system of a file, prepared to take other values for parameters or speeds of cyclic coordinates with these names.
     pub fn along(&self, path: &Path, names: &[&String]) -> Result<(String, Model, Asked), Exit> {
         self.checked()?;
-        let (title, model, source) = system_in(path)?;
+        let (title, model, source) = self.system_in(path)?;
         names.iter().try_for_each(|name| self.must_vary(path, &model, name))?;
         Ok((title, model, Asked { text: Some(Arc::new(source)), ..self.wanted() }))
     }
 
     fn must_vary(&self, path: &Path, model: &Model, name: &String) -> Result<(), Exit> {
+        if self.values.iter().any(|(own, _)| own == name) {
+            return Err(Exit::refused(format!(
+                "--set {name}: --along goes over values of `{name}`; leave one of the two out"
+            )));
+        }
         if self.range.iter().any(|(own, _)| own == name) {
             return Err(Exit::refused(format!(
                 "--range {name}: --along goes over values of `{name}`; leave one of the two out"
@@ -218,10 +231,11 @@ impl SteadyBox {
 
     /// Refuses a range for a scene that has no system in its file.
     pub fn refuse(&self, instead: &str) -> Result<(), Exit> {
-        match self.range.first() {
+        let ranges = self.range.iter().map(|(name, _)| ("--range", name));
+        match ranges.chain(self.values.iter().map(|(name, _)| ("--set", name))).next() {
             None => Ok(()),
-            Some((name, _)) => {
-                Err(Exit::refused(format!("--range {name} is about a system that is written in its file; {instead}")))
+            Some((option, name)) => {
+                Err(Exit::refused(format!("{option} {name} is about a system that is written in its file; {instead}")))
             }
         }
     }

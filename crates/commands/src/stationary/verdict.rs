@@ -2,9 +2,7 @@
 
 use crate::spectrum;
 use ::scenes::linearisation::{Linear, Stability, Standing};
-use ::scenes::steady_motions::{
-    Eigenvalues, EnclosedSpectrum, EnclosedVerdict, SteadyMotion, SteadyMotions, SteadyStability,
-};
+use ::scenes::steady_motions::{Eigenvalues, EnclosedSpectrum, SteadyMotion, SteadyMotions, SteadyStability};
 
 /// The stability of one of the motions that were found, with the reason.
 pub(super) fn stability(motion: &SteadyMotion, found: &SteadyMotions) -> String {
@@ -49,6 +47,12 @@ pub(super) fn stability(motion: &SteadyMotion, found: &SteadyMotions) -> String 
         }
         SteadyStability::Linear(found) => {
             let linear = &found.linear;
+            if let Some(enclosed) = found.enclosed.as_ref().ok().filter(|own| own.by_centres().is_some()) {
+                // exact fractions leave no room for numbers
+                let by_centres = enclosed.by_centres().filter(|_| enclosed.exact.is_none());
+                let by_numbers = by_centres.map_or_else(String::new, |own| format!("; by numbers, {own}"));
+                return format!("{}{by_numbers}", spectrum::verdict(enclosed));
+            }
             let largest = linear.eigenvalues.iter().map(|value| value[0]).fold(f64::NEG_INFINITY, f64::max);
             match linear.eigenvalues.is_empty() {
                 true => linear.stability.to_string(),
@@ -93,8 +97,7 @@ pub fn singular(names: &[String]) -> String {
 
 /// The enclosed eigenvalues, where these decide the stability, or show that the linear equations do not.
 fn decides(found: &Eigenvalues) -> Option<&EnclosedSpectrum> {
-    let is_known = |found: &&EnclosedSpectrum| !matches!(found.verdict(), EnclosedVerdict::Undecided { touching, .. } if touching > 0);
-    found.enclosed.as_ref().ok().filter(is_known)
+    found.enclosed.as_ref().ok().filter(|found| spectrum::is_decided(found))
 }
 
 /// Whether so many zeros have reasons in the equations of motion, such as a cyclic coordinate: the force x^3 has none in the linear equations alone.
@@ -129,7 +132,7 @@ pub fn verdict(motion: &SteadyMotion, cyclic: &[String]) -> (&'static str, bool)
             let word = decides(found).map_or("not decided", spectrum::word);
             (word, word != "not decided")
         }
-        SteadyStability::Linear(found) => match found.linear.stability {
+        SteadyStability::Linear(found) => match found.by_numbers() {
             _ if found.linear.standing == Standing::Moving => ("not decided", false),
             _ if fades(&found.linear, cyclic.len()) => ("asymptotically stable", false),
             Stability::Unstable(_) => ("unstable", false),
