@@ -1,4 +1,5 @@
-//! `dalembert linearise --along NAME=FROM..TO`: brackets of the values at which eigenvalues cross the imaginary axis, by enclosures.
+//! `dalembert linearise --along NAME=FROM..TO`: brackets of the values at which eigenvalues cross the imaginary axis, by enclosures. At each
+//! value the steady motion is that of the start, or the one that is found from there.
 
 use super::{Asked, Form};
 use crate::clock::has_time;
@@ -24,7 +25,7 @@ pub(super) fn show(asked: &Asked, model: &Model, name: &str, range: [f64; 2]) ->
     at(range[0]).map_err(refused)?;
     let spectrum = |value: f64| {
         let (model, state) = at(value).map_err(|_| NotEnclosed::NoMotion)?;
-        EnclosedSpectrum::near(&model, &state, has_time)
+        EnclosedSpectrum::following(&model, &state, has_time)
     };
     let found = Crossings::of(range, spectrum, has_time);
     for (value, why) in &found.open {
@@ -48,7 +49,15 @@ fn word(Judged { verdict, zeros, .. }: &Judged) -> String {
         },
         EnclosedVerdict::Unstable(1) => "unstable, one eigenvalue right of the imaginary axis".to_owned(),
         EnclosedVerdict::Unstable(count) => format!("unstable, {count} eigenvalues right of the imaginary axis"),
-        EnclosedVerdict::Undecided { .. } => "not decided".to_owned(),
+        EnclosedVerdict::Undecided { on_axis: 0, touching: 0 } => {
+            "not decided, every eigenvalue is a zero with a reason".to_owned()
+        }
+        EnclosedVerdict::Undecided { on_axis, touching: 0 } => {
+            format!("not decided, {on_axis} eigenvalues on the imaginary axis and none right of it")
+        }
+        EnclosedVerdict::Undecided { touching, .. } => {
+            format!("not decided, {touching} eigenvalues at the imaginary axis to within their enclosures")
+        }
     }
 }
 

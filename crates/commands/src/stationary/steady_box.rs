@@ -28,7 +28,7 @@ pub struct SteadyBox {
     pub boxes: usize,
     /// Another value, in SI units, for a parameter, or for a coordinate or a speed at the start, in a system that is written in its file; may be
     /// repeated
-    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = named_value)]
+    #[arg(id = "set", long = "set", value_name = "NAME=VALUE", value_parser = named_value)]
     pub values: Vec<(String, f64)>,
 }
 

@@ -98,6 +98,9 @@ pub fn equations(trace: &Trace<'_>) -> Vec<Equation> {
 
 /// The components of a vector that do not vanish, in the axes in which the most of them do: those of its frame, or of one that this
 /// turns in. A vector along a line has one there, and two that depend on each other in axes that turn.
+///
+/// Among axes with equally many those of its own frame are taken; of a vector of velocities those of the frame that all others turn in, since
+/// there a component that follows from other constraints, as the vertical one of rolling beside a contact, does so everywhere.
 pub(crate) fn independent(trace: &Trace<'_>, vector: Vector) -> Vec<ScalarConstraint> {
     let above = |frame: &FrameId| trace.model.frames[frame.0].parent.map(|(parent, _)| parent);
     let frames = std::iter::successors(Some(vector.frame), above);
@@ -112,7 +115,11 @@ pub(crate) fn independent(trace: &Trace<'_>, vector: Vector) -> Vec<ScalarConstr
         });
         held.collect::<Vec<_>>()
     });
-    held.min_by_key(Vec::len).unwrap_or_default()
+    let mut held: Vec<Vec<ScalarConstraint>> = held.collect();
+    if held.first().is_some_and(|own| own.iter().any(|one| trace.level_of(one.zero) == Level::Speed)) {
+        held.reverse();
+    }
+    held.into_iter().min_by_key(Vec::len).unwrap_or_default()
 }
 
 impl Trace<'_> {

@@ -220,6 +220,9 @@ impl SteadyMotions {
     ) -> Result<Vec<(Vec<Case>, Self)>, NoSteadyMotions> {
         let combinations = admission::combinations(model, asked)?;
         let each = combinations.into_iter().map(|cases| {
+            if !goes_on() {
+                return Ok((cases, Self::not_searched()));
+            }
             let equations = SteadyEquations::in_cases(model, asked, &cases)?;
             Ok((cases, Self::found(model, (equations, None), asked, &mut goes_on)))
         });
@@ -347,6 +350,11 @@ impl SteadyMotions {
             examined: found.examined,
             singular_places: 0,
         }
+    }
+
+    /// Nothing is known where there was no time to search.
+    fn not_searched() -> Self {
+        SteadyMotions { undecided: vec![Vec::new()], undecided_part: 1.0, ..SteadyMotions::default() }
     }
 
     /// The motions at which the coordinates describe the position; others are counted alone.

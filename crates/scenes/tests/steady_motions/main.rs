@@ -4,6 +4,7 @@ mod along;
 mod conditions;
 mod decimals;
 mod ends;
+mod following;
 mod friction;
 mod loops;
 mod orientations;

@@ -89,6 +89,26 @@ fn eigenvalues_along_a_parameter_speak_of_zeros_where_there_are_some() {
     assert!(told.contains("every eigenvalue but 2 zeros with reasons left of the imaginary axis"), "{told}");
 }
 
+/// Springs 0.1 + 0.2 - 0.3 cancel: both eigenvalues are zero, and one verdict is printed.
+#[test]
+fn linear_equations_have_one_verdict() {
+    let text = |force: &str| {
+        format!(
+            "title = \"One\"\n[parameters]\nk1 = \"0.1 N/m\"\nk2 = \"0.2 N/m\"\nk3 = \"0.3 N/m\"\n[coordinates]\nx = \"m\"\n\
+             [bodies]\nb = {{ centre = \"O + x*N.x\", mass = \"1 kg\" }}\n[[force]]\nalong = \"x\"\nis = \"{force}\"\n[run]\nspan = \"1 s\"\n"
+        )
+    };
+    let cancelling = Scene::of("cancelling.toml", &text("(k1 + k2 - k3)*x"));
+    let told = printed(&["linearise", &cancelling.path()]);
+    assert!(told.contains("not decided by linear equations: zeros without a known reason"), "{told}");
+    assert!(!told.contains("positive real part") && told.contains("  0.0 within"), "{told}");
+    let drag = Scene::of("drag.toml", &text("-k1*x - (1 N s^2/m^2)*x'*abs(x') - (1 N s/m)*x'"));
+    let told = printed(&["linearise", &drag.path()]);
+    assert!(told.contains("asymptotically stable, by Routh's criterion") && !told.contains("numerical"), "{told}");
+    let told = printed(&["stationary", &drag.path(), "--range", "x=-1..1"]);
+    assert!(told.contains("asymptotically stable, by Routh's criterion"), "{told}");
+}
+
 #[test]
 fn changes_that_the_table_shows_are_not_denied_and_a_cubic_force_decides_nothing() {
     let text = |is: &str, unit: &str| {

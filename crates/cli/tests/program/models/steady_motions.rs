@@ -214,10 +214,25 @@ fn values_at_which_motions_change_are_enclosed_along_a_parameter() {
     let [from, to] = [0, 1].map(|k| ends[k].as_f64().expect("a number"));
     assert!(from < 9.81 / 25.0 && 9.81 / 25.0 < to && to - from < 1e-5, "{from} {to}");
     refused(&["stationary", &path, "--along", "n=0..1"], "no parameter and no speed is called `n`");
-    refused(&["stationary", &path, "--along", "m=-1..1"], "at m = -1");
+    refused(&["stationary", &path, "--along", "m=-1..-0.5", "--values", "2"], "at m = -0.5");
+    // values without a system are told, and the others are searched
+    let output = run(&["stationary", &path, "--along", "m=-1..1", "--values", "5"]);
+    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(1), "{told}");
+    assert!(told.contains("not sought at m = -1: at m = -1: ") && told.contains("not sought at m = 0: "), "{told}");
+    assert!(String::from_utf8_lossy(&output.stdout).contains("m from 0.5 to 1 kg: 2 motions: 1 stable, 1 unstable"));
     refused(&["stationary", &path, "--values", "5"], "--along");
     refused(&["stationary", &path, "--along", "theta=0..1"], "`theta` is a coordinate");
     refused(&["stationary", &path, "--along", "phi'=0..1", "--range", "phi'=1"], "leave one of the two out");
     refused(&["stationary", &path, "--range", "phi=1"], "`phi` is cyclic: no equation depends on it");
+    // other values of the file
+    let told = printed(&["stationary", &path, "--range", "phi'=5", "--set", "l=0.1"]);
+    assert!(told.contains("2 steady motions"), "{told}");
+    let told = printed(&["stationary", &path, "--set", "phi'=6", "--set", "l=0.4"]);
+    assert!(told.contains("given: phi' = 6 rad/s") && told.contains("4 steady motions"), "{told}");
+    refused(&["stationary", &path, "--set", "n=1"], "nothing is called `n`");
+    refused(&["stationary", &path, "--set", "m=0"], "the mass of `bob` must be positive");
+    refused(&["stationary", &path, "--set", "m=one"], "a name with a number in SI units");
+    refused(&["stationary", &path, "--set", "m=2", "--along", "m=1..2"], "leave one of the two out");
     std::fs::remove_file(&shaft).expect("it is there");
 }

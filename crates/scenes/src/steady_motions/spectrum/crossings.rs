@@ -22,6 +22,22 @@ pub struct Judged {
     pub foremost: [f64; 2],
 }
 
+impl Judged {
+    /// Whether no disc touches the axis.
+    fn is_certain(&self) -> bool {
+        !matches!(self.verdict, EnclosedVerdict::Undecided { touching, .. } if touching > 0)
+    }
+
+    /// Whether the verdict is the same, as far as it is known: discs that touch the axis do not differ from eigenvalues on it.
+    fn is_like(&self, other: &Self) -> bool {
+        let are_undecided = [self, other].iter().all(|one| matches!(one.verdict, EnclosedVerdict::Undecided { .. }));
+        self.verdict == other.verdict || are_undecided && !(self.is_certain() && other.is_certain())
+    }
+}
+
+/// Real parts below this part of an eigenvalue are rounding.
+const ROUNDING: f64 = 1e-25;
+
 /// Verdicts along a range.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Crossings {
@@ -48,6 +64,8 @@ impl Crossings {
             let none = [f64::NEG_INFINITY, 0.0];
             let foremost =
                 found.discs.iter().map(|disc| disc.centre).fold(none, |a, b| if b[0] > a[0] { b } else { a });
+            let is_on_axis = foremost[0].abs() <= ROUNDING * foremost[1].abs();
+            let foremost = if is_on_axis { [0.0, foremost[1]] } else { foremost };
             Ok(Judged { value, verdict: found.verdict(), zeros: found.zeros.len(), foremost })
         };
         let (mut samples, mut open, mut changes) = (Vec::new(), Vec::new(), Vec::new());
@@ -62,7 +80,7 @@ impl Crossings {
             }
         }
         for pair in samples.windows(2) {
-            if pair[0].verdict != pair[1].verdict {
+            if !pair[0].is_like(&pair[1]) {
                 changes.push(narrowed([pair[0], pair[1]], &mut judged, &mut goes_on));
             }
         }
@@ -95,16 +113,14 @@ fn narrowed(
         };
         let tried = [low.value + part * way, low.value + 0.5 * way];
         let Some(found) = tried.into_iter().find_map(|value| {
-            judged(value)
-                .ok()
-                .filter(|found| !matches!(found.verdict, EnclosedVerdict::Undecided { touching, .. } if touching > 0))
+            judged(value).ok().filter(|found| found.is_certain() || found.is_like(&low) || found.is_like(&high))
         }) else {
             break;
         };
         if found.value == low.value || found.value == high.value {
             break;
         }
-        ends[usize::from(found.verdict != low.verdict)] = found;
+        ends[usize::from(!found.is_like(&low))] = found;
     }
     ends
 }

@@ -7,6 +7,7 @@ mod along;
 mod crossings;
 mod discs;
 mod exact;
+mod following;
 mod motion;
 mod nearby;
 mod quotient;

@@ -29,9 +29,7 @@ impl EnclosedSpectrum {
         }
         let (model, state) = &Extended::about(model, state);
         let varied = VariedEquations::with_inputs(model, &[], &[]).map_err(|_| NotEnclosed::NoEquations)?;
-        // a condition that is zero belongs to both sides, or there is a kink
-        let case = |holds: &f64| if *holds > 0.0 { Case::Holds } else { Case::Fails };
-        let cases: Vec<Case> = varied.point(0.0, state).switches.iter().map(case).collect();
+        let cases = cases_at(&varied, state);
         let equations =
             SteadyEquations::near(model, state, &cases).map_err(|why| NotEnclosed::NotSought(why_not(&why)))?;
         if equations.is_unbalanced {
@@ -52,6 +50,12 @@ impl EnclosedSpectrum {
         let keeps_energy = equations.energy_integral.is_some() || keeps_energy(model);
         EnclosedSpectrum::of(model, &equations, &varied, (&zero.enclosure, &equations.state), keeps_energy)
     }
+}
+
+/// The cases of the conditions of a law at a state. A condition that is zero belongs to both sides, or there is a kink.
+pub(super) fn cases_at(varied: &VariedEquations, state: &[f64]) -> Vec<Case> {
+    let case = |holds: &f64| if *holds > 0.0 { Case::Holds } else { Case::Fails };
+    varied.point(0.0, state).switches.iter().map(case).collect()
 }
 
 /// Whether a steady motion has the speeds of a state: coordinates that are not cyclic rest, and constraints determine speeds.
