@@ -53,10 +53,12 @@ fn word(Judged { verdict, zeros, .. }: &Judged) -> String {
             "not decided, every eigenvalue is a zero with a reason".to_owned()
         }
         EnclosedVerdict::Undecided { on_axis, touching: 0 } => {
-            format!("not decided, {on_axis} eigenvalues on the imaginary axis and none right of it")
+            let many = if on_axis == 1 { "one eigenvalue".to_owned() } else { format!("{on_axis} eigenvalues") };
+            format!("not decided, {many} on the imaginary axis and none right of it")
         }
         EnclosedVerdict::Undecided { touching, .. } => {
-            format!("not decided, {touching} eigenvalues at the imaginary axis to within their enclosures")
+            let many = if touching == 1 { "one eigenvalue".to_owned() } else { format!("{touching} eigenvalues") };
+            format!("not decided, {many} not separated from the imaginary axis, and none right of it")
         }
     }
 }

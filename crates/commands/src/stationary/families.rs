@@ -69,7 +69,7 @@ pub(super) fn family_lines(all: &Found, place: usize, family: &Family, members: 
         let open = match family.reached[place].map(ends) {
             _ if family.reached[place].is_some_and(|reached| are_ends(*at, reached)) => String::new(),
             Some([from, to]) => format!(" (known to come to {from}{unit} and {to}{unit})"),
-            None => " (no motion in it is shown)".to_owned(),
+            None => " (bounds: no value between them is known to be reached)".to_owned(),
         };
         match !runs && at[1] - at[0] <= NARROW * (1.0 + middle.abs()) {
             true => format!("{} = {}{unit}", unknown.name, enclosed(*at, unknown.range)),

@@ -122,7 +122,11 @@ impl SteadyBox {
         let units = along.samples.first().map_or_else(Vec::new, |sample| {
             sample.found.unknowns.iter().map(|unknown| self::unit(&model, &unknown.name)).collect()
         });
-        let why = |why: &NoSteadyMotions| reason(&model, asked.text.as_deref(), why.clone()).title;
+        let why = |why: &NoSteadyMotions| {
+            // the value is told beside it
+            let own = if let NoSteadyMotions::At { why, .. } = why { why } else { why };
+            reason(&model, asked.text.as_deref(), own.clone()).title
+        };
         let left_out = along.left_out.iter().map(|(value, own)| (*value, why(own))).collect();
         Ok(AlongFound { title, name: name.clone(), unit, units, along, left_out })
     }

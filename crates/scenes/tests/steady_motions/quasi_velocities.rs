@@ -1,8 +1,61 @@
 //! Steady motions of systems that roll, slide along edges, or are written in quasi-velocities.
 
-use super::{all, held, values};
+use super::{all, asked, held, model, values};
+use dalembert_scenes::independent_start;
 use dalembert_scenes::steady_motions::{SteadyMotion, SteadyMotions, SteadyStability};
 use std::f64::consts::PI;
+
+/// A hoop whose height is a coordinate: the vertical component of rolling follows from the contact everywhere, and the others are kept, so that
+/// the hoop rolls upright and in circles as one without this coordinate.
+#[test]
+fn rolling_beside_a_contact_is_taken_apart_along_the_ground() {
+    let hoop = r#"
+title = "Hoop"
+gravity = "-(9.81 m/s^2)*N.z"
+[parameters]
+m = "2 kg"
+R = "0.3 m"
+[coordinates]
+x = "m"
+y = "m"
+z = "m"
+heading = "rad"
+lean = "rad"
+spin = "rad"
+[frames]
+B = "N turned heading about z"
+K = "B turned -lean about x"
+D = "K turned spin about y"
+[points]
+G = "O + x*N.x + y*N.y + z*N.z"
+P = "G - R*K.z"
+[bodies.hoop]
+frame = "D"
+centre = "G"
+mass = "m"
+inertia = { axes = "K", principal = ["m*R^2/2", "m*R^2", "m*R^2/2"] }
+[[constraint]]
+name = "rolling"
+zero = "velocity(hoop at P)"
+[[constraint]]
+name = "touch"
+zero = "(P - O) . N.z"
+[start]
+z = "0.3 m"
+"#;
+    let mut model = model(hoop);
+    independent_start(&mut model).expect("the constraints agree");
+    // (g/R) sin a = w cos a (2 s - 3/2 w sin a) at the lean a, the rate w of the heading and s of the spin
+    for (heading, spin) in [(0.0_f64, 3.0_f64), (1.0, 3.0)] {
+        let ranges = asked(&[("heading'", heading, heading), ("spin'", spin, spin), ("z", 0.0, 1.0)], 20_000);
+        let found = SteadyMotions::of(&model, &ranges, || true).unwrap_or_else(|why| panic!("{why:?}"));
+        assert!(found.is_complete() && found.motions.len() == 1, "{found:?}");
+        let (z, lean) = (found.motions[0].state[2], found.motions[0].state[4]);
+        assert!((z - 0.3 * lean.cos()).abs() < 1e-9, "{z} {lean}");
+        let left = 9.81 / 0.3 * lean.sin() - heading * (2.0 * spin - 1.5 * heading * lean.sin()) * lean.cos();
+        assert!(left.abs() < 1e-9, "{left} {lean}");
+    }
+}
 
 /// A disc that rolls straight ahead: lean'' = (4 g/(5 r) - 12/5 s^2) lean at the spin s, and its heading and spin stay as they are.
 #[test]
