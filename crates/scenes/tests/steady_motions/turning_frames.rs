@@ -24,6 +24,21 @@ fn told(found: &SteadyMotions) -> Vec<(f64, bool)> {
     found.motions.iter().map(told).collect()
 }
 
+/// A bead in a bowl that turns, r^2 = R^2 - (g/W^2)^2: a circle, also where the ranges reach beyond the bowl.
+#[test]
+fn a_circle_is_one_family_where_ranges_reach_beyond_the_domain_of_the_law() {
+    let text = "title = \"Bowl\"\ngravity = \"-(9.81 m/s^2)*N.z\"\n[parameters]\nR = \"1 m\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
+        [frames]\nA = \"N turned (3.5 rad/s)*t about z\"\n[bodies]\nb = { centre = \"O + x*A.x + y*A.y - sqrt(R^2 - x^2 - y^2)*N.z\", mass = \"1 kg\" }\n";
+    let found = all(text, &[("x", -0.9, 0.9), ("y", -0.9, 0.9)]);
+    let [(family, _)] = &found.families[..] else { panic!("{found:?}") };
+    let radius = (1.0 - (9.81_f64 / 3.5 / 3.5).powi(2)).sqrt();
+    assert!(found.motions.len() == 1 && family.along.len() == 1, "{found:?}");
+    assert!(
+        family.hull.iter().all(|[low, high]| (low + radius).abs() < 1e-2 && (high - radius).abs() < 1e-2),
+        "{family:?}"
+    );
+}
+
 #[test]
 fn a_bead_leaves_the_bottom_of_a_hoop_that_turns_fast() {
     let away = (9.81 / (0.5 * 36.0_f64)).acos();

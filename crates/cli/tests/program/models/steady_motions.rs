@@ -219,7 +219,11 @@ fn values_at_which_motions_change_are_enclosed_along_a_parameter() {
     let output = run(&["stationary", &path, "--along", "m=-1..1", "--values", "5"]);
     let told = String::from_utf8_lossy(&output.stderr).into_owned();
     assert_eq!(output.status.code(), Some(1), "{told}");
-    assert!(told.contains("not sought at m = -1: its equations have no values: the mass of `bob` must be positive") && told.contains("not sought at m = 0: "), "{told}");
+    assert!(
+        told.contains("not sought at m = -1: its equations have no values: the mass of `bob` must be positive")
+            && told.contains("not sought at m = 0: "),
+        "{told}"
+    );
     assert!(String::from_utf8_lossy(&output.stdout).contains("m from 0.5 to 1 kg: 2 motions: 1 stable, 1 unstable"));
     refused(&["stationary", &path, "--values", "5"], "--along");
     refused(&["stationary", &path, "--along", "theta=0..1"], "`theta` is a coordinate");

@@ -28,6 +28,9 @@ const MOST_UNKNOWNS: usize = 6;
 /// Larger denominators are no coefficients of an identity.
 const LARGEST: u16 = 10_000;
 
+/// So many points are tried for each one with values that is needed.
+const MOST_POINTS: usize = 16;
+
 /// Iterations of a singular value decomposition.
 const MOST_ITERATIONS: usize = 1_000;
 
@@ -115,7 +118,11 @@ fn candidates(products: &[Sym], letters: &[Sym], unknowns: &[Unknown]) -> Vec<Ve
     let tall = wide + 6;
     let mut values = DMatrix::zeros(tall, wide);
     let mut row = vec![0.0; wide];
-    for point in 0..tall {
+    let mut found = 0;
+    for point in 0..MOST_POINTS * tall {
+        if found == tall {
+            break;
+        }
         // points of a sequence that fills the domain evenly
         let part = |k: usize| (0.5 + (point + 1) as f64 * STEPS[k % STEPS.len()]).fract();
         let at: Vec<f64> = unknowns
@@ -124,10 +131,14 @@ fn candidates(products: &[Sym], letters: &[Sym], unknowns: &[Unknown]) -> Vec<Ve
             .map(|(k, unknown)| unknown.range.from + part(k) * (unknown.range.to - unknown.range.from))
             .collect();
         program.evaluate(&at, &mut row);
-        if !row.iter().all(|value| value.is_finite()) {
-            return Vec::new();
+        // outside of the domain of a root there are no values
+        if row.iter().all(|value| value.is_finite()) {
+            row.iter().enumerate().for_each(|(column, value)| values[(found, column)] = *value);
+            found += 1;
         }
-        row.iter().enumerate().for_each(|(column, value)| values[(point, column)] = *value);
+    }
+    if found < tall {
+        return Vec::new();
     }
     let sizes: Vec<f64> = (0..wide).map(|column| values.column(column).amax()).collect();
     for (column, size) in sizes.iter().enumerate().filter(|(_, size)| **size > 0.0) {
