@@ -154,14 +154,6 @@ pub fn finite(text: &str) -> Result<f64, String> {
         .ok_or_else(|| "a finite number such as 6.5 is accepted".to_owned())
 }
 
-/// Reads a name with a number in SI units.
-pub fn named_value(text: &str) -> Result<(String, f64), String> {
-    let accepted = || "a name with a number in SI units, without the unit, such as m=0.5, is accepted".to_owned();
-    let (name, value) = text.split_once('=').ok_or_else(accepted)?;
-    let value = finite(value.trim()).map_err(|_| accepted())?;
-    Ok((name.trim().to_owned(), value))
-}
-
 /// Reads an integer within a range.
 pub fn whole<N>(range: RangeInclusive<N>) -> impl Fn(&str) -> Result<N, String> + Clone
 where

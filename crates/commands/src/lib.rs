@@ -46,6 +46,7 @@ mod job_pool;
 mod ledger;
 mod linearise;
 mod motor;
+mod named_value;
 mod new;
 mod numerical_stability;
 mod output;

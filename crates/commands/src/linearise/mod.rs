@@ -7,9 +7,9 @@ mod print;
 
 use self::boundaries::AlongWhat;
 use self::print::{Found, Headed, csv, object, text};
-use crate::arguments::named_value;
 use crate::clock;
 use crate::exit::{Exit, placed, warn};
+use crate::named_value::named_value;
 use crate::progress::Progress;
 use ::scenes::linearisation::{NotLinear, Standing, VariedEquations, inputs_of, point_of, points};
 use ::scenes::steady_motions::{EnclosedSpectrum, NotEnclosed};

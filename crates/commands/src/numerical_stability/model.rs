@@ -88,15 +88,26 @@ fn judged<'a>(asked: &Asked, found: &'a Found, is_at_condition: bool) -> Vec<Jud
             found.motions.families.len()
         ));
     }
-    let equations = match is_at_condition {
-        true => Err("a condition of the law is zero there, and the law is different on each side".to_owned()),
-        false => VariedEquations::of(&found.model, &[]).map_err(|why| why.to_string()),
+    let equations = VariedEquations::of(&found.model, &[]).map_err(|why| why.to_string());
+    // a law whose first derivatives do not jump at its condition has linear equations
+    let is_kink = |motion: &SteadyMotion| {
+        is_at_condition
+            && !matches!(
+                motion.stability,
+                SteadyStability::Linear(_)
+                    | SteadyStability::Minimum
+                    | SteadyStability::Falls(_)
+                    | SteadyStability::FallsOdd(_)
+            )
     };
     let keeps_energy = found.motions.have_potential || ::scenes::keeps_energy(&found.model);
     let judged = |motion: &'a SteadyMotion| Judged {
         motion,
         near: match &motion.stability {
             SteadyStability::Singular(names) => Err(singular(names)),
+            _ if is_kink(motion) => {
+                Err("a condition of the law is zero there, and the law is different on each side".to_owned())
+            }
             _ => equations.as_ref().map_err(Clone::clone).and_then(|equations| near(equations, motion, keeps_energy)),
         },
     };

@@ -1,9 +1,10 @@
 //! The search for steady motions of a system that is written in its file, with the options that commands share.
 
 use super::refusals::{reason, refused};
-use crate::arguments::{finite, named_value};
+use crate::arguments::finite;
 use crate::clock::has_time;
 use crate::exit::{Exit, warn};
+use crate::named_value::named_value;
 use crate::progress::Progress;
 use ::scenes::steady_motions::{Along, Asked, Near, NoSteadyMotions, Range, SteadyMotions};
 use ::scenes::{SystemText, Task, independent_start, parse_with_source, unit_of};

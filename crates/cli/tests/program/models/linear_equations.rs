@@ -15,7 +15,11 @@ fn linear_equations_are_printed_in_every_format() {
     assert_eq!((&point["C"], &point["D"]), (&serde_json::json!([[18.0, 0.0]]), &serde_json::json!([[0.0]])));
     assert_eq!(point["point"], "equilibrium");
     let text = printed(&["linearise", &path, "--input", "F"]);
-    assert!(text.contains("+ 3 i") && text.contains("not decided by linear equations: 2 eigenvalues lie on the imaginary axis"), "{text}");
+    assert!(
+        text.contains("+ 3 i")
+            && text.contains("not decided by linear equations: 2 eigenvalues lie on the imaginary axis"),
+        "{text}"
+    );
     let table = printed(&["linearize", &path, "--input", "F", "--format", "csv"]);
     assert!(table.contains("0.0,A,x' [m/s],x [m],-9.0") && table.contains("0.0,B,x' [m/s],F [N],0.5"), "{table}");
     refused(&["linearise", &path], "there are no linear equations: the parameter `F` has no value");
