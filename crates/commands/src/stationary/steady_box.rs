@@ -185,8 +185,12 @@ impl SteadyBox {
         Ok(())
     }
 
-    /// Refuses a name with two ranges.
+    /// Refuses a name with two ranges, or with two values.
     pub(super) fn checked(&self) -> Result<(), Exit> {
+        let set = |place: usize| self.values[..place].iter().any(|(before, _)| *before == self.values[place].0);
+        if let Some(place) = (0..self.values.len()).find(|&place| set(place)) {
+            return Err(Exit::refused(format!("--set {} is given twice; one value is accepted", self.values[place].0)));
+        }
         let names = self.range.iter().map(|(name, _)| name).enumerate();
         match names.clone().find(|(place, name)| self.range[..*place].iter().any(|(before, _)| before == *name)) {
             None => Ok(()),

@@ -35,6 +35,7 @@ mod spectrum;
 mod stability;
 mod surplus;
 mod tapes;
+mod values;
 
 pub use along::{Along, Bifurcation, Change, Sample};
 pub use conditions::{Case, conditions_of};

@@ -11,6 +11,7 @@
 use super::NoSteadyMotions;
 use super::determinacy::{Solution, Wanted, solutions};
 use super::potential::{EnergyIntegral, energy_integral, momenta_kept};
+use super::values::has_value;
 use crate::letters::Letters;
 use crate::modes::NEGATIVE;
 use model::equations::{Equation, Level, Residuals, constraints_of, implied_constraints, vanishes};
@@ -61,6 +62,9 @@ pub(super) struct Touching {
     pub slides: Vec<Sym>,
 }
 
+/// The reason for which an equation has no value anywhere.
+const WITHOUT_VALUE: &str = "one has none at any point that was tried, as where a number is divided by zero, or the root of a negative one is taken";
+
 /// In systems with more coordinates a coordinate counts as cyclic only if it does not occur in the expressions.
 const MOST_DECIDED: usize = 12;
 
@@ -79,6 +83,11 @@ impl Rows {
         let letters = Letters::with_decimals(trace.time, &state);
         let put = |all: &[Sym]| letters.put_into(trace, all);
         let residuals = put(&equations.residuals[..model.speeds()]);
+        let start = state.iter().zip(model.start_state()).map(|(letter, value)| (letter.to_string(), value));
+        let start: Vec<(String, f64)> = start.collect();
+        if !residuals.iter().all(|row| has_value(*row, &start)) {
+            return Err(NoSteadyMotions::Undefined { why: WITHOUT_VALUE.to_owned() });
+        }
         let zeros = put(&constraints.iter().map(|one| one.zero).collect::<Vec<_>>());
         let implied = put(&implied_constraints(trace));
         let energy = put(&[trace.kinetic_energy()])[0];

@@ -1,7 +1,7 @@
 //! Changes of steady motions along one parameter and over two.
 
 use super::{DRIVEN, SHAFT, SIDES, asked, model, plane};
-use dalembert_scenes::steady_motions::{Along, Change, PlaneCell, Range, middles};
+use dalembert_scenes::steady_motions::{Along, Change, NoSteadyMotions, PlaneCell, Range, middles};
 
 fn along(text: &str, ranges: &[(&str, f64, f64)], (name, from, to): (&str, f64, f64)) -> Along {
     let found = Along::of(&model(text), &asked(ranges, 200_000), (name, Range { from, to }), 21, || true);
@@ -115,6 +115,18 @@ fn values_without_a_system_are_left_out_and_the_others_are_searched() {
     assert_eq!(found.left_out.iter().map(|(value, _)| *value).collect::<Vec<_>>(), [-1.0, -0.5, 0.0]);
     assert!(found.samples.len() == 2 && found.bifurcations.is_empty(), "{found:?}");
     assert!(at(-2.0, -1.0).is_err());
+    // the root of a negative number, and a division by zero
+    let rooted = text
+        .replace("-k*x*N.x", "(-k*x/(m - 1 kg) + k*sqrt(m/(1 kg))*x)*N.x")
+        .replace("mass = \"m\"", "mass = \"1 kg\"");
+    let range = Range { from: -1.0, to: 2.0 };
+    let found = Along::of(&model(&rooted), &asked(&[("x", -1.0, 1.0)], 1_000), ("m", range), 4, || true);
+    let found = found.unwrap_or_else(|why| panic!("{why:?}"));
+    let [(-1.0, why), (1.0, also)] = &found.left_out[..] else { panic!("{:?}", found.left_out) };
+    for why in [why, also] {
+        let NoSteadyMotions::At { why, .. } = why else { panic!("{why:?}") };
+        assert!(matches!(&**why, NoSteadyMotions::Undefined { .. }), "{why:?}");
+    }
 }
 
 #[test]

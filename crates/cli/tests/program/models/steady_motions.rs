@@ -236,6 +236,7 @@ fn values_at_which_motions_change_are_enclosed_along_a_parameter() {
     assert!(told.contains("given: phi' = 6 rad/s") && told.contains("4 steady motions"), "{told}");
     refused(&["stationary", &path, "--set", "n=1"], "nothing is called `n`");
     refused(&["stationary", &path, "--set", "m=0"], "the mass of `bob` must be positive");
+    refused(&["stationary", &path, "--set", "m=1", "--set", "m=2"], "--set m is given twice");
     refused(&["stationary", &path, "--set", "m=one"], "a name with a number in SI units");
     refused(&["stationary", &path, "--set", "m=2", "--along", "m=1..2"], "leave one of the two out");
     std::fs::remove_file(&shaft).expect("it is there");
