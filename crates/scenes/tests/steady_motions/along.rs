@@ -117,7 +117,7 @@ fn values_without_a_system_are_left_out_and_the_others_are_searched() {
     assert!(at(-2.0, -1.0).is_err());
     // the root of a negative number, and a division by zero
     let rooted = text
-        .replace("-k*x*N.x", "(-k*x/(m - 1 kg) + k*sqrt(m/(1 kg))*x)*N.x")
+        .replace("-k*x*N.x", "(-k*x*(1 kg)/(m - (1 kg)) + k*sqrt(m/(1 kg))*x)*N.x")
         .replace("mass = \"m\"", "mass = \"1 kg\"");
     let range = Range { from: -1.0, to: 2.0 };
     let found = Along::of(&model(&rooted), &asked(&[("x", -1.0, 1.0)], 1_000), ("m", range), 4, || true);
