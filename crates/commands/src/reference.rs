@@ -178,6 +178,8 @@ fn place(asked: &Asked) -> PathBuf {
 
 /// The method that searches for the end of a law: constant steps may leave the law's domain where the motion does not.
 pub fn following(own: Choice) -> Choice {
+    // a reference is the one motion that the equations determine
+    let own = Choice { through_singular_positions: false, ..own };
     match own.method.steps() {
         None => own,
         Some(_) => Choice { method: Method::RadauIIA { stages: 5 }, tolerance: 1e-9, ..own },

@@ -321,5 +321,6 @@ fn choice(own: &simulation::Run, asked: &Asked) -> Choice {
         axes: asked.form.unwrap_or_default(),
         samples: asked.samples.map_or(own.samples, |samples| samples as usize),
         allowed: clock::left(),
+        through_singular_positions: own.through_singular_positions,
     }
 }

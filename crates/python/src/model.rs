@@ -40,7 +40,14 @@ const LOOK: Duration = Duration::from_millis(50);
 
 /// The run of a text that says nothing of its own.
 fn usual() -> Run {
-    Run { span: 10.0, samples: 200, tolerance: 1e-8, method: Method::DormandPrince8, outputs: Vec::new() }
+    Run {
+        span: 10.0,
+        samples: 200,
+        tolerance: 1e-8,
+        method: Method::DormandPrince8,
+        through_singular_positions: false,
+        outputs: Vec::new(),
+    }
 }
 
 impl NativeModel {
@@ -321,7 +328,8 @@ impl NativeModel {
             return Err(wrong(format!("`samples` is {samples}; a whole number from 1 to {most} is accepted")));
         }
         let allowed = Duration::try_from_secs_f64(seconds).map_err(|why| wrong(format!("`seconds`: {why}")))?;
-        let choice = Choice { method, tolerance, axes: Axes::First, samples, allowed };
+        let through_singular_positions = own.through_singular_positions;
+        let choice = Choice { method, tolerance, axes: Axes::First, samples, allowed, through_singular_positions };
         let (mut looked, mut interrupted) = (Instant::now(), None);
         let (trajectory, told, steps) = py.detach(|| {
             let trajectory = problem.simulate_while(&choice, |_| {

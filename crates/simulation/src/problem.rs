@@ -1,6 +1,6 @@
 //! An initial value problem with its types erased, for any method.
 
-use crate::events::{self, Ending, Margins, Switching};
+use crate::events::{self, Ending, Margins, OneLaw, Switching};
 use crate::law::Law;
 use integrators::{End, Failure, Method, Observer, Outcome, Span, Tolerance};
 use std::sync::Arc;
@@ -36,7 +36,7 @@ impl Problem {
         span: &Span<'_, f64>,
         observer: &mut dyn Observer<f64>,
     ) -> Outcome<f64> {
-        let (outcome, left) = events::integrate((switching, &self.margins), (method, tolerance), span, observer);
+        let (outcome, left) = events::integrate((switching, &self.margins), (method, tolerance), span, observer, false);
         match left {
             None => outcome,
             Some(_) => Outcome { end: End::Stopped(Failure::OtherCourse { at: outcome.time }), ..outcome },
@@ -60,9 +60,23 @@ impl Problem {
         observer: &mut dyn Observer<f64>,
     ) -> (Outcome<f64>, Option<&'static str>) {
         if let Some(switching) = &self.switching {
-            return events::integrate((&**switching, &*self.margins), (method, tolerance), span, observer);
+            return events::integrate((&**switching, &*self.margins), (method, tolerance), span, observer, false);
         }
         Ending { law: &*self.law, margins: &*self.margins }.integrate((method, tolerance), span, observer)
+    }
+
+    /// As [`integrate`](Self::integrate), but beyond singular positions of the constraints, each on the smooth branch of the motion, where
+    /// one is found: the observer is told of them.
+    pub fn integrate_through_singular_positions(
+        &self,
+        method: Method,
+        tolerance: &Tolerance,
+        span: &Span<'_, f64>,
+        observer: &mut dyn Observer<f64>,
+    ) -> (Outcome<f64>, Option<&'static str>) {
+        let alone = OneLaw(Arc::clone(&self.law));
+        let switching: &dyn Switching = self.switching.as_deref().unwrap_or(&alone);
+        events::integrate((switching, &*self.margins), (method, tolerance), span, observer, true)
     }
 }
 

@@ -30,6 +30,8 @@ pub struct Run {
     pub tolerance: f64,
     /// Dormand-Prince 8(5,3) where the scene names none.
     pub method: Method,
+    /// Whether a run goes on beyond singular positions of its constraints, on the smooth branch of its motion.
+    pub through_singular_positions: bool,
     /// The states to show, by name.
     pub outputs: Vec<String>,
 }
@@ -76,11 +78,14 @@ fn keys(table: &mut Table<'_>, columns: usize) -> Option<Run> {
         methods::method(&value).map_err(|(wrong, accepted)| Issue::at(span, wrong, "not accepted").accepted(accepted))
     });
     let method = method.map_err(|issue| table.report(issue)).ok()?;
+    let passes = "whether the run goes on beyond singular positions of its constraints, on the smooth branch";
+    let through_singular_positions = table.flag("through_singular_positions", passes);
     Some(Run {
         span: span.value,
         samples: samples.map_or(200, |samples| samples.value),
         tolerance: tolerance.map_or(USUAL, |tolerance| tolerance.value),
         method,
+        through_singular_positions,
         outputs: Vec::new(),
     })
 }

@@ -19,6 +19,8 @@ pub struct Choice {
     pub samples: usize,
     /// The time after which the run is stopped; rows until then are kept.
     pub allowed: Duration,
+    /// Whether the run goes on beyond singular positions of its constraints, on the smooth branch of its motion.
+    pub through_singular_positions: bool,
 }
 
 /// A run, whether it reached its end or not.
@@ -54,6 +56,7 @@ impl Run {
             axes: Axes::First,
             samples: self.samples,
             allowed: Duration::from_secs(300),
+            through_singular_positions: self.through_singular_positions,
         }
     }
 }
@@ -106,15 +109,21 @@ impl Problem {
             problem: self,
             first: self.invariants.iter().map(|one| (one.value)(0.0, &self.state)).collect(),
             checked: Vec::new(),
+            singular_positions: Vec::new(),
             broken_off: false,
             progress,
         };
         let tolerance = Tolerance::both(choice.tolerance);
-        let (outcome, left) = self.integrate(choice.method, &tolerance, &span, &mut kept);
-        let Kept { times, rows, states, checked, .. } = kept;
+        let (outcome, left) = match choice.through_singular_positions {
+            true => self.integrate_through_singular_positions(choice.method, &tolerance, &span, &mut kept),
+            false => self.integrate(choice.method, &tolerance, &span, &mut kept),
+        };
+        let Kept { times, rows, states, checked, singular_positions, .. } = kept;
         let states = states.unwrap_or_default();
         let last = (self.row)(outcome.time, &outcome.state);
-        let passages = self.switching.as_ref().map_or_else(Vec::new, |switching| switching.passages());
+        let mut passages = self.switching.as_ref().map_or_else(Vec::new, |switching| switching.passages());
+        passages.extend(singular_positions);
+        passages.sort_by(|one, other| one.time.total_cmp(&other.time));
         Trajectory {
             names: self.columns.clone(),
             times,
@@ -163,7 +172,11 @@ impl Problem {
             let mut seen = Record::new();
             let mut told = Told { goes_on: &mut goes_on, broken_off: false };
             let tolerance = Tolerance::both(choice.tolerance);
-            let (outcome, left) = self.integrate(method, &tolerance, &span, &mut (&mut seen, &mut told));
+            let mut observer = (&mut seen, &mut told);
+            let (outcome, left) = match choice.through_singular_positions {
+                true => self.integrate_through_singular_positions(method, &tolerance, &span, &mut observer),
+                false => self.integrate(method, &tolerance, &span, &mut observer),
+            };
             seen.states = judged(&seen.states);
             (outcome, seen, left)
         })
@@ -262,6 +275,8 @@ struct Kept<'a, F> {
     /// The first values of the invariants.
     first: Vec<f64>,
     checked: Vec<Vec<f64>>,
+    /// The singular positions that were passed.
+    singular_positions: Vec<Passage>,
     broken_off: bool,
     progress: F,
 }
@@ -274,6 +289,16 @@ impl<F: FnMut(f64) -> ControlFlow<()>> Observer<f64> for Kept<'_, F> {
         if let Some(states) = &mut self.states {
             states.push(state.to_vec());
         }
+    }
+
+    fn singular_position(&mut self, time: f64, state: &[f64], error: f64) {
+        let what = format!(
+            "singular position of the constraints, passed on the smooth branch of the motion (two Taylor series of it agree to {:.0e}); \
+             other motions may follow too",
+            error.max(f64::EPSILON)
+        );
+        let row = (self.row)(time, state);
+        self.singular_positions.push(Passage { time, what, then: Some(String::new()), row });
     }
 
     fn progress(&mut self, fraction: f64) {

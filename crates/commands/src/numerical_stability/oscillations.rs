@@ -55,7 +55,14 @@ pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
     }
     let found = asked.steady.find(&asked.scene, asked.steady.system_in(&asked.scene)?)?;
     // a system without [run] gets a default one
-    let run = Run { span: 1.0, samples: 2, tolerance: 1e-9, method: Method::DormandPrince8, outputs: Vec::new() };
+    let run = Run {
+        span: 1.0,
+        samples: 2,
+        tolerance: 1e-9,
+        method: Method::DormandPrince8,
+        through_singular_positions: false,
+        outputs: Vec::new(),
+    };
     let scene = ModelScene::parse_with(&path.to_string(), &text, Given { run: Some(run), ..Given::default() });
     let kept = scene.map_err(|_| "the start of the file is not complete".to_owned()).and_then(|scene| {
         let kept =

@@ -76,7 +76,6 @@ impl Again<'_> {
     /// to end before an instant that cannot be computed. Where the law has no numbers close to the zero alone, as in a position that its
     /// coordinates do not describe, the zero is that of the chord over that gap. The last instant found at which the function is positive
     /// is returned with it.
-    /// positive.
     pub fn root(
         &mut self,
         step: &Instant,

@@ -12,6 +12,10 @@ pub trait Observer<S> {
     /// beginning to its end.
     fn between(&mut self, _begin: f64, _end: f64, _state_at: &dyn Fn(f64, &mut [S])) {}
 
+    /// A singular position of the constraints, passed on the smooth branch of the motion, with the difference of two Taylor series of it
+    /// behind the position, relative to the largest component.
+    fn singular_position(&mut self, _time: f64, _state: &[S], _error: f64) {}
+
     /// The fraction of the span that is done, after every accepted step.
     fn progress(&mut self, _fraction: f64) {}
 
@@ -86,6 +90,11 @@ impl<S, A: Observer<S>, B: Observer<S>> Observer<S> for (A, B) {
         self.1.step(time, state);
     }
 
+    fn singular_position(&mut self, time: f64, state: &[S], error: f64) {
+        self.0.singular_position(time, state, error);
+        self.1.singular_position(time, state, error);
+    }
+
     fn progress(&mut self, fraction: f64) {
         self.0.progress(fraction);
         self.1.progress(fraction);
@@ -103,6 +112,10 @@ impl<S, T: Observer<S> + ?Sized> Observer<S> for &mut T {
 
     fn step(&mut self, time: f64, state: &[S]) {
         (**self).step(time, state);
+    }
+
+    fn singular_position(&mut self, time: f64, state: &[S], error: f64) {
+        (**self).singular_position(time, state, error);
     }
 
     fn progress(&mut self, fraction: f64) {

@@ -9,7 +9,7 @@ const KEYS: [(&[&str], &str); 5] = [
     (&["on", "between", "is"], "[[force]] or [[torque]]"),
     (&["zero", "programmed"], "[[constraint]]"),
     (&["when", "direction", "set", "end"], "[[event]]"),
-    (&["span", "tolerance", "method", "samples"], "[run]"),
+    (&["span", "tolerance", "method", "samples", "through_singular_positions"], "[run]"),
 ];
 
 /// The fault of a key under the heading of another table; `None` where no other table has this key.

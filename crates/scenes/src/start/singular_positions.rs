@@ -289,7 +289,7 @@ impl SingularPositions {
         }
         let pace = Pace { near: near.max(pace), own: pace };
         let is_left_out = value < self.least && self.whole.as_ref().is_some_and(|whole| whole.is_regular(time, state));
-        Margin { value, rate, pace, what: if is_left_out { KEPT } else { SINGULAR } }
+        Margin { value, rate, pace, what: if is_left_out { KEPT } else { SINGULAR }, goes_on: true }
     }
 
     /// Whether a state is far from a singular position.

@@ -19,7 +19,14 @@ const METHODS: [Method; 9] = [
 ];
 
 fn run(text: &str, method: Method, tolerance: f64) -> Trajectory {
-    let choice = Choice { method, tolerance, axes: Axes::First, samples: 50, allowed: Duration::from_secs(60) };
+    let choice = Choice {
+        method,
+        tolerance,
+        axes: Axes::First,
+        samples: 50,
+        allowed: Duration::from_secs(60),
+        through_singular_positions: false,
+    };
     let scene = parsed(text);
     simulation::IvpScene::metered(&scene, Axes::First).simulate(&choice, |_| ())
 }

@@ -73,7 +73,14 @@ fn with(from: &str, to: &str) -> String {
 /// Why a run stopped, when, and its last state.
 fn run(text: &str, method: Method, tolerance: f64) -> (Option<String>, f64, Vec<f64>) {
     let scene = ModelScene::parse("cranks.toml", text).unwrap_or_else(|error| panic!("{error}"));
-    let choice = Choice { method, tolerance, axes: Axes::First, samples: 10, allowed: Duration::from_secs(60) };
+    let choice = Choice {
+        method,
+        tolerance,
+        axes: Axes::First,
+        samples: 10,
+        allowed: Duration::from_secs(60),
+        through_singular_positions: false,
+    };
     let run = scene.problem(Axes::First).simulate(&choice, |_| ());
     (run.stopped(), run.outcome.time, run.outcome.state)
 }

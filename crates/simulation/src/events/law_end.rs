@@ -21,6 +21,8 @@ pub struct Margin {
     pub pace: Pace,
     /// Why the law does not hold beyond the end.
     pub what: &'static str,
+    /// Whether the motion may go on beyond the end on a smooth branch, although the law does not determine it there.
+    pub goes_on: bool,
 }
 
 /// The margins of a state y with the rates dy at a time, always as many.
@@ -131,10 +133,22 @@ pub(super) struct SwitchesAndEnds<'a> {
 }
 
 impl SwitchesAndEnds<'_> {
-    /// Why the law ends with an event, if the event is that of a margin.
-    pub fn why(&self, event: &Event, state: &[f64]) -> Option<&'static str> {
+    /// The margin with which the law ends, if the event is that of one.
+    pub fn end(&self, event: &Event, state: &[f64]) -> Option<Margin> {
         let margin = event.signal.checked_sub(self.switches.count())?;
-        self.ends.as_ref()?.at(event.time, state).get(margin).map(|margin| margin.what)
+        self.ends.as_ref()?.at(event.time, state).get(margin).copied()
+    }
+
+    /// Whether the law holds at a state, and no switch has fallen that was positive at an event before.
+    pub fn hold(&self, event: (f64, &[f64]), (time, state): (f64, &[f64])) -> bool {
+        let signals = |time: f64, state: &[f64]| {
+            let mut signals = vec![Signal::default(); self.count()];
+            self.signals(time, state, &mut signals);
+            signals
+        };
+        let mut ends = signals(event.0, event.1).into_iter().zip(signals(time, state)).enumerate();
+        let is_switch = |number: usize| number < self.switches.count();
+        ends.all(|(number, (there, here))| here.value > 0.0 || is_switch(number) && there.value <= there.noise)
     }
 }
 

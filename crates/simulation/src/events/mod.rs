@@ -1,10 +1,13 @@
 //! Laws that end, and laws that change: runs from event to event.
 
+mod continuation;
 mod law_end;
+mod one_law;
 mod poles;
 mod segments;
 
 pub use law_end::{Ending, Margin, Margins, of_leading, outside};
+pub(crate) use one_law::OneLaw;
 pub use poles::POLE;
 pub(crate) use segments::integrate;
 pub use segments::{ACCUMULATE, Passage, Segment, Switching, TOO_MANY};

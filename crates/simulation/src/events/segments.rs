@@ -1,5 +1,6 @@
 //! Runs of systems whose law changes at events: segment after segment, each from an event, located to rounding, to the next.
 
+use super::continuation::{Continuation, Trail};
 use super::law_end::{Ending, Ends, Margins, SwitchesAndEnds};
 use super::poles::{PoleWatch, up_to};
 use crate::law::Law;
@@ -74,13 +75,14 @@ pub const ACCUMULATE: &str = "its events follow each other without end";
 /// Why a run ends after its largest number of events.
 pub const TOO_MANY: &str = "more events than 20,000";
 
-/// Runs over a span, event after event, as long as the margins are positive. The reason is given if the motion ends before the
-/// span does.
+/// Runs over a span, event after event, as long as the margins are positive, or beyond on the smooth branch of the motion if it `goes_on`
+/// there. The reason is given if the motion ends before the span does.
 pub(crate) fn integrate(
     (switching, margins): (&dyn Switching, &Margins),
     (method, tolerance): (Method, &Tolerance),
     span: &Span<'_, f64>,
     observer: &mut dyn Observer<f64>,
+    goes_on: bool,
 ) -> (Outcome<f64>, Option<&'static str>) {
     let mut at = Outcome {
         end: End::Halted,
@@ -97,6 +99,7 @@ pub(crate) fn integrate(
         Err(why) => return (at, Some(why)),
     };
     let (mut together, mut sampled) = (0, 0);
+    let mut trail = goes_on.then(Trail::default);
     for _ in 0..=MOST_EVENTS {
         let here = at.time;
         // the instant of an event is shown once, on one of its sides
@@ -115,13 +118,18 @@ pub(crate) fn integrate(
         }
         let whole = span.end - span.start;
         let done = (here - span.start) / whole;
-        let mut part = Part { observer, states, sampled: &mut sampled, done, share: (span.end - here) / whole };
+        let share = (span.end - here) / whole;
+        if let Some(trail) = &mut trail {
+            trail.restart(here, &at.state);
+        }
+        let mut part = Part { observer, states, sampled: &mut sampled, done, share, trail: trail.as_mut() };
         let ends = Ends::of(Ending { law: &*segment.law, margins }, here, &at.state[..states], segment.followed);
         let switches = SwitchesAndEnds { switches: &*segment.switches, ends };
         let tolerance = with_followed(tolerance, segment.followed);
         let mut watch = PoleWatch::new((&*segment.law, &tolerance), (here, &at.state), &mut part);
         let (mut outcome, event) = integrate_to_event(&*segment.law, method, &tolerance, &rest, &switches, &mut watch);
         let pole = watch.end(&outcome);
+        let whole_state = outcome.state.clone();
         outcome.state.truncate(states);
         at = joined(at, outcome);
         if let Some((time, mut state, why)) = pole {
@@ -133,8 +141,19 @@ pub(crate) fn integrate(
             let why = if failed { switching.obstacle(at.time, &at.state) } else { None };
             return (at, why);
         };
-        if let Some(why) = switches.why(&event, &at.state) {
-            return (at, Some(why));
+        if let Some(margin) = switches.end(&event, &at.state) {
+            let met = (event.time, &whole_state[..]);
+            let beyond = trail
+                .as_ref()
+                .filter(|_| margin.goes_on)
+                .and_then(|trail| Continuation::of((&*segment.law, &tolerance), trail, (met, span.end), &switches));
+            let Some(beyond) = beyond else { return (at, Some(margin.what)) };
+            sampled += beyond.show(&outputs, event.time, states, observer);
+            (at.time, at.state) = (beyond.time, beyond.state[..states].to_vec());
+            if at.time == span.end {
+                return (Outcome { end: End::Reached, ..at }, None);
+            }
+            continue;
         }
         together = if at.time - here <= 8.0 * f64::EPSILON * at.time.abs() { together + 1 } else { 0 };
         if together > MOST_TOGETHER {
@@ -181,6 +200,8 @@ struct Part<'a> {
     sampled: &'a mut usize,
     done: f64,
     share: f64,
+    /// The last steps, for the continuation of the motion beyond a singular position.
+    trail: Option<&'a mut Trail>,
 }
 
 impl Observer<f64> for Part<'_> {
@@ -190,6 +211,9 @@ impl Observer<f64> for Part<'_> {
     }
 
     fn step(&mut self, time: f64, state: &[f64]) {
+        if let Some(trail) = &mut self.trail {
+            trail.step(time, state);
+        }
         self.observer.step(time, &state[..self.states]);
     }
 

@@ -10,6 +10,14 @@ const LOST: f64 = 1e-3;
 /// The same where the law has ended by itself at a position that is singular.
 const KEPT: f64 = 0.1;
 
+const THROUGH: &str = "`through_singular_positions = true` under [run], by which the run goes on along the smooth branch of its motion; or ";
+
+const UNKNOWN: &str =
+    "no smooth branch of the motion, on which no event falls into this position, was found behind it; ";
+
+const REMEDIES: &str = "a dimension that differs by a ten-thousandth leads past on one branch; or a start from which the motion turns before; \
+     or an [[event]] with `end = true` before this position";
+
 /// The loss of rank at the last good state of a run, where its law has ended there or steps have collapsed.
 pub(super) fn lost(run: &Samples<'_>) -> Option<RunFailure> {
     let left = run.trajectory.left;
@@ -37,8 +45,6 @@ pub(super) fn lost(run: &Samples<'_>) -> Option<RunFailure> {
             if titles.len() > 1 { "depend on each other" } else { "loses its direction" },
             least / at_start
         ),
-        remedy: "a dimension that differs by a ten-thousandth leads past on one branch; or a start from which the motion turns before; or an \
-                 [[event]] with `end = true` before this position"
-            .to_owned(),
+        remedy: format!("{}{REMEDIES}", if run.scene.run.through_singular_positions { UNKNOWN } else { THROUGH }),
     })
 }

@@ -1,0 +1,143 @@
+//! Runs beyond singular positions of closed loops, on the smooth branch of the motion, beside closed forms.
+
+use dalembert_scenes::ModelScene;
+use integrators::Method;
+use simulation::{Axes, IvpScene, Trajectory};
+use std::f64::consts::PI;
+
+/// A slider-crank whose rod is as long as its crank: without forces the rod may turn evenly with the crank, while the slider oscillates,
+/// or, from the position with both at right angles to the guide, the slider may rest.
+const EQUAL_RODS: &str = r#"
+title = "A slider-crank with a rod as long as its crank"
+[parameters]
+l = "0.3 m"
+m = "1 kg"
+[coordinates]
+a = "rad"
+b = "rad"
+x = "m"
+[energies]
+kinetic = "m*l^2*(a'^2 + b'^2)/2 + m*x'^2/1000000"
+[[constraint]]
+zero = ["l*cos(a) + l*cos(b) - x", "l*sin(a) - l*sin(b)"]
+[start]
+a = "0.3 rad"
+b = "guess 0.3 rad"
+x = "guess 0.5 m"
+"a'" = "10 rad/s"
+[run]
+span = "3 s"
+tolerance = 1e-10
+through_singular_positions = true
+"#;
+
+const FOUR_BARS: &str = include_str!("../../../../scenes/foreign/four_bars.toml");
+
+/// The same mechanism on its branch of parallelograms: one rod, with the inertia of all.
+const ONE_ROD: &str = r#"
+title = "One rod for all"
+[parameters]
+L = "1 m"
+m = "1 kg"
+g = "9.81 m/s^2"
+[coordinates]
+a = "rad"
+[energies]
+kinetic = "m*L^2*a'^2*(3/6 + 2/2)"
+potential = "m*g*L*cos(a)*(3/2 + 2)"
+[start]
+a = "0 rad"
+"a'" = "1 rad/s"
+[run]
+span = "10 s"
+tolerance = 1e-13
+method = "taylor"
+"#;
+
+fn run(text: &str, method: Option<Method>) -> Trajectory {
+    let scene = ModelScene::parse("mechanism.toml", text).unwrap_or_else(|error| panic!("{error}"));
+    let mut choice = scene.run().choice();
+    choice.method = method.unwrap_or(choice.method);
+    scene.problem(Axes::First).simulate(&choice, |_| ())
+}
+
+const METHODS: [Method; 6] = [
+    Method::DormandPrince8,
+    Method::Verner9,
+    Method::GraggBulirschStoer,
+    Method::Taylor,
+    Method::Rodas4,
+    Method::RadauIIA { stages: 5 },
+];
+
+#[test]
+fn a_mechanism_of_equal_four_bars_passes_its_lines_as_one_rod() {
+    let rod = run(ONE_ROD, None);
+    let [a, rate] = [rod.outcome.state[0], rod.outcome.state[1]];
+    for method in METHODS {
+        let run = run(FOUR_BARS, Some(method));
+        assert_eq!(run.stopped(), None, "{method}");
+        let passed: Vec<f64> = run.passages.iter().map(|passage| passage.time).collect();
+        assert_eq!(passed.len(), 10, "{method}: {passed:?}");
+        let state = &run.outcome.state;
+        for crank in 0..3 {
+            let [turned, speed] = [PI / 2.0 - state[crank], -state[5 + crank]];
+            assert!((turned - a).abs() < 1e-6 && (speed - rate).abs() < 1e-5, "{method}: {turned} {a}, {speed} {rate}");
+        }
+        assert!(state[3].abs() < 1e-6 && state[4].abs() < 1e-6, "{method}: {state:?}");
+    }
+}
+
+#[test]
+fn times_and_samples_are_those_of_the_smooth_motion() {
+    let rod = run(ONE_ROD, None);
+    let loops = run(FOUR_BARS, Some(Method::Taylor));
+    assert_eq!(loops.times, rod.times);
+    for (row, one) in loops.rows.iter().zip(&rod.rows) {
+        assert!((PI / 2.0 - row[0] - one[0]).abs() < 1e-7, "{row:?} {one:?}");
+    }
+    // the rods lie along the line where the angle of the one rod is an odd multiple of a right angle
+    let first = loops.passages[0].time;
+    let quarter = rod.times.iter().zip(&rod.rows).find(|(_, row)| row[0] > PI / 2.0).map(|(time, _)| *time);
+    assert!(quarter.is_some_and(|time| first <= time && time - first < 0.06), "{first} {quarter:?}");
+}
+
+#[test]
+fn a_rod_as_long_as_its_crank_turns_on_with_it() {
+    for method in METHODS {
+        let run = run(EQUAL_RODS, Some(method));
+        assert_eq!(run.stopped(), None, "{method}");
+        let [a, b, x] = [0, 1, 2].map(|place| run.outcome.state[place]);
+        assert!((a - b).abs() < 1e-9 && (x - 0.6 * a.cos()).abs() < 1e-9, "{method}: {a} {b} {x}");
+        assert!(run.passages.len() > 5, "{method}");
+    }
+}
+
+#[test]
+fn without_the_key_a_run_ends_there() {
+    let text = EQUAL_RODS.replace("through_singular_positions = true", "");
+    let run = run(&text, None);
+    assert!(run.stopped().is_some_and(|why| why.contains("singular position")));
+    assert!(run.passages.is_empty());
+}
+
+/// A slider that is drawn out evenly stretches both rods to a line, at a speed without bound: no motion follows.
+#[test]
+fn a_motion_that_cannot_go_on_ends_there() {
+    let drawn = "\"l*sin(a) - l*sin(b)\", \"x - (0.5 m) - (0.2 m/s)*t\"]";
+    let text = EQUAL_RODS.replace("\"l*sin(a) - l*sin(b)\"]", drawn).replace("\"0.3 rad\"", "\"guess 0.3 rad\"");
+    let text = text.replace("\"10 rad/s\"", "\"guess -1 rad/s\"");
+    for method in METHODS {
+        let run = run(&text, Some(method));
+        assert!(run.stopped().is_some() && run.passages.is_empty(), "{method}: {:?}", run.passages);
+        assert!(run.outcome.time < 0.5 && run.outcome.time > 0.4999, "{method}: {}", run.outcome.time);
+    }
+}
+
+/// An event that falls into the position decides the motion behind it.
+#[test]
+fn an_event_in_the_position_ends_the_run() {
+    let event = "[[event]]\nwhen = \"a - (90 deg)\"\nset = { \"a'\" = \"a'/2\" }\n[start]";
+    let run = run(&EQUAL_RODS.replace("[start]", event), None);
+    assert!(run.stopped().is_some_and(|why| why.contains("singular position")), "{:?}", run.stopped());
+}
