@@ -80,23 +80,11 @@ const USUAL: &[&str] = &[
 ];
 
 impl Unit {
-    /// Reads a product of units such as `kg m^2/s`, with or without spaces about its slash; the empty text is the number one.
+    /// Reads a product of units such as `kg m^2/s` or `N/(m s)`, with or without spaces about its slash; the empty text is the number one.
     pub fn parse(text: &str) -> Result<Self, NoUnit> {
-        let mut product = Unit { times: 1.0, per: 1.0, dimension: Dimension { exponents: NUMBER } };
-        let mut divided = false;
         let spaced = text.replace(['*', '\u{b7}'], " ");
-        let parts: Vec<&str> = spaced.split('/').map(str::trim).collect();
-        for word in parts.join("/").split_whitespace() {
-            for (i, part) in word.split('/').enumerate() {
-                if i == 0 && divided {
-                    return Err(NoUnit::AmbiguousSlash { after: part.to_owned() });
-                }
-                divided |= i > 0;
-                let (factor, exponent) = power(part)?;
-                product.multiply(factor, if i > 0 { -exponent } else { exponent });
-            }
-        }
-        Ok(product)
+        let (unit, rest) = product(&spaced)?;
+        if rest.is_empty() { Ok(unit) } else { Err(NoUnit::Malformed { part: rest.to_owned() }) }
     }
 
     /// The names of all units that take a prefix.
@@ -176,6 +164,49 @@ impl Dimension {
     pub fn usual(self) -> Vec<&'static str> {
         USUAL.iter().copied().filter(|unit| Dimension::of(unit) == self).collect()
     }
+}
+
+/// A product up to its end, or to the parenthesis that closes it, and the rest of the text.
+fn product(text: &str) -> Result<(Unit, &str), NoUnit> {
+    let mut product = Unit { times: 1.0, per: 1.0, dimension: Dimension { exponents: NUMBER } };
+    let (mut rest, mut is_first, mut divided) = (text.trim_start(), true, false);
+    while !rest.is_empty() && !rest.starts_with(')') {
+        let below = rest.strip_prefix('/');
+        let at = below.unwrap_or(rest).trim_start();
+        if below.is_some() && is_first {
+            return Err(NoUnit::Malformed { part: rest.to_owned() });
+        }
+        let ends = |letter: char| letter.is_whitespace() || matches!(letter, '/' | '(' | ')');
+        let (factor, exponent, after) = match at.strip_prefix('(') {
+            Some(inner) => {
+                let (factor, after) = self::product(inner)?;
+                let after = after.strip_prefix(')').ok_or_else(|| NoUnit::Malformed { part: at.to_owned() })?;
+                let raised = &after[..after.find(ends).unwrap_or(after.len())];
+                (factor, exponent(raised)?, &after[raised.len()..])
+            }
+            None => {
+                let word = &at[..at.find(ends).unwrap_or(at.len())];
+                if below.is_none() && divided {
+                    return Err(NoUnit::AmbiguousSlash { after: word.to_owned() });
+                }
+                let (factor, exponent) = power(word)?;
+                (factor, exponent, &at[word.len()..])
+            }
+        };
+        if below.is_none() && divided {
+            return Err(NoUnit::AmbiguousSlash { after: at[..at.len() - after.len()].to_owned() });
+        }
+        product.multiply(factor, if below.is_some() { -exponent } else { exponent });
+        (is_first, divided, rest) = (false, divided || below.is_some(), after.trim_start());
+    }
+    Ok((product, rest))
+}
+
+/// The exponent behind a parenthesis: `^2`, or nothing.
+fn exponent(text: &str) -> Result<i32, NoUnit> {
+    let number = text.strip_prefix('^').and_then(|number| number.parse().ok());
+    let number = if text.is_empty() { Some(1) } else { number };
+    number.filter(|number| (-9..=9).contains(number)).ok_or_else(|| NoUnit::Malformed { part: format!("){text}") })
 }
 
 /// `kg`, `m^2`, `s^-1`.
@@ -269,6 +300,24 @@ mod tests {
             let found = Unit::parse(text).unwrap_or_else(|wrong| panic!("{text}: {wrong}")).to_si(1.0);
             assert!((found - si).abs() <= 1e-15 * si, "{text}: {found}");
         }
-        assert!(Unit::parse("kg / m s").is_err());
+        for wrong in ["kg / m s", "N/(m s", "N/m)", "N/(m/s) s", "(m s)^x", "/s", "m//s", "m/", "()^"] {
+            assert!(Unit::parse(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn a_product_in_parentheses_is_one_factor() {
+        for (text, other) in [
+            ("m^3/(kg s^2)", "m^3/kg/s^2"),
+            ("N/( m s )", "N/m/s"),
+            ("kN/(m/s)", "kN s/m"),
+            ("(m/s)^2", "m^2/s^2"),
+            ("1/(ohm m)", "1/ohm/m"),
+            ("N m/(rad/s)", "N m s"),
+            ("J/(kg (m/s)^2)", "J/kg/m^2/s^-2"),
+        ] {
+            assert_eq!(Unit::parse(text), Unit::parse(other), "{text}");
+            assert!(Unit::parse(text).is_ok(), "{text}");
+        }
     }
 }

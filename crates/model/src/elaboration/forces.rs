@@ -1,7 +1,7 @@
 //! Forces and torques: on one thing, or equal and opposite between two.
 
 use super::loads::{joule, newton};
-use super::{Elaborator, Named, Sound, TORQUE, Value, mismatch};
+use super::{Elaborator, Named, Sound, TARGET, TORQUE, Value, mismatch};
 use crate::arena::{Scalar, Vector};
 use crate::{Fault, Force, LoadSource, Material, PointId, ScalarId, Text, Torque, VectorId};
 use symbolic::Dimension;
@@ -144,7 +144,7 @@ impl Elaborator<'_> {
         }
         match self.value(text)? {
             Value::Point { base, way } => Ok(Acted::Moving(Material { body: None, point: self.point_of(base, way) })),
-            other => Err(mismatch(&text.span(), "the target of a force", "a point or a body at a point", &other)),
+            other => Err(mismatch(&text.span(), TARGET, "a point or a body at a point", &other)),
         }
     }
 }

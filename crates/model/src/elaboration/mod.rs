@@ -71,6 +71,7 @@ pub(crate) use resolution::elaborate;
 
 /// The names for vectors in messages.
 const TORQUE: &str = "a torque";
+const TARGET: &str = "the target of a force";
 const GRAVITY: &str = "the acceleration of free fall";
 
 /// Names that have a meaning of their own.

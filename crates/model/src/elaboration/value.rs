@@ -1,6 +1,6 @@
 //! Values of expressions and of their parts.
 
-use super::{GRAVITY, TORQUE};
+use super::{GRAVITY, TARGET, TORQUE};
 use crate::{Fault, FrameId, PointId, ScalarId, VectorId};
 use std::ops::Range;
 
@@ -47,6 +47,9 @@ fn instead(what: &str, needed: &str, found: &str) -> String {
         ("a scalar", "a point") => ", such as (P - O) . N.x, or distance(O, P)",
         ("a point", "a vector") => ", such as O + v",
         ("a point", "a scalar") => ", such as O + x*N.x",
+        (_, "a scalar") if what == TARGET => {
+            " is accepted; a force along a coordinate x has `along = \"x\"` in the place of `on`"
+        }
         _ => " is accepted",
     };
     format!("{needed}{example}")

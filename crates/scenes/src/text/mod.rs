@@ -2,6 +2,7 @@
 
 mod interactions;
 mod machines;
+mod other_words;
 
 pub use machines::driven_by;
 
@@ -12,25 +13,11 @@ use model::{
 use reader::{At, Issue, Table};
 use std::ops::Range;
 
-/// Tables planned for the language.
-const LATER: [(&str, &str); 2] = [("circuit", "circuits"), ("controls", "controls")];
-
 /// Reads every table of the system.
 pub fn source(top: &mut Table<'_>) -> Source {
     // there is one version
     top.optional_count("language", "version of the language", 1, 1);
-    for (key, what) in LATER {
-        if let Some(span) = top.place_of(key) {
-            top.known(&[key]);
-            let issue = Issue::at(span, format!("{what} are not supported yet"), "not supported yet");
-            top.report(issue.accepted("parameters, coordinates, speeds, definitions, frames, points, bodies, energies, forces, torques, constraints, contacts, diodes, freewheels, drives, inputs, events, outputs, start"));
-        }
-    }
-    if let Some(span) = top.place_of("machine") {
-        top.known(&["machine"]);
-        let issue = Issue::at(span, "a machine belongs to the drive that it moves", "no drive");
-        top.report(issue.accepted("[[drive]] with `turns` or `between`, then [drive.machine]"));
-    }
+    other_words::report(top);
     let (start, equilibrium) = start(top);
     let (drives, data) = drives(top);
     Source {

@@ -45,7 +45,7 @@ fn page() -> String {
     operators(&mut page);
     page.push_str("\n## Functions\n\n");
     functions(&mut page);
-    page.push_str("\n## Units\n\nA unit is a product of the units below with integer powers: `kg m^2/s^2`, `N/m`, `km/h`. A slash divides by the next unit only. `Hz` is refused, since it may mean turns or radians per second; write `rev/s` or `rad/s`. `lb` is the pound of mass, `lbf` that of force; `rev` is a turn.\n\n");
+    page.push_str("\n## Units\n\nA unit is a product of the units below with integer powers: `kg m^2/s^2`, `N/m`, `km/h`. A slash divides by the next unit only, or by a product in parentheses: `N/(m s)`. `Hz` is refused, since it may mean turns or radians per second; write `rev/s` or `rad/s`. `lb` is the pound of mass, `lbf` that of force; `rev` is a turn.\n\n");
     units(&mut page);
     page.push_str("\n## Motors\n\n`[drive.machine]` has the name of one of these motors as `model`, and the motor's data as keys. The data become parameters of the system, such as `winch_voltage` for the drive `winch`.\n\n");
     motors(&mut page);

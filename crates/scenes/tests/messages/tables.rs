@@ -23,6 +23,17 @@ fn what_stands_in_the_wrong_table_is_sent_to_its_own() {
 }
 
 #[test]
+fn words_of_other_programs_are_sent_to_the_tables_that_have_their_content() {
+    let table = |name: &str, parts: &[&str]| one(&[("[outputs]", &format!("[{name}]\nx = \"1\"\n[outputs]"))], parts);
+    table("potential", &["unknown key `potential`", "stand under [energies]"]);
+    table("circuit", &["unknown key `circuit`", "charges are [coordinates] with the unit C"]);
+    table("[spring]", &["unknown key `spring`", "[[force]] with `between`"]);
+    table("initial_conditions", &["unknown key `initial_conditions`", "[start]"]);
+    let along = "[[force]]\non = \"theta\"\nis = \"(1 N m)*theta\"\n[outputs]";
+    one(&[("[outputs]", along)], &["the target of a force is a point", "`along = \"x\"` in the place of `on`"]);
+}
+
+#[test]
 fn knowledge_is_asked_for_by_a_name_that_is_known_and_fits() {
     let of = |name: &str, parts: &[&str]| one(&[("gravity = ", &format!("known_as = \"{name}\"\ngravity = "))], parts);
     of("friction_govenor", &["no system is known as `friction_govenor`", "is `friction_governor` meant?"]);
