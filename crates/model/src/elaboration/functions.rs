@@ -149,7 +149,15 @@ impl Elaborator<'_> {
             "momentum" => {
                 self.must_be_output(span, function)?;
                 count(1)?;
-                self.momentum(span, plain(0)?)
+                match found[0] {
+                    Found { meaning: Meaning::Body(body), place: None } => self.momentum_of_body(span, body),
+                    _ => self.momentum(span, plain(0)?),
+                }
+            }
+            "angular_momentum" => {
+                self.must_be_output(span, function)?;
+                let arguments: Vec<Meaning> = found.iter().map(|found| found.meaning).collect();
+                self.angular_momentum(span, &arguments)
             }
             later if LATER.contains(&later) => Err(not_yet(
                 span,

@@ -4,6 +4,7 @@ mod absent;
 mod angles;
 mod axial;
 mod bodies;
+mod body_momenta;
 mod choices;
 mod conditions_of_law;
 mod constants;

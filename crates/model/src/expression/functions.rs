@@ -38,7 +38,7 @@ impl NamedFunction {
 ///
 /// assert!(FUNCTIONS.iter().any(|function| function.name == "atan2"));
 /// ```
-pub const FUNCTIONS: [NamedFunction; 36] = [
+pub const FUNCTIONS: [NamedFunction; 37] = [
     function("sin", ONE, ANGLE, "the sine").such_as("sin(a)"),
     function("cos", ONE, ANGLE, "the cosine").such_as("cos(a)"),
     function("tan", ONE, ANGLE, "the tangent").such_as("tan(a)"),
@@ -151,11 +151,18 @@ pub const FUNCTIONS: [NamedFunction; 36] = [
     .such_as("joint_torque(load) . N.z"),
     function(
         "momentum",
-        "momentum(theta) of a coordinate, dT/d(theta'); momentum(F.wx) of a free frame, dT/d(F.wx)",
-        "a coordinate, or a component `F.wx` of a free frame's angular velocity, in `[outputs]` alone",
-        "the derivative of the kinetic energy by the rate of the coordinate, or by the component",
+        "momentum(theta) of a coordinate, dT/d(theta'); momentum(F.wx) of a free frame, dT/d(F.wx); momentum(bob) of a body, a vector",
+        "a coordinate, a component `F.wx` of a free frame's angular velocity, or a body, in `[outputs]` alone",
+        "the derivative of the kinetic energy by the rate of the coordinate, or by the component; of a body the mass times the velocity of its centre of mass, a vector",
     )
     .such_as("momentum(a)"),
+    function(
+        "angular_momentum",
+        "angular_momentum(disc) about the centre of mass, angular_momentum(disc, P) about a point",
+        "a body, or a body and a point, in `[outputs]` alone",
+        "the angular momentum about the centre of mass or about the point, a vector; velocities are those seen from the ground",
+    )
+    .such_as("angular_momentum(load, O) . N.z"),
 ];
 
 /// The call of a function as messages show it.

@@ -35,3 +35,67 @@ fn a_condition_of_the_law_stays_one_in_outputs() {
     let scene = ModelScene::parse("scene.toml", &text).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(scene.model.switches.len(), 1);
 }
+
+/// A heavy top with an oblique tensor of inertia about its fixed point, in a free frame.
+const TOP: &str = r#"
+title = "A heavy top"
+gravity = "-g*N.z"
+[parameters]
+m = "2 kg"
+l = "0.1 m"
+g = "9.81 m/s^2"
+[frames]
+F = "N free"
+[bodies.top]
+frame = "F"
+centre = "O + l*F.z"
+mass = "m"
+[bodies.top.inertia]
+xx = "(0.03 kg m^2)"
+yy = "(0.03 kg m^2)"
+zz = "(0.01 kg m^2)"
+[bodies.bob]
+centre = "O + l*F.x"
+mass = "m/4"
+[start]
+F = "60 deg about x, then 20 deg about y"
+"F.wx" = "1 rad/s"
+"F.wz" = "40 rad/s"
+[outputs]
+vertical = "(angular_momentum(top, O) + angular_momentum(bob, O)) . N.z"
+own = "(angular_momentum(top, O) + angular_momentum(bob, O)) . F.y"
+from_energy = "momentum(F.wy)"
+about_centre = "angular_momentum(top) . F.z - (0.01 kg m^2)*(angular_velocity(top) . F.z)"
+[run]
+span = "1 s"
+"#;
+
+#[test]
+fn momenta_of_bodies_are_those_of_the_energy() {
+    let scene = ModelScene::parse("scene.toml", TOP).unwrap_or_else(|error| panic!("{error}"));
+    let choice = Choice { tolerance: 1e-12, ..scene.run().choice() };
+    let trajectory = scene.problem(choice.axes).simulate(&choice, |_| {});
+    let column = |name: &str| trajectory.column(name).unwrap_or_else(|| panic!("{name}"));
+    let (vertical, own, of_energy) = (column("vertical"), column("own"), column("from_energy"));
+    let first = trajectory.rows[0][vertical];
+    assert!(first.abs() > 0.1, "{first}");
+    for row in &trajectory.rows {
+        // gravity has no moment about the vertical through the fixed point
+        assert!((row[vertical] - first).abs() < 1e-10 * first.abs(), "{first} {}", row[vertical]);
+        assert!((row[own] - row[of_energy]).abs() < 1e-13, "{} {}", row[own], row[of_energy]);
+        assert!(row[column("about_centre")].abs() < 1e-13);
+    }
+}
+
+#[test]
+fn a_momentum_of_a_body_has_a_body_and_a_point() {
+    let refused = |from: &str, to: &str| {
+        let text = TOP.replace(from, to);
+        ModelScene::parse("scene.toml", &text).err().map(|error| error.to_string()).unwrap_or_default()
+    };
+    let output = "angular_momentum(top) . F.z - (0.01 kg m^2)*(angular_velocity(top) . F.z)";
+    assert!(refused(output, "angular_momentum(O, top) . F.z").contains("a body has an angular momentum"));
+    assert!(refused(output, "angular_momentum(top, N.x) . F.z").contains("the second argument is a point"));
+    let force = "[[force]]\non = \"bob\"\nis = \"(1 1/s)*momentum(bob)\"\n[start]";
+    assert!(refused("[start]", force).contains("`momentum` stands in [outputs] only"));
+}
