@@ -6,6 +6,7 @@
 //! A direction that this matrix takes to zero moves nothing with inertia and breaks no constraint: a coordinate that loses its meaning
 //! there, as the azimuth of spherical angles does at the pole.
 
+use crate::coinciding_points;
 use crate::compiled_system::{CompiledSystem, NotCompiled};
 use crate::modes::{Case, Mode};
 use crate::motion_matrix::MotionMatrix;
@@ -34,6 +35,14 @@ pub fn missing(model: &Model, system: &CompiledSystem, start: &[f64]) -> Option<
     }
     if let Some(place) = without_value(&terms.right[..n]) {
         let (name, at) = moved(place);
+        if let Some([one, other]) = coinciding_points::of_forces(model, start).first() {
+            let title = format!(
+                "a force acts between {one} and {other}, which coincide at the start: it has no direction there"
+            );
+            return Some(Issue::at(at, title, "its acceleration would be no number").accepted(
+                "points apart at the start; or, of bodies on one line, a force along a coordinate: `along = \"x\"` in the place of `between`",
+            ));
+        }
         let title = format!("the forces on `{name}` have no value at the start");
         return Some(Issue::at(at, title, "its acceleration would be no number").accepted(NO_NUMBER));
     }

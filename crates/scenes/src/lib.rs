@@ -32,6 +32,7 @@
 mod admissible;
 mod branch;
 mod changing_laws;
+mod coinciding_points;
 mod compiled_system;
 pub mod conformance;
 mod conservation;

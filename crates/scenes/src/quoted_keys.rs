@@ -11,6 +11,11 @@ pub fn with_quoted_primes(mut error: SceneError) -> SceneError {
         let line = text.get(begin..).and_then(|rest| rest.lines().next()).unwrap_or("");
         let help = match primed_key(line) {
             Some(key) => format!("a key with a prime stands in quotes: \"{key}\" = ..."),
+            None if let Some(key) = unquoted_key(line) => {
+                format!(
+                    "a key with other characters than ASCII letters, digits, `-` and `_` stands in quotes: \"{key}\" = ..."
+                )
+            }
             None if issue.label.contains("duplicate") => "each name stands once in its table".to_owned(),
             None => "keys, tables and texts as TOML has them: key = \"text\", [table], [[list of tables]]".to_owned(),
         };
@@ -27,4 +32,12 @@ fn primed_key(line: &str) -> Option<&str> {
         let is_primed = name.ends_with(['\'', '′']) && name.starts_with(char::is_alphabetic);
         is_primed.then_some(name)
     })
+}
+
+/// What stands before the first `=` without quotes, where it has characters that need them.
+fn unquoted_key(line: &str) -> Option<&str> {
+    let key = line.split_once('=')?.0.trim();
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.' | ' ');
+    let is_quoted = key.starts_with(['"', '\'', '[', '#', '{']);
+    (!key.is_empty() && !is_quoted && !key.chars().all(is_plain)).then_some(key)
 }

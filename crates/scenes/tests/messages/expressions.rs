@@ -76,6 +76,7 @@ fn slips_of_the_pen_in_expressions_are_told_with_the_way_out() {
     told("P + P", &["a point and a point cannot be added", "point + vector"]);
     told("velocity(bob)/velocity(bob)", &["cannot be divided", "scalar/scalar, vector/scalar"]);
     one(&[("\"reach\"", "\"velocity(bob)\"")], &["the output `width` is a scalar", "v . N.x, or norm(v)"]);
+    one(&[("theta = \"0.3 rad\"", "\u{3b8} = \"0.3 rad\"")], &["stands in quotes: \"\u{3b8}\" = ..."]);
     one(&[("theta = \"0.3 rad\"", "theta' = \"0.3 rad/s\"")], &["a key with a prime stands in quotes: \"theta'\""]);
     let event = "[[event]]\nwhen = \"theta < 1\"\nend = true\n\n[outputs]";
     one(&[("[outputs]", event)], &["an expression passes zero", "when = \"theta - 1\", with direction"]);

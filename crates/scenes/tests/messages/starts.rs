@@ -16,6 +16,22 @@ fn a_free_frame_starts_by_turns() {
 }
 
 #[test]
+fn a_force_between_points_that_coincide_at_the_start_is_named() {
+    let spring = "[[force]]\nbetween = [\"O\", \"cart\"]\nis = \"-(3 N/m)*x\"\n[outputs]";
+    one(
+        &[
+            ("theta = \"rad\"", "theta = \"rad\"\nx = \"m\""),
+            ("[bodies.bob]", "[bodies.cart]\ncentre = \"O + x*N.x\"\nmass = \"m\"\n[bodies.bob]"),
+            ("[outputs]", spring),
+        ],
+        &[
+            "a force acts between `O` and `cart`, which coincide at the start",
+            "`along = \"x\"` in the place of `between`",
+        ],
+    );
+}
+
+#[test]
 fn what_cannot_run_says_why() {
     one(&[("m = \"2 kg\"", "m = \"kg\"")], &["the parameter `m` has no value"]);
     one(
