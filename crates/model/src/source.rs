@@ -183,7 +183,7 @@ pub struct ContactSource {
     pub sides: Option<Text>,
     pub friction: Option<Text>,
     pub restitution: Option<Text>,
-    /// `newton` or `poisson`: the law of restitution.
+    /// `newton`, `poisson` or `moreau`: the law of restitution.
     pub impact: Option<Text>,
     /// Whether the start is completed so that the gap is zero.
     pub touching: bool,

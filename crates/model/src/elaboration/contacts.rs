@@ -229,10 +229,11 @@ fn law_of(source: &ContactSource) -> Sound<Restitution> {
         ),
         "newton" => Ok(Restitution::Newton),
         "poisson" => Ok(Restitution::Poisson),
+        "moreau" => Ok(Restitution::Moreau),
         _ => fault(
-            "the law of restitution is Newton's or Poisson's",
-            "neither",
-            "impact = \"newton\", impact = \"poisson\"",
+            "the law of restitution is Newton's, Poisson's or Moreau's",
+            "none of them",
+            "impact = \"newton\", impact = \"poisson\", impact = \"moreau\"",
         ),
     }
 }

@@ -22,6 +22,8 @@ pub enum Restitution {
     Newton,
     /// The impulse of the restitution is e times that of the compression.
     Poisson,
+    /// Newton's law for several contacts at once (Moreau): a contact in touch may take part with an impulse of its own.
+    Moreau,
 }
 
 /// An element that keeps a speed from falling below zero, as a plane keeps a gap.

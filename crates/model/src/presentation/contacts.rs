@@ -94,7 +94,9 @@ fn law(trace: &Trace<'_>, place: usize, contact: &Contact, balance: Option<Sym>)
     if let Some(restitution) = contact.restitution {
         let restitution = text(trace.scalar(restitution));
         lines.push(match contact.law {
-            Restitution::Newton => format!("  an impact leaves -{restitution} times the rate of the gap"),
+            Restitution::Newton | Restitution::Moreau => {
+                format!("  an impact leaves -{restitution} times the rate of the gap")
+            }
             Restitution::Poisson => {
                 format!("  the impulse of the restitution is {restitution} times that of the compression")
             }

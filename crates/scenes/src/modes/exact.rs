@@ -1,6 +1,8 @@
 //! Reference runs across events: one method in double-double along the sequence of laws of a run.
 
 use super::course::{Crossing, Leg, RunTable, Sets};
+use super::expansion::Instant;
+use super::passage::SLACK;
 use super::signals::{Fall, GLIDE};
 use super::slowed::Slowed;
 use super::{Laws, Moded, Modes};
@@ -126,8 +128,15 @@ impl Follower<'_> {
             Sets::Event(event) => *state = moded.signals.set_by(event, *time, state, glides),
             Sets::Impact(contact) => {
                 let expansions = self.laws.expansions().map_err(|_| blunt())?;
-                *state =
-                    expansions.struck_exactly(*time, state, (contact, &moded.system.mode.cases)).ok_or_else(blunt)?;
+                let mode = &moded.system.mode;
+                let after = if expansions.shares_impacts(contact) {
+                    let rounded: Vec<f64> = state.iter().map(|part| part.hi()).collect();
+                    let partners = expansions.partners(&Instant::at(time.hi(), &rounded), mode, contact, SLACK);
+                    expansions.struck_together_exactly(*time, state, (&partners.concat(), &mode.cases))
+                } else {
+                    expansions.struck_exactly(*time, state, (contact, &mode.cases))
+                };
+                *state = after.ok_or_else(blunt)?;
             }
             Sets::Rest { .. } => {}
             Sets::LastBounce => return Err(Unknown::LastBounce { time: crossing.time }),

@@ -13,8 +13,10 @@ use super::signals::Fall;
 use super::touch::Touch;
 use super::unfit::{RESTITUTION, Unfit};
 
-const TOGETHER: &str =
-    "an impact presses other contacts in touch: the impulses of several at once are not determined by these laws";
+const TOGETHER: &str = "an impact presses other contacts in touch: the impulses of several at once are not determined by these laws; Moreau's law has them, \
+     `impact = \"moreau\"` and `restitution` at each of these contacts";
+const BEYOND_MOREAU: &str = "an impact of several contacts at once, of which Moreau's law has not all: each needs `impact = \"moreau\"`, in space \
+                             none may have friction, and no guide; and no more than six with friction";
 const IMPULSES: &str =
     "an impact is not determined: no impulse within the cone of friction, or several, by this law of restitution";
 const ENERGY: &str =
@@ -78,7 +80,7 @@ impl Modes {
             Fall::Passes { .. } => expansions.contacts(&Instant::at(time, state), before),
             _ => Vec::new(),
         };
-        let mut opened = Vec::new();
+        let (mut opened, mut struck) = (Vec::new(), Vec::new());
         let approaches = |contact: &Touching<1>| contact.gap_rate.sign_of(0, SLACK) < 0.0;
         if let Some(contact) = closing {
             match expansions.kinds[contact].is_one_way {
@@ -100,15 +102,30 @@ impl Modes {
             let closes = |other: usize| falling[other].gap.sign_of(0, SLACK) == 0.0 && approaches(&falling[other]);
             let is_one_of_several =
                 (0..phases.len()).any(|other| other != contact && phases[other] == Phase::Apart && closes(other));
-            opened = expansions.struck(time, state, (contact, &mode.cases), &in_touch).map_err(|why| match why {
-                _ if is_one_of_several => TOGETHER,
+            let shares = expansions.shares_impacts(contact);
+            let why = |why: NotStruck| match why {
+                NotStruck::Together if shares => BEYOND_MOREAU,
+                _ if is_one_of_several && !shares => TOGETHER,
                 NotStruck::Together => TOGETHER,
                 NotStruck::Undetermined => IMPULSES,
                 NotStruck::AddsEnergy => ENERGY,
                 NotStruck::Restitution => RESTITUTION,
                 NotStruck::Friction => NEGATIVE,
                 NotStruck::Turns => TURNS,
-            })?;
+            };
+            if shares {
+                let instant = Instant { late, ..Instant::at(time, state) };
+                let [together, others] = expansions.partners(&instant, mode, contact, SLACK);
+                together.iter().for_each(|&other| expansions.return_to_touch(time, state, other));
+                let instant = Instant { late, ..Instant::at(time, state) };
+                let (after, free) =
+                    expansions.struck_together(&instant, (&together, &others), &mode.cases).map_err(why)?;
+                state.copy_from_slice(&after);
+                (struck, opened) = (together, free);
+            } else {
+                struck = vec![contact];
+                opened = expansions.struck(time, state, (contact, &mode.cases), &in_touch).map_err(why)?;
+            }
             let after = expansions.contacts(&Instant { late, ..Instant::at(time, state) }, &mode.cases);
             let turned =
                 |(kind, contact): (&Kind, &Touching<1>)| kind.is_one_way && !kind.is_direct && approaches(contact);
@@ -116,10 +133,14 @@ impl Modes {
                 return Err(TOGETHER);
             }
             sets = Sets::Impact(contact);
-            if self.bounces_end(mode, contact, time, state)? {
-                sets = Sets::LastBounce;
-                let mut closed = mode.clone();
-                closed.phases[contact] = Phase::Slips { forwards: true, face: Face::Front };
+            let mut closed = mode.clone();
+            for &bouncing in &struck {
+                if self.bounces_end(mode, bouncing, time, state)? {
+                    sets = Sets::LastBounce;
+                    closed.phases[bouncing] = Phase::Slips { forwards: true, face: Face::Front };
+                }
+            }
+            if sets == Sets::LastBounce {
                 expansions.return_to_zero(time, state, &closed, 0.0);
             }
         }
@@ -133,7 +154,7 @@ impl Modes {
             Phase::Apart if expansions.kinds[place].is_one_way && contact.gap.sign_of(0, SLACK) == 0.0 => {
                 touching(&contact)
             }
-            Phase::Apart if Some(place) != closing => Touch::Open,
+            Phase::Apart if Some(place) != closing && !struck.contains(&place) => Touch::Open,
             Phase::Apart if expansions.kinds[place].is_one_way => touching(&contact),
             // a bounce
             Phase::Apart if contact.gap_rate.sign_of(0, SLACK) > 0.0 => Touch::Open,

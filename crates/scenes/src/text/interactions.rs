@@ -108,7 +108,7 @@ pub(super) fn contacts(top: &mut Table<'_>) -> Vec<ContactSource> {
             sides: text("sides", "\"one\" or \"both\""),
             friction: text("friction", "coefficient of friction"),
             restitution: text("restitution", "coefficient of restitution"),
-            impact: text("impact", "\"newton\" or \"poisson\""),
+            impact: text("impact", "\"newton\", \"poisson\" or \"moreau\""),
             touching: false,
             at: 0..0,
         };

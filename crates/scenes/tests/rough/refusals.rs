@@ -94,7 +94,7 @@ fn a_contact_that_means_nothing_is_refused_at_its_place() {
         ([(normal, "normal = \"N.x\"\nimpact = \"poisson\"\n")], "the law of a coefficient of restitution"),
         (
             [(normal, "normal = \"N.x\"\nrestitution = \"1\"\nimpact = \"hunt\"\n")],
-            "the law of restitution is Newton's or Poisson's",
+            "the law of restitution is Newton's, Poisson's or Moreau's",
         ),
         (
             [(normal, "normal = \"N.x\"\nsides = \"both\"\nrestitution = \"1\"\n")],

@@ -36,7 +36,12 @@ impl Expansions {
     }
 
     /// The values of the tape in double-double.
-    fn exact_values(&self, time: DoubleDouble, state: &[DoubleDouble], letters: &[DoubleDouble]) -> Vec<DoubleDouble> {
+    pub(super) fn exact_values(
+        &self,
+        time: DoubleDouble,
+        state: &[DoubleDouble],
+        letters: &[DoubleDouble],
+    ) -> Vec<DoubleDouble> {
         let mut found = vec![DoubleDouble::zero(); self.tape.outputs()];
         let inputs = state.iter().chain([&time]).chain(letters).copied();
         self.tape.evaluate_long(&self.tape.constants::<DoubleDouble>(), inputs, &mut found);

@@ -65,7 +65,7 @@ impl<S: Real> Impact<S> {
             return Err(NotStruck::Friction);
         }
         let impulses = match self.law {
-            Restitution::Newton => self.by_newton(),
+            Restitution::Newton | Restitution::Moreau => self.by_newton(),
             Restitution::Poisson => self.by_poisson(),
         }?;
         if self.adds_energy(impulses) { Err(NotStruck::AddsEnergy) } else { Ok(impulses) }

@@ -21,7 +21,13 @@ const CHANGES: f64 = 16.0;
 
 impl Expansions {
     /// The changes of the rates of a state by a unit of some letters, at given values of all letters.
-    fn responses(&self, clock: Jet<1>, state: &[Jet<1>], all: &[Jet<1>], letters: &[usize]) -> Vec<Vec<f64>> {
+    pub(super) fn responses(
+        &self,
+        clock: Jet<1>,
+        state: &[Jet<1>],
+        all: &[Jet<1>],
+        letters: &[usize],
+    ) -> Vec<Vec<f64>> {
         let of = |&letter: &usize| {
             let [none, one] = [Jet::zero(), Jet::one()].map(|value| {
                 let mut all = all.to_vec();

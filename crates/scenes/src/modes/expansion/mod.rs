@@ -13,6 +13,8 @@ mod impact_law;
 mod impulses;
 mod letters;
 mod parts;
+mod shared_impacts;
+mod simultaneous_impacts;
 mod trials;
 
 pub(super) use accelerations::{Accelerations, Reacting};
