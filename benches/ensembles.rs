@@ -11,7 +11,7 @@ use dalembert_derivations::studies::scene::Scene;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::SecondForm;
 use field::Batch;
-use integrators::{Ensemble, Failure, Members, Ode, SideBySide, fuses, lanes_order};
+use integrators::{BatchRungeKutta4, Ensemble, Failure, Members, Ode, batch_order, fuses};
 use nalgebra::Vector3;
 use reader::Family as _;
 use simulation::Axes;
@@ -110,7 +110,7 @@ fn trajectories(scene: &Scene, axes: Axes) {
     let ends = vec![0.0; n * MEMBERS as usize];
     let mut spread = Spread { next: 0, parameters: &parameters, state: &state, steps: 0, failed: 0, ends };
     let mut run = |tolerance: f64, repeats: usize| {
-        let series = kind.series(lanes_order(tolerance))?;
+        let series = kind.series(batch_order(tolerance))?;
         let mut ensemble = Ensemble::new(series, tolerance, SPAN, n, kind.parameters());
         let time = median(repeats, || {
             (spread.next, spread.steps, spread.failed) = (0, 0, 0);
@@ -154,7 +154,7 @@ fn runge_kutta<const FUSED: bool>(scene: &Scene) {
 }
 
 fn in_lanes<const FUSED: bool>(law: &impl Ode<Batch<WIDE, FUSED>>, start: &[Batch<WIDE, FUSED>]) {
-    let (mut state, mut room) = (start.to_vec(), SideBySide::new(start.len()));
+    let (mut state, mut room) = (start.to_vec(), BatchRungeKutta4::new(start.len()));
     let time = median(REPEATS, || {
         state.copy_from_slice(start);
         room.steps(law, 0.0, SPAN / STEPS as f64, STEPS, &mut state);

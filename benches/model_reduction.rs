@@ -84,19 +84,19 @@ fn seen(scene: &Scene) -> (Vec<Seen>, usize) {
     let span = ladder.own.span;
     let (mut all, mut lost) = (Vec::new(), 0);
     let Ok((watched, _)) = ladder.watched(&scene.run.outputs) else { return (all, 1) };
-    for rung in ladder.rungs.iter().filter(|rung| matches!(rung.loss, Loss::Small { .. })) {
-        let estimate = ladder.estimate(rung, &watched, 1e-6);
+    for reduced in ladder.models.iter().filter(|reduced| matches!(reduced.loss, Loss::Small { .. })) {
+        let estimate = ladder.estimate(reduced, &watched, 1e-6);
         // also at the time at which the estimate is largest
         let mut times: Vec<f64> = instants(span).chain(estimate.as_ref().ok().map(|found| found.at)).collect();
         times.retain(|time| *time > 0.0);
         times.sort_by(f64::total_cmp);
         times.dedup();
         let run = |law, start: &Vec<f64>| followed_at(law, &Tolerance::both(TIGHT), &times, start);
-        match (run(&*rung.law, &rung.start), run(&*ladder.law, &ladder.start), estimate) {
+        match (run(&*reduced.law, &reduced.start), run(&*ladder.law, &ladder.start), estimate) {
             (Ok((low, _)), Ok((exact, _)), Ok(found)) => {
-                let error = ladder.difference(rung, &low, &exact, &watched);
+                let error = ladder.difference(reduced, &low, &exact, &watched);
                 if error > LEAST {
-                    all.push((rung.name, error, found.first, found.second));
+                    all.push((reduced.name, error, found.first, found.second));
                 }
             }
             _ => lost += 1,

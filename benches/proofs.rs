@@ -120,12 +120,12 @@ struct Forms {
     speed: Vector3<Sym>,
     rotor_speed: Sym,
     weight: Vector3<Sym>,
-    moment: Sym,
+    torque: Sym,
 }
 
 impl Forms {
     fn new() -> Self {
-        let [rotor, rotor_speed, gamma, moment] = symbols(["Ap", "dphi", "Gamma", "M"]);
+        let [rotor, rotor_speed, gamma, torque] = symbols(["Ap", "dphi", "Gamma", "M"]);
         Forms {
             inertia: tensor("A"),
             rotor,
@@ -133,7 +133,7 @@ impl Forms {
             speed: vector("omega"),
             rotor_speed,
             weight: vector("e").cross(&vector("nu")) * gamma,
-            moment,
+            torque,
         }
     }
 
@@ -144,7 +144,7 @@ impl Forms {
     /// A w' in the first form, which has the rotor's speed relative to space.
     fn first_right(&self) -> Vector3<Sym> {
         let spin = self.rotor * (self.speed.dot(&self.axis) + self.rotor_speed);
-        (self.inertia * self.speed + self.axis * spin).cross(&self.speed) + self.weight - self.axis * self.moment
+        (self.inertia * self.speed + self.axis * spin).cross(&self.speed) + self.weight - self.axis * self.torque
     }
 
     /// A* w' + A' g'' l in the second form, which has the rotor's speed relative to the body.
@@ -161,7 +161,7 @@ fn forms_agree() -> Vec<Sym> {
     let relative = Sym::symbol("ddg");
     let first = body.inertia * rate - body.first_right();
     let second = body.whole_inertia() * rate + body.axis * (body.rotor * relative) - body.second_right();
-    let rotor = body.rotor * (body.axis.dot(&rate) + relative) - body.moment;
+    let rotor = body.rotor * (body.axis.dot(&rate) + relative) - body.torque;
     (second - first - body.axis * rotor).iter().copied().collect()
 }
 
@@ -175,7 +175,7 @@ fn explicit_forms_agree() -> Vec<Sym> {
         row.push(body.rotor * *l);
     }
     matrix.push(body.axis.iter().map(|l| body.rotor * *l).chain([body.rotor]).collect());
-    let right: Vec<Sym> = body.second_right().iter().copied().chain([body.moment]).collect();
+    let right: Vec<Sym> = body.second_right().iter().copied().chain([body.torque]).collect();
     let first = solve(&rows(body.inertia), body.first_right().as_slice(), &none);
     let second = solve(&matrix, &right, &none);
     match (first, second) {
@@ -221,7 +221,7 @@ impl Course {
     }
 
     /// W and the carrier's motion, w = W q'.
-    fn motion(&self, moment: Sym) -> (Matrix3<Sym>, MotionInstant<Sym>) {
+    fn motion(&self, torque: Sym) -> (Matrix3<Sym>, MotionInstant<Sym>) {
         let [position, velocity, acceleration] =
             [self.angles, self.rates, self.accelerations].map(|[a, b, c, _]| [a, b, c]);
         let forms = euler_forms(along(position, velocity));
@@ -232,7 +232,7 @@ impl Course {
             vertical: vertical(&euler(position)),
             rotor_speed: self.rates[3],
             rotor_acceleration: self.accelerations[3],
-            moment,
+            torque,
         };
         (forms.map(|x| x.value), motion)
     }
@@ -252,12 +252,12 @@ impl Second {
         let momentum = self.tensor * w + self.axis * (self.axial * m.rotor_speed);
         let gain = momentum.cross(&w) + self.weight.cross(&m.vertical);
         let carrier = self.tensor * a + self.axis * (self.axial * m.rotor_acceleration) - gain;
-        (carrier, self.axial * (self.axis.dot(&a) + m.rotor_acceleration) - m.moment)
+        (carrier, self.axial * (self.axis.dot(&a) + m.rotor_acceleration) - m.torque)
     }
 
     /// Derived equations against W^T times the carrier's and the rotor's own.
-    fn prove(&self, derived: [Sym; 4], course: &Course, moment: Sym, under: &Hypotheses) {
-        let (forms, motion) = course.motion(moment);
+    fn prove(&self, derived: [Sym; 4], course: &Course, torque: Sym, under: &Hypotheses) {
+        let (forms, motion) = course.motion(torque);
         let (carrier, rotor) = self.residuals(&motion);
         let carrier = forms.transpose() * carrier;
         prove((0..3).map(|i| derived[i] - carrier[i]).chain([derived[3] - rotor]), under);
@@ -267,27 +267,27 @@ impl Second {
 /// Seconds to derive Lagrange's equations from the bodies' data, all free, and to show that they are the second form.
 fn from_bodies() -> [f64; 2] {
     let start = Instant::now();
-    let [carrier_mass, mass, axial, transverse, gravity, moment] = symbols(["m0", "mr", "Ap", "Bp", "g", "M"]);
+    let [carrier_mass, mass, axial, transverse, gravity, torque] = symbols(["m0", "mr", "Ap", "Bp", "g", "M"]);
     let gyrostat = Gyrostat {
         carrier: Carrier { mass: carrier_mass, centre: vector("c"), inertia: tensor("A") },
         rotor: Rotor { mass, centre: vector("h"), axis: vector("l"), axial, transverse },
         gravity,
     };
     let course = Course::new();
-    let derived = gyrostat.by_lagrange(course.angles, course.rates, course.accelerations, moment);
+    let derived = gyrostat.by_lagrange(course.angles, course.rates, course.accelerations, torque);
     let deriving = start.elapsed().as_secs_f64();
     let start = Instant::now();
     let axis = gyrostat.rotor.axis;
     let unit = Hypotheses::none().unit_vector([axis.x, axis.y, axis.z]);
     Second { tensor: gyrostat.full_tensor(), axis, axial, weight: gyrostat.weight() }
-        .prove(derived, &course, moment, &unit);
+        .prove(derived, &course, torque, &unit);
     [deriving, start.elapsed().as_secs_f64()]
 }
 
 /// Seconds to derive and prove where the tensor of all masses and the weight are the data.
 fn from_tensor() -> [f64; 2] {
     let start = Instant::now();
-    let [axial, moment] = symbols(["Ap", "M"]);
+    let [axial, torque] = symbols(["Ap", "M"]);
     let second = Second { tensor: tensor("A"), axis: vector("l"), axial, weight: vector("c") };
     let course = Course::new();
     let energies = |[a, b, c, _]: [Tangent<Tangent<Sym>>; 4], [da, db, dc, speed]: [Tangent<Tangent<Sym>>; 4]| {
@@ -301,9 +301,9 @@ fn from_tensor() -> [f64; 2] {
             + vertical(&turning.map(|x| x.value)).dot(&second.weight.map(lift))
     };
     let mut derived = lagrange(energies, course.angles, course.rates, course.accelerations);
-    derived[3] -= moment;
+    derived[3] -= torque;
     let deriving = start.elapsed().as_secs_f64();
     let start = Instant::now();
-    second.prove(derived, &course, moment, &Hypotheses::none());
+    second.prove(derived, &course, torque, &Hypotheses::none());
     [deriving, start.elapsed().as_secs_f64()]
 }

@@ -2,7 +2,7 @@
 //! turns with them: `cargo bench --bench steps`. Also at equal accuracy: the time of a run with the error 1e-6.
 
 use dalembert_derivations::studies::scene::Scene;
-use integrators::{Method, Span, Splitting, Tolerance, integrate, taking_turns};
+use integrators::{Method, Span, Splitting, Tolerance, integrate, interleaved};
 use reader::Family;
 use simulation::Axes;
 use std::path::Path;
@@ -28,7 +28,7 @@ fn row(name: &str, scene: &Scene) {
     let span = Span::new(0.0, scene.run.span, &problem.state);
     let tolerance = Tolerance::both(1e-9);
     let run = |index: usize| integrate(&*problem.law, methods[index], &tolerance, &span, &mut ()).reached();
-    let times = taking_turns(methods.len(), Duration::from_secs(4), run);
+    let times = interleaved(methods.len(), Duration::from_secs(4), run);
     let seconds: Vec<f64> = times.iter().map(|time| time.map_or(f64::NAN, |median| median.seconds)).collect();
     print!("{name:<20} {:>7} {:>12.0} ", problem.state.len(), seconds[0] / f64::from(STEPS) * 1e9);
     for (method, time) in Splitting::ALL.iter().zip(&seconds[1..]) {

@@ -10,12 +10,12 @@ use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::{Form, SecondForm};
 use dalembert_derivations::systems::ladder::Ladder;
 use field::{Analytic, Batch, DoubleDouble, Over};
-use integrators::{Dual8, Ensemble, Failure, Members, Ode, Real, SideBySide, Splitting, compose, lanes_order};
+use integrators::{BatchRungeKutta4, Dual8, Ensemble, Failure, Members, Ode, Real, Splitting, batch_order, compose};
 use mechanics::constrained::PointSystem as _;
 use mechanics::constrained::State;
 use mechanics::constrained::programmed::{Linear, programmed};
 use mechanics::regimes::{Consistency, Dry, Sizes, Touch, touches, verdict};
-use motor::{Metered, Motor, Separable, catalogue, has_known_flow};
+use motor::{Motor, Separable, WithSuppliedWork, catalogue, has_known_flow};
 use physical::machines::with_bars;
 use physical::rounded;
 use reader::Family;
@@ -64,7 +64,7 @@ fn by_rates(form: impl Form<f64>, machine: Motor) -> usize {
         count
     }
     // with the metered work as a further state
-    let law = Metered(Driven::new(form, machine));
+    let law = WithSuppliedWork(Driven::new(form, machine));
     over::<f64>(&law) + over::<Dual8>(&law) + over::<DoubleDouble>(&law)
 }
 
@@ -249,7 +249,7 @@ fn an_ensemble_allocates_nothing_from_its_first_member_to_its_last() {
     let (_, mut parameters) = form_parameters(&scene.system, Axes::Second);
     parameters.extend(scene.machine.values());
     let state = scene.state(Axes::Second);
-    let series = kind.series(lanes_order(1e-9)).expect("it is small");
+    let series = kind.series(batch_order(1e-9)).expect("it is small");
     let mut ensemble = Ensemble::new(series, 1e-9, 0.05, kind.states(), kind.parameters());
     let mut crowd = Crowd { left: 20, parameters: &parameters, state: &state, steps: 0 };
     assert_eq!(allocations(|| ensemble.run(&mut crowd)), 0);
@@ -269,7 +269,7 @@ fn steps_side_by_side_allocate_nothing() {
     );
     let law = Driven::new(form, motor.map(Batch::<16, true>::all));
     let mut state: Vec<_> = (0..8).map(|i| Batch::all(0.1 * f64::from(i))).collect();
-    let mut room = SideBySide::new(8);
+    let mut room = BatchRungeKutta4::new(8);
     assert_eq!(allocations(|| room.steps(&law, 0.0, 1e-3, 5, &mut state)), 0);
     assert!(state[0].0[15].is_finite());
 }

@@ -99,7 +99,7 @@ proptest! {
         let moments = vector_sum(&points, |p| p.place.cross(&(p.acceleration - motion.vertical * g.gravity)));
         let [_, rotor] = points;
         let axial = vector_sum(&[vec![], rotor], |p| (p.place - bodies.centre).cross(&p.acceleration));
-        let residual = [moments.x, moments.y, moments.z, axial.dot(&bodies.axis) - motion.moment];
+        let residual = [moments.x, moments.y, moments.z, axial.dot(&bodies.axis) - motion.torque];
         prop_assert_eq!(g.by_momentum(&motion), residual);
     }
 

@@ -5,7 +5,10 @@ use crate::physical::rate::{Rate, rate};
 use crate::physical::{fixed, gyrostat, rounded};
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::Form;
-use motor::{Conserved, Machine, Motor, RotorState, drive, heat, is_fed, motional_moment, supplied};
+use motor::{
+    Conserved, Machine, Motor, RotorState, electrical_power, is_fed, joule_heat, motional_torque,
+    torque_and_current_rates,
+};
 use nalgebra::Vector3;
 use proptest::prelude::*;
 
@@ -58,7 +61,7 @@ impl Instant {
             let (w, v) = (Vector3::new(y[0], y[1], y[2]), Vector3::new(y[3], y[4], y[5]));
             driven.form.prescribed(w, v, frame_speed).1
         } else {
-            drive(&driven.machine, angle, slip, currents, &mut vec![0.0; currents.len()])
+            torque_and_current_rates(&driven.machine, angle, slip, currents, &mut vec![0.0; currents.len()])
         };
         Instant {
             length: rate(|y| driven.vertical_length(y), &y, &dy),
@@ -67,11 +70,11 @@ impl Instant {
             energy: rate(|y| driven.energy(y), &y, &dy),
             jacobi: rate(|y| driven.jacobi(y), &y, &dy),
             moment,
-            law: driven.machine.moment_law(slip, slip + frame_speed),
-            law_at_synchronism: driven.machine.moment_law(0.0, frame_speed),
-            heat: heat(&driven.machine, currents),
-            supplied: supplied(&driven.machine, angle, currents),
-            motional: motional_moment(&driven.machine, currents),
+            law: driven.machine.torque_law(slip, slip + frame_speed),
+            law_at_synchronism: driven.machine.torque_law(0.0, frame_speed),
+            heat: joule_heat(&driven.machine, currents),
+            supplied: electrical_power(&driven.machine, angle, currents),
+            motional: motional_torque(&driven.machine, currents),
             fed: is_fed(&driven.machine),
             slip,
             frame_speed,

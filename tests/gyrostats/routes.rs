@@ -29,7 +29,7 @@ fn seen_from_the_body([angles, rates, accelerations]: [[DoubleDouble; 4]; 3]) ->
         rotor_speed: rates[3],
         angular_acceleration: w.map(|x| x.slope),
         rotor_acceleration: accelerations[3],
-        moment: DoubleDouble::from(0.37),
+        torque: DoubleDouble::from(0.37),
     }
 }
 
@@ -41,7 +41,7 @@ fn largest<S: Into<DoubleDouble>>(parts: impl IntoIterator<Item = S>) -> f64 {
 fn size(g: &Gyrostat<f64>, m: &MotionInstant<f64>) -> f64 {
     let speed = 1.0 + m.angular_velocity.norm() + m.rotor_speed.abs();
     let rates = m.angular_acceleration.norm() + m.rotor_acceleration.abs();
-    g.full_tensor().norm() * (speed * speed + rates) + g.weight().norm() + m.moment.abs()
+    g.full_tensor().norm() * (speed * speed + rates) + g.weight().norm() + m.torque.abs()
 }
 
 fn approximate(m: &MotionInstant<DoubleDouble>) -> MotionInstant<f64> {
@@ -52,7 +52,7 @@ fn approximate(m: &MotionInstant<DoubleDouble>) -> MotionInstant<f64> {
         rotor_speed: near(m.rotor_speed),
         angular_acceleration: m.angular_acceleration.map(near),
         rotor_acceleration: near(m.rotor_acceleration),
-        moment: near(m.moment),
+        torque: near(m.torque),
     }
 }
 
@@ -74,7 +74,7 @@ proptest! {
         prop_assert!(off(g.by_appell(&motion)) <= allowed);
         prop_assert!(off(g.by_hamel(angles, &motion)) <= allowed, "{:e} {allowed:e}", off(g.by_hamel(angles, &motion)));
         // in Lagrange's coordinates the torques are multiplied by the transpose of W, w = W q'
-        let lagrange = g.by_lagrange(angles, rates, accelerations, motion.moment);
+        let lagrange = g.by_lagrange(angles, rates, accelerations, motion.torque);
         let forms: Matrix3<DoubleDouble> = euler_forms([angles[0], angles[1], angles[2]]);
         let seen = forms.transpose() * Vector3::new(momentum[0], momentum[1], momentum[2]);
         let gap = [seen.x - lagrange[0], seen.y - lagrange[1], seen.z - lagrange[2], momentum[3] - lagrange[3]];
@@ -123,17 +123,17 @@ proptest! {
         prop_assert_eq!(full, Matrix3::from_diagonal(&full.diagonal()));
         let (w, v) = (motion.angular_velocity, motion.vertical);
         let free = [
-            first.accelerations(w, v, motion.rotor_speed, motion.moment),
-            second.accelerations(w, v, motion.rotor_speed, motion.moment),
+            first.accelerations(w, v, motion.rotor_speed, motion.torque),
+            second.accelerations(w, v, motion.rotor_speed, motion.torque),
         ];
         for (angular_acceleration, rotor_acceleration) in free {
             let solved = MotionInstant { angular_acceleration, rotor_acceleration, ..motion };
             prop_assert_eq!(g.by_momentum(&solved), [Rational::zero(); 4]);
         }
-        for (angular_acceleration, moment) in
+        for (angular_acceleration, torque) in
             [first.prescribed(w, v, motion.rotor_speed), second.prescribed(w, v, motion.rotor_speed)]
         {
-            let kept = MotionInstant { angular_acceleration, rotor_acceleration: Rational::zero(), moment, ..motion };
+            let kept = MotionInstant { angular_acceleration, rotor_acceleration: Rational::zero(), torque, ..motion };
             prop_assert_eq!(g.by_momentum(&kept), [Rational::zero(); 4]);
         }
     }
@@ -144,19 +144,19 @@ fn satisfies(
     form: &impl Form<f64>,
     axes: &Matrix3<f64>,
     [w, v]: [Vector3<f64>; 2],
-    [rotor_speed, moment]: [f64; 2],
+    [rotor_speed, torque]: [f64; 2],
 ) -> Result<(), TestCaseError> {
     let back = axes.transpose();
-    let (free, rotor_acceleration) = form.accelerations(back * w, back * v, rotor_speed, moment);
+    let (free, rotor_acceleration) = form.accelerations(back * w, back * v, rotor_speed, torque);
     let (kept, reaction) = form.prescribed(back * w, back * v, rotor_speed);
-    for (acceleration, rotor_acceleration, moment) in [(free, rotor_acceleration, moment), (kept, 0.0, reaction)] {
+    for (acceleration, rotor_acceleration, torque) in [(free, rotor_acceleration, torque), (kept, 0.0, reaction)] {
         let motion = MotionInstant {
             angular_velocity: w,
             vertical: v,
             rotor_speed,
             angular_acceleration: axes * acceleration,
             rotor_acceleration,
-            moment,
+            torque,
         };
         let (off, allowed) = (largest(g.by_momentum(&motion)), 1e-13 * size(g, &motion));
         prop_assert!(off <= allowed, "{off:e} where rounding explains {allowed:e}");

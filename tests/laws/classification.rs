@@ -49,7 +49,7 @@ fn the_knife_edge_is_nonholonomic_wherever_its_centre_is() {
 fn time_and_nonlinearity_are_seen() {
     assert_eq!(cases::swing().class().unwrap().to_string(), "holonomic: 1 geometric; rheonomic: constraint 1");
     assert_eq!(
-        cases::kept_speed().class().unwrap().to_string(),
+        cases::prescribed_speed_point().class().unwrap().to_string(),
         "nonlinear in the velocities: 0 geometric; nonlinear: constraint 1; rheonomic: constraint 1"
     );
 }

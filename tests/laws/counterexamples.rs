@@ -12,7 +12,7 @@ type Vector = Vector3<Rational>;
 
 /// The coefficients of the residual torques w0^2 G + w0 u + n, from three values.
 fn coefficients(example: &Example) -> [Vector; 3] {
-    let at = |w0: i64| example.missing_moments(Rational::int(w0));
+    let at = |w0: i64| example.residual_torques(Rational::int(w0));
     let (rest, plus, minus) = (at(0), at(1), at(-1));
     let half = Rational::new(1, 2);
     [(plus + minus) * half - rest, (plus - minus) * half, rest]
@@ -47,7 +47,7 @@ fn the_missing_moments_are_of_second_degree_in_the_angular_velocity() {
         let [second, first, rest] = coefficients(&example);
         for w0 in [Rational::int(2), Rational::new(-7, 3)] {
             let expected = second * (w0 * w0) + first * w0 + rest;
-            assert_eq!(example.missing_moments(w0), expected, "{}", example.name);
+            assert_eq!(example.residual_torques(w0), expected, "{}", example.name);
         }
     }
 }
@@ -75,7 +75,7 @@ fn the_rotations_along_in_a_plane_and_by_two_of_three_relations_are_no_motions()
 #[test]
 fn by_two_of_three_relations_the_third_moment_alone_is_missing() {
     let example = gyrostats::two_of_three();
-    let missing = example.missing_moments(example.angular_velocity.expect("it has one"));
+    let missing = example.residual_torques(example.angular_velocity.expect("it has one"));
     assert!(missing.x.is_zero() && missing.y.is_zero() && !missing.z.is_zero(), "{missing}");
 }
 

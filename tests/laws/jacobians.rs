@@ -30,7 +30,7 @@ fn compared(
         for (jacobian, into) in [(&mut own, &mut ours), (&mut dual, &mut theirs)] {
             let (matrix, by_time) = into.split_at_mut(n * n);
             jacobian.matrix(t, &y, matrix);
-            jacobian.time_slopes(t, &y, by_time);
+            jacobian.time_derivatives(t, &y, by_time);
         }
         let size = theirs.iter().fold(1.0, |most: f64, entry| most.max(entry.abs()));
         for (place, (ours, theirs)) in ours.iter().zip(&theirs).enumerate() {

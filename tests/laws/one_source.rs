@@ -6,7 +6,7 @@ use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
 use dalembert_derivations::systems::gyrostat::forms::{FirstForm, Form, SecondForm};
 use dalembert_derivations::systems::gyrostat::{Carrier, Gyrostat, Rotor};
 use field::{Analytic, Base, Circle, Over, Tangent};
-use motor::{Machine, drive, heat, stored_energy};
+use motor::{Machine, joule_heat, stored_energy, torque_and_current_rates};
 use nalgebra::{Matrix3, Vector3};
 use num_dual::Dual64;
 use proptest::prelude::*;
@@ -57,7 +57,7 @@ fn laws<P: Base, S: Over<P> + Analytic>(parameters: &[P], variables: &[S]) -> Ve
     let (a2, f2) = second.accelerations(w, v, speed, moment);
     let (kept, reaction) = second.prescribed(w, v, speed);
     let mut rates = [S::zero(); 4];
-    let torque = drive(&motor, angle, slip, &currents, &mut rates);
+    let torque = torque_and_current_rates(&motor, angle, slip, &currents, &mut rates);
     vec![
         ("T", g.kinetic_energy(w, speed)),
         ("V", g.potential_energy(v)),
@@ -78,7 +78,7 @@ fn laws<P: Base, S: Over<P> + Analytic>(parameters: &[P], variables: &[S]) -> Ve
         ("rate of the excitation", rates[0]),
         ("rate of a bar", rates[3]),
         ("energy of the circuits", stored_energy(&motor, angle, &currents)),
-        ("heat", heat(&motor, &currents)),
+        ("heat", joule_heat(&motor, &currents)),
     ]
 }
 

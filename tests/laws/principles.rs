@@ -2,7 +2,7 @@
 
 use dalembert_derivations::systems::disc::Disc;
 use dalembert_derivations::systems::knife_edge::KnifeEdge;
-use dalembert_derivations::systems::moving_pivot_pendulum::Swing;
+use dalembert_derivations::systems::moving_pivot_pendulum::MovingPivotPendulum;
 use dalembert_derivations::systems::rod::{GuidedRod, Rod};
 use field::{Over, Rational, Scalar};
 use mechanics::constrained::combining::{extended, painleve};
@@ -211,7 +211,7 @@ proptest! {
         let sleigh = KnifeEdge { mass: m, inertia: m1, offset: d, slope: g };
         let rod: GuidedRod<f64> =
             Closed(Rod { guided: m, free: m1, length: l, gravity: g, friction: 0.0, sides: Sides::Two });
-        let swing = Swing { mass: m, length: l, gravity: g, speed: u, acceleration: v };
+        let swing = MovingPivotPendulum { mass: m, length: l, gravity: g, speed: u, acceleration: v };
         let spreads = [
             // the pivots of redundant coordinates vanish on a thin set, from which this range of the spin keeps away
             spread(&disc, (t, [u, v, psi, theta, 0.3 + phi.abs() / 4.0], speeds), [3, 8, 6, 2, 0, 1]),

@@ -5,7 +5,7 @@ use dalembert_derivations::machines::brushed::Brushed;
 use field::{Analytic, Circle, Over, Rational, Scalar, Tangent};
 use integrators::{Method, Ode, Span, System, Tolerance, integrate};
 use mechanics::lagrange::lagrange;
-use motor::{Bench, Machine, drive, heat, resting_currents, supplied};
+use motor::{Bench, Machine, electrical_power, joule_heat, steady_currents, torque_and_current_rates};
 use num_traits::Zero;
 use symbolic::{Sym, symbols};
 
@@ -16,7 +16,7 @@ fn an_armature_whose_current_brushes_hold_in_space_is_the_machine() {
     let Ok(machine) = Brushed::<Sym>::read(symbol);
     let [phi, speed, acceleration, current] = symbols(["phi", "w", "a", "i"]);
     let mut rates = [Sym::ZERO];
-    let moment = drive(&machine, Circle::zero(), speed, &[current], &mut rates);
+    let moment = torque_and_current_rates(&machine, Circle::zero(), speed, &[current], &mut rates);
     let constant = |x: Sym| Tangent::fixed(Tangent::fixed(x));
     let coenergy = |[_, _, phi]: [_; 3], [a, b, _]: [Tangent<Tangent<Sym>>; 3]| {
         let turned = Analytic::circle(phi);
@@ -51,16 +51,16 @@ fn the_steady_speed_is_that_of_textbooks() {
     let machine = motor(number);
     let Brushed { voltage: u, flux: k, resistance: r, f, .. } = machine;
     let speed = u * k / (k * k + f * r);
-    let current = resting_currents(&machine, Circle::zero(), speed).expect("it rests");
+    let current = steady_currents(&machine, Circle::zero(), speed).expect("it rests");
     assert_eq!(current, [f * speed / k]);
     let mut rates = [number(1, 1)];
-    assert_eq!(drive(&machine, Circle::zero(), speed, &current, &mut rates), Rational::zero());
+    assert_eq!(torque_and_current_rates(&machine, Circle::zero(), speed, &current, &mut rates), Rational::zero());
     assert_eq!(rates, [Rational::zero()]);
     // locked rotor: all of the voltage is on the resistance
-    let locked = resting_currents(&machine, Circle::zero(), Rational::zero());
+    let locked = steady_currents(&machine, Circle::zero(), Rational::zero());
     assert_eq!(locked, Some(vec![u / r]));
     let ideal = Brushed { resistance: Rational::zero(), ..machine };
-    assert_eq!(resting_currents(&ideal, Circle::zero(), Rational::zero()), None);
+    assert_eq!(steady_currents(&ideal, Circle::zero(), Rational::zero()), None);
 }
 
 /// A bench with the work of its supply as a state.
@@ -74,8 +74,8 @@ impl<S: Over<f64> + Analytic> Ode<S> for Metered {
     fn rates(&self, _: S, y: &[S], dy: &mut [S]) {
         let (machine, speed) = (&self.0.machine, y[0]);
         self.0.rates(&y[..2], &mut dy[..2]);
-        dy[2] = supplied(machine, Circle::zero(), &y[1..2]) - heat(machine, &y[1..2])
-            + machine.moment_law(speed, speed) * speed;
+        dy[2] = electrical_power(machine, Circle::zero(), &y[1..2]) - joule_heat(machine, &y[1..2])
+            + machine.torque_law(speed, speed) * speed;
     }
 }
 

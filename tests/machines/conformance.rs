@@ -56,7 +56,7 @@ fn a_sound_winding_fails_nothing() {
 #[test]
 fn what_the_prover_gives_up_is_undecided_and_does_not_fail() {
     let scene = text(
-        "moment_law = \"-f*phi'/(1 + (tau*phi')^2)^64\"\n[machine.parameters]\nf = \"2e-5 N m s\"\ntau = \"25 ms\"",
+        "torque_law = \"-f*phi'/(1 + (tau*phi')^2)^64\"\n[machine.parameters]\nf = \"2e-5 N m s\"\ntau = \"25 ms\"",
     );
     let findings = conform(&scene.machine);
     assert_eq!(failed(&findings), []);
@@ -68,7 +68,7 @@ fn what_the_prover_gives_up_is_undecided_and_does_not_fail() {
 #[test]
 fn a_moment_that_drives_away_from_step_is_not_passive() {
     let found =
-        failed_by(&text("moment_law = \"mu*g' - f*phi'\"\n[machine.parameters]\nmu = \"2 N m s\"\nf = \"1 N m s\""));
+        failed_by(&text("torque_law = \"mu*g' - f*phi'\"\n[machine.parameters]\nmu = \"2 N m s\"\nf = \"1 N m s\""));
     assert_eq!(found, [("passivity", "the moment m gives below synchronism: mu*g' - f*phi'".to_owned())]);
 }
 

@@ -7,7 +7,7 @@ use dalembert_derivations::machines::kloss::Kloss;
 use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
 use dalembert_derivations::studies::model_reduction::currents::Current;
 use field::{Circle, Rational, Tangent};
-use motor::{Machine, drive};
+use motor::{Machine, torque_and_current_rates};
 use num_traits::Zero;
 
 /// Bars at -90 and at 180 degrees: -a sin(g + t) is a cos g and a sin g.
@@ -25,8 +25,8 @@ fn two_bars_at_right_angles_without_excitation_are_the_machine() {
         let (angle, slip) = (Circle::from_half_tangent(number(half, 7)), number(slip, 1));
         let currents = [number(first, 3), number(second, 5)];
         let (mut ours, mut theirs) = ([o; 2], [o; 3]);
-        let moment = drive(&crossed, angle, slip, &currents, &mut ours);
-        assert_eq!(moment, drive(&all, angle, slip, &[o, currents[0], currents[1]], &mut theirs));
+        let moment = torque_and_current_rates(&crossed, angle, slip, &currents, &mut ours);
+        assert_eq!(moment, torque_and_current_rates(&all, angle, slip, &[o, currents[0], currents[1]], &mut theirs));
         assert_eq!(ours, theirs[1..]);
     }
 }
@@ -41,17 +41,17 @@ fn at_constant_slip_the_moment_is_that_of_kloss_and_near_synchronism_the_linear_
         let angle = field::Analytic::circle(angle).map(Tangent::fixed);
         let slip = Tangent::variable(slip);
         let currents = [0, 1].map(|k| Current::AtPresentSlip.of(&crossed, k, angle, slip));
-        drive(&crossed, angle, slip, &currents, &mut [slip; 2])
+        torque_and_current_rates(&crossed, angle, slip, &currents, &mut [slip; 2])
     };
     let (pull_out, pull_out_slip) = (flux * flux / (2.0 * inductance), resistance / (inductance * field_speed));
     let kloss = Kloss { field_speed, pull_out, pull_out_slip, f };
     for angle in [0.0, 0.4, 2.0, -1.1] {
         for slip in [-150.0, -40.0, -6.0, 0.3, 80.0] {
-            let (ours, theirs) = (moment(angle, slip).value, kloss.moment_law(slip, slip + field_speed));
+            let (ours, theirs) = (moment(angle, slip).value, kloss.torque_law(slip, slip + field_speed));
             assert!((ours - theirs).abs() < 1e-14 * pull_out, "{ours} and {theirs} at {angle}, {slip}");
         }
         let linear = Asynchronous { field_speed, k: flux * flux / resistance, f };
-        let theirs = linear.moment_law(Tangent::variable(0.0), Tangent::variable(field_speed));
+        let theirs = linear.torque_law(Tangent::variable(0.0), Tangent::variable(field_speed));
         let ours = moment(angle, 0.0);
         assert!((ours.slope - theirs.slope).abs() < 1e-12 * linear.k, "{} and {}", ours.slope, theirs.slope);
         assert!((ours.value - theirs.value).abs() < 1e-16, "{} and {}", ours.value, theirs.value);

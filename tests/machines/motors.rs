@@ -12,7 +12,7 @@ use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::Form;
 use field::{Circle, Rational, Scalar};
 use integrators::{Method, Span, Tolerance, integrate};
-use motor::{Bench, Machine, Motor, drive, heat, motional_moment, supplied};
+use motor::{Bench, Machine, Motor, electrical_power, joule_heat, motional_torque, torque_and_current_rates};
 use nalgebra::{Matrix3, Vector3};
 use num_traits::Zero;
 use proptest::prelude::*;
@@ -107,9 +107,10 @@ fn goes_where_it_is_sent(machine: Motor, sample: &Sample) -> bool {
     let (rotor, currents) = y.split_at(known.dimension());
     let (angle, slip) = known.angle_and_slip(rotor);
     let frame_speed = bench.machine.frame_speed();
-    let moment = drive(&bench.machine, angle, slip, currents, &mut vec![0.0; currents.len()]);
-    let (law, lost) = (bench.machine.moment_law(slip, slip + frame_speed), heat(&bench.machine, currents));
-    let (given, slides) = (supplied(&bench.machine, angle, currents), motional_moment(&bench.machine, currents));
+    let moment = torque_and_current_rates(&bench.machine, angle, slip, currents, &mut vec![0.0; currents.len()]);
+    let (law, lost) = (bench.machine.torque_law(slip, slip + frame_speed), joule_heat(&bench.machine, currents));
+    let (given, slides) =
+        (electrical_power(&bench.machine, angle, currents), motional_torque(&bench.machine, currents));
     let (field, friction) = (frame_speed * (moment - law - slides), (slip + frame_speed) * law);
     rate(|y| bench.rotor_momentum(y), &y, &dy).is(&[moment])
         && rate(|y| bench.energy(y), &y, &dy).is(&[field, friction, given, -lost])
@@ -138,8 +139,8 @@ proptest! {
         let idle = MultiCurrent { windings, bars: [half, slip].map(Circle::from_half_tangent).into() };
         let synchronous = Synchronous { field_speed, b0, f };
         let (angle, mut rates) = (Circle::from_half_tangent(half), [o; 3]);
-        let moment = drive(&idle, angle, slip, &currents, &mut rates);
-        prop_assert_eq!(moment, drive(&synchronous, angle, slip, &[], &mut []));
+        let moment = torque_and_current_rates(&idle, angle, slip, &currents, &mut rates);
+        prop_assert_eq!(moment, torque_and_current_rates(&synchronous, angle, slip, &[], &mut []));
         // M = -b0 sin g - f phi', and each current decays by itself
         prop_assert_eq!(moment, -(b0 * angle.sin) - f * (slip + field_speed));
         prop_assert_eq!(rates, [-(r1 / l1 * currents[0]), -(r2 / l2 * currents[1]), -(r2 / l2 * currents[2])]);
@@ -155,12 +156,12 @@ proptest! {
         let ratio = slip / (field_speed * pull_out_slip);
         let of_slip = |moment: Rational| moment + f * speed;
         prop_assert_eq!(
-            of_slip(kloss.moment_law(slip, speed)) * (Rational::int(1) + ratio * ratio),
-            of_slip(linear.moment_law(slip, speed))
+            of_slip(kloss.torque_law(slip, speed)) * (Rational::int(1) + ratio * ratio),
+            of_slip(linear.torque_law(slip, speed))
         );
-        prop_assert_eq!(of_slip(linear.moment_law(slip, speed)), -(linear.k * slip));
+        prop_assert_eq!(of_slip(linear.torque_law(slip, speed)), -(linear.k * slip));
         let at_pull_out = -(pull_out_slip * field_speed);
-        prop_assert_eq!(kloss.moment_law(at_pull_out, Rational::zero()), pull_out);
+        prop_assert_eq!(kloss.torque_law(at_pull_out, Rational::zero()), pull_out);
     }
 
     #[test]
@@ -196,8 +197,8 @@ fn at_constant_slip_the_damper_has_kloss_moment() {
             start[1] = slip;
             let end = after(bench.clone(), &start, 30.0 * l2 / r2, 6000);
             let (angle, mut rates) = (field::Analytic::circle(end[0]), vec![0.0; bars + 1]);
-            let moment = drive(&bench.machine, angle, end[1], &end[2..], &mut rates);
-            let expected = kloss.moment_law(slip, slip + field_speed);
+            let moment = torque_and_current_rates(&bench.machine, angle, end[1], &end[2..], &mut rates);
+            let expected = kloss.torque_law(slip, slip + field_speed);
             assert!((moment - expected).abs() < 1e-9 * pull_out, "{bars} bars at {slip}: {moment} and {expected}");
         }
     }

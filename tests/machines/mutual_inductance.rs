@@ -2,7 +2,7 @@
 
 use dalembert_derivations::studies::scene::Scene;
 use field::Analytic;
-use motor::drive;
+use motor::torque_and_current_rates;
 use nalgebra::{Matrix2, Vector2};
 use reader::Family;
 
@@ -63,7 +63,7 @@ fn an_induction_machine_in_decoupled_currents_has_the_moment_and_the_rates_of_th
     let (j_d, j_q) = (Vector2::new(0.3, -0.2), Vector2::new(-0.5, 0.9));
     let currents = [j_d[0], j_d[1], j_q[0], j_q[1]];
     let mut rates = [0.0; 4];
-    let moment = drive(&scene.machine, angle.circle(), slip, &currents, &mut rates);
+    let moment = torque_and_current_rates(&scene.machine, angle.circle(), slip, &currents, &mut rates);
 
     let (i_d, i_q, speed) = (t * j_d, t * j_q, slip + 157.0);
     let (flux_d, flux_q) = (inductances() * i_d, inductances() * i_q);

@@ -5,7 +5,7 @@ use dalembert_derivations::machines::permanent_magnet::{Magnets, PermanentMagnet
 use field::{Analytic, Circle, Rational, Scalar, Tangent};
 use mechanics::hamel::boltzmann_hamel;
 use mechanics::lagrange::lagrange;
-use motor::{Machine, drive, resting_currents};
+use motor::{Machine, steady_currents, torque_and_current_rates};
 use nalgebra::SMatrix;
 use num_traits::Zero;
 use symbolic::{Sym, symbols};
@@ -30,7 +30,7 @@ struct Instant {
     /// by the machine
     rates: [Sym; 2],
     /// by the machine, without friction
-    moment: Sym,
+    torque: Sym,
     /// in the axes at rest: a turning vector of constant length, across the magnets at g = 0
     voltage: [Sym; 2],
 }
@@ -42,12 +42,12 @@ impl Instant {
         let [phi, beta, slip, acceleration, d, q] = symbols(["phi", "beta", "s", "a", "d", "q"]);
         let (currents, mut rates) = ([d, q], [Sym::ZERO; 2]);
         let speed = slip + machine.frame_speed();
-        let moment = drive(&machine, phi.circle() - beta.circle(), slip, &currents, &mut rates);
+        let torque = torque_and_current_rates(&machine, phi.circle() - beta.circle(), slip, &currents, &mut rates);
         let quarter = Circle { cos: Sym::ZERO, sin: Sym::int(1) };
         let place = electric(beta.circle(), pole_pairs) + quarter;
         let voltage = [magnets.voltage * place.cos, magnets.voltage * place.sin];
-        let moment = moment + magnets.f * speed;
-        Instant { machine, phi, speed, acceleration, currents, rates, moment, voltage }
+        let torque = torque + magnets.f * speed;
+        Instant { machine, phi, speed, acceleration, currents, rates, torque, voltage }
     }
 
     fn electric(&self) -> Circle<Sym> {
@@ -78,7 +78,7 @@ fn parks_transformation_of_the_phases_by_lagrange_and_maxwell_is_the_machine() {
             let name = format!("{pole_pairs} pole pairs, phase {k}");
             assert_equal(&name, residual[k], at.voltage[k] - resistance * velocity[k]);
         }
-        assert_equal("moment", -residual[2], at.moment);
+        assert_equal("torque", -residual[2], at.torque);
     }
 }
 
@@ -107,7 +107,7 @@ fn the_motional_terms_are_those_of_boltzmann_and_hamel() {
             let name = format!("{pole_pairs} pole pairs, axis {k}");
             assert_equal(&name, residual[k], voltage[k] - resistance * at.currents[k]);
         }
-        assert_equal("moment", -residual[2], at.moment);
+        assert_equal("torque", -residual[2], at.torque);
     }
 }
 
@@ -126,7 +126,7 @@ fn the_currents_that_rest_in_step_are_those_of_the_phasor_diagram() {
     };
     let machine = PermanentMagnet { magnets, pole_pairs: 3 };
     let angle = Circle::from_half_tangent(n(-1, 20));
-    let found = resting_currents(&machine, angle, Rational::zero()).expect("they rest");
+    let found = steady_currents(&machine, angle, Rational::zero()).expect("they rest");
     let (r, w) = (magnets.resistance, magnets.field_speed * n(3, 1));
     let (reactance_d, reactance_q) = (w * magnets.along, w * magnets.across);
     let load = angle + angle + angle;
@@ -135,6 +135,6 @@ fn the_currents_that_rest_in_step_are_those_of_the_phasor_diagram() {
     assert_eq!(found[0], (r * along + reactance_q * across) / below);
     assert_eq!(found[1], (r * across - reactance_d * along) / below);
     let mut rates = [number(1, 1); 2];
-    drive(&machine, angle, Rational::zero(), &found, &mut rates);
+    torque_and_current_rates(&machine, angle, Rational::zero(), &found, &mut rates);
     assert_eq!(rates, [Rational::zero(); 2]);
 }

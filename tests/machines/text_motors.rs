@@ -76,7 +76,7 @@ fn with_bars(degrees: &[f64]) -> (MultiCurrent<f64>, Motor) {
 fn twins() -> Vec<(Motor, Motor)> {
     let slip = "k = \"0.02 N m s\"\nf = \"0.05 N m s\"\n";
     let kloss = "pull_out = \"0.8 N m\"\npull_out_slip = \"0.2\"\nf = \"0.05 N m s\"\n";
-    let kloss_law = "moment_law = \"2*pull_out*(-g'/field_speed)*pull_out_slip/((-g'/field_speed)*(-g'/field_speed) \
+    let kloss_law = "torque_law = \"2*pull_out*(-g'/field_speed)*pull_out_slip/((-g'/field_speed)*(-g'/field_speed) \
                      + pull_out_slip*pull_out_slip) - f*phi'\"\n";
     let field = "b0 = \"0.8 N m\"\nf = \"0.05 N m s\"\n";
     let field_law = "field_energy = \"-b0*cos(g)\"\nmoment_law = \"-f*phi'\"\n";
@@ -86,8 +86,8 @@ fn twins() -> Vec<(Motor, Motor)> {
     let plain =
         |model: &str, data: &str, laws: &str| (named(model, &format!("{DATA}{data}")), written(DATA, laws, data, ""));
     vec![
-        (named("free_rotor", ""), written("field_speed = \"0 rad/s\"\n", "moment_law = \"0\"\n", "", "")),
-        plain("asynchronous", slip, "moment_law = \"-(k*g' + f*phi')\"\n"),
+        (named("free_rotor", ""), written("field_speed = \"0 rad/s\"\n", "torque_law = \"0\"\n", "", "")),
+        plain("asynchronous", slip, "torque_law = \"-(k*g' + f*phi')\"\n"),
         plain("kloss", kloss, kloss_law),
         plain("synchronous", field, field_law),
         (
@@ -98,7 +98,7 @@ fn twins() -> Vec<(Motor, Motor)> {
             named("crossed_windings", &format!("{DATA}{CROSSED}")),
             written(
                 DATA,
-                "moment_law = \"-f*phi'\"\n",
+                "torque_law = \"-f*phi'\"\n",
                 CROSSED,
                 "[[machine.winding]]\ncurrent = \"i1\"\nflux = \"flux*cos(g)\"\ninductance = \"inductance\"\n\
                  resistance = \"resistance\"\n[[machine.winding]]\ncurrent = \"i2\"\nflux = \"flux*sin(g)\"\n\
@@ -109,7 +109,7 @@ fn twins() -> Vec<(Motor, Motor)> {
             named("permanent_magnet", &format!("{DATA}{MAGNETS}pole_pairs = 3\n")),
             written(
                 DATA,
-                "moment_law = \"-f*phi'\"\n",
+                "torque_law = \"-f*phi'\"\n",
                 MAGNETS,
                 "[[machine.winding]]\ncurrent = \"id\"\nflux = \"0\"\ninductance = \"along\"\n\
                  resistance = \"resistance\"\nsupply = \"voltage*sin(3*g)\"\nmotional = \"-across*iq*3\"\n\
@@ -121,7 +121,7 @@ fn twins() -> Vec<(Motor, Motor)> {
             named("brushed", BRUSHED),
             written(
                 "field_speed = \"0 rad/s\"\n",
-                "moment_law = \"-f*phi'\"\n",
+                "torque_law = \"-f*phi'\"\n",
                 BRUSHED,
                 "[[machine.winding]]\ncurrent = \"i\"\nflux = \"0\"\ninductance = \"inductance\"\n\
                  resistance = \"resistance\"\nsupply = \"voltage\"\nmotional = \"flux\"\n",

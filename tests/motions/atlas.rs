@@ -113,18 +113,18 @@ fn runs(way: &Configuration, stiff: bool, tolerance: impl Fn(f64) -> Tolerance) 
             methods.into_iter().map(adaptive).collect()
         }
         Treated::Held(_) => {
-            let gauss = |steps| (None, tolerance(1e-9), Some(Holding::ProjectedGauss { stages: 3, steps }));
-            let explicit = |steps| (None, tolerance(1e-9), Some(Holding::HalfExplicitRungeKutta4 { steps }));
+            let gauss = |steps| (None, tolerance(1e-9), Some(Index2Method::ProjectedGauss { stages: 3, steps }));
+            let explicit = |steps| (None, tolerance(1e-9), Some(Index2Method::HalfExplicitRungeKutta4 { steps }));
             vec![
                 ("half-explicit RK 4".to_owned(), STEPS.map(explicit).to_vec()),
                 ("Gauss, 3 stages".to_owned(), STEPS.map(gauss).to_vec()),
             ]
         }
-        Treated::Across(_) => panic!("no scene of these has events"),
+        Treated::Hybrid(_) => panic!("no scene of these has events"),
     }
 }
 
-type Attempted = (Option<Method>, Tolerance, Option<Holding>);
+type Attempted = (Option<Method>, Tolerance, Option<Index2Method>);
 
 /// Evaluations, and the error or the reason for which there is none.
 fn run(
@@ -148,7 +148,7 @@ fn run(
             return of(outcome.failure(), outcome.work, columns, record);
         }
         (Treated::Free(law), Some(method), _) => integrate_in(&**law, *method, tolerance, &exact, &mut record),
-        (Treated::Held(law), _, Some(holding)) => hold(&**law, *holding, &exact, &mut record),
+        (Treated::Held(law), _, Some(holding)) => integrate_index2(&**law, *holding, &exact, &mut record),
         _ => panic!("{} has no such method", way.formulation),
     };
     let states = record.states.iter().map(|state| state.iter().map(|y: &DoubleDouble| y.hi()).collect()).collect();
@@ -284,9 +284,9 @@ fn every_formulation_of_a_mechanism_tends_to_one_motion() {
             let attempt = match way.law {
                 Treated::Free(_) => (Some(Method::DormandPrince8), Tolerance::both(1e-9), None),
                 Treated::Held(_) => {
-                    (None, Tolerance::both(1e-9), Some(Holding::ProjectedGauss { stages: 3, steps: 400 }))
+                    (None, Tolerance::both(1e-9), Some(Index2Method::ProjectedGauss { stages: 3, steps: 400 }))
                 }
-                Treated::Across(_) => panic!("no mechanism has events"),
+                Treated::Hybrid(_) => panic!("no mechanism has events"),
             };
             let (_, error) = run(way, &goal, (span, EVALUATIONS), &attempt);
             let error = error.unwrap_or_else(|failure| panic!("{name}, {}: {failure}", way.formulation));

@@ -96,7 +96,7 @@ SUBJECT_OF = {
     "derivations/studies/src/stationary/": ["stability::stationary", "stability"],
     "derivations/studies/src/numerical_stability/": ["stability::numerical_stability"],
     "derivations/studies/src/synchronism/": ["motions::synchronism"],
-    "crates/integrators/src/branches/repeating.rs": ["motions::synchronism"],
+    "crates/integrators/src/branches/periodic_motions.rs": ["motions::synchronism"],
     "crates/integrators/src/branches/": ["methods"],
     "crates/mechanics/src/constrained/servo.rs": ["systems::servo"],
     "crates/mechanics/src/constrained/massless.rs": ["systems::servo"],

@@ -157,13 +157,13 @@ pub fn rounded_twice(g: &Gyrostat<Rational>) -> Gyrostat<DoubleDouble> {
 pub fn motion() -> impl Strategy<Value = MotionInstant<Rational>> {
     let number = || fraction(-30..31, 7);
     (vector(-30..31, 7), axes(), number(), vector(-30..31, 7), number(), number()).prop_map(
-        |(angular_velocity, axes, rotor_speed, angular_acceleration, rotor_acceleration, moment)| MotionInstant {
+        |(angular_velocity, axes, rotor_speed, angular_acceleration, rotor_acceleration, torque)| MotionInstant {
             angular_velocity,
             vertical: axes.column(0).into(),
             rotor_speed,
             angular_acceleration,
             rotor_acceleration,
-            moment,
+            torque,
         },
     )
 }

@@ -6,7 +6,7 @@ use dalembert_derivations::systems::gyrostat::Gyrostat;
 use field::Rational;
 use mechanics::steady_rotations::Body;
 use nalgebra::Vector3;
-use scenes::steady_motions::{Asked, Range, SteadyMotions};
+use scenes::steady_motions::{Range, SteadyMotions, SteadySearch};
 use scenes::{Task, parse_titled};
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -115,10 +115,10 @@ pub fn compared(bodies: &Gyrostat<Rational>, w: Rational, speed: Rational) -> Op
     let (_, model) = parse_titled("gyrostat.toml", &text, Task::Vary).unwrap_or_else(|error| panic!("{error}"));
     let point = |value: Rational| Range { from: value.to_f64(), to: value.to_f64() };
     let ranges = [("theta", Range { from: POLE, to: PI - POLE }), ("psi'", point(w)), ("spin'", point(speed))];
-    let asked = Asked {
+    let asked = SteadySearch {
         ranges: ranges.map(|(name, range)| (name.to_owned(), range)).to_vec(),
         boxes: BOXES,
-        ..Asked::default()
+        ..SteadySearch::default()
     };
     let found = SteadyMotions::of(&model, &asked, || true).expect("steady motions are sought");
     let direction = |state: &[f64]| {

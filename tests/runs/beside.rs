@@ -1,7 +1,7 @@
 //! Step-halving checks of runs with constant steps: no accurate run is flagged, and every run that crosses a pole is.
 
 use dalembert_derivations::studies::AnyScene;
-use integrators::{Method, Parting};
+use integrators::{Method, StepHalvingVerdict};
 use reader::Family as _;
 use simulation::{Axes, Choice, IvpScene, Problem, Trajectory, methods};
 use std::ops::ControlFlow;
@@ -15,10 +15,10 @@ fn run(problem: &Problem, method: Method) -> (Choice, Trajectory) {
     (choice, trajectory)
 }
 
-fn judged(problem: &Problem, method: Method) -> (Trajectory, Option<Parting>) {
+fn judged(problem: &Problem, method: Method) -> (Trajectory, Option<StepHalvingVerdict>) {
     let (choice, trajectory) = run(problem, method);
-    let beside = problem.beside(&choice, &trajectory, || ControlFlow::Continue(()));
-    (trajectory, beside.map(|beside| beside.parting))
+    let beside = problem.check_by_step_halving(&choice, &trajectory, || ControlFlow::Continue(()));
+    (trajectory, beside.map(|beside| beside.verdict))
 }
 
 /// Every scene that is one initial value problem.
@@ -65,16 +65,16 @@ fn what_is_right_is_never_named() {
             let implicit = [Method::ImplicitMidpoint { steps }];
             let explicit = [Method::Euler { steps }, Method::RungeKutta4 { steps }];
             for method in explicit.into_iter().chain(implicit.into_iter().filter(|_| steps == 2_000)) {
-                let (trajectory, parting) = judged(&problem, method);
-                let Some(parting) = parting else { continue };
+                let (trajectory, verdict) = judged(&problem, method);
+                let Some(verdict) = verdict else { continue };
                 let off = apart(&trajectory, &reference);
                 (right, wrong) = (right + usize::from(off < 0.01), wrong + usize::from(off > 1.0));
-                named += usize::from(off > 1.0 && parting.parts());
-                if off < 0.01 && parting.parts() || off > 1.0 && !parting.parts() {
-                    println!("{}, {method}: off by {off:.1e}, {parting:?}", path.display());
+                named += usize::from(off > 1.0 && verdict.departs());
+                if off < 0.01 && verdict.departs() || off > 1.0 && !verdict.departs() {
+                    println!("{}, {method}: off by {off:.1e}, {verdict:?}", path.display());
                 }
-                if off < 0.01 && parting.parts() {
-                    failed.push(format!("{}, {method}: off by {off:.1e}, {parting:?}", path.display()));
+                if off < 0.01 && verdict.departs() {
+                    failed.push(format!("{}, {method}: off by {off:.1e}, {verdict:?}", path.display()));
                 }
             }
         }
@@ -91,8 +91,8 @@ fn no_scene_with_constant_steps_of_its_own_is_named() {
         let smooth: &dyn IvpScene = scene.smooth();
         let own = smooth.run().choice();
         if own.method.steps().is_some() {
-            let (trajectory, parting) = judged(&smooth.problem(Axes::First), own.method);
-            println!("{}: {:?} {parting:?}", path.display(), trajectory.stopped());
+            let (trajectory, verdict) = judged(&smooth.problem(Axes::First), own.method);
+            println!("{}: {:?} {verdict:?}", path.display(), trajectory.stopped());
             seen += 1;
         }
     }
@@ -111,13 +111,13 @@ fn whoever_crosses_a_pole_is_named() {
         for steps in [20, 30, 50, 200, 500, 1_000, 3_000, 10_000] {
             for method in ["euler", "runge_kutta_4"] {
                 let method = methods::method(&format!("{method}:{steps}")).expect("it is a method");
-                let (trajectory, parting) = judged(&problem, method);
-                println!("{name}, {method}: {:?} {parting:?}", trajectory.stopped());
-                match parting {
-                    Some(parting) => assert!(parting.parts(), "{name}, {method}: {parting:?}"),
+                let (trajectory, verdict) = judged(&problem, method);
+                println!("{name}, {method}: {:?} {verdict:?}", trajectory.stopped());
+                match verdict {
+                    Some(verdict) => assert!(verdict.departs(), "{name}, {method}: {verdict:?}"),
                     None => assert!(trajectory.left.is_some(), "{name}, {method}: {:?}", trajectory.stopped()),
                 }
-                crossed += usize::from(parting.is_some());
+                crossed += usize::from(verdict.is_some());
             }
         }
     }

@@ -7,7 +7,7 @@ use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::SecondForm;
 use field::Batch;
 use integrators::{
-    Ensemble, Failure, LaneSeries, Members, Ode, SideBySide, Taylor, Tolerance, lanes_order, runge_kutta_4_step,
+    BatchRungeKutta4, BatchSeries, Ensemble, Failure, Members, Ode, Taylor, Tolerance, batch_order, runge_kutta_4_step,
 };
 use nalgebra::Vector3;
 use reader::Family;
@@ -65,7 +65,7 @@ fn every_member_is_the_single_run_of_its_scene() {
         let mut problem = one.problem(Axes::Second);
         let series = problem.law.taylor().expect("its law is recorded");
         let mut taylor =
-            Taylor::new(series, &Tolerance::both(one.run.tolerance)).with_order(lanes_order(one.run.tolerance));
+            Taylor::new(series, &Tolerance::both(one.run.tolerance)).with_order(batch_order(one.run.tolerance));
         let steps = taylor.propagate(0.0, one.run.span, &mut problem.state).expect("it arrives");
         assert_eq!((steps, &row.stopped), (row.steps, &None));
         one.back(Axes::Second)(&mut problem.state);
@@ -225,7 +225,7 @@ struct Growth {
     series: Vec<[Batch<4>; 1]>,
 }
 
-impl LaneSeries<4> for Growth {
+impl BatchSeries<4> for Growth {
     fn set(&mut self, lane: usize, parameters: &[f64]) {
         self.rates.0[lane] = parameters[0];
     }
@@ -275,7 +275,7 @@ fn a_member_that_fails_disturbs_no_other_and_nobody_waits_for_the_slowest() {
     let rates = [1.0, -2.0, f64::NAN, 300.0, 0.0, 5e5, -1.0, 2.0, 3.0, -1e6];
     // the last one would be infinite after the one step that takes it to the end
     let starts: Vec<(f64, f64)> = rates.iter().map(|rate| (*rate, 1.0)).chain([(1.0, 1e308)]).collect();
-    let series = vec![[Batch::all(0.0)]; lanes_order(1e-12) + 1];
+    let series = vec![[Batch::all(0.0)]; batch_order(1e-12) + 1];
     let mut members = Starts { starts: &starts, next: 0, ended: Vec::new() };
     let source = Growth { rates: Batch::all(0.0), series };
     Ensemble::new(source, 1e-12, 1.0, 1, 1).with_most_steps(10_000).run(&mut members);
@@ -310,7 +310,7 @@ fn side_by_side<const L: usize, const FUSED: bool>(first: usize) -> Vec<Batch<L,
     });
     let law = Driven::new(form, MultiCurrent::evenly(windings, 3));
     let mut state: Vec<Batch<L, FUSED>> = (0..law.dimension()).map(|i| lanes(0.3 + 0.1 * i as f64)).collect();
-    SideBySide::new(state.len()).steps(&law, 0.0, 1e-4, 50, &mut state);
+    BatchRungeKutta4::new(state.len()).steps(&law, 0.0, 1e-4, 50, &mut state);
     state
 }
 
@@ -343,7 +343,7 @@ fn steps_side_by_side_are_the_classical_ones_with_the_time_in_the_law() {
         }
     }
     let mut state = [Batch::<3, false>([1.0, 2.0, 3.0]), Batch::all(0.5)];
-    SideBySide::new(2).steps(&Forced, 0.25, 0.125, 8, &mut state);
+    BatchRungeKutta4::new(2).steps(&Forced, 0.25, 0.125, 8, &mut state);
     for lane in 0..3 {
         let (mut y, mut after) = ([[1.0, 2.0, 3.0][lane], 0.5], [0.0; 2]);
         let (mut slopes, mut stage) = (std::array::from_fn(|_| vec![0.0; 2]), [0.0; 2]);

@@ -198,7 +198,7 @@ fn a_folder_is_no_scene() {
 const WRITTEN: &str = r#"model = "text"
 field_speed = "150 rad/s"
 field_energy = "-b0*cos(g)"
-moment_law = "-mu*g' - f*phi'"
+torque_law = "-mu*g' - f*phi'"
 
 [machine.parameters]
 b0 = "0.15 N m"
@@ -247,8 +247,8 @@ refuses_laws! {
     an_angle_out_of_cosine_and_sine_is_no_law: [("\"-b0*cos(g)\"", "\"b0*g*g\"")] => ["g"];
     half_an_angle_is_no_law_of_the_circle: [("\"-b0*cos(g)\"", "\"-b0*cos(g/2)\"")] => ["cos(g/2)"];
     a_speed_in_an_energy_is_refused: [("\"-b0*cos(g)\"", "\"-b0*cos(g) + mu*g'\"")] => ["g'"];
-    an_angle_in_the_moment_law_is_refused: [("-mu*g' - f*phi'", "-mu*g' - b0*sin(g)")] => ["g"];
-    a_current_in_the_moment_law_is_refused: [("-mu*g' - f*phi'", "-f*phi' + a1*x")] => ["x"];
+    an_angle_in_the_torque_law_is_refused: [("-mu*g' - f*phi'", "-mu*g' - b0*sin(g)")] => ["g"];
+    a_current_in_the_torque_law_is_refused: [("-mu*g' - f*phi'", "-f*phi' + a1*x")] => ["x"];
     a_current_in_a_supply_is_refused: [("resistance = \"r1\"", "resistance = \"r1\"\nsupply = \"-a1*x\"")] => ["x"];
     a_winding_that_saturates_is_refused: [("inductance = \"l1\"", "inductance = \"l1*x\"")] => ["x"];
     a_root_of_the_motion_is_refused: [("-mu*g' - f*phi'", "-mu*sqrt(g'*g') - f*phi'")] => ["sqrt(g'*g')"];
@@ -257,7 +257,7 @@ refuses_laws! {
     a_winding_that_knows_the_motion_is_refused: [("resistance = \"r1\"", "resistance = \"r1*cos(g)\"")] => ["g"];
     a_winding_without_its_parts_is_told_each: [("inductance = \"l1\"\nresistance = \"r1\"\n", "")]
         => ["[[machine.winding]]", "[[machine.winding]]"];
-    a_motor_without_its_moment_law: [("moment_law = \"-mu*g' - f*phi'\"\n", "")] => ["[machine]"];
+    a_motor_without_its_torque_law: [("torque_law = \"-mu*g' - f*phi'\"\n", "")] => ["[machine]"];
     a_parameter_that_takes_a_letter_of_the_motion: [("mu = \"1e-5 N m s\"", "mu = \"1e-5 N m s\"\n\"g'\" = \"1\"")] => ["\"g'\""];
     a_parameter_that_no_expression_can_name: [("mu = \"1e-5 N m s\"", "mu = \"1e-5 N m s\"\nk-2 = \"1\"")] => ["k-2"];
     a_parameter_of_an_unknown_unit: [("mu = \"1e-5 N m s\"", "mu = \"1e-5 N mm s\"\nk = \"1 hg\"")] => ["\"1 hg\""];
@@ -269,7 +269,7 @@ refuses_laws! {
     a_current_that_has_the_name_of_a_slip: [("resistance = \"r1\"", "resistance = \"r1\"\ncurrent = \"g'\"")] => ["\"g'\""];
     a_law_that_is_a_number: [("\"-b0*cos(g)\"", "7")] => ["7"];
     a_resistance_that_is_zero_is_asked_for_by_name: [("r1 = \"1.2 ohm\"", "r1 = \"0 ohm\"")] => ["\"r1\""];
-    a_moment_that_drives_in_both_directions_is_negative_friction: [("f = \"1e-4 N m s\"", "f = \"-1e-4 N m s\"")]
+    a_torque_that_drives_in_both_directions_is_negative_friction: [("f = \"1e-4 N m s\"", "f = \"-1e-4 N m s\"")]
         => ["\"-mu*g' - f*phi'\""];
     a_parameter_that_is_no_number_is_told_once: [("a1 = \"30 mWb\"", "a1 = \"nan Wb\""), ("resistance = \"r1\"", "resistance = \"r1\"\nmotional = \"a1\"")]
         => ["\"nan Wb\""];

@@ -31,7 +31,7 @@ pub struct Arguments {
     #[command(subcommand)]
     pub command: Option<Command>,
     #[command(flatten)]
-    pub report: report::Asked,
+    pub report: report::Args,
     /// Results and errors only: no progress, no names of files that were written
     #[arg(long, short, global = true)]
     pub quiet: bool,
@@ -86,59 +86,59 @@ const USUAL: u32 = 300;
 pub enum Command {
     /// Runs a scene and prints its last state, the work done and the invariants
     #[command(after_long_help = run::help())]
-    Run(run::Asked),
+    Run(run::Args),
     /// Measures every method on a scene: speed against accuracy
-    Chart(chart::Asked),
+    Chart(chart::Args),
     /// The smallest model, and the cheapest method for it, that meet a tolerance in the outputs that matter
-    Choose(choose::Asked),
+    Choose(choose::Args),
     /// Computes a reference solution of a scene, to the digits on which two methods agree, and keeps it in a file
-    Reference(reference::Asked),
+    Reference(reference::Args),
     /// Runs the members of an ensemble, whose table `ensemble` in the scene says what varies; a run that was killed is continued
-    Ensemble(ensemble::Asked),
+    Ensemble(ensemble::Args),
     /// Every claim of the papers with its verdict
-    Ledger(ledger::Asked),
+    Ledger(ledger::Args),
     /// Every claim of a paper that is a file, judged on the model that the file gives: what is printed, how it was read, its verdict
     #[command(after_long_help = ledger::paper_file::HELP)]
-    Judge(ledger::paper_file::Asked),
+    Judge(ledger::paper_file::Args),
     /// Changes of a system, of a paper or of the reviewed pages: which term of which equation, its meaning, which claims and runs moved
-    Review(review::Asked),
+    Review(review::Args),
     /// Equations of motion by a chosen principle
-    Derive(derive::Asked),
+    Derive(derive::Args),
     /// A sketch of a system, drawn from its model: bodies, joints, springs, surfaces; still, or moving as a run does
-    Draw(draw::Asked),
+    Draw(draw::Args),
     /// A system that is written in its file, for other programs: a unit of FMI 3.0 or 2.0, a Modelica model, code that runs
     #[command(after_long_help = export::HELP)]
-    Export(export::Asked),
+    Export(export::Args),
     /// Whether every principle gives the same equations of motion, for a system that is written in its file
-    Prove(prove::Asked),
+    Prove(prove::Args),
     /// Linear equations about a point or along a run, for a system that is written in its file: A, B, C, D, eigenvalues, stability
     #[command(alias = "linearize")]
-    Linearise(linearise::Asked),
+    Linearise(linearise::Args),
     /// A page in the browser that follows a file while it is written: equations, verdicts, the run, sliders, the claims of a paper
-    Watch(watch::Asked),
+    Watch(watch::Args),
     /// The forces under which a system that is written in its file moves as prescribed
-    Inverse(inverse::Asked),
+    Inverse(inverse::Args),
     /// The optimal regulator of a system that is written in its file, by Riccati's equation, and its run on the nonlinear model
-    Regulate(regulate::Asked),
+    Regulate(regulate::Args),
     /// The mass properties of a scene's bodies: both inertia tensors, principal axes, centre of mass, weight
-    Bodies(bodies::Asked),
+    Bodies(bodies::Args),
     /// All steady motions of a system in a box, equilibria and those with constant speeds, none missing, and whether each is stable
-    Stationary(stationary::Asked),
+    Stationary(stationary::Args),
     /// The step sizes for which each method preserves the stability or instability of a steady motion
     #[command(alias = "phantom")]
-    NumericalStability(numerical_stability::Asked),
+    NumericalStability(numerical_stability::Args),
     /// A synchronous motor under load: pull-out and pull-in torque, motions between them, and the starts that synchronise
-    Motor(motor::Asked),
+    Motor(motor::Args),
     /// Checks the properties that every motor must have, each with a verdict: power, passivity, frames, housing, rest, stiffness, dimensions
-    Conform(conform::Asked),
+    Conform(conform::Args),
     /// Writes a new motor: its file, its line in the list, a scene and a test; or a scene with its laws as text
-    New(new::Asked),
+    New(new::Args),
     /// Every consistent regime of a scene with rough contacts at its start, with all margins
-    Regimes(regimes::Asked),
+    Regimes(regimes::Args),
     /// The catalogue of failures of methods: thresholds by theory and by runs, methods that survive, advice
-    Failures(failures::Asked),
+    Failures(failures::Args),
     /// Lists the scenes of a folder, each with its title
-    Scenes(scenes::Asked),
+    Scenes(scenes::Args),
     /// A script that completes commands and options in a shell: `dalembert completions bash > FILE`
     Completions {
         /// The shell

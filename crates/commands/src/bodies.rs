@@ -2,7 +2,6 @@
 
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
-use clap::Args;
 use nalgebra::{Matrix3, Vector3};
 use reader::Family;
 use serde_json::{Value, json};
@@ -12,8 +11,8 @@ use studies::scene::{Scene, Setup};
 use systems::gyrostat::Gyrostat;
 
 /// Arguments of `bodies`.
-#[derive(Args, Debug)]
-pub struct Asked {
+#[derive(clap::Args, Debug)]
+pub struct Args {
     /// The scene, a TOML file
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
@@ -23,7 +22,7 @@ pub struct Asked {
 }
 
 /// Prints both inertia tensors, their principal moments and axes, the rotation between them, and the weight.
-pub fn show(asked: &Asked) -> Result<Exit, Exit> {
+pub fn show(asked: &Args) -> Result<Exit, Exit> {
     let scene = Scene::open(&asked.scene)?;
     let Setup::Gyrostat(bodies) = &scene.system else {
         return Err(Exit::refused(format!(

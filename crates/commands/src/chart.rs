@@ -9,7 +9,7 @@ use crate::run::{one_form, refuse, with_model};
 use crate::speed::{advice::advice, family, model, pictures, tables};
 use crate::{clock, csv};
 use charts::{Table, WorkPrecision};
-use clap::{Args, ValueEnum};
+use clap::ValueEnum;
 use integrators::{Failure, Point};
 use reader::Family;
 use serde_json::{Value, json};
@@ -28,8 +28,8 @@ use studies::model_reduction::Hierarchy;
 use studies::scene::Setup;
 
 /// Arguments of `chart`.
-#[derive(Args, Debug)]
-pub struct Asked {
+#[derive(clap::Args, Debug)]
+pub struct Args {
     /// The scene, a TOML file
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
@@ -63,7 +63,7 @@ pub enum Axis {
 
 /// Measures every method, prints the tables, draws the chart where one is asked for. The reference may take a third of the time, the
 /// runs another third, and the timing of the runs a part of the rest.
-pub fn chart(asked: &Asked) -> Result<Exit, Exit> {
+pub fn chart(asked: &Args) -> Result<Exit, Exit> {
     let scene = match AnyScene::open(&asked.scene)? {
         AnyScene::Driven(scene) => {
             AnyScene::Driven(Box::new(with_model(*scene, asked.model.as_deref(), &asked.scene)?))
@@ -168,7 +168,7 @@ pub fn charted(scene: &Arc<dyn Modelled>, left: impl Fn() -> Duration) -> Result
 fn told(
     title: &str,
     atlas: &Atlas,
-    asked: &Asked,
+    asked: &Args,
     output: Option<Output>,
     page: impl FnOnce(Vec<WorkPrecision>) -> String,
 ) -> Result<Exit, Exit> {
@@ -232,7 +232,7 @@ const COLUMNS: [&str; 8] =
     ["formulation", "model", "method", "tolerance [1]", "evaluations", "time [s]", "error [1]", "failure"];
 
 /// The destination of the chart, checked before the work.
-fn output(asked: &Asked) -> Result<Option<Output>, Exit> {
+fn output(asked: &Args) -> Result<Option<Output>, Exit> {
     let kept = references::place(&asked.scene);
     let writes = Writes { command: "chart", force: asked.force, reads: vec![&asked.scene, &kept] };
     let output =
@@ -251,7 +251,7 @@ fn output(asked: &Asked) -> Result<Option<Output>, Exit> {
 fn drawn(
     title: &str,
     atlas: &Atlas,
-    asked: &Asked,
+    asked: &Args,
     form: &Form,
     page: impl FnOnce(Vec<WorkPrecision>) -> String,
 ) -> String {

@@ -5,7 +5,7 @@
 //! something is printed or written the thread waits.
 
 use crate::{atomic_write, progress};
-use integrators::clock::{ask_for_the_end, is_asked, set_deadline, was_obeyed};
+use integrators::clock::{is_asked, request_end, set_deadline, was_obeyed};
 use signal_hook::consts::SIGINT;
 use signal_hook::flag;
 use std::io::{self, Write};
@@ -141,7 +141,7 @@ impl Clock {
                 PRESSED.store(true, Relaxed);
                 // commands that need complete results must not take a stopped run for a result
                 if self.keeps == Keeps::Part {
-                    ask_for_the_end();
+                    request_end();
                 }
             }
             turn = (turn + 1) % TICKS_A_DRAWING;

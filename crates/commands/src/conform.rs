@@ -4,7 +4,6 @@ use crate::arguments::Format;
 use crate::exit::{Exit, print};
 use ::scenes::{Task, read_titled};
 use claims::finding::{Finding, PropertyVerdict};
-use clap::Args;
 use motor::{NoModel, catalogue, text};
 use reader::{Family, read_text};
 use serde_json::{Value, json};
@@ -14,8 +13,8 @@ use studies::conformance::{conform, page, sample};
 use studies::scene::Scene;
 
 /// Arguments of `conform`.
-#[derive(Args, Debug)]
-pub struct Asked {
+#[derive(clap::Args, Debug)]
+pub struct Args {
     /// A machine by its name, with data of a small motor; or a scene, a TOML file, whose motor or whose system may be written in it
     #[arg(value_name = "MACHINE|SCENE.toml")]
     pub motor: String,
@@ -28,7 +27,7 @@ pub struct Asked {
 }
 
 /// Prints every check with its verdict.
-pub fn show(asked: &Asked) -> Result<Exit, Exit> {
+pub fn show(asked: &Args) -> Result<Exit, Exit> {
     let path = Path::new(&asked.motor);
     let is_system = || read_text(path).is_ok_and(|text| holds_model(&text));
     let (title, findings) = if asked.motor.ends_with(".toml") && is_system() {

@@ -8,7 +8,6 @@ use crate::sketch::{Interval, Motion, followed, most_pictures, sketch};
 use ::scenes::geometry::{Figure, Geometry};
 use ::scenes::{ModelScene, SystemText, Task, start_of};
 use charts::Sketch;
-use clap::Args;
 use model::Model;
 use reader::Issue;
 use simulation::{Choice, IvpScene};
@@ -16,8 +15,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Arguments of `draw`.
-#[derive(Args, Debug)]
-pub struct Asked {
+#[derive(clap::Args, Debug)]
+pub struct Args {
     /// The scene, a TOML file with points, bodies or frames; values of parameters are those of the file
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
@@ -75,7 +74,7 @@ fn finite(text: &str) -> Option<f64> {
 const FARTHEST: f64 = 1e100;
 
 /// Draws the system.
-pub fn draw(asked: &Asked) -> Result<Exit, Exit> {
+pub fn draw(asked: &Args) -> Result<Exit, Exit> {
     let writes = Writes { command: "draw", force: asked.force, reads: vec![&asked.scene] };
     let output = writes.optional(asked.out.as_deref(), &[Form::Picture])?;
     let provenance = Provenance::of(writes.maker(), &asked.scene);

@@ -5,7 +5,6 @@ use crate::exit::{Exit, is_quiet, warn};
 use crate::output::{Form, Format, Output, Provenance, Source, Writes};
 use ::scenes::SystemText;
 use ::scenes::exchange::{Program, program, unit};
-use clap::Args;
 use exchange::fmu::{Binary, NoBinary, Unit, Version};
 use std::path::{Path, PathBuf};
 
@@ -22,8 +21,8 @@ Left to `run`, and refused with the line of the file: contacts, diodes, laws tha
 may stick.";
 
 /// Arguments of `export`.
-#[derive(Args, Debug)]
-pub struct Asked {
+#[derive(clap::Args, Debug)]
+pub struct Args {
     /// The scene, a file with `[coordinates]`
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
@@ -38,7 +37,7 @@ pub struct Asked {
 }
 
 /// The file to be written, exactly one.
-#[derive(Args, Debug)]
+#[derive(clap::Args, Debug)]
 #[group(required = true, multiple = false)]
 pub struct Target {
     /// A functional mock-up unit of FMI 3.0, or of FMI 2.0 with --fmi 2
@@ -70,7 +69,7 @@ fn version(text: &str) -> Result<Version, String> {
 }
 
 /// Writes the file.
-pub fn export(asked: &Asked) -> Result<Exit, Exit> {
+pub fn export(asked: &Args) -> Result<Exit, Exit> {
     let writes = Writes { command: "export", force: asked.force, reads: vec![&asked.scene] };
     let Target { fmu, modelica, c, python, rust, casadi } = &asked.target;
     let programs = [

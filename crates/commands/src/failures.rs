@@ -6,7 +6,6 @@ use crate::exit::{Exit, print};
 use crate::job_pool::JobPool;
 use ::scenes::FailureEntry;
 use charts::significant;
-use clap::Args;
 use reader::SceneError;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -14,8 +13,8 @@ use std::path::{Path, PathBuf};
 use studies::failures::{ALL, Failing, Found, NotFound, Threshold, measure_text, text_entries, text_entry};
 
 /// Arguments of `failures`.
-#[derive(Args, Debug)]
-pub struct Asked {
+#[derive(clap::Args, Debug)]
+pub struct Args {
     /// Entries whose name contains this, such as windings or pull-out; or a scene of your own with the table [failure]
     #[arg(default_value = "", value_name = "NAME|SCENE.toml")]
     pub name: String,
@@ -114,7 +113,7 @@ impl Way {
 }
 
 /// Measures the entries whose name contains the argument, or the entry of a file, and prints them.
-pub fn list(asked: &Asked) -> Result<Exit, Exit> {
+pub fn list(asked: &Args) -> Result<Exit, Exit> {
     let file = Path::new(&asked.name);
     let (chosen, mut missed) = match file.extension().is_some_and(|extension| extension == "toml") {
         true => {
@@ -154,7 +153,7 @@ pub fn list(asked: &Asked) -> Result<Exit, Exit> {
 }
 
 /// The entries that are asked for, and the errors of files that cannot be read.
-fn chosen(asked: &Asked) -> Result<(Vec<Way>, Vec<Exit>), Exit> {
+fn chosen(asked: &Args) -> Result<(Vec<Way>, Vec<Exit>), Exit> {
     let (ways, errors) = Way::all(&asked.scenes);
     let names = ways.iter().map(Way::name).collect::<Vec<_>>().join(", ");
     let chosen: Vec<Way> = ways.into_iter().filter(|way| way.name().contains(&asked.name)).collect();

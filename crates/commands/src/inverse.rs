@@ -6,14 +6,14 @@ use crate::exit::{Exit, print, warn};
 use crate::progress::Progress;
 use ::scenes::inverse::{AlongMotion, Forces, inverse};
 use ::scenes::{SystemText, parse_prescribed, unit_of, unit_of_rate};
-use clap::{Args, ValueEnum};
+use clap::ValueEnum;
 use reader::SceneError;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
 /// Arguments of `inverse`: the prescribed motion and the unknown parameters.
-#[derive(Args, Debug)]
-pub struct Asked {
+#[derive(clap::Args, Debug)]
+pub struct Args {
     /// A file with `[coordinates]`
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
@@ -55,7 +55,7 @@ fn positive(text: &str) -> Result<f64, String> {
 }
 
 /// Prints the motion with the forces that it needs.
-pub fn show(asked: &Asked) -> Result<Exit, Exit> {
+pub fn show(asked: &Args) -> Result<Exit, Exit> {
     let text = SystemText::read(&asked.scene)?;
     let times: Vec<f64> = (0..=asked.samples).map(|k| asked.span * f64::from(k) / f64::from(asked.samples)).collect();
     let wanted = Wanted { motions: &asked.motions, unknowns: &asked.unknowns, times: &times, called: "--motion" };

@@ -78,10 +78,10 @@ pub use chart::{Charted, charted};
 pub use choose::{ChosenModel, chosen_model};
 pub use inverse::{ForceTable, Wanted as WantedForces, forces_along};
 pub use ledger::paper_file::{object as finding_object, unjudged_object};
-pub use reference::{ReferenceTold, reference_solution};
-pub use regimes::{RegimesTold, consistent_regimes};
-pub use regulate::{RegulatorTold, regulator};
-pub use stationary::model::{SteadyTold, steady_motions};
+pub use reference::{ReferenceResult, reference_solution};
+pub use regimes::{RegimesResult, consistent_regimes};
+pub use regulate::{RegulatorResult, regulator};
+pub use stationary::model::{SteadyMotionsResult, steady_motions};
 
 use arguments::{Arguments, Command};
 use clap::{CommandFactory, Parser};
@@ -147,7 +147,7 @@ fn completions(shell: Shell) -> String {
 }
 
 /// Makes the report, the job without a command.
-fn report(asked: &report::Asked) -> Result<Exit, Exit> {
+fn report(asked: &report::Args) -> Result<Exit, Exit> {
     let files = scenes::files(&asked.scenes)?;
     report::write(asked, &files)
 }

@@ -4,7 +4,6 @@ use crate::arguments::Format;
 use crate::exit::{Exit, print};
 use crate::run::with_model;
 use crate::studies::synchronism::onset;
-use clap::Args;
 use reader::Family;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -18,8 +17,8 @@ use studies::synchronism::maps::{alone, over_starts};
 use studies::synchronism::pull_in::PullIn;
 
 /// Arguments of `motor`.
-#[derive(Args, Debug)]
-pub struct Asked {
+#[derive(clap::Args, Debug)]
+pub struct Args {
     /// The scene, a TOML file with a synchronous motor, on a bench or in a gyrostat
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
@@ -66,7 +65,7 @@ struct Common {
 }
 
 /// Prints the results.
-pub fn show(asked: &Asked) -> Result<Exit, Exit> {
+pub fn show(asked: &Args) -> Result<Exit, Exit> {
     let scene = with_model(Scene::open(&asked.scene)?, asked.model.as_deref(), &asked.scene)?;
     let refused = |reason: String| Exit::refused(format!("{}: {reason}", asked.scene.display()));
     let motor = Loaded::of(&scene).map_err(|reason| refused(reason.to_string()))?;

@@ -3,14 +3,14 @@
 use crate::arguments::Format;
 use crate::exit::{Exit, is_quiet, print, warn};
 use ::scenes::SystemText;
-use clap::{Args, ValueEnum};
+use clap::ValueEnum;
 use model::{Agreement, Judgement, Mistake, Model, Subject, Trace, Work, forming, judged_mistake, judgements};
 use serde_json::json;
 use std::path::PathBuf;
 
 /// Arguments of `prove`.
-#[derive(Args, Debug)]
-pub struct Asked {
+#[derive(clap::Args, Debug)]
+pub struct Args {
     /// A file with `[coordinates]`; values of parameters are not needed
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
@@ -40,7 +40,7 @@ impl From<MistakeName> for Mistake {
 
 /// Compares the residuals of every principle with those of the first, with parameters as letters, judges conservation statements, and
 /// prints a verdict for each.
-pub fn prove(asked: &Asked) -> Result<Exit, Exit> {
+pub fn prove(asked: &Args) -> Result<Exit, Exit> {
     let model = SystemText::read(&asked.scene)?.for_judgement()?;
     let mistake = asked.mistake.map(Mistake::from);
     tell_of_forming(&model);
@@ -103,7 +103,7 @@ fn object(row: &Judgement) -> serde_json::Value {
         Ok(Agreement::Identified { error, .. } | Agreement::Theorem { error, .. }) => Some(*error),
         _ => None,
     };
-    let mut object = json!({ "verdict": row.rung(), "log2_error": error, "said": row.said(), "behind": row.behind });
+    let mut object = json!({ "verdict": row.degree(), "log2_error": error, "said": row.said(), "behind": row.behind });
     match &row.subject {
         Subject::Principles(names) => object["principles"] = json!(names),
         Subject::InQuasiVelocities { principles, speeds } => {

@@ -4,7 +4,6 @@ use crate::arguments::Format;
 use crate::clock;
 use crate::exit::{Exit, print};
 use crate::output::{Form, Output, Writes};
-use clap::Args;
 use field::DoubleDouble;
 use integrators::{ENOUGH_DIGITS, Method, Reference};
 use reader::Family;
@@ -17,8 +16,8 @@ use std::time::{Duration, Instant};
 use studies::AnyScene;
 
 /// Arguments of `reference`.
-#[derive(Args, Debug)]
-pub struct Asked {
+#[derive(clap::Args, Debug)]
+pub struct Args {
     /// The scene, a TOML file
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
@@ -35,7 +34,7 @@ pub struct Asked {
 
 /// Computes the reference, prints it, and writes it where charts and the report look for it. Another computer may give a digit more
 /// or less: an existing reference is replaced by a better one only.
-pub fn reference(asked: &Asked) -> Result<Exit, Exit> {
+pub fn reference(asked: &Args) -> Result<Exit, Exit> {
     let scene = AnyScene::open(&asked.scene)?;
     let smooth = scene.smooth();
     let mut problem = smooth.problem(Axes::default());
@@ -83,7 +82,7 @@ pub fn reference(asked: &Asked) -> Result<Exit, Exit> {
 
 /// A reference as text, and as an object for programs, whose numbers are texts with all digits.
 #[derive(Debug)]
-pub struct ReferenceTold {
+pub struct ReferenceResult {
     pub text: String,
     pub object: Value,
 }
@@ -92,7 +91,7 @@ pub struct ReferenceTold {
 ///
 /// # Errors
 /// The reason for which the motion is not known to enough digits, a sentence.
-pub fn reference_solution(scene: &dyn IvpScene, allowed: Duration) -> Result<ReferenceTold, String> {
+pub fn reference_solution(scene: &dyn IvpScene, allowed: Duration) -> Result<ReferenceResult, String> {
     let problem = scene.problem(Axes::default());
     let found = found(scene, &problem, allowed).map_err(|unknown| match unknown {
         Unknown::EndsBefore { why, last } => format!("{why}; a `span` up to {last} s is accepted"),
@@ -123,7 +122,7 @@ pub fn reference_solution(scene: &dyn IvpScene, allowed: Duration) -> Result<Ref
         "states": states.iter().map(|state| row(state)).collect::<Vec<_>>(),
         "events": events.iter().map(event).collect::<Vec<_>>(),
     });
-    Ok(ReferenceTold { text, object })
+    Ok(ReferenceResult { text, object })
 }
 
 /// The reason for which a motion is not known.
@@ -172,7 +171,7 @@ fn text(title: &str, Exact { reference, events }: &Exact) -> String {
 }
 
 /// The path of the reference.
-fn place(asked: &Asked) -> PathBuf {
+fn place(asked: &Args) -> PathBuf {
     asked.out.clone().unwrap_or_else(|| references::place(&asked.scene))
 }
 
@@ -187,7 +186,7 @@ pub fn following(own: Choice) -> Choice {
 }
 
 /// Writes a reference, unless one of the same motion exists on which the methods agree to as many digits.
-fn keep(output: Output, owner: &dyn Owner, made: &Stored, asked: &Asked) -> Result<Exit, Exit> {
+fn keep(output: Output, owner: &dyn Owner, made: &Stored, asked: &Args) -> Result<Exit, Exit> {
     let path = place(asked);
     // reading a pipe would wait for a writer
     let there = path.is_file().then(|| std::fs::read_to_string(&path).ok()).flatten();

@@ -3,7 +3,6 @@
 use crate::arguments::Format;
 use crate::exit::{Exit, placed, print};
 use ::scenes::{CriticalFriction, Motions, Regimes, Task, read_titled, regimes};
-use clap::Args;
 use model::Model;
 use reader::Issue;
 use serde_json::{Value, json};
@@ -11,8 +10,8 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 /// Arguments of `regimes`.
-#[derive(Args, Debug)]
-pub struct Asked {
+#[derive(clap::Args, Debug)]
+pub struct Args {
     /// The scene, a TOML file with contacts or conditions; the folders `scenes/friction` and `scenes/models` hold examples
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
@@ -22,7 +21,7 @@ pub struct Asked {
 }
 
 /// Prints the consistent regimes at the start of a scene.
-pub fn show(asked: &Asked) -> Result<Exit, Exit> {
+pub fn show(asked: &Args) -> Result<Exit, Exit> {
     let (title, model) = read_titled(&asked.scene, Task::Run)?;
     let found = consistent_regimes(&title, model).map_err(|issue| placed(&asked.scene, issue))?;
     print(&match asked.format {
@@ -34,7 +33,7 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
 
 /// The consistent regimes at a start, as text and as an object for programs.
 #[derive(Debug)]
-pub struct RegimesTold {
+pub struct RegimesResult {
     pub text: String,
     pub object: Value,
     /// Whether there is one motion from the start.
@@ -45,9 +44,9 @@ pub struct RegimesTold {
 ///
 /// # Errors
 /// The reason for which the model cannot be at its start, or has no regimes, at its place in the text.
-pub fn consistent_regimes(title: &str, model: Model) -> Result<RegimesTold, Issue> {
+pub fn consistent_regimes(title: &str, model: Model) -> Result<RegimesResult, Issue> {
     let answer = Answer::of(regimes(model)?);
-    Ok(RegimesTold {
+    Ok(RegimesResult {
         text: format!("{title}\n{}", answer.text()),
         object: answer.object(title),
         is_determined: answer.determined,

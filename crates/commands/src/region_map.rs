@@ -29,14 +29,14 @@ const NOTE: &str = "In the middle of each cell the motion is isolated and judged
     up each column. Nothing is interpolated, and an island smaller than a cell may be missed.";
 
 /// A scene over two data, each in its range.
-pub struct Asked<'a> {
+pub struct MapRequest<'a> {
     pub scene: &'a Scene,
     pub data: [(&'a Datum, [f64; 2]); 2],
     /// rad/s
     pub speed: f64,
 }
 
-impl Asked<'_> {
+impl MapRequest<'_> {
     /// The stationary motions at all nodes, their continuation between neighbours, and the changes on the way.
     ///
     /// # Errors

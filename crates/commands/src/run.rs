@@ -8,8 +8,7 @@ use crate::progress::Progress;
 use crate::summary::Summary;
 use crate::{clock, csv};
 use ::scenes::completed_start;
-use clap::Args;
-use integrators::{Beside, Method};
+use integrators::{Method, StepHalvingCheck};
 use motor::{NoModel, catalogue};
 use reader::Family;
 use simulation::models::Modelled;
@@ -22,8 +21,8 @@ use studies::model_reduction::{Hierarchy, ReducedScene, Simplification, Simplifi
 use studies::scene::Scene;
 
 /// Arguments of `run`; the scene gives the values of those that are left out.
-#[derive(Args, Debug)]
-pub struct Asked {
+#[derive(clap::Args, Debug)]
+pub struct Args {
     /// The scene, a TOML file; the folder `scenes` holds examples
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
@@ -76,7 +75,7 @@ fn method(text: &str) -> Result<Method, String> {
 }
 
 /// Runs the scene, writes the trajectory where one is asked for, prints the summary.
-pub fn run(asked: &Asked) -> Result<Exit, Exit> {
+pub fn run(asked: &Args) -> Result<Exit, Exit> {
     if asked.force && asked.out.is_none() && asked.transition.is_none() && asked.plot.is_none() {
         return Err(Exit::refused(
             "--force is about what --out, --plot and --transition replace; it is accepted with one of them",
@@ -116,7 +115,7 @@ pub fn run(asked: &Asked) -> Result<Exit, Exit> {
 }
 
 /// Runs a reduced model of a system that is written in its file: a known one, or one without some elements.
-fn smaller(scene: &Arc<dyn Modelled>, name: &str, asked: &Asked) -> Result<Exit, Exit> {
+fn smaller(scene: &Arc<dyn Modelled>, name: &str, asked: &Args) -> Result<Exit, Exit> {
     if let Ok(known) = ReducedScene::of(&**scene, vec![Hierarchy::of_model(&**scene)], name) {
         return follow(&known, asked, None);
     }
@@ -137,7 +136,7 @@ fn machine_and_smaller(name: Option<&str>) -> (Option<&str>, Option<&str>) {
 }
 
 /// Refuses --transition for a reduced model, which lacks some of the matrix's states.
-fn without_transition(asked: &Asked) -> Result<(), Exit> {
+fn without_transition(asked: &Args) -> Result<(), Exit> {
     match asked.transition {
         None => Ok(()),
         Some(_) => Err(Exit::refused(
@@ -170,7 +169,7 @@ pub fn one_form(scene: &Scene, form: bool, path: &Path) -> Result<(), Exit> {
 }
 
 /// Runs one initial value problem.
-fn follow(scene: &dyn IvpScene, asked: &Asked, form: Option<Axes>) -> Result<Exit, Exit> {
+fn follow(scene: &dyn IvpScene, asked: &Args, form: Option<Axes>) -> Result<Exit, Exit> {
     let choice = choice(scene.run(), asked);
     if asked.tolerance.is_some() && asked.transition.is_none() && choice.method.steps().is_some() {
         return Err(Exit::refused(format!(
@@ -220,7 +219,7 @@ fn follow(scene: &dyn IvpScene, asked: &Asked, form: Option<Axes>) -> Result<Exi
     });
     drop(progress);
     let completed = completed_start(&asked.scene);
-    let text = |told: &RunNotes, beside: Option<Beside>| {
+    let text = |told: &RunNotes, beside: Option<StepHalvingCheck>| {
         let (choice, trajectory, completed) = (&choice, &trajectory, &completed);
         let summary = Summary { scene, choice, form, trajectory, told, beside, completed };
         match asked.format {
@@ -237,12 +236,13 @@ fn follow(scene: &dyn IvpScene, asked: &Asked, form: Option<Axes>) -> Result<Exi
     clock::publish(text(&RunNotes::default(), None));
     let told = phase("what theory says of the run", || scene.told(&choice, &trajectory));
     clock::publish(text(&told, None));
-    let beside = phase("the run with half of its step", || problem.beside(&choice, &trajectory, clock::goes_on));
+    let beside =
+        phase("the run with half of its step", || problem.check_by_step_halving(&choice, &trajectory, clock::goes_on));
     clock::publish(text(&told, beside));
     // a run with undefined values, or one that departs from its law, is no result
     let spoilt = told.failures.iter().any(|failure| failure.kind.spoils());
     let is_kept = trajectory.undefined().is_empty() && trajectory.lost().is_none() && !spoilt;
-    let serves = beside.is_none_or(|beside| beside.parting.serves()) && is_kept;
+    let serves = beside.is_none_or(|beside| beside.verdict.serves()) && is_kept;
     let reached = trajectory.outcome.reached() && trajectory.left.is_none();
     let mut ending = if reached && serves { Exit::Done } else { Exit::Stopped };
     let mut depends = Ok(None);
@@ -296,7 +296,7 @@ fn phase<T>(label: &str, work: impl FnOnce() -> T) -> T {
 }
 
 /// The outputs of a run.
-pub fn writes(asked: &Asked) -> Writes<'_> {
+pub fn writes(asked: &Args) -> Writes<'_> {
     Writes { command: "run", force: asked.force, reads: vec![&asked.scene] }
 }
 
@@ -313,7 +313,7 @@ pub fn with_model(scene: Scene, model: Option<&str>, path: &Path) -> Result<Scen
 }
 
 /// The choices of the scene, replaced by those of the command line.
-fn choice(own: &simulation::Run, asked: &Asked) -> Choice {
+fn choice(own: &simulation::Run, asked: &Args) -> Choice {
     let own = own.choice();
     Choice {
         method: asked.method.unwrap_or(own.method),

@@ -2,7 +2,6 @@
 
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
-use clap::Args;
 use reader::Family;
 use serde_json::{Value, json};
 use std::io;
@@ -10,8 +9,8 @@ use std::path::{Path, PathBuf};
 use studies::AnyScene;
 
 /// Arguments of `scenes`.
-#[derive(Args, Debug)]
-pub struct Asked {
+#[derive(clap::Args, Debug)]
+pub struct Args {
     /// Where the scene files are
     #[arg(default_value = "scenes")]
     pub folder: PathBuf,
@@ -22,7 +21,7 @@ pub struct Asked {
 
 /// Prints each scene of a folder with its machine or its system, and its title; an unacceptable file is listed with the
 /// number of its faults.
-pub fn list(asked: &Asked) -> Result<Exit, Exit> {
+pub fn list(asked: &Args) -> Result<Exit, Exit> {
     let files = files(&asked.folder)?;
     let listed = files.iter().map(|path| (path.display().to_string(), listed(path)));
     print(&match asked.format {

@@ -16,7 +16,7 @@ const CELLS: (usize, usize) = (96, 72);
 const BEYOND: &str = "no stationary motion: the motor is pulled out";
 
 /// A map of a scene over two data, each in its range.
-pub struct Asked<'a> {
+pub struct MapRequest<'a> {
     pub scene: &'a Scene,
     pub data: [(&'a Datum, [f64; 2]); 2],
     /// rad/s
@@ -48,7 +48,7 @@ fn of_gyrostat(scene: &Scene, bodies: &Gyrostat<f64>, hanging: bool) -> Vec<Area
         let [first, second] = names.map(|name| Datum::named(scene, name).ok());
         let (first, second) = (first?, second?);
         let [own, other] = ranges;
-        let asked = Asked { scene, data: [(&first, own), (&second, other)], speed, hanging };
+        let asked = MapRequest { scene, data: [(&first, own), (&second, other)], speed, hanging };
         Some(asked.map(&asked.columns().ok()?))
     };
     let speeds = map(["omega0", "rotor_speed"], [[-w, w], [-rotor, rotor]], 0.0);
@@ -81,7 +81,7 @@ fn rounded(value: f64) -> f64 {
     format!("{value:.1e}").parse().unwrap_or(value)
 }
 
-impl Asked<'_> {
+impl MapRequest<'_> {
     /// The columns of the map: the value of the first datum, and the cell there.
     ///
     /// # Errors

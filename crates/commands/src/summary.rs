@@ -1,6 +1,6 @@
 //! The summary of a run, in a few lines or as one JSON object.
 
-use integrators::{Beside, Failure, Lost, Parting};
+use integrators::{Failure, Lost, StepHalvingCheck, StepHalvingVerdict};
 use serde_json::{Map, Value, json};
 use simulation::events::Passage;
 use simulation::{Axes, Choice, IvpScene, RunFailure, Trajectory};
@@ -15,7 +15,7 @@ pub struct Summary<'a> {
     pub trajectory: &'a Trajectory,
     pub told: &'a simulation::RunNotes,
     /// For constant steps: the comparison with a run of half the step size.
-    pub beside: Option<Beside>,
+    pub beside: Option<StepHalvingCheck>,
     /// Values of the start that constraints or an equilibrium have moved.
     pub completed: &'a [(String, f64)],
 }
@@ -150,14 +150,14 @@ pub fn failed(RunFailure { kind, at, evidence, remedy }: &RunFailure) -> Value {
 }
 
 /// The verdict of the comparison with half the step size, with the evaluations that it took.
-fn judged(beside: Beside) -> Value {
-    let (apart, from, why) = match beside.parting {
-        Parting::Follows { apart } => (Some(apart), None, None),
-        Parting::Parts { from } => (None, Some(from), None),
-        Parting::Stops { at, why } => (None, Some(at), Some(why)),
-        Parting::Open => (None, None, None),
+fn judged(beside: StepHalvingCheck) -> Value {
+    let (apart, from, why) = match beside.verdict {
+        StepHalvingVerdict::Converges { apart } => (Some(apart), None, None),
+        StepHalvingVerdict::Departs { from } => (None, Some(from), None),
+        StepHalvingVerdict::Stops { at, why } => (None, Some(at), Some(why)),
+        StepHalvingVerdict::Undecided => (None, None, None),
     };
-    json!({ "said": beside.parting.name(), "follows": apart.is_some(), "apart": apart, "from": from, "why": why,
+    json!({ "said": beside.verdict.name(), "follows": apart.is_some(), "apart": apart, "from": from, "why": why,
             "evaluations": beside.work.rates })
 }
 
@@ -177,32 +177,32 @@ pub fn passed(Passage { time, what, then, .. }: &Passage) -> Value {
 const MOST_SHOWN: usize = 20;
 
 /// An event that is shown, or the number of events that are left out.
-pub enum ToldEvent<'a> {
+pub enum EventReport<'a> {
     Passage(&'a Passage),
     LeftOut(usize),
 }
 
 /// The start and the events of a run that are shown.
-pub fn told_passages(passages: &[Passage]) -> Vec<ToldEvent<'_>> {
+pub fn told_passages(passages: &[Passage]) -> Vec<EventReport<'_>> {
     let left_out = passages.len().saturating_sub(MOST_SHOWN);
     if left_out == 0 {
-        return passages.iter().map(ToldEvent::Passage).collect();
+        return passages.iter().map(EventReport::Passage).collect();
     }
     let (first, rest) = passages.split_at(MOST_SHOWN / 2);
-    let last = rest[left_out..].iter().map(ToldEvent::Passage);
-    first.iter().map(ToldEvent::Passage).chain([ToldEvent::LeftOut(left_out)]).chain(last).collect()
+    let last = rest[left_out..].iter().map(EventReport::Passage);
+    first.iter().map(EventReport::Passage).chain([EventReport::LeftOut(left_out)]).chain(last).collect()
 }
 
-impl ToldEvent<'_> {
+impl EventReport<'_> {
     /// The line of the event, after the word `event`.
     pub fn line(&self) -> String {
         match self {
-            ToldEvent::Passage(Passage { time, what, then, .. }) => {
+            EventReport::Passage(Passage { time, what, then, .. }) => {
                 let then = then.as_ref().filter(|then| !then.is_empty());
                 let then = then.map_or_else(String::new, |then| format!(": {then}"));
                 format!("t = {time:.9} s: {what}{then}")
             }
-            ToldEvent::LeftOut(count) => format!("... {count} more; --format json shows all"),
+            EventReport::LeftOut(count) => format!("... {count} more; --format json shows all"),
         }
     }
 }

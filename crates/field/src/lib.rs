@@ -51,7 +51,7 @@ pub use elementary::Elementary;
 pub use interval::Interval;
 pub use rational::Rational;
 pub use scalar::{Analytic, Base, Divisor, Over, Scalar};
-pub use tangent::{SlopeKnowledge, Tangent};
+pub use tangent::{DerivativeKnowledge, Tangent};
 
 /// Twice the precision of `f64`: an unevaluated sum of two, 106 bits, relative error about 4e-32.
 pub type DoubleDouble = xprec::Df64;

@@ -14,13 +14,13 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssi
 /// With `()` nothing is known, and all products with slopes that are zero are formed. With `bool` they are left out, which no
 /// compiler may do where numbers round: a short law that is inlined whole then costs as much as derivatives written by hand.
 /// (A long one, or one differentiated twice, would be compiled for every combination of constant numbers.)
-pub trait SlopeKnowledge: Copy + Debug + 'static {
+pub trait DerivativeKnowledge: Copy + Debug + 'static {
     const KNOWN: bool;
     fn of(moves: bool) -> Self;
     fn moves(self) -> bool;
 }
 
-impl SlopeKnowledge for () {
+impl DerivativeKnowledge for () {
     const KNOWN: bool = false;
 
     #[inline(always)]
@@ -32,7 +32,7 @@ impl SlopeKnowledge for () {
     }
 }
 
-impl SlopeKnowledge for bool {
+impl DerivativeKnowledge for bool {
     const KNOWN: bool = true;
 
     #[inline(always)]
@@ -74,7 +74,7 @@ impl<S: Scalar> Tangent<S> {
     }
 }
 
-impl<S: Scalar, M: SlopeKnowledge> Tangent<S, M> {
+impl<S: Scalar, M: DerivativeKnowledge> Tangent<S, M> {
     #[inline(always)]
     fn at_rest(value: S) -> Self {
         Tangent { value, slope: S::zero(), motion: M::of(false) }
@@ -144,12 +144,12 @@ impl<S: Scalar, M: SlopeKnowledge> Tangent<S, M> {
 
 /// The operations as calls.
 mod called {
-    use super::{Scalar, SlopeKnowledge, Tangent};
+    use super::{DerivativeKnowledge, Scalar, Tangent};
 
     macro_rules! calls {
         ($($operation:ident),*) => {$(
             #[inline(never)]
-            pub fn $operation<S: Scalar, M: SlopeKnowledge>(a: Tangent<S, M>, b: Tangent<S, M>) -> Tangent<S, M> {
+            pub fn $operation<S: Scalar, M: DerivativeKnowledge>(a: Tangent<S, M>, b: Tangent<S, M>) -> Tangent<S, M> {
                 a.$operation(b)
             }
         )*};
@@ -164,7 +164,7 @@ impl<S: PartialEq, M> PartialEq for Tangent<S, M> {
     }
 }
 
-impl<S: Scalar, M: SlopeKnowledge> Add for Tangent<S, M> {
+impl<S: Scalar, M: DerivativeKnowledge> Add for Tangent<S, M> {
     type Output = Self;
     #[inline(always)]
     fn add(self, b: Self) -> Self {
@@ -172,7 +172,7 @@ impl<S: Scalar, M: SlopeKnowledge> Add for Tangent<S, M> {
     }
 }
 
-impl<S: Scalar, M: SlopeKnowledge> Sub for Tangent<S, M> {
+impl<S: Scalar, M: DerivativeKnowledge> Sub for Tangent<S, M> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, b: Self) -> Self {
@@ -180,7 +180,7 @@ impl<S: Scalar, M: SlopeKnowledge> Sub for Tangent<S, M> {
     }
 }
 
-impl<S: Scalar, M: SlopeKnowledge> Mul for Tangent<S, M> {
+impl<S: Scalar, M: DerivativeKnowledge> Mul for Tangent<S, M> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, b: Self) -> Self {
@@ -188,7 +188,7 @@ impl<S: Scalar, M: SlopeKnowledge> Mul for Tangent<S, M> {
     }
 }
 
-impl<S: Scalar, M: SlopeKnowledge> Div for Tangent<S, M> {
+impl<S: Scalar, M: DerivativeKnowledge> Div for Tangent<S, M> {
     type Output = Self;
     #[inline]
     fn div(self, b: Self) -> Self {
@@ -197,14 +197,14 @@ impl<S: Scalar, M: SlopeKnowledge> Div for Tangent<S, M> {
 }
 
 /// In a field every remainder is zero (nalgebra and num-traits ask for the operator).
-impl<S: Scalar, M: SlopeKnowledge> Rem for Tangent<S, M> {
+impl<S: Scalar, M: DerivativeKnowledge> Rem for Tangent<S, M> {
     type Output = Self;
     fn rem(self, b: Self) -> Self {
         Tangent::at_rest(self.value % b.value)
     }
 }
 
-impl<S: Scalar, M: SlopeKnowledge> Neg for Tangent<S, M> {
+impl<S: Scalar, M: DerivativeKnowledge> Neg for Tangent<S, M> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -214,7 +214,7 @@ impl<S: Scalar, M: SlopeKnowledge> Neg for Tangent<S, M> {
 
 macro_rules! assign {
     ($($op:ident $method:ident $sign:tt),*) => {$(
-        impl<S: Scalar, M: SlopeKnowledge> $op for Tangent<S, M> {
+        impl<S: Scalar, M: DerivativeKnowledge> $op for Tangent<S, M> {
             #[inline]
             fn $method(&mut self, b: Self) {
                 *self = *self $sign b;
@@ -224,7 +224,7 @@ macro_rules! assign {
 }
 assign!(AddAssign add_assign +, SubAssign sub_assign -, MulAssign mul_assign *, DivAssign div_assign /, RemAssign rem_assign %);
 
-impl<S: Scalar, M: SlopeKnowledge> Zero for Tangent<S, M> {
+impl<S: Scalar, M: DerivativeKnowledge> Zero for Tangent<S, M> {
     fn zero() -> Self {
         Self::at_rest(S::zero())
     }
@@ -234,13 +234,13 @@ impl<S: Scalar, M: SlopeKnowledge> Zero for Tangent<S, M> {
     }
 }
 
-impl<S: Scalar, M: SlopeKnowledge> One for Tangent<S, M> {
+impl<S: Scalar, M: DerivativeKnowledge> One for Tangent<S, M> {
     fn one() -> Self {
         Self::at_rest(S::one())
     }
 }
 
-impl<S: Scalar, M: SlopeKnowledge> Scalar for Tangent<S, M> {
+impl<S: Scalar, M: DerivativeKnowledge> Scalar for Tangent<S, M> {
     const CALLS: bool = S::CALLS;
 
     fn ratio(numerator: i64, denominator: i64) -> Self {
@@ -248,13 +248,13 @@ impl<S: Scalar, M: SlopeKnowledge> Scalar for Tangent<S, M> {
     }
 }
 
-impl<S: Scalar + From<f64>, M: SlopeKnowledge> From<f64> for Tangent<S, M> {
+impl<S: Scalar + From<f64>, M: DerivativeKnowledge> From<f64> for Tangent<S, M> {
     fn from(number: f64) -> Self {
         Self::at_rest(S::from(number))
     }
 }
 
-impl<P: Base, S: Over<P>, M: SlopeKnowledge> Over<P> for Tangent<S, M> {
+impl<P: Base, S: Over<P>, M: DerivativeKnowledge> Over<P> for Tangent<S, M> {
     #[inline(always)]
     fn lift(parameter: P) -> Self {
         Self::at_rest(S::lift(parameter))
@@ -267,7 +267,7 @@ impl<P: Base, S: Over<P>, M: SlopeKnowledge> Over<P> for Tangent<S, M> {
     }
 }
 
-impl<S: Analytic, M: SlopeKnowledge> Analytic for Tangent<S, M> {
+impl<S: Analytic, M: DerivativeKnowledge> Analytic for Tangent<S, M> {
     #[inline]
     fn circle(self) -> Circle<Self> {
         let Circle { cos, sin } = self.value.circle();

@@ -22,11 +22,11 @@
 //! | Strang, Blanes-Moan, Kahan-Li splittings, for systems with pieces (constant step) | 2, 4, 6, 8 | | 2, 8 | own |
 //!
 //! Laws with constraints and multipliers ([`Index2Dae`], differential-algebraic equations of index 2) have their own entry and methods,
-//! [`hold()`]; [`integrate_projected`] projects the steps of any method with a constant step onto the constraint.
+//! [`integrate_index2()`]; [`integrate_projected`] projects the steps of any method with a constant step onto the constraint.
 //!
 //! [`clock`] ends every integration of a process at a deadline, or on the user's request.
 //!
-//! [`beside()`] checks a run with constant steps by runs with shorter steps; [`follow`] is the continuation of equilibria and of periodic
+//! [`check_by_step_halving`] checks a run with constant steps by runs with shorter steps; [`continue_branch`] is the continuation of equilibria and of periodic
 //! motions over a parameter.
 //!
 //! Tested properties: every method has its order on nonlinear laws (`tests/methods/orders.rs`); outputs change no step and are as accurate
@@ -69,25 +69,29 @@ mod references;
 mod run;
 mod work_precision;
 
-pub use batch::{Ensemble, LaneSeries, LaneStep, Members, SideBySide, fuses, lanes_order};
-pub use branches::{Branch, Curve, CurvePoint, Equilibria, Last, Repeating, Walk, eigenvalues, follow, spectrum};
+pub use batch::{BatchRungeKutta4, BatchSeries, BatchStep, Ensemble, Members, batch_order, fuses};
+pub use branches::{
+    Branch, BranchEnd, ContinuationSettings, Curve, CurvePoint, Equilibria, PeriodicMotions, continue_branch,
+    eigenvalues, spectrum,
+};
 pub use events::{Event, Happening, Pace, Signal, Switches, integrate_to_event};
 pub use law::{
-    Composed, DIRECTIONS, Divisors, Dual8, Haste, Index2Dae, Index2DaeSystem, Jacobian, JacobianFn, Ode, Pieces,
+    Composed, DIRECTIONS, Divisors, Dual8, FastInterval, Index2Dae, Index2DaeSystem, Jacobian, JacobianFn, Ode, Pieces,
     Projection, Real, Splitting, StepBounds, System, TaylorSeries, Variations, Working, slope, variable,
 };
 pub use methods::{
-    Across, Attempt, Collocation, Family, Holding, MOST_STAGES, Means, Method, Taylor, Traits, Transition, compose,
-    euler_step, hold, integrate, integrate_in, integrate_projected, nodal, runge_kutta_4_step, taylor_order,
-    transition,
+    Attempt, Collocation, Family, HybridMotion, Index2Method, MOST_STAGES, Means, Method, Taylor, Traits, Transition,
+    compose, euler_step, integrate, integrate_in, integrate_index2, integrate_projected, nodal, runge_kutta_4_step,
+    taylor_order, transition,
 };
 pub use references::{
-    Beside, ENOUGH_DIGITS, Parting, Reference, Shorter, TIGHTEST, beside, difference, reference, shared_digits, survey,
+    ENOUGH_DIGITS, Reference, ShorterRun, StepHalvingCheck, StepHalvingVerdict, TIGHTEST, check_by_step_halving,
+    difference, reference, shared_digits, survey,
 };
 pub use run::{
     Absolute, Budget, Deviation, End, Failure, LOST, Lost, Monitor, Observer, Outcome, Progress, Quantity, Record,
     Refusal, Samples, Sizes, Span, Tolerance, Work, clock,
 };
 pub use work_precision::{
-    Benchmark, Median, Point, Regrets, Timed, Trial, cost, excess, front, judge, measure, taking_turns,
+    Benchmark, Median, Point, Regrets, Timed, Trial, cost, excess, front, interleaved, judge, measure,
 };

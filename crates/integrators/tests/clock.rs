@@ -41,7 +41,7 @@ fn every_run_ends_when_the_time_of_the_process_is_over_and_when_the_user_asks() 
     clock::set_deadline(Instant::now());
     let late = failures();
     assert!(late.iter().all(|failure| matches!(failure, Some(Failure::OutOfTime { .. }))), "{late:?}");
-    clock::ask_for_the_end();
+    clock::request_end();
     let asked = failures();
     assert!(asked.iter().all(|failure| matches!(failure, Some(Failure::Interrupted { .. }))), "{asked:?}");
     assert!(clock::was_obeyed());

@@ -31,7 +31,7 @@ pub enum Agreement {
 
 impl Agreement {
     /// The degree in one word.
-    pub fn rung(&self) -> &'static str {
+    pub fn degree(&self) -> &'static str {
         match self {
             Self::Proved { .. } | Self::Theorem { .. } => "proved",
             Self::Identified { .. } => "identified",

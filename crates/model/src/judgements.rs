@@ -56,8 +56,8 @@ impl Judgement {
     }
 
     /// The verdict in a word.
-    pub fn rung(&self) -> &'static str {
-        self.agreement.as_ref().map_or("does not apply", Agreement::rung)
+    pub fn degree(&self) -> &'static str {
+        self.agreement.as_ref().map_or("does not apply", Agreement::degree)
     }
 
     /// Whether a statement that must hold is refuted, or could not be decided.

@@ -1,6 +1,6 @@
 //! A motor on a bench: its rotor between bearings, its housing at rest.
 
-use super::{Machine, drive, stored_energy};
+use super::{Machine, stored_energy, torque_and_current_rates};
 use field::{Analytic, Base, Over};
 use integrators::Ode;
 
@@ -28,8 +28,8 @@ impl<P: Base, M: Machine<P>> Bench<P, M> {
         let (rotor, currents) = y.split_at(self.machine.rotor().dimension());
         let (rotor_rates, current_rates) = dy.split_at_mut(self.machine.rotor().dimension());
         let (angle, slip) = self.machine.rotor().angle_and_slip(rotor);
-        let moment = drive(&self.machine, angle, slip, currents, current_rates) - load;
-        self.machine.rotor().write(slip, moment / S::lift(self.axial), rotor_rates);
+        let torque = torque_and_current_rates(&self.machine, angle, slip, currents, current_rates) - load;
+        self.machine.rotor().write(slip, torque / S::lift(self.axial), rotor_rates);
     }
 
     /// A' phi', the rotor's angular momentum.

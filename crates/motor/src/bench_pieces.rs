@@ -2,8 +2,8 @@
 //! angular momentum.
 
 use super::{
-    Acting, Bench, Fading, Kick, Law, Machine, Point, Programmed, Programs, Rule, decay_quotient, has_known_flow, kick,
-    solved,
+    Bench, Fading, FixedAngleMachine, Kick, Law, Machine, Point, Programmed, Programs, Rule, decay_quotient,
+    has_known_flow, kick, solved,
 };
 use crate::Separable;
 use field::{Analytic, Base, Over, Scalar};
@@ -32,7 +32,7 @@ impl<S: Analytic> BenchFlows<S> {
 
     /// The kick at a constant angle. Returns the residual of the equation that it solves by iteration.
     #[inline]
-    pub fn push<P: Base, A: Acting<P, S>>(&self, machine: &A, by: &Kick<S>, point: &mut Point<S>) -> S
+    pub fn push<P: Base, A: FixedAngleMachine<P, S>>(&self, machine: &A, by: &Kick<S>, point: &mut Point<S>) -> S
     where
         S: Over<P>,
     {

@@ -136,7 +136,7 @@ impl Given {
             rotor: machine.rotor(),
             frame_speed: machine.frame_speed(),
             energy: machine.field_energy(angle),
-            moment: machine.moment_law(Sym::symbol(SLIP), Sym::symbol(SPEED)),
+            torque: machine.torque_law(Sym::symbol(SLIP), Sym::symbol(SPEED)),
             windings: names.into_iter().enumerate().map(winding).collect(),
             settled: self.settled.clone(),
         };

@@ -24,7 +24,7 @@ impl<P: Base> Machine<P> for ConstantSpeed<P> {
     }
 
     #[inline(always)]
-    fn moment_law<S: Over<P>>(&self, _slip: S, _speed: S) -> S {
+    fn torque_law<S: Over<P>>(&self, _slip: S, _speed: S) -> S {
         S::zero()
     }
 }

@@ -6,14 +6,14 @@
 
 use super::gauss4_scalar::STAGES;
 use super::harmonics::{Harmonics, Waves};
-use super::kick::{Law, laws_at, moment_at};
+use super::kick::{Law, laws_at, torque_at};
 use super::{Machine, RotorState};
 use field::{Analytic, Base, Circle, Over, Rational, Tangent};
 use simulation::{Program, Running};
 use symbolic::{Fraction, Sym};
 
 /// A machine at a constant angle.
-pub trait Acting<P: Base, S: Over<P>> {
+pub trait FixedAngleMachine<P: Base, S: Over<P>> {
     type Machine: Machine<P>;
 
     fn machine(&self) -> &Self::Machine;
@@ -25,11 +25,11 @@ pub trait Acting<P: Base, S: Over<P>> {
     fn linkages(&self, angle: Circle<S>, each: impl FnMut(usize, S));
 
     /// m with its derivative at each of the slips.
-    fn moments(&self, slips: &[S; STAGES]) -> [Tangent<S>; STAGES];
+    fn torques(&self, slips: &[S; STAGES]) -> [Tangent<S>; STAGES];
 }
 
 /// Law by law.
-impl<P: Base, S: Over<P>, M: Machine<P>> Acting<P, S> for M {
+impl<P: Base, S: Over<P>, M: Machine<P>> FixedAngleMachine<P, S> for M {
     type Machine = M;
 
     #[inline(always)]
@@ -48,8 +48,8 @@ impl<P: Base, S: Over<P>, M: Machine<P>> Acting<P, S> for M {
     }
 
     #[inline(always)]
-    fn moments(&self, slips: &[S; STAGES]) -> [Tangent<S>; STAGES] {
-        slips.map(|slip| moment_at(self, slip))
+    fn torques(&self, slips: &[S; STAGES]) -> [Tangent<S>; STAGES] {
+        slips.map(|slip| torque_at(self, slip))
     }
 }
 
@@ -61,7 +61,7 @@ pub struct Programs {
     /// the flux laws with one harmonic: then there is no program
     waves: Option<Waves>,
     /// m of the slip, where it is curved; none where that would be longer than the law itself
-    moment: Option<Fraction<Rational>>,
+    torque: Option<Fraction<Rational>>,
 }
 
 impl Programs {
@@ -81,14 +81,14 @@ impl Programs {
         };
         let knows_angle = machine.rotor() == RotorState::AngleAndSpeed;
         let waves = knows_angle.then(|| Waves::of(machine)).flatten();
-        let moment = || {
+        let torque = || {
             let slip = Sym::symbol("slip");
-            Fraction::record(moment_at(machine, slip).value, slip)
+            Fraction::record(torque_at(machine, slip).value, slip)
         };
         Programs {
             angle: (knows_angle && waves.is_none()).then(angle).flatten(),
             waves,
-            moment: if Law::of(machine) == Law::Curved { moment() } else { None },
+            torque: if Law::of(machine) == Law::Curved { torque() } else { None },
         }
     }
 }
@@ -99,7 +99,7 @@ pub struct Programmed<'a, S, M> {
     machine: &'a M,
     angle: Option<&'a Program>,
     waves: Option<Harmonics<S>>,
-    moment: Option<Fraction<S>>,
+    torque: Option<Fraction<S>>,
 }
 
 /// Room for the numbers of no winding to three, of fifteen, and of more than a scene may have.
@@ -107,7 +107,7 @@ const FEW: usize = 8;
 const SOME: usize = 32;
 const MANY: usize = 256;
 
-impl<S: Running + Over<f64>, M: Machine<f64>> Acting<f64, S> for Programmed<'_, S, M> {
+impl<S: Running + Over<f64>, M: Machine<f64>> FixedAngleMachine<f64, S> for Programmed<'_, S, M> {
     type Machine = M;
 
     #[inline(always)]
@@ -144,10 +144,10 @@ impl<S: Running + Over<f64>, M: Machine<f64>> Acting<f64, S> for Programmed<'_, 
     }
 
     #[inline(always)]
-    fn moments(&self, slips: &[S; STAGES]) -> [Tangent<S>; STAGES] {
-        match &self.moment {
-            Some(moment) => moment.moving(slips),
-            None => self.machine.moments(slips),
+    fn torques(&self, slips: &[S; STAGES]) -> [Tangent<S>; STAGES] {
+        match &self.torque {
+            Some(torque) => torque.moving(slips),
+            None => self.machine.torques(slips),
         }
     }
 }
@@ -159,12 +159,12 @@ impl<'a, S: Over<f64> + Analytic, M> Programmed<'a, S, M> {
             machine,
             angle: programs.and_then(|all| all.angle.as_ref()),
             waves: programs.and_then(|all| all.waves.as_ref()).map(Waves::over),
-            moment: programs.and_then(|all| all.moment.as_ref()).map(Fraction::over),
+            torque: programs.and_then(|all| all.torque.as_ref()).map(Fraction::over),
         }
     }
 }
 
-/// [`Acting::at_angle`] by a program, in room for N numbers.
+/// [`FixedAngleMachine::at_angle`] by a program, in room for N numbers.
 #[inline]
 fn followed<S: Running, const N: usize>(
     program: &Program,
@@ -184,7 +184,7 @@ fn followed<S: Running, const N: usize>(
     force[0]
 }
 
-/// [`Acting::linkages`] by a program: the first of its values.
+/// [`FixedAngleMachine::linkages`] by a program: the first of its values.
 #[inline]
 fn linked<S: Running, const N: usize>(
     program: &Program,

@@ -8,7 +8,7 @@
 //! seen from the turning field the field does no work. A rotor of prescribed speed keeps E - W p too, whatever torque
 //! is needed for it.
 
-use super::{Machine, RotorState, drive, motional_moment, supplied};
+use super::{Machine, RotorState, electrical_power, motional_torque, torque_and_current_rates};
 use field::{Base, Circle, Over};
 
 /// The integrals that a machine preserves, beside those that no machine changes.
@@ -29,9 +29,9 @@ impl Conserved {
         if machine.rotor() == RotorState::Prescribed {
             return Conserved { jacobi: true, spin: false };
         }
-        let moment = |(slip, speed): (f64, f64)| machine.moment_law(slip, speed);
+        let torque = |(slip, speed): (f64, f64)| machine.torque_law(slip, speed);
         let lossless = (0..machine.windings()).all(|k| machine.resistance(k) == 0.0);
-        let frictionless = POINTS.into_iter().all(|point| moment(point) == 0.0);
+        let frictionless = POINTS.into_iter().all(|point| torque(point) == 0.0);
         let currents = unrelated(machine);
         let fed = |(_, angle): (f64, f64)| feed(machine, Circle::from_half_tangent(angle), &currents);
         let unfed = POINTS.into_iter().all(|point| fed(point) == 0.0);
@@ -44,7 +44,7 @@ impl Conserved {
 
 /// sum v_k i_k - W sum c_k i_k, W: the power that supply and sliding windings put into E - W p.
 pub(super) fn feed<P: Base, S: Over<P>>(machine: &impl Machine<P>, angle: Circle<S>, currents: &[S]) -> S {
-    supplied(machine, angle, currents) - S::lift(machine.frame_speed()) * motional_moment(machine, currents)
+    electrical_power(machine, angle, currents) - S::lift(machine.frame_speed()) * motional_torque(machine, currents)
 }
 
 fn unrelated(machine: &impl Machine<f64>) -> Vec<f64> {
@@ -56,5 +56,5 @@ fn idle(machine: &impl Machine<f64>, (slip, angle): (f64, f64)) -> bool {
     let currents = unrelated(machine);
     let mut rates = vec![0.0; currents.len()];
     let angle = Circle::from_half_tangent(angle);
-    drive(machine, angle, slip - machine.frame_speed(), &currents, &mut rates) == 0.0
+    torque_and_current_rates(machine, angle, slip - machine.frame_speed(), &currents, &mut rates) == 0.0
 }

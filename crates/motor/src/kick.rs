@@ -12,7 +12,7 @@
 //! A supply or conductors that slide break this: c_k phi' ties the currents to the slip at a resting angle too, and the
 //! flow is none of these. Such machines are refused ([`has_known_flow`]).
 
-use super::fixed_angle_laws::Acting;
+use super::fixed_angle_laws::FixedAngleMachine;
 use super::gauss4_scalar::{Rule, STAGES};
 use super::{Machine, RotorState, is_fed};
 use field::{Analytic, Base, Circle, Over, Scalar, Tangent};
@@ -45,11 +45,11 @@ pub struct Kick<S> {
     compliance: S,
     /// 1 - exp(-r_k h)
     losses: Vec<S>,
-    moment: Moment<S>,
+    torque: TorqueLaw<S>,
 }
 
 #[derive(Clone, Debug)]
-enum Moment<S> {
+enum TorqueLaw<S> {
     /// m(0); K b; the integral of exp(-K b t) over h; the slip gained per unit of each psi_k' L_k i_k(0).
     Linear { at_zero: S, rate: S, lasting: S, pushes: Vec<S> },
     /// exp(-r_k c_i h) / L_k at each node.
@@ -60,8 +60,8 @@ impl Law {
     /// Decides by the second derivative, exactly.
     pub fn of(machine: &impl Machine<f64>) -> Self {
         let slip = Sym::symbol("slip");
-        let moment = machine.moment_law(slip, slip + Sym::lift(machine.frame_speed()));
-        let bend = moment.diff(slip).diff(slip);
+        let torque = machine.torque_law(slip, slip + Sym::lift(machine.frame_speed()));
+        let bend = torque.diff(slip).diff(slip);
         if decide(bend, &Hypotheses::none()).is_zero() { Law::Linear } else { Law::Curved }
     }
 }
@@ -83,20 +83,20 @@ impl<S: Scalar> Kick<S> {
         let ratio = |k| S::lift(machine.resistance(k)) / inductance(k);
         let loss = |exponent: S| exponent * quotient(S::zero(), exponent);
         let windings = 0..machine.windings();
-        let moment = match law {
+        let torque = match law {
             Law::Linear => {
-                let Tangent { value, slope, .. } = moment_at(machine, S::zero());
+                let Tangent { value, slope, .. } = torque_at(machine, S::zero());
                 let rate = -compliance * slope;
                 let pushed = |k| compliance * length * quotient(ratio(k) * length, rate * length) / inductance(k);
                 let lasting = length * quotient(S::zero(), rate * length);
-                Moment::Linear { at_zero: value, rate, lasting, pushes: windings.clone().map(pushed).collect() }
+                TorqueLaw::Linear { at_zero: value, rate, lasting, pushes: windings.clone().map(pushed).collect() }
             }
             Law::Curved => {
                 let left = |k| rule.nodes.map(|node| (S::one() - loss(ratio(k) * node * length)) / inductance(k));
-                Moment::Curved { rule, left: windings.clone().map(left).collect() }
+                TorqueLaw::Curved { rule, left: windings.clone().map(left).collect() }
             }
         };
-        Kick { length, compliance, losses: windings.map(|k| loss(ratio(k) * length)).collect(), moment }
+        Kick { length, compliance, losses: windings.map(|k| loss(ratio(k) * length)).collect(), torque }
     }
 }
 
@@ -120,15 +120,15 @@ pub fn laws_at<P: Base, S: Over<P>, M: Machine<P>>(
 
 /// m at a slip, with its derivative.
 #[inline(always)]
-pub fn moment_at<P: Base, S: Over<P>>(machine: &impl Machine<P>, slip: S) -> Tangent<S> {
+pub fn torque_at<P: Base, S: Over<P>>(machine: &impl Machine<P>, slip: S) -> Tangent<S> {
     let slip = Tangent::variable(slip);
-    machine.moment_law(slip, slip + Tangent::fixed(S::lift(machine.frame_speed())))
+    machine.torque_law(slip, slip + Tangent::fixed(S::lift(machine.frame_speed())))
 }
 
 /// The flow: changes the rotor's momentum and the fluxes. Returns the residual of the equation that is solved by
 /// iteration.
 #[inline]
-pub fn kick<P: Base, S: Over<P> + Analytic, A: Acting<P, S>>(
+pub fn kick<P: Base, S: Over<P> + Analytic, A: FixedAngleMachine<P, S>>(
     machine: &A,
     by: &Kick<S>,
     slip: S,
@@ -144,22 +144,22 @@ pub fn kick<P: Base, S: Over<P> + Analytic, A: Acting<P, S>>(
         slope * own
     };
     let steady = |force: S| by.compliance * force + pull;
-    let (gain, left) = match &by.moment {
-        Moment::Linear { at_zero, rate, lasting, pushes } => {
+    let (gain, left) = match &by.torque {
+        TorqueLaw::Linear { at_zero, rate, lasting, pushes } => {
             let mut pushed = S::zero();
             let force = force(machine, rotor.angle, |k, linkage| pushed += fade(k, linkage) * pushes[k]);
             (pushed + *lasting * (steady(force + *at_zero) - *rate * slip), S::zero())
         }
-        Moment::Curved { rule, left } => {
+        TorqueLaw::Curved { rule, left } => {
             let mut forces = [S::zero(); STAGES];
             let force = force(machine, rotor.angle, |k, linkage| {
                 let coupling = fade(k, linkage);
                 forces.iter_mut().zip(&left[k]).for_each(|(force, left)| *force += coupling * *left);
             });
             let rates = |slips: &[S; STAGES]| {
-                let moments = machine.moments(slips);
+                let torques = machine.torques(slips);
                 std::array::from_fn(|i| {
-                    let Tangent { value, slope, .. } = moments[i];
+                    let Tangent { value, slope, .. } = torques[i];
                     Tangent::moving(steady(force + forces[i] + value), by.compliance * slope)
                 })
             };
@@ -170,9 +170,9 @@ pub fn kick<P: Base, S: Over<P> + Analytic, A: Acting<P, S>>(
     left
 }
 
-/// [`Acting::at_angle`] of a machine whose laws depend on the angle: the others have no energy of it, and no windings.
+/// [`FixedAngleMachine::at_angle`] of a machine whose laws depend on the angle: the others have no energy of it, and no windings.
 #[inline(always)]
-fn force<P: Base, S: Over<P> + Analytic, A: Acting<P, S>>(
+fn force<P: Base, S: Over<P> + Analytic, A: FixedAngleMachine<P, S>>(
     machine: &A,
     angle: S,
     each: impl FnMut(usize, Tangent<S>),
@@ -201,7 +201,7 @@ impl<S: Analytic> Point<S> {
 
     /// To the rotor's part of a law's state, and the currents.
     #[inline]
-    pub fn leave<P: Base, A: Acting<P, S>>(&self, acting: &A, slip: S, y: &mut [S])
+    pub fn leave<P: Base, A: FixedAngleMachine<P, S>>(&self, acting: &A, slip: S, y: &mut [S])
     where
         S: Over<P>,
     {
@@ -245,7 +245,7 @@ impl<S: Real> Fading<S> {
 
     /// The decay rate of a slip by the torque m alone, 1/s.
     fn of_slip(&self, machine: &impl Machine<f64>, slip: S) -> S {
-        -self.compliance * moment_at(machine, slip).slope
+        -self.compliance * torque_at(machine, slip).slope
     }
 }
 

@@ -19,7 +19,7 @@ pub struct Laws {
     counts: Vec<(Count, usize)>,
     rotor: RotorState,
     energy: Law,
-    moment: Law,
+    torque: Law,
     windings: Vec<Winding<Law, usize>>,
     /// Numbers that follow from the data alone: letters that are computed once, roots and angles in the laws, W, then L and R of each
     /// winding.
@@ -38,7 +38,7 @@ pub struct Expressions {
     /// U(g), J
     pub energy: Sym,
     /// m(g', phi'), N m
-    pub moment: Sym,
+    pub torque: Sym,
     pub windings: Vec<Winding<Sym, Sym>>,
     /// Letters of the laws, each with its value in terms of the data: computed once, in the field of the data.
     pub settled: Vec<(Sym, Sym)>,
@@ -97,7 +97,7 @@ impl Expressions {
     /// Every expression but those of the data alone.
     fn of_motion(&self) -> impl Iterator<Item = Sym> {
         let of_windings = self.windings.iter().flat_map(|each| [Some(each.flux), each.supply, each.motional]).flatten();
-        [self.energy, self.moment].into_iter().chain(of_windings)
+        [self.energy, self.torque].into_iter().chain(of_windings)
     }
 
     /// Whether an energy, a flux or a supply depends on the angle.
@@ -119,7 +119,7 @@ impl Laws {
         counts: Vec<(Count, usize)>,
         expressions: &Expressions,
     ) -> Result<Self, TooLong> {
-        let Expressions { rotor, frame_speed, energy, moment, windings, settled } = expressions;
+        let Expressions { rotor, frame_speed, energy, torque, windings, settled } = expressions;
         let given: Vec<Sym> = data.iter().map(|quantity| Sym::symbol(&quantity.name)).collect();
         let Circle { cos, sin } = Sym::symbol(ANGLE).circle();
         let (angle, speeds) = ([cos, sin], [SLIP, SPEED].map(Sym::symbol));
@@ -152,7 +152,7 @@ impl Laws {
             name,
             rotor: *rotor,
             energy: Law::record(*energy, &angle, &letters)?,
-            moment: Law::record(*moment, &speeds, &letters)?,
+            torque: Law::record(*torque, &speeds, &letters)?,
             windings: recorded,
             alone: Tape::record(&given, &alone).map_err(|_| TooLong)?,
             frame_speed: frame_speed_at,
@@ -228,8 +228,8 @@ impl Laws {
         self.energy.value(&[angle.cos, angle.sin], numbers)
     }
 
-    pub(super) fn moment<P: Base, S: Over<P>>(&self, slip: S, speed: S, numbers: &[P]) -> S {
-        self.moment.value(&[slip, speed], numbers)
+    pub(super) fn torque<P: Base, S: Over<P>>(&self, slip: S, speed: S, numbers: &[P]) -> S {
+        self.torque.value(&[slip, speed], numbers)
     }
 }
 

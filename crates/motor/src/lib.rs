@@ -7,12 +7,12 @@
 //! * [`Motor`]: the form in which a motor runs: its laws, recorded once as programs, and its data;
 //! * [`catalogue`]: the motors of all linked crates, by name;
 //! * [`machine_table`]: the table `[machine]` of a scene; [`text`] is a motor whose laws are written in this table;
-//! * [`Bench`]: a motor alone, with its housing at rest; [`Metered`]: a run of the bench with the work of the supply;
+//! * [`Bench`]: a motor alone, with its housing at rest; [`WithSuppliedWork`]: a run of the bench with the work of the supply;
 //! * [`Separable`]: laws that are sums of fields whose flows are known, for splitting methods; [`Kick`] is the motor's part of them.
 //!
 //! # Example
 //! ```
-//! use dalembert_motor::{Machine, RotorState, drive};
+//! use dalembert_motor::{Machine, RotorState, torque_and_current_rates};
 //! use field::{Base, Circle, Over};
 //!
 //! /// A magnetised rotor in a field that turns at 100 rad/s: U = -b cos g.
@@ -34,14 +34,14 @@
 //!     }
 //!
 //!     // no friction
-//!     fn moment_law<S: Over<P>>(&self, _slip: S, _speed: S) -> S {
+//!     fn torque_law<S: Over<P>>(&self, _slip: S, _speed: S) -> S {
 //!         S::zero()
 //!     }
 //! }
 //!
 //! // the torque is -U'(g): it pulls a rotor that leads back into the field
 //! let (sin, cos) = 0.3_f64.sin_cos();
-//! let torque = drive(&Magnet { b: 2.0 }, Circle { cos, sin }, 0.0, &[], &mut []);
+//! let torque = torque_and_current_rates(&Magnet { b: 2.0 }, Circle { cos, sin }, 0.0, &[], &mut []);
 //! assert!((torque + 2.0 * sin).abs() < 1e-15);
 //! ```
 
@@ -73,7 +73,7 @@ pub use bench::Bench;
 pub use bench_pieces::BenchFlows;
 pub use catalogue::{Catalogue, Count, Entry, letter};
 pub use constant_speed::ConstantSpeed;
-pub use fixed_angle_laws::{Acting, Programmed, Programs};
+pub use fixed_angle_laws::{FixedAngleMachine, Programmed, Programs};
 pub use free_rotor::FreeRotor;
 pub use gauss4_scalar::Rule;
 pub use integrals::Conserved;
@@ -83,15 +83,15 @@ pub use kick::{Fading, Kick, Law, Point, decay_quotient, has_known_flow, kick, s
 pub use laws::{Expressions, Laws, TooLong, Winding};
 pub use load::Loaded;
 pub use machine::{
-    Circuit, Machine, RotorState, drive, drive_circuits, heat, is_fed, motional_moment, state_names, stored_energy,
-    supplied,
+    Circuit, Machine, RotorState, electrical_power, is_fed, joule_heat, motional_torque, state_names, stored_energy,
+    torque_and_circuit_rates, torque_and_current_rates,
 };
 pub use machine_table::NoModel;
 pub use motor::Motor;
-pub use power_balance::{Metered, Powered, feeding};
+pub use power_balance::{Powered, WithSuppliedWork, supplied_power};
 pub use runaway::{Driven, runaway};
 pub use separable::{Separable, compiled};
-pub use steady_currents::resting_currents;
+pub use steady_currents::steady_currents;
 
 use field::{Analytic, Base, Over};
 

@@ -51,7 +51,7 @@ impl<P: Base, M: Machine<P>> Machine<P> for Loaded<M, P> {
         self.machine.field_energy(angle)
     }
 
-    fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
-        self.machine.moment_law(slip, speed) - S::lift(self.load)
+    fn torque_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
+        self.machine.torque_law(slip, speed) - S::lift(self.load)
     }
 }

@@ -90,7 +90,7 @@ pub trait Machine<P: Base> {
 
     /// m(g', phi'), N m: the torque that does not come from an energy of the angle, such as friction and the torque of
     /// slip.
-    fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S;
+    fn torque_law<S: Over<P>>(&self, slip: S, speed: S) -> S;
 }
 
 /// The constants of a winding.
@@ -126,7 +126,7 @@ impl<P: Base> Circuit<P> {
 
 /// The torque M and the rates of the currents by Lagrange-Maxwell; the rates are written to `current_rates`.
 #[inline(always)]
-pub fn drive<P: Base, S: Over<P>>(
+pub fn torque_and_current_rates<P: Base, S: Over<P>>(
     machine: &impl Machine<P>,
     angle: Circle<S>,
     slip: S,
@@ -134,12 +134,12 @@ pub fn drive<P: Base, S: Over<P>>(
     current_rates: &mut [S],
 ) -> S {
     let circuits = (0..machine.windings()).map(|winding| Circuit::of(machine, winding));
-    drive_circuits(machine, circuits, angle, slip, currents, current_rates)
+    torque_and_circuit_rates(machine, circuits, angle, slip, currents, current_rates)
 }
 
-/// [`drive`] with the circuits of the windings, in order.
+/// [`torque_and_current_rates`] with the circuits of the windings, in order.
 #[inline(always)]
-pub fn drive_circuits<P: Base, S: Over<P>>(
+pub fn torque_and_circuit_rates<P: Base, S: Over<P>>(
     machine: &impl Machine<P>,
     circuits: impl Iterator<Item = Circuit<P>>,
     angle: Circle<S>,
@@ -149,13 +149,13 @@ pub fn drive_circuits<P: Base, S: Over<P>>(
 ) -> S {
     let varied = angle.varied();
     let speed = slip + S::lift(machine.frame_speed());
-    let mut moment = machine.moment_law(slip, speed) - machine.field_energy(varied).slope;
+    let mut torque = machine.torque_law(slip, speed) - machine.field_energy(varied).slope;
     for (k, ((&current, rate), circuit)) in currents.iter().zip(current_rates).zip(circuits).enumerate() {
         let coupling = machine.linkage(k, varied).slope;
-        moment = moment.and_product(current, coupling);
+        torque = torque.and_product(current, coupling);
         let mut opposing = circuit.opposing(current, coupling, slip);
         if let Some(motional) = machine.motional(k, currents) {
-            moment = moment.and_product(current, motional);
+            torque = torque.and_product(current, motional);
             opposing = opposing.and_product(motional, speed);
         }
         if let Some(supply) = machine.supply(k, angle) {
@@ -163,7 +163,7 @@ pub fn drive_circuits<P: Base, S: Over<P>>(
         }
         *rate = circuit.rate(opposing);
     }
-    moment
+    torque
 }
 
 /// U(g) + sum 1/2 L_k i_k^2, J: the energy stored in the circuits of the rotor.
@@ -173,12 +173,12 @@ pub fn stored_energy<P: Base, S: Over<P>>(machine: &impl Machine<P>, angle: Circ
 }
 
 /// sum R_k i_k^2, W: the heat of the windings.
-pub fn heat<P: Base, S: Over<P>>(machine: &impl Machine<P>, currents: &[S]) -> S {
+pub fn joule_heat<P: Base, S: Over<P>>(machine: &impl Machine<P>, currents: &[S]) -> S {
     currents.iter().enumerate().fold(S::zero(), |sum, (k, &i)| sum + S::lift(machine.resistance(k)) * i * i)
 }
 
 /// sum v_k i_k, W: the power of the supplies into the windings.
-pub fn supplied<P: Base, S: Over<P>>(machine: &impl Machine<P>, angle: Circle<S>, currents: &[S]) -> S {
+pub fn electrical_power<P: Base, S: Over<P>>(machine: &impl Machine<P>, angle: Circle<S>, currents: &[S]) -> S {
     currents.iter().enumerate().fold(S::zero(), |sum, (k, &i)| match machine.supply(k, angle) {
         Some(voltage) => sum + voltage * i,
         None => sum,
@@ -186,7 +186,7 @@ pub fn supplied<P: Base, S: Over<P>>(machine: &impl Machine<P>, angle: Circle<S>
 }
 
 /// sum c_k i_k, N m: the torque of the windings in which conductors slide.
-pub fn motional_moment<P: Base, S: Over<P>>(machine: &impl Machine<P>, currents: &[S]) -> S {
+pub fn motional_torque<P: Base, S: Over<P>>(machine: &impl Machine<P>, currents: &[S]) -> S {
     currents.iter().enumerate().fold(S::zero(), |sum, (k, &i)| match machine.motional(k, currents) {
         Some(motional) => sum + motional * i,
         None => sum,

@@ -91,7 +91,7 @@ impl Motor {
     }
 
     /// The constant speed of its rotor, for any torque; `None` for other motors.
-    pub fn kept_speed(&self) -> Option<f64> {
+    pub fn prescribed_speed(&self) -> Option<f64> {
         (self.rotor() == RotorState::Prescribed).then(|| self.frame_speed())
     }
 }
@@ -137,7 +137,7 @@ impl<P: Base> Machine<P> for Motor<P> {
         self.laws.energy(angle, &self.numbers)
     }
 
-    fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
-        self.laws.moment(slip, speed, &self.numbers)
+    fn torque_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
+        self.laws.torque(slip, speed, &self.numbers)
     }
 }

@@ -1,7 +1,7 @@
 //! A motor's run with the work that is done on it: a change of E - W p beyond this work is an error of the run.
 
 use super::integrals::feed;
-use super::{Bench, Machine, RotorState, heat};
+use super::{Bench, Machine, RotorState, joule_heat};
 use field::{Analytic, Base, Over};
 use integrators::Ode;
 
@@ -19,7 +19,7 @@ pub trait Powered {
 
 /// m g' - sum R_k i_k^2 + sum v_k i_k - W sum c_k i_k, W: the power of friction, heat, supply and sliding windings on E -
 /// W p, from the machine's part of a state.
-pub fn feeding<P: Base, S: Over<P> + Analytic>(machine: &impl Machine<P>, state: &[S]) -> S {
+pub fn supplied_power<P: Base, S: Over<P> + Analytic>(machine: &impl Machine<P>, state: &[S]) -> S {
     let known = machine.rotor();
     let (rotor, currents) = state.split_at(known.dimension());
     if known == RotorState::Prescribed {
@@ -27,22 +27,22 @@ pub fn feeding<P: Base, S: Over<P> + Analytic>(machine: &impl Machine<P>, state:
     }
     let (angle, slip) = known.angle_and_slip(rotor);
     let frame_speed = S::lift(machine.frame_speed());
-    let friction = machine.moment_law(slip, slip + frame_speed) * slip;
-    friction - heat(machine, currents) + feed(machine, angle, currents)
+    let friction = machine.torque_law(slip, slip + frame_speed) * slip;
+    friction - joule_heat(machine, currents) + feed(machine, angle, currents)
 }
 
 /// A law with the work that is done on it as its last component.
 #[derive(Clone, Debug)]
-pub struct Metered<L>(pub L);
+pub struct WithSuppliedWork<L>(pub L);
 
-impl<L: Powered> Metered<L> {
+impl<L: Powered> WithSuppliedWork<L> {
     /// E - W p less the work, J: constant along an exact motion.
     pub fn balance(&self, y: &[f64]) -> f64 {
         y.split_last().map_or(f64::NAN, |(work, y)| self.0.jacobi(y) - work)
     }
 }
 
-impl<S: Over<f64> + Analytic, L: Powered> Ode<S> for Metered<L> {
+impl<S: Over<f64> + Analytic, L: Powered> Ode<S> for WithSuppliedWork<L> {
     fn dimension(&self) -> usize {
         self.0.dimension() + 1
     }
@@ -69,6 +69,6 @@ impl<M: Machine<f64>> Powered for Bench<f64, M> {
     }
 
     fn power<S: Over<f64> + Analytic>(&self, y: &[S]) -> S {
-        feeding(&self.machine, y)
+        supplied_power(&self.machine, y)
     }
 }

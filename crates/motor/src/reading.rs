@@ -1,7 +1,7 @@
 //! The equations of a motor for reading: torque and currents by Lagrange and Maxwell.
 
 use crate::exact_turns::with_exact_turns;
-use crate::{Machine, Motor, drive};
+use crate::{Machine, Motor, torque_and_current_rates};
 use claims::derivation::{Equation, NotDerived};
 use field::Analytic;
 use symbolic::{Hypotheses, Sym, normal};
@@ -23,8 +23,8 @@ pub fn equations_of(motor: &Motor) -> Result<Vec<Equation>, NotDerived> {
 pub fn equations(machine: &impl Machine<Sym>, currents: &[Sym]) -> Result<Vec<Equation>, NotDerived> {
     let [angle, slip] = [("γ", r"\gamma"), ("γ̇", r"\dot\gamma")].map(|(name, latex)| Sym::named(name, latex));
     let mut rates = vec![Sym::ZERO; currents.len()];
-    let moment = drive(machine, angle.circle(), slip, currents, &mut rates);
-    let mut equations = vec![Equation { left: Sym::symbol("M"), right: simplified(moment)? }];
+    let torque = torque_and_current_rates(machine, angle.circle(), slip, currents, &mut rates);
+    let mut equations = vec![Equation { left: Sym::symbol("M"), right: simplified(torque)? }];
     for (k, (current, rate)) in currents.iter().zip(rates).enumerate() {
         let inductance = machine.inductance(k);
         let name = Sym::named(&format!("d{current}/dt"), &format!(r"\frac{{d{}}}{{dt}}", current.latex()));

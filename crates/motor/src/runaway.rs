@@ -24,23 +24,23 @@ pub fn runaway(machine: &impl Machine<f64>) -> [Option<Driven>; 2] {
 
 fn driven(machine: &impl Machine<f64>, direction: f64) -> Option<Driven> {
     let own = direction * machine.frame_speed().abs().max(1.0);
-    let moment = |speed: f64| machine.moment_law(speed - machine.frame_speed(), speed);
+    let torque = |speed: f64| machine.torque_law(speed - machine.frame_speed(), speed);
     let [near, far, farther] = FAR.map(|power| own * f64::from(power).exp2());
-    let drives = [near, far, farther].iter().all(|&speed| moment(speed) * speed > 0.0);
+    let drives = [near, far, farther].iter().all(|&speed| torque(speed) * speed > 0.0);
     // a constant torque drives too, as a weight does, but not harder
-    let harder = moment(farther).abs() > 2.0 * moment(far).abs() && moment(far).abs() > 2.0 * moment(near).abs();
+    let harder = torque(farther).abs() > 2.0 * torque(far).abs() && torque(far).abs() > 2.0 * torque(near).abs();
     if !(drives && harder) {
         return None;
     }
     // the driving begins between a speed far below the machine's own and one far above; their ratio is halved until it
     // is found
     let (mut brakes, mut drives) = (own * f64::from(-FAR[0]).exp2(), near);
-    if moment(brakes) * brakes > 0.0 {
-        return Some(Driven { beyond: 0.0, power: moment(own) * own, at: own });
+    if torque(brakes) * brakes > 0.0 {
+        return Some(Driven { beyond: 0.0, power: torque(own) * own, at: own });
     }
     for _ in 0..64 {
         let middle = direction * (brakes * drives).sqrt();
-        if moment(middle) * middle > 0.0 { drives = middle } else { brakes = middle }
+        if torque(middle) * middle > 0.0 { drives = middle } else { brakes = middle }
     }
-    Some(Driven { beyond: drives, power: moment(2.0 * drives) * 2.0 * drives, at: 2.0 * drives })
+    Some(Driven { beyond: drives, power: torque(2.0 * drives) * 2.0 * drives, at: 2.0 * drives })
 }

@@ -2,19 +2,19 @@
 //!
 //! The rates of currents are affine in the currents, and the law itself gives this system of linear equations.
 
-use super::{Machine, drive};
+use super::{Machine, torque_and_current_rates};
 use field::{Base, Circle, Over, Tangent};
 
 /// The steady currents, A, of the windings at constant angle and slip; `None` where none or many exist, as without any
 /// resistance.
-pub fn resting_currents<P: Base, S: Over<P>>(machine: &impl Machine<P>, angle: Circle<S>, slip: S) -> Option<Vec<S>> {
+pub fn steady_currents<P: Base, S: Over<P>>(machine: &impl Machine<P>, angle: Circle<S>, slip: S) -> Option<Vec<S>> {
     let count = machine.windings();
     let (angle, slip) = (angle.map(Tangent::fixed), Tangent::fixed(slip));
     let rates = |varied: Option<usize>| {
         let current = |k| if varied == Some(k) { Tangent::variable(S::zero()) } else { Tangent::fixed(S::zero()) };
         let currents: Vec<Tangent<S>> = (0..count).map(current).collect();
         let mut rates = vec![Tangent::fixed(S::zero()); count];
-        drive(machine, angle, slip, &currents, &mut rates);
+        torque_and_current_rates(machine, angle, slip, &currents, &mut rates);
         rates
     };
     let mut right: Vec<S> = rates(None).into_iter().map(|rate| -rate.value).collect();

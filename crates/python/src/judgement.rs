@@ -18,7 +18,7 @@ impl Judgement {
     /// In one word: proved, identified, tested, refuted, undecided, or "does not apply".
     #[getter]
     fn verdict(&self) -> &'static str {
-        self.0.rung()
+        self.0.degree()
     }
 
     /// The verdict in a sentence: on what ground, for which values.

@@ -340,7 +340,7 @@ impl NativeModel {
                 if interrupted.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             });
             let told = scene.told(&choice, &trajectory);
-            let steps = problem.beside(&choice, &trajectory, || match Python::attach(|py| py.check_signals()) {
+            let steps = problem.check_by_step_halving(&choice, &trajectory, || match Python::attach(|py| py.check_signals()) {
                 Ok(()) => ControlFlow::Continue(()),
                 Err(error) => {
                     interrupted = Some(error);

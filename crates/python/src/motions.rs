@@ -5,7 +5,7 @@ use crate::errors::{refused, scene_error};
 use crate::time_limit::{end_after, left};
 use crate::wording::of_python;
 use dalembert::commands::{
-    ForceTable, ReferenceTold, RegimesTold, RegulatorTold, WantedForces, consistent_regimes, forces_along,
+    ForceTable, ReferenceResult, RegimesResult, RegulatorResult, WantedForces, consistent_regimes, forces_along,
     reference_solution, regulator,
 };
 use dalembert::reader::SceneError;
@@ -43,7 +43,7 @@ pub fn regulate(py: Python<'_>, text: &SystemText, run: Run, seconds: f64) -> Py
         let scene = scene(text, run)?;
         regulator(&scene, left(end)).map_err(|issue| text.with_issue(issue))
     });
-    let RegulatorTold { text, object } = found.map_err(|error| scene_error(py, &of_python(error)))?;
+    let RegulatorResult { text, object } = found.map_err(|error| scene_error(py, &of_python(error)))?;
     Ok((object.to_string(), text))
 }
 
@@ -53,7 +53,7 @@ pub fn regimes(py: Python<'_>, text: &SystemText, title: &str) -> PyResult<(Stri
         let model = text.model(Task::Run)?;
         consistent_regimes(title, model).map_err(|issue| text.with_issue(issue))
     });
-    let RegimesTold { text, object, .. } = found.map_err(|error| scene_error(py, &of_python(error)))?;
+    let RegimesResult { text, object, .. } = found.map_err(|error| scene_error(py, &of_python(error)))?;
     Ok((object.to_string(), text))
 }
 
@@ -70,7 +70,7 @@ pub fn reference(
     let mut scene = scene.map_err(|error| scene_error(py, &of_python(error)))?;
     scene.run.span = span.unwrap_or(scene.run.span);
     let found = py.detach(|| reference_solution(&scene, left(end)));
-    let ReferenceTold { text, object } = found.map_err(|why| refused(py, &text.name, why))?;
+    let ReferenceResult { text, object } = found.map_err(|why| refused(py, &text.name, why))?;
     Ok((object.to_string(), text))
 }
 

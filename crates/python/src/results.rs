@@ -5,10 +5,10 @@ use crate::errors::{refused, scene_error};
 use crate::time_limit::{end_after, left};
 use crate::wording::{in_python, of_python};
 use dalembert::commands::{
-    Charted, ChosenModel, SteadyTold, charted, chosen_model, finding_object, steady_motions, unjudged_object,
+    Charted, ChosenModel, SteadyMotionsResult, charted, chosen_model, finding_object, steady_motions, unjudged_object,
 };
 use dalembert::manuscript::{Finding, PaperText};
-use dalembert::scenes::steady_motions::{Asked, Range};
+use dalembert::scenes::steady_motions::{SteadySearch, Range};
 use dalembert::scenes::{Given, SystemText, parse_ensemble_with};
 use dalembert::simulation::Run;
 use dalembert::simulation::ensemble::{EnsembleScene, Row};
@@ -78,10 +78,10 @@ pub fn steady(
     seconds: f64,
 ) -> PyResult<(String, String)> {
     let ranges = ranges.into_iter().map(|(name, from, to)| (name, Range { from, to })).collect();
-    let asked = Asked { ranges, boxes, ..Asked::default() };
+    let asked = SteadySearch { ranges, boxes, ..SteadySearch::default() };
     let end = end_after(seconds);
     let found = py.detach(|| steady_motions(text, &asked, || Instant::now() < end));
-    let SteadyTold { text, object } = found.map_err(|error| scene_error(py, &of_python(error)))?;
+    let SteadyMotionsResult { text, object } = found.map_err(|error| scene_error(py, &of_python(error)))?;
     Ok((object.to_string(), text))
 }
 

@@ -1,6 +1,6 @@
 //! A run, handed over to Python.
 
-use dalembert::integrators::{Beside as StepHalving, Lost};
+use dalembert::integrators::{StepHalvingCheck as StepHalving, Lost};
 use dalembert::simulation::events::Passage;
 use dalembert::simulation::{RunFailure, RunNotes, Trajectory};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
@@ -108,7 +108,7 @@ impl NativeTrajectory {
     /// The verdict of shorter steps on constant ones, and whether these follow the motion.
     #[getter]
     fn steps(&self) -> Option<(String, bool)> {
-        self.beside.as_ref().map(|beside| (beside.to_string(), beside.parting.serves()))
+        self.beside.as_ref().map(|beside| (beside.to_string(), beside.verdict.serves()))
     }
 
     /// Quantities that should stay zero, by names, with a value for each sample.

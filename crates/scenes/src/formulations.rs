@@ -13,7 +13,7 @@ use crate::modes::Mode;
 use integrators::Index2Dae;
 use model::equations::{Equation, Equations, Level, Pushes, constraints_of};
 use model::{Model, Trace};
-use simulation::work_precision::{Configuration, Formulation, HeldLaw, Standing, Treated};
+use simulation::work_precision::{Configuration, Formulation, SharedIndex2Dae, Standing, Treated};
 use simulation::{CompiledDae, Problem};
 use std::sync::Arc;
 use symbolic::{Sym, apart, substitute_all};
@@ -43,7 +43,7 @@ pub(crate) fn formulations(
     }
     let compiled = |model: &Arc<Model>| CompiledSystem::of(model, &Mode::off(model)).ok().map(Arc::new);
     let (led_at_a_rate, held) = (Arc::new(model.led_at(Some(Formulation::RATE))), HeldModel::of(&reduced));
-    let held = held.map(|held| Arc::new(CompiledDae::new(held)) as Arc<dyn HeldLaw>);
+    let held = held.map(|held| Arc::new(CompiledDae::new(held)) as Arc<dyn SharedIndex2Dae>);
     let (reduced, led_at_a_rate) = (compiled(&reduced), compiled(&led_at_a_rate));
     let others = [
         (Formulation::Projected, reduced.as_ref().filter(|_| led > 0).map(|system| system.projected(system.law()))),

@@ -3,7 +3,7 @@
 use crate::modes::{Modes, RunTable};
 use crate::scene::ModelScene;
 use field::DoubleDouble;
-use integrators::{Across, End, Failure, Method, Observer, Outcome, Reference, Sizes, Span, Tolerance};
+use integrators::{End, Failure, HybridMotion, Method, Observer, Outcome, Reference, Sizes, Span, Tolerance};
 use simulation::Problem;
 use simulation::events::Switching;
 use simulation::references::Owner;
@@ -87,7 +87,7 @@ impl Hybrid for ModelScene {
         let columns = self.model.state_names().into_iter().map(|(name, _)| name).collect();
         let state = self.start.clone();
         let law = match modes {
-            Some(modes) => Treated::Across(Arc::new(Motion { problem, modes, dimension: state.len() })),
+            Some(modes) => Treated::Hybrid(Arc::new(Motion { problem, modes, dimension: state.len() })),
             None => Treated::Free(problem.law),
         };
         let row = Box::new(|_: f64, state: &[f64]| state.to_vec());
@@ -135,7 +135,7 @@ struct Motion {
     dimension: usize,
 }
 
-impl Across for Motion {
+impl HybridMotion for Motion {
     fn dimension(&self) -> usize {
         self.dimension
     }

@@ -27,7 +27,7 @@ const POINTS: usize = 20;
 const MOST_ASKED: usize = 10;
 
 /// A scene as a problem with its first integrals.
-pub struct KeptScene {
+pub struct SceneWithIntegrals {
     pub problem: Problem,
     pub integrals: Vec<Integral>,
     /// Components that need not return in a periodic motion, since nothing depends on them.
@@ -37,11 +37,11 @@ pub struct KeptScene {
     cyclic: Vec<usize>,
 }
 
-impl KeptScene {
+impl SceneWithIntegrals {
     /// A problem with the integrals that it names.
     pub fn plain(mut problem: Problem) -> Self {
         let integrals = std::mem::take(&mut problem.invariants).into_iter().map(Integral::from).collect();
-        KeptScene { problem, integrals, idle: Vec::new(), angles: Vec::new(), cyclic: Vec::new() }
+        SceneWithIntegrals { problem, integrals, idle: Vec::new(), angles: Vec::new(), cyclic: Vec::new() }
     }
 
     /// The integrals of a scene; `None` where its law changes at conditions, contacts or events.
@@ -65,7 +65,7 @@ impl KeptScene {
         integrals.extend(momenta);
         let angles = |k: &usize| model.coordinates[*k].dimension == symbolic::Dimension::none();
         let work = problem.state.len() - problem.metered..problem.state.len();
-        Some(KeptScene {
+        Some(SceneWithIntegrals {
             angles: (0..model.coordinates.len()).filter(angles).collect(),
             cyclic: idle.iter().map(|k| model.positions() + k).collect(),
             idle: idle.into_iter().chain(work).collect(),

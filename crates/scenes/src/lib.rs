@@ -89,7 +89,7 @@ pub use conservation::keeps_energy;
 pub use ensemble::{parse_ensemble, parse_ensemble_with};
 pub use equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
 pub use failure_entry::{FailureEntry, TriedEntry};
-pub use integrals::KeptScene;
+pub use integrals::SceneWithIntegrals;
 pub use modes::{Case, CriticalFriction, Face, Margin, Mode, Motions, Phase, Regime, Regimes};
 pub use motions::{PrescribedMotion, parse_prescribed, read_prescribed};
 pub use named_systems::{NamedSystem, with_tables};

@@ -48,7 +48,7 @@ pub(crate) fn metered(system: &Arc<CompiledSystem>, plain: Problem) -> Problem {
     if apart(|| PowerBalance::of(&Trace::of(model)).power == Sym::ZERO) {
         return kept(plain, energies);
     }
-    let mut law = CompiledLaw::of(Arc::new(Metered(Arc::clone(system))) as Arc<dyn SymbolicLaw>);
+    let mut law = CompiledLaw::of(Arc::new(WithSuppliedWork(Arc::clone(system))) as Arc<dyn SymbolicLaw>);
     if law.program().is_none() {
         return plain;
     }
@@ -56,7 +56,7 @@ pub(crate) fn metered(system: &Arc<CompiledSystem>, plain: Problem) -> Problem {
         let system = Arc::clone(system);
         law = law.with_series(LawSeries::by(move || {
             let solved = recurrence_with(system.model(), LEAST_MOVING, |trace| PowerBalance::of(trace).power);
-            solved.or_else(|| LawSeries::written(&Metered(Arc::clone(&system))))
+            solved.or_else(|| LawSeries::written(&WithSuppliedWork(Arc::clone(&system))))
         }));
     }
     let Problem { mut state, span, mut columns, row, margins, residual, .. } = plain;
@@ -103,9 +103,9 @@ fn kept(plain: Problem, energies: impl Fn(f64, &[f64]) -> [f64; 3] + Clone + Sen
 }
 
 /// A law with the power of all loads as its last rate.
-struct Metered(Arc<CompiledSystem>);
+struct WithSuppliedWork(Arc<CompiledSystem>);
 
-impl Ode<Sym> for Metered {
+impl Ode<Sym> for WithSuppliedWork {
     fn dimension(&self) -> usize {
         Ode::<Sym>::dimension(&*self.0) + 1
     }

@@ -1,9 +1,9 @@
 //! Drift of energies and momenta under constant steps, beside closed forms and by two routes.
 
-use dalembert_scenes::{KeptScene, ModelScene};
+use dalembert_scenes::{ModelScene, SceneWithIntegrals};
 use integrators::Method;
 use simulation::integral_drift::{
-    Drift, Expected, KeptMotion, Measured, Returns, Window, expected, measured, return_time,
+    Drift, Expected, Measured, MotionWithIntegrals, Returns, Window, expected, measured, return_time,
 };
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
@@ -72,7 +72,7 @@ span = "10 s"
 
 /// A scene with its period and the sizes of its integrals.
 struct Periodic {
-    kept: KeptScene,
+    kept: SceneWithIntegrals,
     window: Window,
     sizes: Vec<f64>,
 }
@@ -80,7 +80,7 @@ struct Periodic {
 impl Periodic {
     fn of(text: &str) -> Self {
         let scene = ModelScene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}"));
-        let kept = KeptScene::of(&scene).expect("one law");
+        let kept = SceneWithIntegrals::of(&scene).expect("one law");
         let motion = motion(&kept);
         let gap = |component: usize, end: f64, start: f64| kept.gap(component, end, start);
         let Ok(Returns::After(period)) = return_time(&motion, 10.0, &gap) else { panic!("it returns") };
@@ -112,8 +112,8 @@ impl Periodic {
     }
 }
 
-fn motion(kept: &KeptScene) -> KeptMotion<'_> {
-    KeptMotion { law: &*kept.problem.law, start: &kept.problem.state, integrals: &kept.integrals }
+fn motion(kept: &SceneWithIntegrals) -> MotionWithIntegrals<'_> {
+    MotionWithIntegrals { law: &*kept.problem.law, start: &kept.problem.state, integrals: &kept.integrals }
 }
 
 #[test]

@@ -89,7 +89,7 @@ fn the_jacobian_with_one_factorisation_is_that_of_differences() {
         let mut jacobian = Jacobian::of(&*problem.law);
         let (mut matrix, mut by_time) = (vec![0.0; n * n], vec![0.0; n]);
         jacobian.matrix(t, &state, &mut matrix);
-        jacobian.time_slopes(t, &state, &mut by_time);
+        jacobian.time_derivatives(t, &state, &mut by_time);
         let (differences, differences_by_time) = differences(&*problem.law, t, &state);
         for (own, other) in matrix.iter().zip(&differences).chain(by_time.iter().zip(&differences_by_time)) {
             assert!((own - other).abs() < 1e-9 * other.abs().max(1.0), "{own} is not {other}");

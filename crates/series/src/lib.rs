@@ -50,7 +50,7 @@ mod stages;
 mod stored;
 mod sum;
 
-pub use batch::Abreast;
+pub use batch::BatchExpansion;
 pub use expand::Expansion;
 pub use fused::Fused;
 

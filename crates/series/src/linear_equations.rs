@@ -47,21 +47,21 @@ impl<S: Magnitude> Solver<S> for Checked<S> {
 
 /// Each lane has pivots of its own: its numbers do not depend on the others.
 #[derive(Clone, Debug)]
-pub(super) struct SideBySide<const L: usize> {
+pub(super) struct LaneEquations<const L: usize> {
     lanes: Vec<Checked<f64>>,
     /// The numbers of one lane.
     entries: Vec<f64>,
     right: Vec<f64>,
 }
 
-impl<const L: usize> SideBySide<L> {
+impl<const L: usize> LaneEquations<L> {
     pub fn new(pattern: &Pattern) -> Self {
         let lanes = (0..L).map(|_| Checked::new(pattern)).collect();
-        SideBySide { lanes, entries: vec![0.0; pattern.places().len()], right: vec![0.0; pattern.size()] }
+        LaneEquations { lanes, entries: vec![0.0; pattern.places().len()], right: vec![0.0; pattern.size()] }
     }
 }
 
-impl<const L: usize> Solver<Batch<L>> for SideBySide<L> {
+impl<const L: usize> Solver<Batch<L>> for LaneEquations<L> {
     #[inline(always)]
     fn factor(&mut self, entries: &[Batch<L>]) {
         for (lane, checked) in self.lanes.iter_mut().enumerate() {
@@ -244,7 +244,7 @@ impl<S: Fused> Task<S> for Next<'_, S> {
     }
 }
 
-impl<const L: usize> LinearSeries<Batch<L>, SideBySide<L>> {
+impl<const L: usize> LinearSeries<Batch<L>, LaneEquations<L>> {
     /// The unknowns of order k of every lane, from the quantities that were read.
     #[inline(never)]
     pub fn next_of_lanes(&mut self, k: usize) {

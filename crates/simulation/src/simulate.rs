@@ -4,7 +4,8 @@ use super::problem::Row;
 use super::{Axes, Problem, Run};
 use crate::events::Passage;
 use integrators::{
-    Beside, Deviation, End, Failure, Lost, Method, Observer, Outcome, Record, Refusal, Span, Tolerance, beside,
+    Deviation, End, Failure, Lost, Method, Observer, Outcome, Record, Refusal, Span, StepHalvingCheck, Tolerance,
+    check_by_step_halving,
 };
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
@@ -154,19 +155,19 @@ impl Problem {
 
     /// Compares a run with constant steps that reached its end with runs of shorter steps, each in the time that it was allowed;
     /// `None` for other runs. `goes_on` breaks it off.
-    pub fn beside(
+    pub fn check_by_step_halving(
         &self,
         choice: &Choice,
         trajectory: &Trajectory,
         mut goes_on: impl FnMut() -> ControlFlow<()>,
-    ) -> Option<Beside> {
+    ) -> Option<StepHalvingCheck> {
         if !trajectory.outcome.reached() || trajectory.left.is_some() {
             return None;
         }
         let own = self.state.len() - self.metered;
         let judged = |states: &[Vec<f64>]| states.iter().map(|state| state[..own].to_vec()).collect();
         let record = Record { times: trajectory.times.clone(), states: judged(&trajectory.states) };
-        beside(choice.method, &record, |method| {
+        check_by_step_halving(choice.method, &record, |method| {
             let mut span = Span::new(0.0, self.span, &self.state).with_deadline(Instant::now() + choice.allowed);
             span.outputs.clone_from(&record.times);
             let mut seen = Record::new();

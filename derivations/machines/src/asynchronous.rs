@@ -28,7 +28,7 @@ impl<P: Base> Machine<P> for Asynchronous<P> {
     }
 
     #[inline(always)]
-    fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
+    fn torque_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
         let Asynchronous { k, f, .. } = self.map(S::lift);
         -(k * slip + f * speed)
     }

@@ -63,7 +63,7 @@ impl<P: Base> Machine<P> for Brushed<P> {
     }
 
     #[inline(always)]
-    fn moment_law<S: Over<P>>(&self, _slip: S, speed: S) -> S {
+    fn torque_law<S: Over<P>>(&self, _slip: S, speed: S) -> S {
         -S::lift(self.f) * speed
     }
 }

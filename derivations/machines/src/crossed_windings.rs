@@ -57,7 +57,7 @@ impl<P: Base> Machine<P> for CrossedWindings<P> {
     }
 
     #[inline(always)]
-    fn moment_law<S: Over<P>>(&self, _slip: S, speed: S) -> S {
+    fn torque_law<S: Over<P>>(&self, _slip: S, speed: S) -> S {
         -S::lift(self.f) * speed
     }
 }

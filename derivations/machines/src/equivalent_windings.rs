@@ -67,8 +67,8 @@ impl<P: Base> Machine<P> for EquivalentWindings<P> {
     }
 
     #[inline(always)]
-    fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
-        self.0.moment_law(slip, speed)
+    fn torque_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
+        self.0.torque_law(slip, speed)
     }
 }
 

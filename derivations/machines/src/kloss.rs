@@ -31,7 +31,7 @@ impl<P: Base> Machine<P> for Kloss<P> {
     }
 
     #[inline(always)]
-    fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
+    fn torque_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
         let Kloss { field_speed, pull_out, pull_out_slip, f } = self.map(S::lift);
         let s = -slip / field_speed;
         S::int(2) * pull_out * s * pull_out_slip / (s * s + pull_out_slip * pull_out_slip) - f * speed

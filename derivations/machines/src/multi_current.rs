@@ -88,7 +88,7 @@ impl<P: Base> Machine<P> for MultiCurrent<P> {
     }
 
     #[inline(always)]
-    fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
+    fn torque_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
         -(S::lift(self.windings.mu) * slip + S::lift(self.windings.f) * speed)
     }
 }

@@ -33,7 +33,7 @@ impl<P: Base> Machine<P> for Synchronous<P> {
     }
 
     #[inline(always)]
-    fn moment_law<S: Over<P>>(&self, _slip: S, speed: S) -> S {
+    fn torque_law<S: Over<P>>(&self, _slip: S, speed: S) -> S {
         -S::lift(self.f) * speed
     }
 }

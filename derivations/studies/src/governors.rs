@@ -3,8 +3,8 @@
 use integrators::spectrum;
 use mechanics::stability::{characteristic, hurwitz};
 use systems::elastic_governor::ElasticGovernor;
-use systems::governor::constant::ConstantMoments;
-use systems::governor::{Gearing, Governor, Moment};
+use systems::governor::constant::ConstantTorques;
+use systems::governor::{Gearing, Governor, Torque};
 
 /// Stability of the stationary motion over two parameters.
 #[derive(Clone, Debug)]
@@ -60,13 +60,13 @@ pub fn governor(stiffness: f64, load: f64) -> ElasticGovernor<f64> {
 /// Whether Hurwitz' minors of the exact characteristic polynomial are positive: the stationary motion at (omega1, x0) is
 /// stable then, exponentially.
 pub fn has_positive_minors(data: &ElasticGovernor<f64>, speed: f64) -> bool {
-    let minors = data.first_approximation(speed).map(|matrix| hurwitz(characteristic(matrix)));
+    let minors = data.linearised(speed).map(|matrix| hurwitz(characteristic(matrix)));
     minors.is_ok_and(|minors| minors.iter().all(|minor| *minor > 0.0))
 }
 
 /// The largest real part of an eigenvalue of the linearisation, 1/s; `None` where none was found.
 pub fn growth(data: &ElasticGovernor<f64>, speed: f64) -> Option<f64> {
-    let matrix = data.first_approximation(speed).ok()?;
+    let matrix = data.linearised(speed).ok()?;
     spectrum(matrix.len(), matrix.as_flattened())?.first().map(|root| root.re)
 }
 
@@ -135,7 +135,7 @@ pub fn series_errors() -> Vec<(f64, Vec<(usize, f64)>)> {
         mass: 0.8,
         radius: 0.2,
         gearing: Gearing::Drum { radius: 0.5 },
-        moments: [Moment::constant(-0.5), Moment::constant(0.6)],
+        moments: [Torque::constant(-0.5), Torque::constant(0.6)],
         push: 0.0,
         lateral: 0.0,
     };
@@ -143,7 +143,7 @@ pub fn series_errors() -> Vec<(f64, Vec<(usize, f64)>)> {
     let errors = |speed: f64| {
         let law = data.small_parameter(speed)?;
         let closed =
-            ConstantMoments { epsilon: law.epsilon, of_second: law.of_second[0], of_first: law.of_first[0], start };
+            ConstantTorques { epsilon: law.epsilon, of_second: law.of_second[0], of_first: law.of_first[0], start };
         let exact = closed.distance(time)?;
         let sums = law.approximations(start, order, time);
         Some((speed, sums.iter().enumerate().map(|(n, sum)| (n, (sum - exact).abs())).collect()))

@@ -36,7 +36,7 @@
 //! model = "text"
 //! field_speed = "30 rad/s"
 //! field_energy = "-b0*cos(g) - 1/2*b2*cos(2*g)"
-//! moment_law = "-f*phi'"
+//! torque_law = "-f*phi'"
 //! [machine.parameters]
 //! b0 = "0.8 N m"
 //! b2 = "0.5 N m"

@@ -203,7 +203,7 @@ impl<P: Base> ElasticGovernor<P> {
     ///
     /// # Errors
     /// As [`rates_of_state`](Self::rates_of_state).
-    pub fn first_approximation<S: Over<P> + Analytic>(&self, speed: S) -> Result<[[S; 5]; 5], NotDefinite>
+    pub fn linearised<S: Over<P> + Analytic>(&self, speed: S) -> Result<[[S; 5]; 5], NotDefinite>
     where
         Tangent<S>: Over<P>,
     {

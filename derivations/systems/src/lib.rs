@@ -2,11 +2,11 @@
 //!
 //! # Example
 //! ```
-//! use dalembert_systems::moving_pivot_pendulum::Swing;
+//! use dalembert_systems::moving_pivot_pendulum::MovingPivotPendulum;
 //! use mechanics::constrained::PointSystem;
 //!
 //! // the same law over `f64`, and over expressions where it is proved
-//! let swing = Swing { mass: 2.0, length: 0.5, gravity: 9.81, speed: 1.0, acceleration: 0.0 };
+//! let swing = MovingPivotPendulum { mass: 2.0, length: 0.5, gravity: 9.81, speed: 1.0, acceleration: 0.0 };
 //! assert_eq!(swing.masses::<f64>(), [2.0, 2.0]);
 //! ```
 

@@ -8,7 +8,7 @@ use mechanics::constrained::{Charted, Constrained, Constraint, PointSystem, Stat
 
 /// The data of the pendulum.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Swing<P> {
+pub struct MovingPivotPendulum<P> {
     /// m, kg
     pub mass: P,
     /// l, m
@@ -21,14 +21,14 @@ pub struct Swing<P> {
     pub acceleration: P,
 }
 
-impl<P: Base> Swing<P> {
+impl<P: Base> MovingPivotPendulum<P> {
     /// s(t)
     fn pivot<S: Over<P>>(&self, time: S) -> S {
         (S::lift(self.speed) + S::lift(self.acceleration).half() * time) * time
     }
 }
 
-impl<P: Base> PointSystem<2> for Swing<P> {
+impl<P: Base> PointSystem<2> for MovingPivotPendulum<P> {
     type Given = P;
 
     fn masses<S: Over<P>>(&self) -> [S; 2] {
@@ -40,7 +40,7 @@ impl<P: Base> PointSystem<2> for Swing<P> {
     }
 }
 
-impl<P: Base> Constrained<2, 1> for Swing<P> {
+impl<P: Base> Constrained<2, 1> for MovingPivotPendulum<P> {
     fn constraints<S: Over<P>>(&self, at: &State<S, 2>) -> [Constraint<S>; 1] {
         let [x, y] = at.place;
         let aside = x - self.pivot(at.time);
@@ -49,7 +49,7 @@ impl<P: Base> Constrained<2, 1> for Swing<P> {
 }
 
 /// The reaction of the thread, directed away from the pivot.
-impl<P: Base> Reactions<2, 1> for Swing<P> {
+impl<P: Base> Reactions<2, 1> for MovingPivotPendulum<P> {
     fn reactions<S: Over<P>>(&self, at: &State<S, 2>) -> [[S; 2]; 1] {
         let ([x, y], length) = (at.place, S::lift(self.length));
         [[(x - self.pivot(at.time)) / length, y / length]]
@@ -57,7 +57,7 @@ impl<P: Base> Reactions<2, 1> for Swing<P> {
 }
 
 /// q = theta from the vertical, p = theta'.
-impl<P: Base> Charted<2, 1, 1> for Swing<P> {
+impl<P: Base> Charted<2, 1, 1> for MovingPivotPendulum<P> {
     fn place<S: Over<P> + Analytic>(&self, time: S, [theta]: [S; 1]) -> [S; 2] {
         let (point, length) = (theta.circle(), S::lift(self.length));
         [self.pivot(time) + length * point.sin, length * point.cos]

@@ -9,7 +9,7 @@ use mechanics::constrained::{Constrained, Constraint, PointSystem, State};
 
 /// The data of the sliders.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sliders<P> {
+pub struct PainleveKlein<P> {
     /// m1 on the rough guide and m2 on the smooth one, kg
     pub masses: [P; 2],
     /// P1 and P2, N
@@ -22,7 +22,7 @@ pub struct Sliders<P> {
     pub friction: P,
 }
 
-impl<P: Base> PointSystem<4> for Sliders<P> {
+impl<P: Base> PointSystem<4> for PainleveKlein<P> {
     type Given = P;
 
     fn masses<S: Over<P>>(&self) -> [S; 4] {
@@ -36,7 +36,7 @@ impl<P: Base> PointSystem<4> for Sliders<P> {
     }
 }
 
-impl<P: Base> Constrained<4, 1> for Sliders<P> {
+impl<P: Base> Constrained<4, 1> for PainleveKlein<P> {
     fn constraints<S: Over<P>>(&self, at: &State<S, 4>) -> [Constraint<S>; 1] {
         let [x1, y1, x2, y2] = at.place;
         let length = S::lift(self.length);
@@ -44,7 +44,7 @@ impl<P: Base> Constrained<4, 1> for Sliders<P> {
     }
 }
 
-impl<P: Base> Contacts<4, 1, 2> for Sliders<P> {
+impl<P: Base> Contacts<4, 1, 2> for PainleveKlein<P> {
     fn contacts<S: Over<P>>(&self, _time: S, [x1, y1, x2, y2]: [S; 4]) -> [Contact<S>; 2] {
         let guide = |gap, along, friction| Contact { gap, along, friction, sides: Sides::Two };
         [guide(y1, x1, S::lift(self.friction)), guide(y2 - S::lift(self.distance), x2, S::zero())]

@@ -9,7 +9,7 @@ use mechanics::constrained::{Charted, Constrained, Constraint, PointSystem, Stat
 
 /// The data of the point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct KeptSpeed<P> {
+pub struct PrescribedSpeedPoint<P> {
     /// m, kg
     pub mass: P,
     /// g, m/s^2
@@ -20,14 +20,14 @@ pub struct KeptSpeed<P> {
     pub acceleration: P,
 }
 
-impl<P: Base> KeptSpeed<P> {
+impl<P: Base> PrescribedSpeedPoint<P> {
     /// v(t)
     fn prescribed<S: Over<P>>(&self, time: S) -> S {
         S::lift(self.speed) + S::lift(self.acceleration) * time
     }
 }
 
-impl<P: Base> PointSystem<2> for KeptSpeed<P> {
+impl<P: Base> PointSystem<2> for PrescribedSpeedPoint<P> {
     type Given = P;
 
     fn masses<S: Over<P>>(&self) -> [S; 2] {
@@ -39,7 +39,7 @@ impl<P: Base> PointSystem<2> for KeptSpeed<P> {
     }
 }
 
-impl<P: Base> Constrained<2, 1> for KeptSpeed<P> {
+impl<P: Base> Constrained<2, 1> for PrescribedSpeedPoint<P> {
     fn constraints<S: Over<P>>(&self, at: &State<S, 2>) -> [Constraint<S>; 1] {
         let [dx, dy] = at.velocity;
         [Constraint::Kinematic((dx.squared() + dy.squared() - self.prescribed(at.time).squared()).half())]
@@ -47,14 +47,14 @@ impl<P: Base> Constrained<2, 1> for KeptSpeed<P> {
 }
 
 /// The thrust.
-impl<P: Base> Reactions<2, 1> for KeptSpeed<P> {
+impl<P: Base> Reactions<2, 1> for PrescribedSpeedPoint<P> {
     fn reactions<S: Over<P>>(&self, at: &State<S, 2>) -> [[S; 2]; 1] {
         [at.velocity.map(|v| v / self.prescribed(at.time))]
     }
 }
 
 /// q = (x, y), p = chi: the direction of the velocity, from the x-axis.
-impl<P: Base> Charted<2, 2, 1> for KeptSpeed<P> {
+impl<P: Base> Charted<2, 2, 1> for PrescribedSpeedPoint<P> {
     fn place<S: Over<P> + Analytic>(&self, _time: S, q: [S; 2]) -> [S; 2] {
         q
     }

@@ -3,7 +3,7 @@
 use claims::{Condition, Page, Paper};
 use field::{Circle, Scalar};
 use machines::synchronous::Synchronous;
-use motor::drive;
+use motor::torque_and_current_rates;
 use nalgebra::{Matrix3, Vector3};
 use papers::konosevich2022::{Letters, dimension, letter};
 use studies::stationary::energies::{Energies, Kept};
@@ -103,7 +103,7 @@ fn motor(page: &mut Page, s: &Letters) {
     let f = letter("f");
     let machine = Synchronous { field_speed: s.omega_field, b0: s.b0, f };
     let angle = s.angle();
-    let moment = drive(&machine, angle, Sym::ZERO, &[], &mut []);
+    let moment = torque_and_current_rates(&machine, angle, Sym::ZERO, &[], &mut []);
     let turned = Circle { cos: -angle.cos, sin: angle.sin };
     page.claim(
         "motor",
@@ -111,9 +111,9 @@ fn motor(page: &mut Page, s: &Letters) {
         r"a synchronous motor has the stationary angles $\gamma^0$ and $\pi-\gamma^0$: its moment without slip is equal at both",
     )
     .in_words()
-    .follows([Equal(drive(&machine, turned, Sym::ZERO, &[], &mut []), moment)]);
+    .follows([Equal(torque_and_current_rates(&machine, turned, Sym::ZERO, &[], &mut []), moment)]);
     let point = Circle { cos: letter("c"), sin: letter("s") };
-    let moment = drive(&machine, point, Sym::ZERO, &[], &mut []);
+    let moment = torque_and_current_rates(&machine, point, Sym::ZERO, &[], &mut []);
     page.claim("motor", "pull-out", r"the two stationary angles of a synchronous motor merge where $\cos\gamma=0$, with $M=0$ at $(f\Omega)^2=b_0^2$ (pull-out); for $|f\Omega|>|b_0|$ there is no root of $M=-f\Omega-b_0\sin\gamma$")
         .given([Zero(point.cos), Zero(moment), Zero(point.defect())])
         .by_combination([(

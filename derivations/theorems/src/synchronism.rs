@@ -4,7 +4,7 @@ use claims::{Condition, Page, Paper};
 use field::{Circle, Scalar};
 use machines::multi_current::{MultiCurrent, Windings};
 use machines::synchronous::Synchronous;
-use motor::{Bench, Machine, heat};
+use motor::{Bench, Machine, joule_heat};
 use nalgebra::{DMatrix, Vector3};
 use papers::konosevich2022::{Letters, dimension, letter};
 use studies::synchronism::energy::height;
@@ -56,7 +56,7 @@ fn state(s: &Letters, bars: u32) -> Vec<Sym> {
 
 fn rates<M: Machine<Sym>>(bench: &Bench<Sym, M>, s: &Letters, state: &[Sym]) -> Vec<Sym> {
     let mut rates = vec![Sym::ZERO; state.len()];
-    bench.rates_under(s.moment, state, &mut rates);
+    bench.rates_under(s.torque, state, &mut rates);
     rates
 }
 
@@ -83,7 +83,7 @@ fn fold(page: &mut Page, s: &Letters) {
     let bench = plain(s);
     let held = [s.gamma, Sym::ZERO];
     let angle = s.angle();
-    let balance = rates(&bench, s, &held)[1] * s.axial + s.moment;
+    let balance = rates(&bench, s, &held)[1] * s.axial + s.torque;
     page.claim("fold", "load", r"the load under which the rotor keeps an angle is $M(\gamma)=-b_0\sin\gamma-f\Omega$; its slope is $-b_0\cos\gamma$, and its second derivative $b_0\sin\gamma$ is not zero where the slope is: each fold is a simple one, at which two angles merge")
         .in_words()
         .follows([
@@ -116,9 +116,9 @@ fn energy(page: &mut Page, s: &Letters) {
     for (bars, slug) in [(1u32, "one-bar"), (2, "two-bars"), (3, "three-bars")] {
         let (bench, state) = (wound(s, bars), state(s, bars));
         let law = rates(&bench, s, &state);
-        let value = height(&bench, s.moment, &state);
+        let value = height(&bench, s.torque, &state);
         let rate = state.iter().zip(&law).fold(Sym::ZERO, |sum, (&y, &dy)| sum + value.diff(y) * dy);
-        let loss = (letter("μ") + letter("f")) * s.dgamma.powi(2) + heat(&bench.machine, &state[2..]);
+        let loss = (letter("μ") + letter("f")) * s.dgamma.powi(2) + joule_heat(&bench.machine, &state[2..]);
         let at_rest: Vec<(Sym, Sym)> = state.iter().skip(1).map(|&y| (y, Sym::ZERO)).collect();
         let moving = stored(s, &state);
         page.claim("energy", slug, format!(r"under a constant load, with the excitation and $n_2={bars}$: $\dot V=-(\mu+f)\dot\gamma^2-\sum R_ki_k^2$, and $V=V|_{{\dot\gamma=i=0}}(\gamma)+\frac12A'\dot\gamma^2+\sum\frac12L_ki_k^2$. A rotor whose $V$ is less than at both neighbouring balances therefore stays between them (that it comes to rest at the angle there is LaSalle's theorem, which is cited)"))
@@ -165,7 +165,7 @@ fn carrier(page: &mut Page, s: &Letters) {
     let lightness = (0..3).fold(Sym::int(1) / s.axial, |sum, i| sum + s.l[i].powi(2) / s.a[i]);
     page.claim("carrier", "lightness", r"in a gyrostat the moment $M$ of motor and load gives the rotor, in any motion, the relative acceleration $\left(\frac1{A'}+l\cdot A^{-1}l\right)M$ beside that which it has without $M$: the rotor is lighter than on a bench, where it has $M/A'$")
         .in_words()
-        .follows([Equal(of(s.moment) - of(Sym::ZERO), lightness * s.moment)]);
+        .follows([Equal(of(s.torque) - of(Sym::ZERO), lightness * s.torque)]);
     let machine = Synchronous { field_speed: s.omega_field, b0: s.b0, f: letter("f") };
     // l along the third principal axis, which is vertical and holds the centre of mass
     let zero = Sym::ZERO;
@@ -175,7 +175,7 @@ fn carrier(page: &mut Page, s: &Letters) {
     let spin = letter("ω3");
     let at = [zero, zero, spin, zero, zero, Sym::int(1), s.gamma, s.dgamma];
     let mut found = [zero; 8];
-    law.rates_under(s.moment, &at, &mut found);
+    law.rates_under(s.torque, &at, &mut found);
     let light = Bench { axial: s.axial * s.a.z / (s.axial + s.a.z), ..plain(s) };
     let alone = rates(&light, s, &[s.gamma, s.dgamma]);
     page.claim("carrier", "upright", r"about a vertical rotor axis that is a principal axis and holds the centre of mass the carrier stays upright, and the motor is exactly one on a bench with the moment of inertia $A'A_3/(A'+A_3)$")

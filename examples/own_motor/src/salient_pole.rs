@@ -32,7 +32,7 @@ impl<P: Base> Machine<P> for SalientPole<P> {
         -b0 * angle.cos - b2.half() * (angle + angle).cos
     }
 
-    fn moment_law<S: Over<P>>(&self, _slip: S, speed: S) -> S {
+    fn torque_law<S: Over<P>>(&self, _slip: S, speed: S) -> S {
         -S::lift(self.f) * speed
     }
 }

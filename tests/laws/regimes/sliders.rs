@@ -1,14 +1,14 @@
 //! Two masses on rough guides.
 
 use super::verdicts::{decide, q};
-use dalembert_derivations::systems::painleve_klein::Sliders;
+use dalembert_derivations::systems::painleve_klein::PainleveKlein;
 use field::Rational;
 use mechanics::constrained::State;
 use mechanics::regimes::Consistency;
 
 /// The sliders with tan theta = 4/3 and m1 = m2 = P2 = 1, moving forwards.
 fn sliders(tangent_times_friction: Rational, load: i64) -> Consistency<Rational, 2> {
-    let system = Sliders {
+    let system = PainleveKlein {
         masses: [q(1, 1), q(1, 1)],
         loads: [q(load, 1), q(1, 1)],
         distance: q(4, 1),

@@ -6,15 +6,15 @@ mod regulator;
 mod servo;
 
 use dalembert_derivations::systems::elastic_governor::ElasticGovernor;
-use dalembert_derivations::systems::governor::constant::{ConstantMoments, ProgrammeEnd};
-use dalembert_derivations::systems::governor::{Gearing, Governor, Moment};
+use dalembert_derivations::systems::governor::constant::{ConstantTorques, ProgrammeEnd};
+use dalembert_derivations::systems::governor::{Gearing, Governor, Torque};
 use field::{Analytic, Over, Rational, Scalar};
 use integrators::{Method, Ode, Span, System, Tolerance, integrate};
 use mechanics::bellman::{Regulator, quadratic};
 
 const SPEED: f64 = 2.0;
 
-fn governor(moments: [Moment<f64>; 2]) -> Governor<f64> {
+fn governor(moments: [Torque<f64>; 2]) -> Governor<f64> {
     Governor {
         inertia: [0.6, 0.5, 0.1],
         mass: 0.8,
@@ -27,12 +27,12 @@ fn governor(moments: [Moment<f64>; 2]) -> Governor<f64> {
 }
 
 fn steady(first: f64, second: f64) -> Governor<f64> {
-    governor([Moment::constant(first), Moment::constant(second)])
+    governor([Torque::constant(first), Torque::constant(second)])
 }
 
-fn constant(governor: &Governor<f64>, start: f64) -> ConstantMoments {
+fn constant(governor: &Governor<f64>, start: f64) -> ConstantTorques {
     let law = governor.small_parameter(SPEED).expect("a drum");
-    ConstantMoments { epsilon: law.epsilon, of_second: law.of_second[0], of_first: law.of_first[0], start }
+    ConstantTorques { epsilon: law.epsilon, of_second: law.of_second[0], of_first: law.of_first[0], start }
 }
 
 /// rho along the programme.

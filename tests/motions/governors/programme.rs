@@ -61,7 +61,7 @@ fn two_motions_approach_by_the_exact_law_of_contraction() {
         }
     }
     impl System for Pair {}
-    let moments = [Moment { start: -0.5, growth: 0.1 }, Moment { start: 0.4, growth: 0.2 }];
+    let moments = [Torque { start: -0.5, growth: 0.1 }, Torque { start: 0.4, growth: 0.2 }];
     let end = run(&Pair(governor(moments)), Span::new(0.0, 1.5, &[0.30, 0.37, 0.0]));
     let contracted = 0.07 * (-end[2]).exp();
     assert!(((end[1] - end[0]) - contracted).abs() < 1e-12, "{} and {contracted}", end[1] - end[0]);
@@ -76,8 +76,8 @@ fn the_series_satisfies_its_equation_to_every_order_exactly() {
         radius: ratio(1, 5),
         gearing: Gearing::Drum { radius: ratio(1, 2) },
         moments: [
-            Moment { start: ratio(-1, 2), growth: ratio(1, 3) },
-            Moment { start: ratio(2, 5), growth: ratio(1, 7) },
+            Torque { start: ratio(-1, 2), growth: ratio(1, 3) },
+            Torque { start: ratio(2, 5), growth: ratio(1, 7) },
         ],
         push: ratio(0, 1),
         lateral: ratio(0, 1),
@@ -106,7 +106,7 @@ fn the_series_satisfies_its_equation_to_every_order_exactly() {
 
 #[test]
 fn the_error_of_the_series_falls_with_every_order() {
-    let moments = [Moment { start: -0.5, growth: 0.3 }, Moment { start: 0.4, growth: 0.1 }];
+    let moments = [Torque { start: -0.5, growth: 0.3 }, Torque { start: 0.4, growth: 0.1 }];
     let data = governor(moments);
     let exact = run(&Programme(data), Span::new(0.0, 0.3, &[0.3]))[0];
     let sums = data.small_parameter(SPEED).expect("a drum").approximations(0.3, 12, 0.3);
@@ -119,7 +119,7 @@ fn the_error_of_the_series_falls_with_every_order() {
 
 #[test]
 fn the_push_that_the_programme_needs_is_what_keeps_the_speed() {
-    let moments = [Moment { start: -0.5, growth: 0.3 }, Moment { start: 0.4, growth: 0.1 }];
+    let moments = [Torque { start: -0.5, growth: 0.3 }, Torque { start: 0.4, growth: 0.1 }];
     let data = governor(moments);
     let (t, rho) = (0.2, 0.35);
     let drift = data.programme(t, rho, SPEED);
@@ -147,14 +147,14 @@ fn the_counterexamples_to_rank_and_to_staying_on_the_disc_are_governors() {
         mass: 1.0,
         radius: 1.0,
         gearing: Gearing::Drum { radius: 1.0 },
-        moments: [Moment::constant(2.0), Moment::constant(1.0)],
+        moments: [Torque::constant(2.0), Torque::constant(1.0)],
         push: 0.0,
         lateral: 0.0,
     };
     let at = |t: f64| {
         let rho = 1.0 + 1.5 * t;
         let drift = data.programme(0.0, rho, 1.0);
-        data.first_approximation(0.0, [1.0, rho, drift]).expect("real masses")
+        data.linearised(0.0, [1.0, rho, drift]).expect("real masses")
     };
     assert!((data.programme(0.0, 1.0, 1.0) - 1.5_f64).abs() < 1e-15);
     let (now, h) = (at(0.0), 1e-5);
@@ -162,7 +162,7 @@ fn the_counterexamples_to_rank_and_to_staying_on_the_disc_are_governors() {
     let rate: [f64; 3] = std::array::from_fn(|i| (second(h)[i] - second(-h)[i]) / (2.0 * h));
     let turned = now.apply(second(0.0));
     assert!((rate[0] - turned[0]).abs() < 1e-9, "L3 vanishes: {} and {}", rate[0], turned[0]);
-    let leaving = ConstantMoments { epsilon: 1.0, of_second: 1.0, of_first: 0.0, start: 1.0 };
+    let leaving = ConstantTorques { epsilon: 1.0, of_second: 1.0, of_first: 0.0, start: 1.0 };
     assert_eq!(leaving.distance(4.0), Some(3.0), "past the edge of a disc of radius 2");
 }
 
@@ -171,7 +171,7 @@ fn the_counterexamples_to_rank_and_to_staying_on_the_disc_are_governors() {
 fn between_two_discs_the_programme_is_the_quadrature() {
     let between = |first: f64, second: f64| Governor {
         gearing: Gearing::Discs { distance: 0.8 },
-        moments: [Moment::constant(first), Moment::constant(second)],
+        moments: [Torque::constant(first), Torque::constant(second)],
         ..steady(first, second)
     };
     for (first, second, course) in [

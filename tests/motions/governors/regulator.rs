@@ -14,7 +14,7 @@ impl Backwards {
     {
         let speed = S::lift(SPEED);
         let drift = self.0.programme(t, rho, speed);
-        let first = self.0.first_approximation(t, [speed, rho, drift]).expect("real masses");
+        let first = self.0.linearised(t, [speed, rho, drift]).expect("real masses");
         Regulator { matrix: first.matrix, control: first.control, weights: WEIGHTS.map(S::lift), price: S::one() }
     }
 }
@@ -48,7 +48,7 @@ fn symmetric<S: Scalar>(y: &[S]) -> [[S; 3]; 3] {
 
 #[test]
 fn the_cost_of_the_optimal_motion_is_riccatis_value() {
-    let moments = [Moment { start: -0.5, growth: 0.1 }, Moment { start: 0.4, growth: 0.2 }];
+    let moments = [Torque { start: -0.5, growth: 0.1 }, Torque { start: 0.4, growth: 0.2 }];
     let data = governor(moments);
     let horizon = 3.0;
     let at_end = run(&Programme(data), Span::new(0.0, horizon, &[0.3]))[0];

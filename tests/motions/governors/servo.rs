@@ -22,8 +22,8 @@ fn of_rationals(gearing: Gearing<Sym>) -> Governor<Sym> {
         radius: ratio(1, 5),
         gearing,
         moments: [
-            Moment { start: ratio(-1, 2), growth: ratio(1, 3) },
-            Moment { start: ratio(2, 5), growth: ratio(1, 7) },
+            Torque { start: ratio(-1, 2), growth: ratio(1, 3) },
+            Torque { start: ratio(2, 5), growth: ratio(1, 7) },
         ],
         push: ratio(7, 10),
         lateral: ratio(3, 10),

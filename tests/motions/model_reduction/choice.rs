@@ -21,7 +21,7 @@ fn receipt(name: &str, tolerance: f64) -> Receipt {
 }
 
 fn present_slip(ladder: &Hierarchy) -> &ReducedModel {
-    ladder.rungs.iter().find(|rung| rung.name == "currents at the present slip").expect("on the ladder")
+    ladder.models.iter().find(|reduced| reduced.name == "currents at the present slip").expect("on the ladder")
 }
 
 fn times(ladder: &Hierarchy) -> Vec<f64> {
@@ -100,10 +100,10 @@ fn a_tighter_tolerance_asks_for_a_larger_model() {
 #[test]
 fn a_run_that_switches_is_as_good_as_it_promises() {
     let (ladder, watched, schedule) = scheduled("spin_up", 1e-2);
-    let rung = present_slip(&ladder);
+    let reduced = present_slip(&ladder);
     assert!(schedule.share() > 0.1 && schedule.share() < 1.0, "{:?}", schedule.spans());
     let sides = [(integrators::Method::DormandPrince8, 1e-10); 2];
-    let run = ladder.run_switching(rung, &schedule, sides, 1_000_000, &times(&ladder)).expect("it reaches its end");
+    let run = ladder.run_switching(reduced, &schedule, sides, 1_000_000, &times(&ladder)).expect("it reaches its end");
     let exact = super::exactly(&ladder);
     let off = run.asked.iter().zip(exact.times.iter().zip(&exact.states));
     let off = off.map(|((_, row), (time, y))| watched.off(row, &ladder.row(*time, y))).fold(0.0, f64::max);
@@ -150,8 +150,8 @@ fn what_a_stretch_loses_is_the_most_that_the_dual_makes_of_it() {
     let mut largest = vec![0.0; count];
     for end in 1..=count {
         ladder.own.span = whole * end as f64 / count as f64;
-        let rung = present_slip(&ladder);
-        let shares = ladder.shares(rung, &watched, &*ladder.law, end, 1e-10).expect("a series");
+        let reduced = present_slip(&ladder);
+        let shares = ladder.shares(reduced, &watched, &*ladder.law, end, 1e-10).expect("a series");
         for (k, largest) in largest[..end].iter_mut().enumerate() {
             *largest = shares.parts.iter().map(|parts| parts[k].abs()).fold(*largest, f64::max);
         }
@@ -165,13 +165,13 @@ fn what_a_stretch_loses_is_the_most_that_the_dual_makes_of_it() {
 #[test]
 fn what_all_stretches_lose_is_the_sum_of_what_each_alone_makes_of_the_run() {
     let (ladder, watched, all) = scheduled("hanging_rest", f64::INFINITY);
-    let rung = present_slip(&ladder);
+    let reduced = present_slip(&ladder);
     let sides = [(integrators::Method::DormandPrince8, 1e-11); 2];
     let ends: Vec<f64> = all.stretches.iter().map(|(end, _)| *end).collect();
     let exact = super::exactly_at(&ladder, &ends);
     let alone = |k: usize| {
         let stretches = all.stretches.iter().enumerate().map(|(j, (end, _))| (*end, j == k)).collect();
-        let run = ladder.run_switching(rung, &Schedule { stretches, promised: 0.0 }, sides, 1_000_000, &ends);
+        let run = ladder.run_switching(reduced, &Schedule { stretches, promised: 0.0 }, sides, 1_000_000, &ends);
         let rows = run.expect("it reaches its end").asked;
         let off = rows.iter().zip(exact.times.iter().zip(&exact.states));
         off.map(|((_, row), (time, y))| watched.off(row, &ladder.row(*time, y))).fold(0.0, f64::max)

@@ -25,16 +25,20 @@ fn an_estimate_is_the_error_up_to_its_second_order_on_every_scene_with_a_motor()
         let scene = scene(name);
         let ladder = ladder(&scene);
         let (watched, _) = ladder.watched(&scene.run.outputs).expect("it runs");
-        for rung in ladder.rungs.iter().filter(|rung| !rung.is_exact()) {
-            let Ok(found) = ladder.estimate(rung, &watched, 1e-6) else { continue };
+        for reduced in ladder.models.iter().filter(|reduced| !reduced.is_exact()) {
+            let Ok(found) = ladder.estimate(reduced, &watched, 1e-6) else { continue };
             let doubt = found.second / found.first;
             if doubt > 0.1 {
                 continue;
             }
-            let Some(error) = truly(&ladder, rung, &found, &watched) else { continue };
+            let Some(error) = truly(&ladder, reduced, &found, &watched) else { continue };
             believed += 1;
             let effectivity = found.first / error;
-            assert!((effectivity - 1.0).abs() < 0.01 + 2.0 * doubt, "{name}, {}: {effectivity} {found:?}", rung.name);
+            assert!(
+                (effectivity - 1.0).abs() < 0.01 + 2.0 * doubt,
+                "{name}, {}: {effectivity} {found:?}",
+                reduced.name
+            );
         }
     }
     assert!(believed >= 14, "{believed}");
@@ -47,8 +51,8 @@ fn an_estimate_that_is_added_leaves_an_error_of_the_second_order() {
     let ladder = ladder(&scene);
     let (watched, _) = ladder.watched(&scene.run.outputs).expect("it runs");
     for name in ["currents at the present slip", "no currents", "constant_speed"] {
-        let rung = ladder.rungs.iter().find(|rung| rung.name == name).expect("it is on the ladder");
-        let found = ladder.estimate(rung, &watched, 1e-6).expect("it is carried");
+        let reduced = ladder.models.iter().find(|reduced| reduced.name == name).expect("it is on the ladder");
+        let found = ladder.estimate(reduced, &watched, 1e-6).expect("it is carried");
         let off = corrected(&ladder, &found, &watched);
         assert!(off < 0.01 * found.first, "{name}: {off:e} {found:?}");
     }
@@ -60,8 +64,8 @@ fn what_the_first_order_leaves_is_the_second() {
     let ladder = ladder(&scene);
     let (watched, _) = ladder.watched(&scene.run.outputs).expect("it runs");
     let name = "currents at the present slip";
-    let rung = ladder.rungs.iter().find(|rung| rung.name == name).expect("it is on the ladder");
-    let found = ladder.estimate(rung, &watched, 1e-6).expect("it is carried");
+    let reduced = ladder.models.iter().find(|reduced| reduced.name == name).expect("it is on the ladder");
+    let found = ladder.estimate(reduced, &watched, 1e-6).expect("it is carried");
     let off = corrected(&ladder, &found, &watched);
     assert!((off / found.second - 1.0).abs() < 0.1, "{off:e} {:e}", found.second);
 }
@@ -72,8 +76,8 @@ fn an_error_that_cannot_be_estimated_is_not_believed() {
         let scene = scene(name);
         let ladder = ladder(&scene);
         let (watched, _) = ladder.watched(&scene.run.outputs).expect("it runs");
-        let rung = ladder.rungs.iter().find(|rung| rung.name == model).expect("it is on the ladder");
-        let found = ladder.estimate(rung, &watched, 1e-6).expect("it is carried");
+        let reduced = ladder.models.iter().find(|reduced| reduced.name == model).expect("it is on the ladder");
+        let found = ladder.estimate(reduced, &watched, 1e-6).expect("it is carried");
         assert!(found.second > 0.5 * found.first, "{name}, {model}: {found:?}");
     }
 }
@@ -89,13 +93,13 @@ fn two_routes_to_an_error_agree() {
         let scene = scene(name);
         let ladder = ladder(&scene);
         let (watched, _) = ladder.watched(&scene.run.outputs).expect("it runs");
-        let rung = ladder.rungs.iter().find(|rung| rung.name == model).expect("it is on the ladder");
-        let carried = ladder.estimate(rung, &watched, 1e-6).expect("it is carried");
-        let shares = ladder.shares(rung, &watched, &*ladder.law, 256, 1e-11).expect("a series");
-        let (low, _) = followed(&*rung.law, &tight(), ladder.own.span, &rung.start).expect("it reaches its end");
+        let reduced = ladder.models.iter().find(|reduced| reduced.name == model).expect("it is on the ladder");
+        let carried = ladder.estimate(reduced, &watched, 1e-6).expect("it is carried");
+        let shares = ladder.shares(reduced, &watched, &*ladder.law, 256, 1e-11).expect("a series");
+        let (low, _) = followed(&*reduced.law, &tight(), ladder.own.span, &reduced.start).expect("it reaches its end");
         for (output, errors) in shares.errors.iter().enumerate() {
             for ((time, z), weighed) in low.times.iter().zip(&low.states).zip(errors) {
-                let poor = ladder.row(*time, &rung.lifted(*time, z, ladder.start.len()));
+                let poor = ladder.row(*time, &reduced.lifted(*time, z, ladder.start.len()));
                 let (_, row) = carried.corrected.iter().find(|(at, _)| at == time).expect("it is looked at there");
                 let column = watched.columns[output];
                 let apart = ((row[column] - poor[column]) / watched.sizes[output] - weighed).abs() / carried.first;
@@ -119,14 +123,14 @@ fn shares_add_up_to_what_the_richer_run_is_above_the_lower_one_with_its_sign() {
         let scene = scene(name);
         let ladder = ladder(&scene);
         let (watched, _) = ladder.watched(&scene.run.outputs).expect("it runs");
-        let rung = ladder.rungs.iter().find(|rung| rung.name == model).expect("it is on the ladder");
-        let shares = ladder.shares(rung, &watched, &*ladder.law, 256, 1e-11).expect("a series");
-        let (low, _) = followed(&*rung.law, &tight(), ladder.own.span, &rung.start).expect("it reaches its end");
+        let reduced = ladder.models.iter().find(|reduced| reduced.name == model).expect("it is on the ladder");
+        let shares = ladder.shares(reduced, &watched, &*ladder.law, 256, 1e-11).expect("a series");
+        let (low, _) = followed(&*reduced.law, &tight(), ladder.own.span, &reduced.start).expect("it reaches its end");
         let exact = exactly(&ladder);
         let (mut largest, mut apart) = (0.0f64, 0.0f64);
         for (k, (time, y)) in exact.times.iter().zip(&exact.states).enumerate() {
             let rich = ladder.row(*time, y);
-            let poor = ladder.row(*time, &rung.lifted(*time, &low.states[k], y.len()));
+            let poor = ladder.row(*time, &reduced.lifted(*time, &low.states[k], y.len()));
             for (output, (&column, size)) in watched.columns.iter().zip(&watched.sizes).enumerate() {
                 let (above, found) = ((rich[column] - poor[column]) / size, shares.errors[output][k]);
                 (largest, apart) = (largest.max(above.abs()), apart.max((above - found).abs()));
@@ -143,14 +147,20 @@ fn on_thirty_random_motors_what_is_believed_is_right() {
         let scene = Scene::parse("drawn", &drawn::scene(seed)).unwrap_or_else(|error| panic!("{error}"));
         let ladder = ladder(&scene);
         let (watched, _) = ladder.watched(&scene.run.outputs).expect("it runs");
-        for rung in &ladder.rungs {
-            let Loss::Small { .. } = rung.loss else { continue };
-            let Ok(estimate) = ladder.estimate(rung, &watched, 1e-6) else { continue };
-            let Some(error) = truly(&ladder, rung, &estimate, &watched).filter(|error| *error > 1e-8) else { continue };
+        for reduced in &ladder.models {
+            let Loss::Small { .. } = reduced.loss else { continue };
+            let Ok(estimate) = ladder.estimate(reduced, &watched, 1e-6) else { continue };
+            let Some(error) = truly(&ladder, reduced, &estimate, &watched).filter(|error| *error > 1e-8) else {
+                continue;
+            };
             if estimate.second < 0.1 * estimate.first {
                 found += 1;
                 let effectivity = estimate.first / error;
-                assert!((0.8..1.25).contains(&effectivity), "seed {seed}, {}: {effectivity} {estimate:?}", rung.name);
+                assert!(
+                    (0.8..1.25).contains(&effectivity),
+                    "seed {seed}, {}: {effectivity} {estimate:?}",
+                    reduced.name
+                );
             }
         }
     }

@@ -6,9 +6,10 @@ use dalembert_derivations::studies::model_reduction::{Hierarchy, Loss};
 fn effectivity(ladder: &Hierarchy, outputs: &[&str], name: &str) -> (f64, f64) {
     let names: Vec<String> = outputs.iter().map(|name| (*name).to_owned()).collect();
     let (watched, _) = ladder.watched(&names).expect("it runs");
-    let rung = ladder.rungs.iter().find(|rung| rung.name == name).unwrap_or_else(|| panic!("{name} is on the ladder"));
-    let found = ladder.estimate(rung, &watched, 1e-8).expect("it is carried");
-    let error = truly(ladder, rung, &found, &watched).expect("it runs");
+    let reduced =
+        ladder.models.iter().find(|reduced| reduced.name == name).unwrap_or_else(|| panic!("{name} is on the ladder"));
+    let found = ladder.estimate(reduced, &watched, 1e-8).expect("it is carried");
+    let error = truly(ladder, reduced, &found, &watched).expect("it runs");
     (error, found.first / error)
 }
 
@@ -18,8 +19,9 @@ fn friction_across_never_matters_to_a_wheel_that_is_led_and_does_to_one_that_is_
         [("governors/drum_programme", true), ("governors/between_discs", true), ("governors/released", false)]
     {
         let ladder = of_mechanism(name, "span = \"1 s\"");
-        let rung = ladder.rungs.iter().find(|rung| rung.name == "frictionless across").expect("it has friction");
-        assert_eq!(rung.loss == Loss::Nothing { claim: None }, exact, "{name}");
+        let reduced =
+            ladder.models.iter().find(|reduced| reduced.name == "frictionless across").expect("it has friction");
+        assert_eq!(reduced.loss == Loss::Nothing { claim: None }, exact, "{name}");
     }
     let released = of_mechanism("governors/released", "span = \"0.2 s\"");
     let (error, effectivity) = effectivity(&released, &["rho", "omega2"], "frictionless across");

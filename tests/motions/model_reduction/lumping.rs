@@ -6,7 +6,7 @@ use dalembert_derivations::studies::model_reduction::lumping::{merged_at_most, s
 use dalembert_derivations::studies::model_reduction::{Lumped, Lumping};
 use field::{Analytic, Base, Circle, Over, Rational, Scalar, Tangent};
 use integrators::{Method, Ode, Record, Span, System, Tolerance, integrate};
-use motor::{Bench, Machine, RotorState, drive};
+use motor::{Bench, Machine, RotorState, torque_and_current_rates};
 use symbolic::Sym;
 
 /// Bars of any kind: half-tangents of their angles, a, L, R.
@@ -42,7 +42,7 @@ impl<P: Base> Machine<P> for Bars<P> {
         S::lift(flux) * (angle + bar.map(S::lift)).sin
     }
 
-    fn moment_law<S: Over<P>>(&self, slip: S, _speed: S) -> S {
+    fn torque_law<S: Over<P>>(&self, slip: S, _speed: S) -> S {
         -slip * S::ratio(1, 1000)
     }
 }
@@ -126,7 +126,7 @@ fn the_scenes_damper_and_excitation_are_lumped_by_their_ratios() {
 fn what_is_said_to_be_proved_for_all_data_stands_in_the_ledger() {
     use dalembert_derivations::studies::model_reduction::Loss;
     let ladder = ladder(&scene("spin_up"));
-    let cited = ladder.rungs.iter().filter_map(|rung| match rung.loss {
+    let cited = ladder.models.iter().filter_map(|reduced| match reduced.loss {
         Loss::Nothing { claim } => claim,
         _ => None,
     });
@@ -170,8 +170,8 @@ impl<S: Over<f64> + Analytic> Ode<S> for SameWay {
     fn rates(&self, _: S, y: &[S], dy: &mut [S]) {
         let n = self.bars.windings();
         let (angle, slip) = (y[0].circle(), y[1]);
-        let moment = drive(&self.bars, angle, slip, &y[2..2 + n], &mut dy[2..2 + n]);
-        drive(&self.merged, angle, slip, &y[2 + n..], &mut dy[2 + n..]);
+        let moment = torque_and_current_rates(&self.bars, angle, slip, &y[2..2 + n], &mut dy[2..2 + n]);
+        torque_and_current_rates(&self.merged, angle, slip, &y[2 + n..], &mut dy[2 + n..]);
         (dy[0], dy[1]) = (slip, moment / S::lift(0.01));
     }
 }
@@ -192,7 +192,9 @@ fn merging_unlike_ratios_costs_less_than_the_bound() {
     let (mut off, mut fastest) = (0.0_f64, 15.0_f64);
     for y in &record.states {
         let angle = y[0].circle();
-        let moment = |machine: &Bars<f64>, currents: &[f64]| drive(machine, angle, y[1], currents, &mut [0.0; 4]);
+        let moment = |machine: &Bars<f64>, currents: &[f64]| {
+            torque_and_current_rates(machine, angle, y[1], currents, &mut [0.0; 4])
+        };
         off = off.max((moment(&unlike, &y[2..6]) - moment(&merged, &y[6..])).abs());
         fastest = fastest.max(y[1].abs());
     }

@@ -57,12 +57,12 @@ fn exactly_at(ladder: &Hierarchy, times: &[f64]) -> Record<f64> {
 }
 
 /// The true error of a reduced model, by runs of both models: at the instants, and where the estimate is largest.
-fn truly(ladder: &Hierarchy, rung: &ReducedModel, found: &Estimate, watched: &Watched) -> Option<f64> {
+fn truly(ladder: &Hierarchy, reduced: &ReducedModel, found: &Estimate, watched: &Watched) -> Option<f64> {
     let mut times: Vec<f64> = instants(ladder.own.span).chain((found.at > 0.0).then_some(found.at)).collect();
     times.sort_by(f64::total_cmp);
     times.dedup();
-    let (low, _) = followed_at(&*rung.law, &tight(), &times, &rung.start).ok()?;
-    Some(ladder.difference(rung, &low, &exactly_at(ladder, &times), watched))
+    let (low, _) = followed_at(&*reduced.law, &tight(), &times, &reduced.start).ok()?;
+    Some(ladder.difference(reduced, &low, &exactly_at(ladder, &times), watched))
 }
 
 /// The largest error of a smaller model's run corrected by the first-order estimate, at the sampled times.

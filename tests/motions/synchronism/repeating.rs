@@ -1,7 +1,7 @@
 //! Periodic motions by shooting, against closed forms.
 
 use field::{Analytic, Over};
-use integrators::{Ode, Repeating, System, Walk, follow};
+use integrators::{ContinuationSettings, Ode, PeriodicMotions, System, continue_branch};
 use simulation::CompiledLaw;
 use std::f64::consts::TAU;
 
@@ -36,10 +36,10 @@ impl<S: Over<f64> + Analytic> Ode<S> for Uniform {
 fn a_limit_cycle_is_followed_with_its_period_and_multiplier() {
     let law = CompiledLaw::new(Circular);
     let law: &dyn System = &law;
-    let mut turns = Repeating::new(law, 1e-14, &[0.0, 0.0], (1, 0.0));
+    let mut turns = PeriodicMotions::new(law, 1e-14, &[0.0, 0.0], (1, 0.0));
     let within = |x: &[f64]| x[2] < 0.3;
-    let walk = Walk { sizes: &[0.1, 1.0, 0.1], parameter: 2, step: 0.5, most: 50, within: &within };
-    let found = follow(&mut turns, &[0.2, 6.0, 0.04], &[0.0, 0.0, 1.0], &walk).expect("a cycle");
+    let walk = ContinuationSettings { sizes: &[0.1, 1.0, 0.1], parameter: 2, step: 0.5, most: 50, within: &within };
+    let found = continue_branch(&mut turns, &[0.2, 6.0, 0.04], &[0.0, 0.0, 1.0], &walk).expect("a cycle");
     assert!(found.places.len() > 3 && found.folds().count() == 0);
     for place in &found.places {
         let (start, period) = turns.motion(&place.x);
@@ -54,9 +54,9 @@ fn a_limit_cycle_is_followed_with_its_period_and_multiplier() {
 fn a_rotation_is_a_motion_that_repeats_but_for_a_turn() {
     let law = CompiledLaw::new(Uniform);
     let law: &dyn System = &law;
-    let mut turns = Repeating::new(law, 1e-14, &[-TAU, 0.0], (0, 0.3));
-    let walk = Walk { sizes: &[1.0; 3], parameter: 2, step: 0.5, most: 12, within: &|_| true };
-    let found = follow(&mut turns, &[3.0, -2.0, 1.2], &[1.0, 0.0, 0.0], &walk).expect("rotations");
+    let mut turns = PeriodicMotions::new(law, 1e-14, &[-TAU, 0.0], (0, 0.3));
+    let walk = ContinuationSettings { sizes: &[1.0; 3], parameter: 2, step: 0.5, most: 12, within: &|_| true };
+    let found = continue_branch(&mut turns, &[3.0, -2.0, 1.2], &[1.0, 0.0, 0.0], &walk).expect("rotations");
     assert_eq!(found.places.len(), 12);
     for place in &found.places {
         let (start, period) = turns.motion(&place.x);

@@ -7,7 +7,7 @@ use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::FirstForm;
 use field::{Analytic, DoubleDouble, Over};
 use integrators::{Method, Ode, Real, Record, Span, Splitting, System, Tolerance, compose, integrate_in};
-use motor::{Machine, Motor, RotorState, Separable, heat};
+use motor::{Machine, Motor, RotorState, Separable, joule_heat};
 use simulation::Axes;
 
 const TIME: f64 = 0.4;
@@ -29,7 +29,7 @@ impl<S: Over<f64> + Analytic> Ode<S> for Losing {
         self.0.rates(&y[..end], rates);
         let (_, slip) = known.angle_and_slip(&y[6..rotor]);
         let speed = slip + S::lift(self.0.machine.frame_speed());
-        *lost = heat(&self.0.machine, &y[rotor..end]) - self.0.machine.moment_law(slip, speed) * slip;
+        *lost = joule_heat(&self.0.machine, &y[rotor..end]) - self.0.machine.torque_law(slip, speed) * slip;
     }
 }
 
@@ -39,7 +39,7 @@ impl System for Losing {}
 /// and on any increase of E - W p + c0 g, c0 = -m(0).
 fn loses_what_is_taken(bodies: &Gyrostat<f64>, machine: Motor, state: &[f64]) {
     assert_eq!(machine.rotor(), RotorState::AngleAndSpeed);
-    let friction = machine.moment_law(0.0, machine.frame_speed());
+    let friction = machine.torque_law(0.0, machine.frame_speed());
     let losing = Losing(Driven::new(bodies.first_form().0, machine));
     let law = &losing.0;
     let (reference, programs) = (reference(&losing, state), law.programs());

@@ -24,10 +24,10 @@ fn a_step_that_would_let_currents_grow_backwards_is_refused_by_name_before_it_is
         let (mut refused, mut taken) = (0, 0);
         for steps in (0..9).map(|k| 100 << k) {
             let (outcome, step) = (run(&problem, split(splitting, steps)), TIME / f64::from(steps));
-            let grows = RATE * step * splitting.goes_back();
+            let grows = RATE * step * splitting.most_negative_substep();
             if let End::Stopped(Failure::GoesBack { at, step: asked, back, rate, most }) = outcome.end {
                 assert!(grows > 2.0, "{splitting:?}, {steps} steps");
-                assert_eq!((at, back), (0.0, splitting.goes_back()));
+                assert_eq!((at, back), (0.0, splitting.most_negative_substep()));
                 assert!((rate / RATE - 1.0).abs() < 1e-9 && (asked / step - 1.0).abs() < 1e-9);
                 assert!((most * rate * back - 2.0).abs() < 1e-9 && most < step);
                 assert_eq!(outcome.state, problem.state);
@@ -49,7 +49,7 @@ fn a_step_that_would_let_currents_grow_backwards_is_refused_by_name_before_it_is
 fn the_longest_step_that_is_named_is_the_longest_that_is_taken() {
     let problem = runs::problem("stiff_damper", None, Axes::Second);
     for splitting in [Splitting::BlanesMoan4, Splitting::BlanesMoan6, Splitting::KahanLi8] {
-        let most = 2.0 / (RATE * splitting.goes_back());
+        let most = 2.0 / (RATE * splitting.most_negative_substep());
         let ends = [0.999, 1.001].map(|by| {
             let span = Span::new(0.0, 10.0 * by * most, &problem.state);
             integrate(&*problem.law, split(splitting, 10), &Tolerance::both(1e-9), &span, &mut ()).end

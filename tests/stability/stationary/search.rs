@@ -37,7 +37,7 @@ fn residual(g: &Gyrostat<f64>, w0: f64, rotor_speed: f64, v: Vector3<f64>) -> (V
             rotor_speed: Tangent::fixed(rotor_speed),
             angular_acceleration: Vector3::repeat(zero),
             rotor_acceleration: zero,
-            moment: zero,
+            torque: zero,
         };
         let [x, y, z, _] = g.by_momentum(&motion);
         value = Vector3::new(x.value, y.value, z.value);

@@ -9,7 +9,6 @@ use crate::clock;
 use crate::exit::{Exit, print};
 use crate::output::{Form, Writes};
 use crate::run::{refuse, with_model};
-use clap::Args;
 use reader::Family;
 use serde_json::Value;
 use simulation::models::Modelled;
@@ -22,8 +21,8 @@ use studies::model_reduction::{Forms, Hierarchy, Models, Receipt, TextModels, Wi
 use studies::scene::Setup;
 
 /// Arguments of `choose`: the tolerance, the outputs that must meet it, and the forms of the answer.
-#[derive(Args, Debug)]
-pub struct Asked {
+#[derive(clap::Args, Debug)]
+pub struct Args {
     /// The scene, a TOML file
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
@@ -56,7 +55,7 @@ pub struct Asked {
 const MEASURING: Duration = Duration::from_secs(3);
 
 /// Chooses, prints the receipt, draws what is asked for.
-pub fn show(asked: &Asked) -> Result<Exit, Exit> {
+pub fn show(asked: &Args) -> Result<Exit, Exit> {
     let scene = match AnyScene::open(&asked.scene)? {
         AnyScene::Driven(scene) => {
             AnyScene::Driven(Box::new(with_model(*scene, asked.model.as_deref(), &asked.scene)?))
@@ -166,7 +165,7 @@ const ORIGINS_OF_OPTIONS: Origins = [
     "as --outputs names them",
 ];
 
-fn outputs(asked: &Asked, given: Vec<String>, known: &[String]) -> Result<(Vec<String>, &'static str), Exit> {
+fn outputs(asked: &Args, given: Vec<String>, known: &[String]) -> Result<(Vec<String>, &'static str), Exit> {
     watched(&asked.outputs, given, known, ORIGINS_OF_OPTIONS)
         .map_err(|why| Exit::refused(format!("{}: {why}", asked.scene.display())))
 }

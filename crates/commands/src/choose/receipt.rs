@@ -6,7 +6,7 @@ use simulation::methods;
 use std::fmt::Write;
 use studies::model_reduction::forms::SWITCHING;
 use studies::model_reduction::sampled_run::{INSTANTS, LOOKS};
-use studies::model_reduction::switching::STRETCHES;
+use studies::model_reduction::switching::INTERVALS;
 use studies::model_reduction::{Line, Loss, Receipt, Sufficiency};
 
 /// The receipt as text.
@@ -100,7 +100,7 @@ fn promise(receipt: &Receipt) -> String {
         text += "\nestimate: to first order, by the defect of the smaller model along a coarse run";
     }
     if receipt.lines.iter().any(|line| line.name == SWITCHING) {
-        text += &format!("\nswitching: promised only at the ends of {STRETCHES} intervals");
+        text += &format!("\nswitching: promised only at the ends of {INTERVALS} intervals");
     }
     if receipt.lines.iter().any(|line| line.choice.as_ref().is_some_and(|choice| choice.measured.is_some())) {
         text += &format!("\nmeasured: only at the {INSTANTS} instants of the reference");

@@ -6,7 +6,7 @@ use crate::exit::{Exit, print, warn};
 use ::scenes::SystemText;
 use ::scenes::derivation::{Derived, NamedPrinciple, NotDerived, Notation, derived};
 use claims::derivation::{Principle, derive as equations_of};
-use clap::{Args, ValueEnum};
+use clap::ValueEnum;
 use model::{constraints, vectors};
 use notation::{of_scene, written};
 use reader::read_text;
@@ -16,8 +16,8 @@ use std::path::Path;
 use symbolic::Language;
 
 /// Arguments of `derive`.
-#[derive(Args, Debug)]
-pub struct Asked {
+#[derive(clap::Args, Debug)]
+pub struct Args {
     /// The system: gyrostat, motor; a file with `[coordinates]`, whose equations of motion are written; or another scene, SCENE.toml,
     /// whose right-hand side and Jacobian are written as code
     #[arg(value_name = "SYSTEM|SCENE.toml")]
@@ -81,7 +81,7 @@ pub enum Equations {
 }
 
 /// Prints the equations.
-pub fn derive(asked: &Asked) -> Result<Exit, Exit> {
+pub fn derive(asked: &Args) -> Result<Exit, Exit> {
     let path = Path::new(&asked.system);
     // a scene with a motor shows the motor alone; with --echo or --principle the equations of the whole system
     let of_whole = asked.echo || asked.principle.is_some();
@@ -109,7 +109,7 @@ fn is_held(path: &Path, kind: fn(&str) -> bool) -> bool {
 }
 
 /// The equations of motion of a system that is written in its file.
-fn of_model(asked: &Asked, path: &Path) -> Result<String, Exit> {
+fn of_model(asked: &Args, path: &Path) -> Result<String, Exit> {
     refuse_form(asked, "a system that is written in its file has one form")?;
     let principle = asked.principle.map(in_file).transpose()?;
     let format = asked.format.unwrap_or(Equations::Text);
@@ -162,7 +162,7 @@ fn in_file(name: PrincipleName) -> Result<NamedPrinciple, Exit> {
 }
 
 /// Refuses --form, which applies to a scene's code alone.
-fn refuse_form(asked: &Asked, why: &str) -> Result<(), Exit> {
+fn refuse_form(asked: &Args, why: &str) -> Result<(), Exit> {
     match asked.form {
         None => Ok(()),
         Some(_) => Err(Exit::refused(format!(

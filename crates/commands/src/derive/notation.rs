@@ -1,6 +1,6 @@
 //! Equations of the program's own systems, and right-hand sides of scenes, in many notations.
 
-use super::{Asked, Equations, refuse_form};
+use super::{Args, Equations, refuse_form};
 use crate::exit::Exit;
 use crate::run::one_form;
 use claims::derivation::Equation;
@@ -93,7 +93,7 @@ fn in_doubles(tape: &Tape) -> Result<(), Exit> {
 }
 
 /// The equations of a scene's motor as text, or the scene's rates and Jacobian as functions.
-pub(super) fn of_scene(asked: &Asked) -> Result<String, Exit> {
+pub(super) fn of_scene(asked: &Args) -> Result<String, Exit> {
     let format = asked.format.unwrap_or(Equations::Text);
     let sympy = Written { needs: "from sympy import cos, sin, sqrt, symbols\n\n\n", ..PYTHON };
     let Written { language, comment, needs } = match format {
@@ -102,7 +102,7 @@ pub(super) fn of_scene(asked: &Asked) -> Result<String, Exit> {
         Equations::Sympy => sympy,
         Equations::Rust => RUST,
         Equations::Text | Equations::Latex | Equations::Mathml => {
-            refuse_form(asked, "the motor's moment and currents are the same in every form")?;
+            refuse_form(asked, "the motor's torque and currents are the same in every form")?;
             if asked.principle.is_some() {
                 return Err(Exit::refused(
                     "--principle does not apply to the motor of a scene, which follows Maxwell; leave it out",

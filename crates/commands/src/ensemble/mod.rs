@@ -11,7 +11,6 @@ use crate::clock;
 use crate::exit::{Exit, print};
 use crate::output::Writes;
 use crate::progress::Progress;
-use clap::Args;
 use part::Part;
 use rows::Makers;
 use std::ops::ControlFlow;
@@ -19,8 +18,8 @@ use std::path::PathBuf;
 use table::Table;
 
 /// Arguments of `ensemble`.
-#[derive(Args, Debug)]
-pub struct Asked {
+#[derive(clap::Args, Debug)]
+pub struct Args {
     /// The scene with a table `ensemble`, such as `scenes/ensembles/spread.toml` or `scenes/models/double_pendulum.toml`
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
@@ -47,7 +46,7 @@ pub struct Asked {
     pub any_processor: bool,
 }
 
-impl Asked {
+impl Args {
     /// The default name of the table.
     fn usual(&self) -> PathBuf {
         let end = self.part.map_or_else(|| "csv".to_owned(), |part| format!("{part}.csv"));
@@ -57,7 +56,7 @@ impl Asked {
 }
 
 /// Runs the members that are not done yet, and prints the counts of all.
-pub fn run(asked: &Asked) -> Result<Exit, Exit> {
+pub fn run(asked: &Args) -> Result<Exit, Exit> {
     if asked.any_processor && asked.merge.is_empty() && asked.missing.is_empty() {
         return Err(Exit::refused(
             "--any-processor is for --merge and --missing: rows that are computed now are of this processor",

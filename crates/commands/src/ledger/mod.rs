@@ -13,12 +13,11 @@ use claims::Paper;
 use claims::catalogue::papers;
 use claims::certificate::Certificate;
 use claims::{Judged, Verdict, entries};
-use clap::Args;
 use std::path::PathBuf;
 
 /// Arguments of `ledger`.
-#[derive(Args, Debug)]
-pub struct Asked {
+#[derive(clap::Args, Debug)]
+pub struct Args {
     /// Claims whose id contains this, such as konosevich2022/eq5.3 or statement3; those whose id begins with it come first
     #[arg(default_value = "")]
     pub filter: String,
@@ -38,7 +37,7 @@ pub struct Asked {
 }
 
 /// Prints the claims whose id contains the filter, and whose verdict is the requested one, if any.
-pub fn list(asked: &Asked) -> Result<Exit, Exit> {
+pub fn list(asked: &Args) -> Result<Exit, Exit> {
     let verdict = asked.verdict.as_deref().map(verdict).transpose()?;
     let folder =
         asked.certificates.as_deref().map(|path| CertificateFolder::of(path, "ledger", asked.force)).transpose()?;

@@ -8,7 +8,7 @@ use crate::exit::{Exit, print, warn};
 use crate::output::{Form, Maker, Writes};
 use charts::{ClaimRow, PaperSection, Report};
 use claims::Verdict;
-use clap::{ArgGroup, Args};
+use clap::ArgGroup;
 use manuscript::{Change, Correction, Finding, PaperFindings, PaperText, UnjudgedClaim};
 use reader::SceneError;
 use serde_json::json;
@@ -19,9 +19,9 @@ use std::time::Duration;
 const KEPT: Duration = Duration::from_millis(500);
 
 /// Arguments of `judge`.
-#[derive(Args, Debug)]
+#[derive(clap::Args, Debug)]
 #[command(group(ArgGroup::new("written").args(["page", "certificates"]).multiple(true)))]
-pub struct Asked {
+pub struct Args {
     /// The paper: a file with [letters] and [[claim]], beside the tables of its system or `model`, the name of their file
     #[arg(value_name = "PAPER.toml")]
     pub paper: PathBuf,
@@ -82,7 +82,7 @@ Exit codes:
   130  interrupted by Ctrl-C; the claims that were judged until then are printed"#;
 
 /// Judges every claim and prints the findings.
-pub fn judge(asked: &Asked) -> Result<Exit, Exit> {
+pub fn judge(asked: &Args) -> Result<Exit, Exit> {
     let mut paper = PaperText::read(&asked.paper)?;
     let writes = Writes { command: "judge", force: asked.force, reads: vec![&asked.paper] };
     let output = writes.optional(asked.page.as_deref(), &[Form::Page])?;

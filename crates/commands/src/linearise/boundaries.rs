@@ -1,6 +1,6 @@
 //! `dalembert linearise --along`: exact values of a parameter at which stability changes.
 
-use super::{Asked, Form};
+use super::{Args, Form};
 use crate::exit::{Exit, print};
 use ::scenes::steady_motions::{Boundary, ExactAlong, Routh};
 use ::scenes::unit_of;
@@ -29,7 +29,7 @@ pub(super) fn asked(text: &str) -> Result<AlongWhat, String> {
 }
 
 /// Prints the boundaries.
-pub(super) fn show(asked: &Asked, model: &Model, state: &[f64], parameter: &str) -> Result<Exit, Exit> {
+pub(super) fn show(asked: &Args, model: &Model, state: &[f64], parameter: &str) -> Result<Exit, Exit> {
     let refused = |why: String| Exit::refused(format!("{}: --along {parameter}: {why}", asked.scene.display()));
     let names: Vec<&str> = model.parameters.iter().map(|own| own.name.as_str()).collect();
     if !names.contains(&parameter) {

@@ -1,7 +1,7 @@
 //! `dalembert linearise --along NAME=FROM..TO`: brackets of the values at which eigenvalues cross the imaginary axis, by enclosures. At each
 //! value the steady motion is that of the start, or the one that is found from there.
 
-use super::{Asked, Form};
+use super::{Args, Form};
 use crate::clock::has_time;
 use crate::exit::{Exit, print, warn};
 use ::scenes::linearisation::point_of;
@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 
 /// Prints the crossings.
-pub(super) fn show(asked: &Asked, model: &Model, name: &str, range: [f64; 2]) -> Result<Exit, Exit> {
+pub(super) fn show(asked: &Args, model: &Model, name: &str, range: [f64; 2]) -> Result<Exit, Exit> {
     let refused = |why: String| Exit::refused(format!("{}: --along {name}: {why}", asked.scene.display()));
     let at = |value: f64| -> Result<(Model, Vec<f64>), String> {
         let mut model = model.clone();

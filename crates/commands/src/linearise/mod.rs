@@ -14,15 +14,15 @@ use crate::progress::Progress;
 use ::scenes::linearisation::{NotLinear, Standing, VariedEquations, inputs_of, point_of, points};
 use ::scenes::steady_motions::{EnclosedSpectrum, NotEnclosed};
 use ::scenes::{Given, ModelScene, Task, read_model, set_values, without_law};
-use clap::{Args, ValueEnum};
+use clap::ValueEnum;
 use model::Model;
 use reader::read_text;
 use serde_json::json;
 use std::path::PathBuf;
 
 /// Arguments of `linearise`: the model and the point of linearisation.
-#[derive(Args, Debug)]
-pub struct Asked {
+#[derive(clap::Args, Debug)]
+pub struct Args {
     /// A file with `[coordinates]`
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
@@ -51,7 +51,7 @@ pub struct Asked {
     pub format: Form,
 }
 
-impl Asked {
+impl Args {
     /// The scene of the file, ready to run.
     fn run(&self) -> Result<ModelScene, Exit> {
         let given = Given { values: self.values.clone(), ..Given::default() };
@@ -88,7 +88,7 @@ fn period(text: &str) -> Result<f64, String> {
 }
 
 /// Prints the matrices, the eigenvalues and the verdict on stability.
-pub fn linearise(asked: &Asked) -> Result<Exit, Exit> {
+pub fn linearise(asked: &Args) -> Result<Exit, Exit> {
     let refused = |why: String| Exit::refused(format!("{}: {why}", asked.scene.display()));
     if let Some(period) = asked.period {
         return multipliers::show(asked, period);
@@ -144,7 +144,7 @@ pub fn linearise(asked: &Asked) -> Result<Exit, Exit> {
 }
 
 /// The times of linearisation with the states then.
-fn instances(model: &mut Model, asked: &Asked) -> Result<Vec<points::Instance>, Exit> {
+fn instances(model: &mut Model, asked: &Args) -> Result<Vec<points::Instance>, Exit> {
     let refused = |why: String| Exit::refused(format!("{}: {why}", asked.scene.display()));
     if !asked.times.is_empty() {
         let scene = asked.run()?;

@@ -1,6 +1,6 @@
 //! `dalembert linearise --period`: Floquet multipliers of a periodic motion.
 
-use super::{Asked, Form};
+use super::{Args, Form};
 use crate::exit::{Exit, print};
 use crate::progress::Progress;
 use ::scenes::linearisation::{Multipliers, Names, NoMultipliers, Ones, Orbit, VariedEquations};
@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 
 /// Prints the Floquet multipliers.
-pub(super) fn show(asked: &Asked, period: f64) -> Result<Exit, Exit> {
+pub(super) fn show(asked: &Args, period: f64) -> Result<Exit, Exit> {
     let refused = |why: String| Exit::refused(format!("{}: {why}", asked.scene.display()));
     let scene = asked.run()?;
     let _progress = Progress::new("the multipliers");

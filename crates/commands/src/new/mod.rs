@@ -4,7 +4,7 @@ mod names;
 
 use crate::atomic_write;
 use crate::exit::{Exit, print};
-use clap::{Args, Subcommand};
+use clap::Subcommand;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -14,8 +14,8 @@ const SCENE: &str = include_str!("scene.txt");
 const TEXT: &str = include_str!("text.txt");
 
 /// Arguments of `new`.
-#[derive(Args, Debug)]
-pub struct Asked {
+#[derive(clap::Args, Debug)]
+pub struct Args {
     #[command(subcommand)]
     pub what: What,
 }
@@ -27,7 +27,7 @@ pub enum What {
 }
 
 /// Arguments of `new motor`.
-#[derive(Args, Debug)]
+#[derive(clap::Args, Debug)]
 pub struct Motor {
     /// Lower case letters, digits and _, as in `salient_pole`
     #[arg(value_name = "NAME")]
@@ -51,7 +51,7 @@ struct Begun {
 }
 
 /// Writes all files of the new motor, or none.
-pub fn write(asked: &Asked) -> Result<Exit, Exit> {
+pub fn write(asked: &Args) -> Result<Exit, Exit> {
     let What::Motor(asked) = &asked.what;
     let name = asked.name.as_str();
     names::check_letters(name)?;

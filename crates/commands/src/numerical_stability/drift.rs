@@ -1,17 +1,17 @@
 //! `dalembert numerical-stability --drift`: integrals along the motion from the start, by theory and by runs.
 
-use super::Asked;
+use super::Args;
 use crate::arguments::Format;
 use crate::clock;
 use crate::exit::{Exit, print};
 use crate::progress::Progress;
-use ::scenes::{KeptScene, ModelScene};
+use ::scenes::{ModelScene, SceneWithIntegrals};
 use integrators::Method;
 use reader::{Family, read_text};
 use serde_json::{Value, json};
 use simulation::Axes;
 use simulation::integral_drift::{
-    Drift, Expected, Integral, KeptMotion, Measured, Returns, Slope, Window, expected, measured, return_time,
+    Drift, Expected, Integral, Measured, MotionWithIntegrals, Returns, Slope, Window, expected, measured, return_time,
 };
 use simulation::models::holds_model;
 use std::fmt::Write;
@@ -59,14 +59,14 @@ pub(super) fn goes_on() -> ControlFlow<()> {
 }
 
 /// All combinations of the requested methods and numbers of steps.
-pub(super) fn methods(asked: &Asked) -> Vec<(Method, u32)> {
+pub(super) fn methods(asked: &Args) -> Vec<(Method, u32)> {
     let methods = if asked.method.is_empty() { &CLASSICAL[..] } else { &asked.method[..] };
     let each = |method: &Method| asked.steps.iter().map(|steps| (*method, *steps)).collect::<Vec<_>>();
     methods.iter().flat_map(each).collect()
 }
 
 /// The number of periods of a run with a given number of steps in each.
-pub(super) fn periods(asked: &Asked, steps: u32) -> u32 {
+pub(super) fn periods(asked: &Args, steps: u32) -> u32 {
     asked.periods.unwrap_or((AFFORDABLE / steps).clamp(2, MILLION as u32))
 }
 
@@ -77,7 +77,7 @@ pub(super) fn name(method: Method) -> String {
 }
 
 /// Prints the drift of every integral under every method.
-pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
+pub(super) fn show(asked: &Args) -> Result<Exit, Exit> {
     let refused = |why: &str| Exit::refused(format!("{}: --drift: {why}", asked.scene.display()));
     let text = read_text(&asked.scene)?;
     asked.steady.refuse("--drift=steady says which motions it is about")?;
@@ -87,21 +87,22 @@ pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
     let (title, kept) = match holds_model(&text) {
         true => {
             let scene = ModelScene::parse(&asked.scene.display().to_string(), &text)?;
-            let kept = KeptScene::of(&scene).ok_or_else(|| {
+            let kept = SceneWithIntegrals::of(&scene).ok_or_else(|| {
                 refused("the law of this scene changes at conditions, contacts or events: no theory of one law holds")
             })?;
             (scene.title.clone(), kept)
         }
         false => {
             let scene = Scene::open(&asked.scene)?;
-            (scene.title.clone(), KeptScene::plain(scene.problem(Axes::default())))
+            (scene.title.clone(), SceneWithIntegrals::plain(scene.problem(Axes::default())))
         }
     };
     if kept.integrals.is_empty() {
         return Err(refused("no energy and no momentum is known to be kept along this motion"));
     }
     let _progress = Progress::new("drift");
-    let motion = KeptMotion { law: &*kept.problem.law, start: &kept.problem.state, integrals: &kept.integrals };
+    let motion =
+        MotionWithIntegrals { law: &*kept.problem.law, start: &kept.problem.state, integrals: &kept.integrals };
     let failed = |why: integrators::Failure| refused(&format!("the motion cannot be followed: {why}"));
     let gap = |component: usize, end: f64, start: f64| kept.gap(component, end, start);
     let window = match return_time(&motion, kept.problem.span, &gap).map_err(failed)? {

@@ -8,7 +8,7 @@ use crate::arguments::{Format, finite, whole};
 use crate::exit::{Exit, print};
 use crate::run::with_model;
 use crate::stationary::steady_box::SteadyBox;
-use clap::{Args, ValueEnum};
+use clap::ValueEnum;
 use integrators::{Method, Splitting};
 use reader::{Family, read_text};
 use serde_json::{Value, json};
@@ -23,8 +23,8 @@ use studies::numerical_stability::tested_steps::Tested;
 use studies::scene::Scene;
 
 /// Arguments of `numerical-stability`.
-#[derive(Args, Debug)]
-pub struct Asked {
+#[derive(clap::Args, Debug)]
+pub struct Args {
     /// The scene, a TOML file
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
@@ -76,7 +76,7 @@ fn constant(name: &str) -> Result<Method, String> {
 type Courses = [Tested; Splitting::ALL.len()];
 
 /// Prints the verdicts of all methods on all motions.
-pub fn show(asked: &Asked) -> Result<Exit, Exit> {
+pub fn show(asked: &Args) -> Result<Exit, Exit> {
     match asked.drift {
         Some(Motion::Start) => return drift::show(asked),
         Some(Motion::Steady) => return oscillations::show(asked),

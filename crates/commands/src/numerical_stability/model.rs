@@ -1,6 +1,6 @@
 //! Numerical stability of methods on the steady motions of a system that is written in its file.
 
-use super::{Asked, method};
+use super::{Args, method};
 use crate::arguments::Format;
 use crate::exit::{Exit, print, warn};
 use crate::stationary::combinations::{Combination, Combinations};
@@ -32,7 +32,7 @@ struct Near {
 }
 
 /// Prints the verdicts of every method on every steady motion.
-pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
+pub(super) fn show(asked: &Args) -> Result<Exit, Exit> {
     let given = [("--omega0", asked.omega0.is_some()), ("--model", asked.model.is_some())];
     if let Some((option, _)) = given.iter().find(|(_, is_given)| *is_given) {
         return Err(Exit::refused(format!(
@@ -79,7 +79,7 @@ pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
 }
 
 /// The motions of a search with their modes.
-fn judged<'a>(asked: &Asked, found: &'a Found, is_at_condition: bool) -> Vec<Judged<'a>> {
+fn judged<'a>(asked: &Args, found: &'a Found, is_at_condition: bool) -> Vec<Judged<'a>> {
     if !found.motions.families.is_empty() {
         warn(&format!(
             "warning: {}: families of connected steady motions are left out: {}; `stationary` lists them, and a value for one of their \

@@ -1,19 +1,19 @@
 //! `dalembert numerical-stability --drift=steady`: the energy of small oscillations about each steady motion, by stability functions and by runs
 //! on the nonlinear law.
 
-use super::Asked;
+use super::Args;
 use super::drift::{goes_on, methods, name, periods};
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
 use crate::stationary::steady_box::Found;
 use ::scenes::linearisation::{Standing, VariedEquations};
 use ::scenes::steady_motions::SteadyMotion;
-use ::scenes::{Given, KeptScene, ModelScene};
+use ::scenes::{Given, ModelScene, SceneWithIntegrals};
 use integrators::Method;
 use reader::read_text;
 use serde_json::{Value, json};
 use simulation::Run;
-use simulation::integral_drift::{KeptMotion, Measured, Slope, Window, measured};
+use simulation::integral_drift::{Measured, MotionWithIntegrals, Slope, Window, measured};
 use simulation::models::holds_model;
 use std::f64::consts::{LN_10, TAU};
 use std::fmt::Write;
@@ -44,7 +44,7 @@ struct Oscillation {
 }
 
 /// Prints the drift of the energy of every oscillation.
-pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
+pub(super) fn show(asked: &Args) -> Result<Exit, Exit> {
     let path = asked.scene.display();
     let text = read_text(&asked.scene)?;
     if !holds_model(&text) || asked.omega0.is_some() || asked.model.is_some() {
@@ -65,8 +65,8 @@ pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
     };
     let scene = ModelScene::parse_with(&path.to_string(), &text, Given { run: Some(run), ..Given::default() });
     let kept = scene.map_err(|_| "the start of the file is not complete".to_owned()).and_then(|scene| {
-        let kept =
-            KeptScene::of(&scene).filter(|kept| kept.integrals.first().is_some_and(|first| first.name == "energy"));
+        let kept = SceneWithIntegrals::of(&scene)
+            .filter(|kept| kept.integrals.first().is_some_and(|first| first.name == "energy"));
         kept.ok_or("the energy is not known to be kept".to_owned())
     });
     let equations = VariedEquations::of(&found.model, &[]).map_err(|why| why.to_string());
@@ -87,10 +87,10 @@ pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
 
 /// Every oscillation about a motion, with every method.
 fn oscillations(
-    asked: &Asked,
+    asked: &Args,
     equations: &VariedEquations,
     motion: &SteadyMotion,
-    kept: &KeptScene,
+    kept: &SceneWithIntegrals,
 ) -> Result<Vec<Oscillation>, String> {
     let linear = equations.about(0.0, &motion.state).map_err(|why| why.to_string())?;
     if linear.standing == Standing::Moving {
@@ -106,7 +106,7 @@ fn oscillations(
         let factor = if moved > 0.0 { SMALL / moved } else { SMALL };
         let start: Vec<f64> = motion.state.iter().zip(&displacement).map(|(y, by)| y + factor * by).collect();
         let integrals = [kept.energy_about(&motion.state)];
-        let moving = KeptMotion { law: &*kept.problem.law, start: &start, integrals: &integrals };
+        let moving = MotionWithIntegrals { law: &*kept.problem.law, start: &start, integrals: &integrals };
         let first = (integrals[0].value)(0.0, &start);
         let rows = methods(asked).into_iter().map(|(method, steps)| {
             let whole = method.refined(steps).unwrap_or(method);

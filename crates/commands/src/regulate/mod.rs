@@ -9,7 +9,6 @@ use crate::progress::Progress;
 use crate::{clock, csv};
 use ::scenes::regulator::{ClosedRun, Regulated, loop_choice, regulated};
 use ::scenes::{ModelScene, unit_of};
-use clap::Args;
 use reader::{Issue, read_text};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -17,8 +16,8 @@ use std::time::Duration;
 use told::Told;
 
 /// Arguments of `regulate`.
-#[derive(Args, Debug)]
-pub struct Asked {
+#[derive(clap::Args, Debug)]
+pub struct Args {
     /// A file with `[coordinates]` and `[regulator]`
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
@@ -34,7 +33,7 @@ pub struct Asked {
 }
 
 /// Finds the regulator, runs its loop and prints both.
-pub fn show(asked: &Asked) -> Result<Exit, Exit> {
+pub fn show(asked: &Args) -> Result<Exit, Exit> {
     let path: &Path = &asked.scene;
     let text = read_text(path)?;
     let scene = ModelScene::parse(&path.display().to_string(), &text)?;
@@ -65,7 +64,7 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
 
 /// An optimal regulator with the run of its loop, as text and as an object for programs.
 #[derive(Debug)]
-pub struct RegulatorTold {
+pub struct RegulatorResult {
     pub text: String,
     pub object: Value,
 }
@@ -74,10 +73,10 @@ pub struct RegulatorTold {
 ///
 /// # Errors
 /// The reason for which there is no regulator, at its place in the text.
-pub fn regulator(scene: &ModelScene, allowed: Duration) -> Result<RegulatorTold, Issue> {
+pub fn regulator(scene: &ModelScene, allowed: Duration) -> Result<RegulatorResult, Issue> {
     let found = regulated(scene, allowed)?;
     let told = Told::of(scene, &found);
-    Ok(RegulatorTold { text: told.text(), object: told.object() })
+    Ok(RegulatorResult { text: told.text(), object: told.object() })
 }
 
 /// The states and the inputs of the regulator, each with its unit.

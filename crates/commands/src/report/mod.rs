@@ -10,7 +10,6 @@ use crate::output::{Form, Maker, Writes};
 use crate::progress::Progress;
 use crate::speed::{advice::advice, pictures, tables};
 use charts::{Report, SceneSection, WorkPrecision};
-use clap::Args;
 use manuscript::{PaperText, is_paper};
 use parts::Parts;
 use reader::Family;
@@ -21,8 +20,8 @@ use studies::AnyScene;
 use studies::failures;
 
 /// Arguments of the report, which is made where no command is given.
-#[derive(Args, Debug)]
-pub struct Asked {
+#[derive(clap::Args, Debug)]
+pub struct Args {
     /// Where the scene files are
     #[arg(long, value_name = "FOLDER", default_value = "scenes")]
     pub scenes: PathBuf,
@@ -39,7 +38,7 @@ pub struct Asked {
 
 /// Judges the ledger, runs and charts the scenes, and writes the page. A scene that cannot be read is reported at once and on the
 /// page, and does not stop the others.
-pub fn write(asked: &Asked, files: &[PathBuf]) -> Result<Exit, Exit> {
+pub fn write(asked: &Args, files: &[PathBuf]) -> Result<Exit, Exit> {
     let folder = &asked.scenes;
     let reads = files.iter().map(PathBuf::as_path).collect();
     let output = Writes { command: REPORT, force: asked.force, reads }.output(&asked.out, &[Form::Page])?;

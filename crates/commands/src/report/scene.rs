@@ -2,7 +2,7 @@
 
 use crate::pictures;
 use crate::speed::tables::floors;
-use crate::summary::{ToldEvent, told_passages};
+use crate::summary::{EventReport, told_passages};
 use charts::{Parameter, SceneSection, Table, significant, tolerance};
 use integrators::Failure;
 use simulation::events::Passage;
@@ -118,10 +118,10 @@ pub fn described(id: &str, scene: &dyn IvpScene, run: &Trajectory) -> SceneSecti
 fn log(run: &Trajectory) -> Table {
     let time = |time: f64| format!("{time:.6}");
     let events = told_passages(&run.passages).into_iter().map(|told| match told {
-        ToldEvent::Passage(Passage { time: at, what, then, .. }) => {
+        EventReport::Passage(Passage { time: at, what, then, .. }) => {
             vec![time(*at), what.clone(), then.clone().unwrap_or_default()]
         }
-        ToldEvent::LeftOut(count) => vec![String::new(), format!("{count} more"), String::new()],
+        EventReport::LeftOut(count) => vec![String::new(), format!("{count} more"), String::new()],
     });
     let end = run.stopped().unwrap_or_else(|| "the end of the run".to_owned());
     Table {

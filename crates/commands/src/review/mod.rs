@@ -12,15 +12,14 @@ use crate::exit::{Exit, print};
 use crate::stationary::steady_box::named_range;
 use ::scenes::SystemText;
 use ::scenes::steady_motions::Range;
-use clap::Args;
 use manuscript::is_paper;
 use paper::PaperChanges;
 use serde_json::json;
 use std::path::PathBuf;
 
 /// Arguments of `review`.
-#[derive(Args, Debug)]
-pub struct Asked {
+#[derive(clap::Args, Debug)]
+pub struct Args {
     /// A system or a paper in its file: its equations, steady motions and run, or its claims, are compared; without it the project's
     /// reviewed pages
     #[arg(value_name = "SCENE.toml|PAPER.toml")]
@@ -44,7 +43,7 @@ struct Part {
 }
 
 /// Prints every change.
-pub fn review(asked: &Asked) -> Result<Exit, Exit> {
+pub fn review(asked: &Args) -> Result<Exit, Exit> {
     let Some(file) = &asked.file else {
         if let Some((name, _)) = asked.range.first() {
             return Err(Exit::refused(format!(

@@ -7,7 +7,7 @@ use crate::stationary::refusals::refused;
 use crate::stationary::steady_box::Found;
 use crate::stationary::verdict::verdict;
 use ::scenes::derivation::{NamedPrinciple, derived};
-use ::scenes::steady_motions::{Asked, Range, SteadyMotions};
+use ::scenes::steady_motions::{Range, SteadyMotions, SteadySearch};
 use ::scenes::{ModelScene, SystemText, Task};
 use claims::review::compare;
 use model::{MatrixForm, Model};
@@ -27,7 +27,7 @@ pub(super) fn changes(texts: [SystemText; 2], ranges: &[(String, Range)]) -> Res
     let renamed = renamed(&texts)?;
     let mut all = of_equations(&texts)?;
     let [old, new] = [texts[0].model(Task::Vary)?, texts[1].model(Task::Vary)?];
-    let asked = Asked { ranges: ranges.to_vec(), boxes: MOST_BOXES, ..Asked::default() };
+    let asked = SteadySearch { ranges: ranges.to_vec(), boxes: MOST_BOXES, ..SteadySearch::default() };
     all.push(("steady motions".to_owned(), steady_motions(&texts[1].name, [old, new], &asked, &renamed)));
     let [old, new] =
         [ModelScene::parse(&texts[0].name, &texts[0].text)?, ModelScene::parse(&texts[1].name, &texts[1].text)?];
@@ -162,7 +162,7 @@ fn dimensions(models: [&Model; 2]) -> BTreeMap<String, Dimension> {
 }
 
 /// Steady motions that were added or removed, moved, or have another stability.
-fn steady_motions(name: &str, models: [Model; 2], asked: &Asked, renamed: &Renamed) -> Vec<String> {
+fn steady_motions(name: &str, models: [Model; 2], asked: &SteadySearch, renamed: &Renamed) -> Vec<String> {
     let found = models.map(|mut model| {
         model.close_inputs();
         match SteadyMotions::of(&model, asked, clock::has_time) {

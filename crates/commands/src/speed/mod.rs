@@ -9,7 +9,7 @@ pub mod advice;
 pub mod pictures;
 pub mod tables;
 
-use integrators::{Holding, Means, Method, Point, Trial};
+use integrators::{Index2Method, Means, Method, Point, Trial};
 use simulation::Atlas;
 use simulation::work_precision::{Configuration, Standing};
 
@@ -104,10 +104,10 @@ pub fn model(way: &Configuration) -> String {
 pub fn family(means: Means) -> String {
     match means {
         Means::Integrated(method) => of_method(method),
-        Means::Held(Holding::HalfExplicitEuler { .. }) => "half-explicit Euler".to_owned(),
-        Means::Held(Holding::HalfExplicitRungeKutta4 { .. }) => "half-explicit Runge-Kutta 4".to_owned(),
-        Means::Held(Holding::RadauIIA { stages, .. }) => format!("Radau IIA, {stages} stages, constant step"),
-        Means::Held(Holding::ProjectedGauss { stages, .. }) => format!("Gauss, {stages} stages, constant step"),
+        Means::Held(Index2Method::HalfExplicitEuler { .. }) => "half-explicit Euler".to_owned(),
+        Means::Held(Index2Method::HalfExplicitRungeKutta4 { .. }) => "half-explicit Runge-Kutta 4".to_owned(),
+        Means::Held(Index2Method::RadauIIA { stages, .. }) => format!("Radau IIA, {stages} stages, constant step"),
+        Means::Held(Index2Method::ProjectedGauss { stages, .. }) => format!("Gauss, {stages} stages, constant step"),
     }
 }
 

@@ -39,8 +39,8 @@ pub(super) fn idle(conditions: &Stationary<f64>) -> Vec<Mark> {
 /// Whether some angular velocity about a principal direction is a motion. The residual torque there is b + a w0, because
 /// A* v x v vanishes: thus a and b must be parallel.
 fn turns_about(conditions: &Stationary<f64>, direction: Vector3<f64>) -> bool {
-    let still = conditions.missing_moment(direction, 0.0);
-    let slope = conditions.missing_moment(direction, 1.0) - still;
+    let still = conditions.residual_torque(direction, 0.0);
+    let slope = conditions.residual_torque(direction, 1.0) - still;
     let (a, b) = (slope.norm(), still.norm());
     if b <= ROUNDING * conditions.weight.norm() {
         return true;

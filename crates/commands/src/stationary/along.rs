@@ -1,6 +1,6 @@
 //! Steady motions along a parameter.
 
-use super::Asked;
+use super::Args;
 use super::branches;
 use super::model::motion;
 use super::steady_box::{AlongFound, number};
@@ -16,7 +16,7 @@ use std::fmt::Write;
 const VALUES: usize = 41;
 
 /// Prints the number of motions at each value, and brackets of its changes.
-pub(super) fn show(asked: &Asked, along: &(String, Range)) -> Result<Exit, Exit> {
+pub(super) fn show(asked: &Args, along: &(String, Range)) -> Result<Exit, Exit> {
     let writes = Writes { command: "stationary", force: asked.force, reads: vec![&asked.scene] };
     let output = writes.optional(asked.out.as_deref(), &[Form::Picture])?;
     let values = asked.values.unwrap_or(VALUES);

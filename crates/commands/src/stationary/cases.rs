@@ -1,6 +1,6 @@
 //! Steady motions for each combination of cases and each set of angles, as text and JSON.
 
-use super::Asked;
+use super::Args;
 use super::combinations::{Combination, Combinations};
 use super::model::{body, object};
 use crate::arguments::Format;
@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 
 /// Prints the parts with steady motions or undecided regions.
-pub(super) fn show(asked: &Asked, parts: &Combinations) -> Result<Exit, Exit> {
+pub(super) fn show(asked: &Args, parts: &Combinations) -> Result<Exit, Exit> {
     let mut last = Exit::Done;
     for Combination { found, .. } in &parts.filled {
         if let Exit::Stopped = asked.steady.ended(&asked.scene, &found.motions) {

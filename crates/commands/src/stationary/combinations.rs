@@ -5,7 +5,7 @@ use super::steady_box::{Found, SoughtSystem, SteadyBox};
 use crate::clock::has_time;
 use crate::exit::Exit;
 use crate::progress::Progress;
-use ::scenes::steady_motions::{Asked, Case, Orientation, SteadyMotions, conditions_of};
+use ::scenes::steady_motions::{Case, Orientation, SteadyMotions, SteadySearch, conditions_of};
 use model::Model;
 use reader::Issue;
 use std::path::Path;
@@ -66,7 +66,7 @@ impl Combinations {
     /// The reason for which steady motions are not searched for.
     pub fn of_system(
         (title, model, source): &SoughtSystem,
-        asked: &Asked,
+        asked: &SteadySearch,
         has_time: impl Fn() -> bool + Copy + Sync,
     ) -> Result<Option<Self>, Issue> {
         let changes = !model.switches.is_empty() || !model.contacts.is_empty();

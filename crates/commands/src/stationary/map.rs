@@ -1,7 +1,7 @@
 //! `dalembert stationary --map A=FROM..TO --map B=FROM..TO`: an exact map of stability of the rotation about the rotor's axis; without
 //! such an axis, or with --every, a map of all stationary motions, followed from node to node.
 
-use super::{Asked, Ranged};
+use super::{Args, Ranged};
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
 use crate::output::{Form, Output, Writes};
@@ -14,7 +14,7 @@ use studies::stationary::stability::plane::{Cell, NoPlane};
 use studies::stationary::stability::region::NoRegion;
 
 /// Prints the map, and writes the picture where one is asked for.
-pub(super) fn show(asked: &Asked, scene: &Scene) -> Result<Exit, Exit> {
+pub(super) fn show(asked: &Args, scene: &Scene) -> Result<Exit, Exit> {
     let refused = |reason: NoPlane| Exit::refused(format!("{}: {reason}", asked.scene.display()));
     let unknown = |reason: Unknown| Exit::refused(format!("{}: {reason}", asked.scene.display()));
     let [first, second] = &asked.map[..] else {
@@ -29,7 +29,7 @@ pub(super) fn show(asked: &Asked, scene: &Scene) -> Result<Exit, Exit> {
     }
     let writes = Writes { command: "stationary", force: asked.force, reads: vec![&asked.scene] };
     let output = writes.optional(asked.out.as_deref(), &[Form::Picture])?;
-    let map = stability_map::Asked {
+    let map = stability_map::MapRequest {
         scene,
         data: [(&data[0], first.range), (&data[1], second.range)],
         speed: asked.omega0.unwrap_or(0.0),
@@ -43,7 +43,7 @@ pub(super) fn show(asked: &Asked, scene: &Scene) -> Result<Exit, Exit> {
     };
     let Some(columns) = columns else {
         let data = map.data;
-        return every(asked, output, &region_map::Asked { scene, data, speed: map.speed });
+        return every(asked, output, &region_map::MapRequest { scene, data, speed: map.speed });
     };
     print(&match asked.format {
         Format::Text => text(scene, &data, &columns),
@@ -56,7 +56,7 @@ pub(super) fn show(asked: &Asked, scene: &Scene) -> Result<Exit, Exit> {
 }
 
 /// Prints and draws the map of all stationary motions.
-fn every(asked: &Asked, output: Option<Output>, map: &region_map::Asked<'_>) -> Result<Exit, Exit> {
+fn every(asked: &Args, output: Option<Output>, map: &region_map::MapRequest<'_>) -> Result<Exit, Exit> {
     let refused = |reason: NoRegion| Exit::refused(format!("{}: {reason}", asked.scene.display()));
     let atlas = map.atlas().map_err(refused)?;
     print(&match asked.format {

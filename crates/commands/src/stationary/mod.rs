@@ -22,7 +22,6 @@ use crate::clock;
 use crate::exit::{Exit, print};
 use crate::run::with_model;
 use ::scenes::steady_motions::Range;
-use clap::Args;
 use mechanics::steady_rotations::Undecided;
 use reader::{Family, read_text};
 use simulation::models::holds_model;
@@ -31,8 +30,8 @@ use studies::scene::Scene;
 use studies::stationary::motions::{NoAnswer, Stationary};
 
 /// Arguments of `stationary`.
-#[derive(Args, Debug)]
-pub struct Asked {
+#[derive(clap::Args, Debug)]
+pub struct Args {
     /// The scene, a TOML file
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
@@ -97,7 +96,7 @@ fn ranged(text: &str) -> Result<Ranged, String> {
 }
 
 /// Prints the stationary motions.
-pub fn show(asked: &Asked) -> Result<Exit, Exit> {
+pub fn show(asked: &Args) -> Result<Exit, Exit> {
     if read_text(&asked.scene).is_ok_and(|text| holds_model(&text)) {
         refuse_others(asked)?;
         return match &asked.along[..] {
@@ -154,7 +153,7 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
 }
 
 /// Refuses options for gyrostats where the system is written in its file.
-fn refuse_others(asked: &Asked) -> Result<(), Exit> {
+fn refuse_others(asked: &Args) -> Result<(), Exit> {
     let given = [
         ("--omega0", asked.omega0.is_some()),
         ("--momentum", asked.momentum.is_some()),

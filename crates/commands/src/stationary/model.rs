@@ -5,11 +5,11 @@ use super::families::{count, ends, family_lines, family_object, is_one_place};
 use super::refusals::reason;
 use super::steady_box::{Found, number, sought};
 use super::verdict::{stability, verdict};
-use super::{Asked, cases};
+use super::{Args, cases};
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
 use crate::spectrum;
-use ::scenes::steady_motions::{Asked as Sought, Near, Region, SteadyMotion, SteadyMotions, SteadyStability};
+use ::scenes::steady_motions::{Near, Region, SteadyMotion, SteadyMotions, SteadySearch, SteadyStability};
 use ::scenes::{SystemText, unit_of};
 use reader::{Issue, SceneError};
 use serde_json::{Value, json};
@@ -19,7 +19,7 @@ use std::fmt::Write;
 const MOST_LISTED: usize = 6;
 
 /// Prints all steady motions.
-pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
+pub(super) fn show(asked: &Args) -> Result<Exit, Exit> {
     let system = asked.steady.system_in(&asked.scene)?;
     if let Some(parts) = Combinations::of(&asked.steady, &asked.scene, &system)? {
         return cases::show(asked, &parts);
@@ -34,7 +34,7 @@ pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
 
 /// Steady motions as text and as JSON.
 #[derive(Debug)]
-pub struct SteadyTold {
+pub struct SteadyMotionsResult {
     pub text: String,
     pub object: Value,
 }
@@ -45,9 +45,9 @@ pub struct SteadyTold {
 /// The text is faulty, or steady motions of such a system are not searched for.
 pub fn steady_motions(
     text: &SystemText,
-    asked: &Sought,
+    asked: &SteadySearch,
     has_time: impl Fn() -> bool + Copy + Sync,
-) -> Result<SteadyTold, SceneError> {
+) -> Result<SteadyMotionsResult, SceneError> {
     let system = sought(text)?;
     let name = &text.name;
     let fault = |issue: Issue| {
@@ -56,12 +56,12 @@ pub fn steady_motions(
     };
     if let Some(parts) = Combinations::of_system(&system, asked, has_time).map_err(fault)? {
         let (text, object) = cases::told(&parts);
-        return Ok(SteadyTold { text, object });
+        return Ok(SteadyMotionsResult { text, object });
     }
     let (title, model, source) = &system;
     let motions = SteadyMotions::of(model, asked, has_time).map_err(|why| fault(reason(model, Some(source), why)))?;
     let found = Found { title: title.clone(), model: model.clone(), motions };
-    Ok(SteadyTold { text: self::text(&found), object: object(&found) })
+    Ok(SteadyMotionsResult { text: self::text(&found), object: object(&found) })
 }
 
 fn text(all: &Found) -> String {

@@ -51,7 +51,7 @@ pub(super) fn text(motor: &MotorStates) -> String {
                 let _ = writeln!(
                     out,
                     "  pull-out: two speeds merge at {:.6} rad/s where a further load on the rotor reaches {:.6e} N m",
-                    extreme.speed, extreme.moment
+                    extreme.speed, extreme.torque
                 );
             }
             Ok(())
@@ -80,7 +80,7 @@ pub(super) fn object(motor: &MotorStates) -> Value {
         MotorStates::Slipping { speeds, extremes } => json!({
             "kind": "slipping",
             "speeds": speeds.iter().map(slip).collect::<Vec<_>>(),
-            "extremes": extremes.iter().map(|e| json!({ "speed": e.speed, "moment": e.moment })).collect::<Vec<_>>(),
+            "extremes": extremes.iter().map(|e| json!({ "speed": e.speed, "torque": e.torque })).collect::<Vec<_>>(),
         }),
     }
 }

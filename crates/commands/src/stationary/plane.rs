@@ -1,6 +1,6 @@
 //! `dalembert stationary --along A=FROM..TO --along B=FROM..TO`: the numbers of steady motions and of stable ones over two parameters.
 
-use super::Asked;
+use super::Args;
 use super::refusals::{reason, refused};
 use super::steady_box::{number, unit};
 use super::verdict::verdict;
@@ -10,7 +10,7 @@ use crate::exit::{Exit, print, warn};
 use crate::job_pool::JobPool;
 use crate::output::{Form, Writes};
 use crate::progress::Progress;
-use ::scenes::steady_motions::{Asked as Wanted, Direction, NoSteadyMotions, PlaneCell, Range, middles};
+use ::scenes::steady_motions::{SteadySearch, Direction, NoSteadyMotions, PlaneCell, Range, middles};
 use charts::{AreaCurve, Areas};
 use model::Model;
 use serde_json::{Value, json};
@@ -39,7 +39,7 @@ struct Map<'a> {
 }
 
 /// Prints the map, and writes the picture where one is asked for.
-pub(super) fn show(asked: &Asked, [first, second]: [&(String, Range); 2]) -> Result<Exit, Exit> {
+pub(super) fn show(asked: &Args, [first, second]: [&(String, Range); 2]) -> Result<Exit, Exit> {
     if first.0 == second.0 {
         return Err(Exit::refused(format!("--along {} is given twice; two different names are accepted", first.0)));
     }
@@ -84,7 +84,7 @@ pub(super) fn show(asked: &Asked, [first, second]: [&(String, Range); 2]) -> Res
 }
 
 /// All cells, column by column.
-fn cells((wanted, count): (&Wanted, usize), model: &Model, directions: [Direction<'_>; 2]) -> Vec<Vec<PlaneCell>> {
+fn cells((wanted, count): (&SteadySearch, usize), model: &Model, directions: [Direction<'_>; 2]) -> Vec<Vec<PlaneCell>> {
     let mut progress = Progress::new("the map");
     let mut columns: Vec<Option<Vec<PlaneCell>>> = (0..count).map(|_| None).collect();
     let mut crew = JobPool::default();
@@ -96,7 +96,7 @@ fn cells((wanted, count): (&Wanted, usize), model: &Model, directions: [Directio
 }
 
 /// Narrow brackets of the changes between neighbouring cells that differ.
-fn borders(wanted: &Wanted, model: &Model, names: [&str; 2], columns: &[Vec<PlaneCell>]) -> Vec<[[f64; 2]; 2]> {
+fn borders(wanted: &SteadySearch, model: &Model, names: [&str; 2], columns: &[Vec<PlaneCell>]) -> Vec<[[f64; 2]; 2]> {
     let beside = columns.windows(2).flat_map(|pair| pair[0].iter().zip(&pair[1]));
     let above = columns.iter().flat_map(|column| column.iter().zip(column.iter().skip(1)));
     let pairs: Vec<_> = beside.chain(above).filter(|(a, b)| !a.is_like(b)).collect();

@@ -6,9 +6,8 @@ use crate::clock::has_time;
 use crate::exit::{Exit, warn};
 use crate::named_value::named_value;
 use crate::progress::Progress;
-use ::scenes::steady_motions::{Along, Asked, Near, NoSteadyMotions, Range, SteadyMotions};
+use ::scenes::steady_motions::{Along, SteadySearch, Near, NoSteadyMotions, Range, SteadyMotions};
 use ::scenes::{SystemText, Task, independent_start, parse_with_source, unit_of};
-use clap::Args;
 use clap::builder::RangedU64ValueParser;
 use model::{FrameId, Model, Source};
 use reader::SceneError;
@@ -17,7 +16,7 @@ use std::sync::Arc;
 use units::nearest;
 
 /// The options of a search for steady motions.
-#[derive(Args, Debug)]
+#[derive(clap::Args, Debug)]
 pub struct SteadyBox {
     /// The range or the value, in SI units, of a coordinate, or of the constant speed of a cyclic coordinate or of a quasi-velocity, in a
     /// system that is written in its file. The default for angles is the whole circle
@@ -133,11 +132,11 @@ impl SteadyBox {
     }
 
     /// The system of a file, prepared to take other values for parameters or speeds of cyclic coordinates with these names.
-    pub fn along(&self, path: &Path, names: &[&String]) -> Result<(String, Model, Asked), Exit> {
+    pub fn along(&self, path: &Path, names: &[&String]) -> Result<(String, Model, SteadySearch), Exit> {
         self.checked()?;
         let (title, model, source) = self.system_in(path)?;
         names.iter().try_for_each(|name| self.must_vary(path, &model, name))?;
-        Ok((title, model, Asked { text: Some(Arc::new(source)), ..self.wanted() }))
+        Ok((title, model, SteadySearch { text: Some(Arc::new(source)), ..self.wanted() }))
     }
 
     fn must_vary(&self, path: &Path, model: &Model, name: &String) -> Result<(), Exit> {
@@ -198,8 +197,8 @@ impl SteadyBox {
         }
     }
 
-    pub fn wanted(&self) -> Asked {
-        Asked { ranges: self.range.clone(), boxes: self.boxes, ..Asked::default() }
+    pub fn wanted(&self) -> SteadySearch {
+        SteadySearch { ranges: self.range.clone(), boxes: self.boxes, ..SteadySearch::default() }
     }
 
     /// Prints warnings on undecided regions, with a remedy; returns the outcome of the command.

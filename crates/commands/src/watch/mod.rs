@@ -15,7 +15,6 @@ use crate::clock::{self, Keeps};
 use crate::exit::{Exit, print, warn};
 use crate::output::{Form, Format, Writes};
 use board::Board;
-use clap::Args;
 use followed_file::FollowedFile;
 use page::PageTitle;
 use reader::read_text;
@@ -27,8 +26,8 @@ use std::sync::Arc;
 use std::time::Duration;
 
 /// Arguments of `watch`.
-#[derive(Args, Debug)]
-pub struct Asked {
+#[derive(clap::Args, Debug)]
+pub struct Args {
     /// A scene, or a paper with [[claim]], that is shown as it is saved: equations, verdicts, the run, errors where the text is wrong
     #[arg(value_name = "SCENE.toml|PAPER.toml")]
     pub file: PathBuf,
@@ -49,7 +48,7 @@ pub struct Asked {
     stage: Option<Stage>,
 }
 
-impl Asked {
+impl Args {
     /// Whether partial results are kept at the end of the time.
     pub fn keeps(&self) -> Keeps {
         match self.stage {
@@ -63,7 +62,7 @@ impl Asked {
 const FAREWELL: Duration = Duration::from_millis(60);
 
 /// Shows the file until Ctrl-C, or saves its page.
-pub fn watch(asked: &Asked) -> Result<Exit, Exit> {
+pub fn watch(asked: &Args) -> Result<Exit, Exit> {
     if let Some(stage) = asked.stage {
         return stage::work(stage, &asked.file);
     }
@@ -82,7 +81,7 @@ pub fn watch(asked: &Asked) -> Result<Exit, Exit> {
     }
 }
 
-fn serve(asked: &Asked, mut session: Session, board: Arc<Board>, title: PageTitle) -> Result<Exit, Exit> {
+fn serve(asked: &Args, mut session: Session, board: Arc<Board>, title: PageTitle) -> Result<Exit, Exit> {
     let port = asked.port.unwrap_or(0);
     let refused = |error: std::io::Error| {
         Exit::refused(format!(
@@ -100,7 +99,7 @@ fn serve(asked: &Asked, mut session: Session, board: Arc<Board>, title: PageTitl
     Ok(Exit::Done)
 }
 
-fn write(asked: &Asked, save: &Path, mut session: Session, board: &Board, title: &str) -> Result<Exit, Exit> {
+fn write(asked: &Args, save: &Path, mut session: Session, board: &Board, title: &str) -> Result<Exit, Exit> {
     let writes = Writes { command: "watch", force: asked.force, reads: vec![&asked.file] };
     let output = writes.output(save, &[Form::Page])?;
     let is_whole = session.finish().map_err(Exit::Refused)?;

@@ -13,13 +13,13 @@ use pulp::{Arch, Simd, WithSimd};
 /// As [`taylor_order`](crate::taylor_order), with the cost of a step in lanes: b + p + c p^2 with b = 3.5, c = 0.02 (measured from order
 /// 8 to 28 on systems with 8 and 15 states), to which p = 3 + 0.78 L is near. Orders are formed four at a time: the result is the nearest
 /// multiple of four.
-pub fn lanes_order(tolerance: f64) -> usize {
+pub fn batch_order(tolerance: f64) -> usize {
     let fours = (3.0 - 0.78 * tolerance.ln()) / 4.0;
     4 * (fours.round() as usize).clamp(1, 15)
 }
 
 /// The series of L systems that differ in their parameters, states and times.
-pub trait LaneSeries<const L: usize> {
+pub trait BatchSeries<const L: usize> {
     /// Gives the system in a lane its parameters.
     fn set(&mut self, lane: usize, parameters: &[f64]);
 
@@ -41,7 +41,7 @@ pub trait LaneSeries<const L: usize> {
     }
 }
 
-impl<T: LaneSeries<L> + ?Sized, const L: usize> LaneSeries<L> for Box<T> {
+impl<T: BatchSeries<L> + ?Sized, const L: usize> BatchSeries<L> for Box<T> {
     fn set(&mut self, lane: usize, parameters: &[f64]) {
         (**self).set(lane, parameters);
     }
@@ -78,7 +78,7 @@ pub trait Members {
     }
 
     /// The last time within a step at which the law of a member holds; `None` where it holds to the end of the step.
-    fn leaves(&mut self, _number: u64, _step: &LaneStep<'_>) -> Option<f64> {
+    fn leaves(&mut self, _number: u64, _step: &BatchStep<'_>) -> Option<f64> {
         None
     }
 
@@ -98,7 +98,7 @@ pub trait Members {
 }
 
 /// The motion of a member over a step.
-pub struct LaneStep<'a> {
+pub struct BatchStep<'a> {
     pub begin: f64,
     pub end: f64,
     /// The state at a time within the step.
@@ -126,8 +126,8 @@ pub struct Ensemble<T, const L: usize> {
     state: Vec<f64>,
 }
 
-impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
-    /// An ensemble on a source of series, best of the order [`lanes_order`], for systems with so many states and
+impl<T: BatchSeries<L>, const L: usize> Ensemble<T, L> {
+    /// An ensemble on a source of series, best of the order [`batch_order`], for systems with so many states and
     /// parameters.
     pub fn new(source: T, tolerance: f64, end: f64, states: usize, parameters: usize) -> Self {
         Ensemble {
@@ -229,7 +229,7 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
                 self.source.sum(Batch::all(time - begin), &mut lanes);
                 state.iter_mut().zip(lanes).for_each(|(part, lanes)| *part = lanes.0[lane]);
             };
-            let left = members.leaves(number, &LaneStep { begin, end, state_at: &state_at })?;
+            let left = members.leaves(number, &BatchStep { begin, end, state_at: &state_at })?;
             let mut state = vec![0.0; self.states.len()];
             state_at(left, &mut state);
             Some((left, state))

@@ -10,7 +10,7 @@ use pulp::{Arch, Simd, WithSimd};
 /// `FUSED` numbers, which round a product and a sum once, are the fast ones where [`fuses`]; elsewhere the others are.
 /// The law must be `#[inline(always)]` throughout, or it is compiled for narrow registers: six times slower.
 #[derive(Clone, Debug)]
-pub struct SideBySide<const L: usize, const FUSED: bool> {
+pub struct BatchRungeKutta4<const L: usize, const FUSED: bool> {
     /// k1, k2, k3, k4: kept until the step is complete, which takes fewer stores than a sum that grows with each.
     slopes: [Vec<Batch<L, FUSED>>; 4],
     stage: Vec<Batch<L, FUSED>>,
@@ -21,11 +21,11 @@ pub fn fuses() -> bool {
     !matches!(Arch::new(), Arch::Scalar)
 }
 
-impl<const L: usize, const FUSED: bool> SideBySide<L, FUSED> {
+impl<const L: usize, const FUSED: bool> BatchRungeKutta4<L, FUSED> {
     /// Room for so many states.
     pub fn new(dimension: usize) -> Self {
         let room = || vec![Batch::all(0.0); dimension];
-        SideBySide { slopes: std::array::from_fn(|_| room()), stage: room() }
+        BatchRungeKutta4 { slopes: std::array::from_fn(|_| room()), stage: room() }
     }
 
     /// Makes that many steps from the time `start`, in s if the law's time is; allocates nothing. States beyond the room
@@ -48,7 +48,7 @@ struct Steps<'a, O, const L: usize, const FUSED: bool> {
     step: f64,
     steps: usize,
     state: &'a mut [Batch<L, FUSED>],
-    room: &'a mut SideBySide<L, FUSED>,
+    room: &'a mut BatchRungeKutta4<L, FUSED>,
 }
 
 impl<O: Ode<Batch<L, FUSED>>, const L: usize, const FUSED: bool> WithSimd for Steps<'_, O, L, FUSED> {
@@ -56,7 +56,7 @@ impl<O: Ode<Batch<L, FUSED>>, const L: usize, const FUSED: bool> WithSimd for St
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let SideBySide { slopes, stage } = self.room;
+        let BatchRungeKutta4 { slopes, stage } = self.room;
         let (n, h) = (self.state.len().min(stage.len()), self.step);
         let (state, stage) = (&mut self.state[..n], &mut stage[..n]);
         stage.copy_from_slice(state);

@@ -3,5 +3,5 @@
 mod ensemble;
 mod lockstep;
 
-pub use ensemble::{Ensemble, LaneSeries, LaneStep, Members, lanes_order};
-pub use lockstep::{SideBySide, fuses};
+pub use ensemble::{BatchSeries, BatchStep, Ensemble, Members, batch_order};
+pub use lockstep::{BatchRungeKutta4, fuses};

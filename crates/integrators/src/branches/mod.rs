@@ -5,22 +5,22 @@
 //! * [`follow`]: pseudo-arclength continuation (Keller 1977), through folds, each located to rounding: saddle-node
 //!   bifurcations of equilibria;
 //! * [`Equilibria`]: states where the rates of a law vanish, its steady states;
-//! * [`Repeating`]: motions that are periodic up to a shift, such as a whole turn, by shooting;
+//! * [`PeriodicMotions`]: motions that are periodic up to a shift, such as a whole turn, by shooting;
 //! * [`spectrum`]: eigenvalues and Floquet multipliers, which decide linear stability.
 //!
 //! A parameter is a state that is constant: a law whose last rate is zero has its last state for parameter, and the
 //! derivatives by it come with those by the states. (`russell_nonlin` follows curves too; it brings sparse solvers in C,
 //! stops on folds no nearer than a step, and has no periodic motions.)
 
+mod continuation;
 mod corrector;
 mod equilibria;
-mod follow;
-mod repeating;
+mod periodic_motions;
 mod spectrum;
 
+pub use continuation::{Branch, BranchEnd, ContinuationSettings, CurvePoint, continue_branch};
 pub use equilibria::Equilibria;
-pub use follow::{Branch, CurvePoint, Last, Walk, follow};
-pub use repeating::Repeating;
+pub use periodic_motions::PeriodicMotions;
 pub use spectrum::{eigenvalues, spectrum};
 
 use crate::Failure;

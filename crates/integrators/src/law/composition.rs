@@ -100,7 +100,7 @@ impl Splitting {
     }
 
     /// The size of the most negative sub-step of the first piece, as a part of the step.
-    pub fn goes_back(self) -> f64 {
+    pub fn most_negative_substep(self) -> f64 {
         let schedule = self.schedule::<f64>(2);
         let shares = schedule.iter().filter(|(piece, _)| *piece == 0).map(|(_, share)| *share);
         shares.fold(0.0, |back, share| (-share).max(back))
@@ -168,7 +168,7 @@ mod tests {
     #[test]
     fn the_first_piece_goes_back_by_as_much_as_is_said() {
         for (splitting, most) in Splitting::ALL.into_iter().zip([0.0, 0.042, 0.132, 0.155]) {
-            let found = splitting.goes_back();
+            let found = splitting.most_negative_substep();
             assert!((found - most).abs() < 0.0006, "{splitting:?}: {found}");
             let share = |place: usize| {
                 let shares = splitting.schedule::<f64>(3).into_iter().filter(|(piece, _)| *piece == place);

@@ -47,7 +47,7 @@ impl<'a> Jacobian<'a> {
     }
 
     /// `slopes[i]` = df_i / dt at (t, y).
-    pub fn time_slopes(&mut self, t: f64, y: &[f64], slopes: &mut [f64]) {
+    pub fn time_derivatives(&mut self, t: f64, y: &[f64], slopes: &mut [f64]) {
         self.time_slopes_at(t, y, slopes);
         self.or_beside((t, y), slopes, Self::time_slopes_at);
     }

@@ -27,7 +27,7 @@ pub use pieces::{Composed, Pieces};
 pub use projection::Projection;
 pub use real::Real;
 pub use series::TaylorSeries;
-pub use step_bounds::{Haste, StepBounds};
+pub use step_bounds::{FastInterval, StepBounds};
 
 use field::{Batch, DoubleDouble, Scalar, Tangent};
 use num_dual::DualSVec64;

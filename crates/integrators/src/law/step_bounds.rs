@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 /// A time about which a law changes fast.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Haste {
+pub struct FastInterval {
     pub from: f64,
     pub to: f64,
     /// The longest step within the interval.
@@ -24,7 +24,7 @@ pub struct StepBounds {
 impl StepBounds {
     /// The bounds for a run between two times, the second of which may be the earlier one; the given intervals may
     /// overlap.
-    pub fn of(from: f64, to: f64, all: &[Haste]) -> Self {
+    pub fn of(from: f64, to: f64, all: &[FastInterval]) -> Self {
         let since = |time: f64| (time - from) * (to - from).signum();
         let length = since(to);
         let mut ends: Vec<(f64, f64, f64)> = Vec::new();
@@ -83,11 +83,11 @@ impl StepBounds {
 
 #[cfg(test)]
 mod tests {
-    use super::{Haste, StepBounds};
+    use super::{FastInterval, StepBounds};
 
     #[test]
     fn a_step_ends_where_a_stretch_begins() {
-        let all = [Haste { from: 4.0, to: 4.4, step: 0.1 }, Haste { from: 4.1, to: 4.2, step: 0.01 }];
+        let all = [FastInterval { from: 4.0, to: 4.4, step: 0.1 }, FastInterval { from: 4.1, to: 4.2, step: 0.01 }];
         let bounds = StepBounds::of(0.0, 10.0, &all);
         let longest = |tau: f64, most: f64| bounds.longest(tau, most);
         assert_eq!([longest(0.0, 2.0), longest(0.0, 9.0), longest(5.0, 9.0)], [2.0, 4.0, 9.0]);
@@ -97,10 +97,10 @@ mod tests {
 
     #[test]
     fn a_run_that_goes_back_has_the_stretches_of_its_way() {
-        let bounds = StepBounds::of(10.0, 2.0, &[Haste { from: 4.0, to: 5.0, step: 0.5 }]);
+        let bounds = StepBounds::of(10.0, 2.0, &[FastInterval { from: 4.0, to: 5.0, step: 0.5 }]);
         let paced = bounds.paced(0.1);
         assert!((paced.longest(0.0, 0.9) - 0.5).abs() < 1e-12 && (paced.longest(0.52, 0.9) - 0.05).abs() < 1e-12);
         assert_eq!([bounds.longest(0.0, 9.0), bounds.longest(5.2, 9.0), bounds.longest(6.5, 9.0)], [5.0, 0.5, 9.0]);
-        assert!(StepBounds::of(0.0, 1.0, &[Haste { from: 4.0, to: 5.0, step: 0.5 }]).is_empty());
+        assert!(StepBounds::of(0.0, 1.0, &[FastInterval { from: 4.0, to: 5.0, step: 0.5 }]).is_empty());
     }
 }

@@ -1,7 +1,7 @@
 //! A law with a method for it, whatever treats its constraints.
 
-use crate::{Holding, Index2DaeSystem, Method, Observer, Outcome, Span, System, Tolerance};
-use crate::{hold, integrate};
+use crate::{Index2DaeSystem, Index2Method, Method, Observer, Outcome, Span, System, Tolerance};
+use crate::{integrate, integrate_index2};
 use std::fmt;
 
 /// A law with the method that runs it.
@@ -10,13 +10,13 @@ pub enum Attempt<'a> {
     /// y' = f(t, y).
     Integrated(&'a dyn System, Method),
     /// Held to its constraints by multipliers.
-    Held(&'a dyn Index2DaeSystem, Holding),
+    Held(&'a dyn Index2DaeSystem, Index2Method),
     /// Law after law, across events.
-    Across(&'a dyn Across, Method),
+    Hybrid(&'a dyn HybridMotion, Method),
 }
 
 /// A motion of many laws, one after another, which finds its events itself.
-pub trait Across {
+pub trait HybridMotion {
     /// The number of states of each law.
     fn dimension(&self) -> usize;
 
@@ -39,13 +39,13 @@ pub trait Across {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Means {
     Integrated(Method),
-    Held(Holding),
+    Held(Index2Method),
 }
 
 impl Attempt<'_> {
     pub fn means(&self) -> Means {
         match *self {
-            Attempt::Integrated(_, method) | Attempt::Across(_, method) => Means::Integrated(method),
+            Attempt::Integrated(_, method) | Attempt::Hybrid(_, method) => Means::Integrated(method),
             Attempt::Held(_, holding) => Means::Held(holding),
         }
     }
@@ -54,8 +54,8 @@ impl Attempt<'_> {
     pub fn run(&self, tolerance: &Tolerance, span: &Span<'_, f64>, observer: &mut dyn Observer<f64>) -> Outcome<f64> {
         match *self {
             Attempt::Integrated(system, method) => integrate(system, method, tolerance, span, observer),
-            Attempt::Held(held, holding) => hold(held, holding, span, observer),
-            Attempt::Across(motion, method) => motion.run(method, tolerance, span, observer),
+            Attempt::Held(held, holding) => integrate_index2(held, holding, span, observer),
+            Attempt::Hybrid(motion, method) => motion.run(method, tolerance, span, observer),
         }
     }
 
@@ -64,7 +64,7 @@ impl Attempt<'_> {
     pub fn evaluations(&self, work: &crate::Work) -> u64 {
         let columns = match *self {
             Attempt::Integrated(system, _) => crate::Ode::<f64>::dimension(system),
-            Attempt::Across(motion, _) => motion.dimension(),
+            Attempt::Hybrid(motion, _) => motion.dimension(),
             Attempt::Held(held, _) => {
                 let (states, multipliers) = crate::Index2Dae::<f64>::sizes(held);
                 states + multipliers

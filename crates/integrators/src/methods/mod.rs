@@ -8,7 +8,7 @@
 //! * [`dae`]: laws that multipliers hold to constraints, DAEs of index 2;
 //! * [`adaptors`]: solvers of other crates.
 //!
-//! [`Method`] names them, [`integrate`](fn@integrate) runs them on a law, [`hold()`] on a law with constraints, [`Attempt`] on either.
+//! [`Method`] names them, [`integrate`](fn@integrate) runs them on a law, [`integrate_index2()`] on a law with constraints, [`Attempt`] on either.
 
 mod adaptors;
 mod constrained_run;
@@ -21,8 +21,8 @@ mod method;
 mod splitting;
 pub(crate) mod taylor;
 
-pub use constrained_run::{Across, Attempt, Means};
-pub use dae::{Holding, hold, integrate_projected};
+pub use constrained_run::{Attempt, HybridMotion, Means};
+pub use dae::{Index2Method, integrate_index2, integrate_projected};
 pub use explicit::{euler_step, runge_kutta_4_step};
 pub use implicit::{Collocation, Family, nodal};
 pub use integrate::{integrate, integrate_in};

@@ -53,7 +53,7 @@ impl Splitting {
     /// The longest step where the first piece decays at this rate, 1/s; infinite where nothing decays, or no sub-step
     /// goes backwards.
     pub fn longest_step(self, rate: f64) -> f64 {
-        longest(self.goes_back(), rate)
+        longest(self.most_negative_substep(), rate)
     }
 }
 
@@ -76,7 +76,7 @@ pub(crate) struct Split<'a, S> {
 
 impl<'a, S: Real> Split<'a, S> {
     pub fn new(composed: Box<dyn Composed<S> + 'a>, splitting: Splitting, fixed: S) -> Self {
-        let (stages, back) = (splitting.stages(), splitting.goes_back());
+        let (stages, back) = (splitting.stages(), splitting.most_negative_substep());
         Split { composed, stages, back, fixed, step: None, left: Vec::new() }
     }
 

@@ -13,7 +13,7 @@
 
 mod step_halving_check;
 
-pub use step_halving_check::{Beside, Parting, Shorter, beside};
+pub use step_halving_check::{ShorterRun, StepHalvingCheck, StepHalvingVerdict, check_by_step_halving};
 
 use field::{DoubleDouble, Over};
 

@@ -17,26 +17,26 @@ use std::fmt;
 
 /// The result of comparing a run that reached its end with runs of shorter steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Parting {
+pub enum StepHalvingVerdict {
     /// The runs converge: with half the step, states differ by at most this relative amount.
-    Follows { apart: f64 },
+    Converges { apart: f64 },
     /// The runs with shorter steps differ from this time on.
-    Parts { from: f64 },
+    Departs { from: f64 },
     /// The runs with shorter steps stop here, for this reason.
     Stops { at: f64, why: &'static str },
     /// The runs had too little work or time to decide.
-    Open,
+    Undecided,
 }
 
 /// The result, with the work it took.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Beside {
-    pub parting: Parting,
+pub struct StepHalvingCheck {
+    pub verdict: StepHalvingVerdict,
     pub work: Work,
 }
 
 /// A run with shorter steps: its outcome, its record at the same times, and the reason why the law ended, if it did.
-pub type Shorter = (Outcome<f64>, Record<f64>, Option<&'static str>);
+pub type ShorterRun = (Outcome<f64>, Record<f64>, Option<&'static str>);
 
 /// The part of a state's size from which on a difference is visible.
 const SEEN: f64 = 0.01;
@@ -49,38 +49,42 @@ const WHOLE: f64 = 0.5;
 const ROUNDING: f64 = 1e-9;
 
 /// Judges a run that reached its end, by runs with half its step and, in doubt, a quarter. `None` for methods that follow a tolerance.
-pub fn beside(method: Method, record: &Record<f64>, mut run: impl FnMut(Method) -> Shorter) -> Option<Beside> {
+pub fn check_by_step_halving(
+    method: Method,
+    record: &Record<f64>,
+    mut run: impl FnMut(Method) -> ShorterRun,
+) -> Option<StepHalvingCheck> {
     let (half, quarter) = (method.refined(2)?, method.refined(4)?);
     let mut work = Work::default();
     let mut shorter = |method: Method| {
         let (outcome, seen, left) = run(method);
         work = work + outcome.work;
         match (left, outcome.failure()) {
-            (Some(why), _) => Err(Parting::Stops { at: outcome.time, why }),
+            (Some(why), _) => Err(StepHalvingVerdict::Stops { at: outcome.time, why }),
             (None, None) if seen.times == record.times => Ok(seen),
-            (None, None | Some(Failure::TooManyEvaluations { .. })) => Err(Parting::Open),
-            (None, Some(failure)) if failure.is_broken_off() => Err(Parting::Open),
-            (None, Some(failure)) => Err(Parting::Stops { at: outcome.time, why: failure.name() }),
+            (None, None | Some(Failure::TooManyEvaluations { .. })) => Err(StepHalvingVerdict::Undecided),
+            (None, Some(failure)) if failure.is_broken_off() => Err(StepHalvingVerdict::Undecided),
+            (None, Some(failure)) => Err(StepHalvingVerdict::Stops { at: outcome.time, why: failure.name() }),
         }
     };
-    let mut judge = || -> Result<Parting, Parting> {
+    let mut judge = || -> Result<StepHalvingVerdict, StepHalvingVerdict> {
         let once = shorter(half)?;
         let first = Differences::along([record, &once, &once]);
         let whole = sizes(&first);
         if first.iter().all(|seen| !seen.visible(&whole)) {
-            return Ok(Parting::Follows { apart: first.last().map_or(0.0, Differences::apart) });
+            return Ok(StepHalvingVerdict::Converges { apart: first.last().map_or(0.0, Differences::apart) });
         }
         let twice = shorter(quarter)?;
         let all = Differences::along([record, &once, &twice]);
         let whole = sizes(&all);
         let parts = all.iter().position(|seen| seen.far(&whole) || seen.stays(&whole));
         Ok(match parts.and_then(|place| record.times.get(place)) {
-            Some(from) => Parting::Parts { from: *from },
-            None => Parting::Follows { apart: all.last().map_or(0.0, Differences::apart) },
+            Some(from) => StepHalvingVerdict::Departs { from: *from },
+            None => StepHalvingVerdict::Converges { apart: all.last().map_or(0.0, Differences::apart) },
         })
     };
-    let parting = judge().unwrap_or_else(|ended| ended);
-    Some(Beside { parting, work })
+    let verdict = judge().unwrap_or_else(|ended| ended);
+    Some(StepHalvingCheck { verdict, work })
 }
 
 /// The size of each state over the whole run.
@@ -131,49 +135,49 @@ impl Differences {
     }
 }
 
-impl Parting {
+impl StepHalvingVerdict {
     /// Whether the run departs from its law.
-    pub fn parts(&self) -> bool {
-        matches!(self, Parting::Parts { .. } | Parting::Stops { .. })
+    pub fn departs(&self) -> bool {
+        matches!(self, StepHalvingVerdict::Departs { .. } | StepHalvingVerdict::Stops { .. })
     }
 
     /// Whether the run may be used: it does not depart from its law, and its error, where estimated, is below the
     /// size of each state.
     pub fn serves(&self) -> bool {
         match self {
-            Parting::Follows { apart } => *apart < WHOLE,
-            Parting::Parts { .. } | Parting::Stops { .. } => false,
-            Parting::Open => true,
+            StepHalvingVerdict::Converges { apart } => *apart < WHOLE,
+            StepHalvingVerdict::Departs { .. } | StepHalvingVerdict::Stops { .. } => false,
+            StepHalvingVerdict::Undecided => true,
         }
     }
 
     /// The name without place and time.
     pub fn name(&self) -> &'static str {
         match self {
-            Parting::Follows { .. } => "shorter steps come nearer",
-            Parting::Parts { .. } => "shorter steps lead elsewhere",
-            Parting::Stops { .. } => "shorter steps are stopped",
-            Parting::Open => "shorter steps take too long",
+            StepHalvingVerdict::Converges { .. } => "shorter steps come nearer",
+            StepHalvingVerdict::Departs { .. } => "shorter steps lead elsewhere",
+            StepHalvingVerdict::Stops { .. } => "shorter steps are stopped",
+            StepHalvingVerdict::Undecided => "shorter steps take too long",
         }
     }
 }
 
-impl fmt::Display for Beside {
+impl fmt::Display for StepHalvingCheck {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.parting {
-            Parting::Follows { apart } => {
+        match self.verdict {
+            StepHalvingVerdict::Converges { apart } => {
                 write!(f, "half of each changes a state by {apart:.1e} of its size at most")?;
-                if !self.parting.serves() {
+                if !self.verdict.serves() {
                     write!(f, ": the error is as large as the state")?;
                 }
             }
-            Parting::Parts { from } => {
+            StepHalvingVerdict::Departs { from } => {
                 write!(f, "they do not follow the law: from t = {} s on shorter ones lead elsewhere", Instant(from))?;
             }
-            Parting::Stops { at, why } => {
+            StepHalvingVerdict::Stops { at, why } => {
                 write!(f, "they do not follow the law: shorter ones are stopped at t = {} s, {why}", Instant(at))?;
             }
-            Parting::Open => write!(f, "not judged, since shorter ones take longer than is allowed")?,
+            StepHalvingVerdict::Undecided => write!(f, "not judged, since shorter ones take longer than is allowed")?,
         }
         write!(f, " ({} evaluations more)", self.work.rates)
     }
@@ -209,7 +213,7 @@ mod tests {
     }
     impl System for Swinging {}
 
-    fn judged(system: &dyn System, start: &[f64], end: f64, method: Method) -> Parting {
+    fn judged(system: &dyn System, start: &[f64], end: f64, method: Method) -> StepHalvingVerdict {
         let run = |method: Method| {
             let mut record = Record::new();
             let span = Span::new(0.0, end, start).with_even_outputs(20);
@@ -218,7 +222,7 @@ mod tests {
         };
         let (outcome, record, _) = run(method);
         assert!(outcome.reached(), "{outcome:?}");
-        beside(method, &record, run).expect("its steps are constant").parting
+        check_by_step_halving(method, &record, run).expect("its steps are constant").verdict
     }
 
     #[test]
@@ -226,12 +230,12 @@ mod tests {
         for steps in [60, 100, 1000, 10_000] {
             for method in [Method::Euler { steps }, Method::RungeKutta4 { steps }] {
                 let found = judged(&Falling, &[1.0], 1.0, method);
-                assert!(found.parts(), "{method}: {found:?}");
-                if let Parting::Parts { from } = found {
+                assert!(found.departs(), "{method}: {found:?}");
+                if let StepHalvingVerdict::Departs { from } = found {
                     assert!((0.5..0.9).contains(&from), "{method}: {from}");
                 }
                 let before = judged(&Falling, &[1.0], 0.45, method);
-                assert!(!before.parts(), "{method}: {before:?}");
+                assert!(!before.departs(), "{method}: {before:?}");
             }
         }
     }
@@ -240,11 +244,12 @@ mod tests {
     #[test]
     fn what_converges_is_not_named_and_its_error_is_told() {
         let euler = |steps, end| judged(&Swinging, &[1.0, 0.0], end, Method::Euler { steps });
-        let Parting::Follows { apart } = euler(100, 4.0) else { panic!("{:?}", euler(100, 4.0)) };
+        let StepHalvingVerdict::Converges { apart } = euler(100, 4.0) else { panic!("{:?}", euler(100, 4.0)) };
         // half of exp(0.08) - 1
         assert!((0.03..0.06).contains(&apart), "{apart}");
-        assert!(euler(40, 40.0).parts(), "{:?}", euler(40, 40.0));
-        let Parting::Follows { apart } = judged(&Swinging, &[1.0, 0.0], 40.0, Method::RungeKutta4 { steps: 2000 })
+        assert!(euler(40, 40.0).departs(), "{:?}", euler(40, 40.0));
+        let StepHalvingVerdict::Converges { apart } =
+            judged(&Swinging, &[1.0, 0.0], 40.0, Method::RungeKutta4 { steps: 2000 })
         else {
             panic!("it converges")
         };

@@ -20,7 +20,7 @@ pub enum Over {
     /// The deadline of the process has passed.
     Time,
     /// The user asked for the end.
-    Asked,
+    Interrupted,
 }
 
 impl Over {
@@ -28,7 +28,7 @@ impl Over {
     pub fn failure(self, at: f64) -> Failure {
         match self {
             Over::Time => Failure::OutOfTime { at },
-            Over::Asked => Failure::Interrupted { at },
+            Over::Interrupted => Failure::Interrupted { at },
         }
     }
 }
@@ -39,7 +39,7 @@ pub fn set_deadline(deadline: Instant) {
 }
 
 /// Every integration of the process ends now.
-pub fn ask_for_the_end() {
+pub fn request_end() {
     ASKED.store(true, Relaxed);
 }
 
@@ -52,7 +52,7 @@ pub fn is_asked() -> bool {
 /// Whether integrations are to end, and why. A caller that gets a reason stops its work.
 pub fn over() -> Option<Over> {
     let over = match DEADLINE.get() {
-        _ if is_asked() => Over::Asked,
+        _ if is_asked() => Over::Interrupted,
         Some(end) if Instant::now() >= *end => Over::Time,
         _ => return None,
     };

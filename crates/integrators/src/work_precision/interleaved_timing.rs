@@ -21,11 +21,11 @@ pub struct Median {
 
 /// Medians of runs that take turns until each is settled or the time is over. A run that returns false is not called
 /// again and has no median; nor has one that was not called because the time was over.
-pub fn taking_turns(count: usize, allowed: Duration, run: impl FnMut(usize) -> bool) -> Vec<Option<Median>> {
+pub fn interleaved(count: usize, allowed: Duration, run: impl FnMut(usize) -> bool) -> Vec<Option<Median>> {
     at_most(ENOUGH, count, allowed, run)
 }
 
-/// [`taking_turns`] with at most so many turns.
+/// [`interleaved`] with at most so many turns.
 pub(crate) fn at_most(
     enough: usize,
     count: usize,
@@ -87,7 +87,7 @@ mod tests {
     fn runs_take_turns_and_one_that_fails_has_no_median() {
         let mut order = Vec::new();
         let wait = |index: usize| std::thread::sleep(Duration::from_millis(index as u64));
-        let found = taking_turns(3, Duration::from_secs(10), |index| {
+        let found = interleaved(3, Duration::from_secs(10), |index| {
             order.push(index);
             wait(index);
             index != 0
@@ -100,6 +100,6 @@ mod tests {
 
     #[test]
     fn without_time_there_is_no_median() {
-        assert_eq!(taking_turns(2, Duration::ZERO, |_| true), [None, None]);
+        assert_eq!(interleaved(2, Duration::ZERO, |_| true), [None, None]);
     }
 }

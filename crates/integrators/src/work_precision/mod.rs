@@ -5,7 +5,7 @@ mod interleaved_timing;
 mod regret;
 
 pub use front::{excess, front};
-pub use interleaved_timing::{Median, taking_turns};
+pub use interleaved_timing::{Median, interleaved};
 pub use regret::{Regrets, Trial, cost};
 
 use std::time::{Duration, Instant};
@@ -105,7 +105,7 @@ pub fn measure(runs: &[Timed<'_>], allowed: Duration) -> Vec<Option<Median>> {
     let excess = excess(&runs.iter().zip(&times).map(measured).collect::<Vec<_>>());
     let near: Vec<usize> = (0..runs.len()).filter(|&at| excess[at] <= NEAR).collect();
     let left = deadline.saturating_duration_since(Instant::now());
-    for (at, time) in near.iter().zip(taking_turns(near.len(), left, |turn| go(near[turn]))) {
+    for (at, time) in near.iter().zip(interleaved(near.len(), left, |turn| go(near[turn]))) {
         times[*at] = time.filter(|time| time.measurements >= FEW).or(times[*at]);
     }
     times

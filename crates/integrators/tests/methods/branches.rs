@@ -1,6 +1,8 @@
 //! Branches of solutions: textbook folds, their places, and the stability on either side.
 
-use dalembert_integrators::{Curve, Equilibria, Failure, Last, Ode, System, Walk, follow, spectrum};
+use dalembert_integrators::{
+    BranchEnd, ContinuationSettings, Curve, Equilibria, Failure, Ode, System, continue_branch, spectrum,
+};
 use field::{Analytic, Over};
 
 /// f(x, p) = 0 with its two derivatives.
@@ -18,15 +20,15 @@ impl Curve for Plane {
     }
 }
 
-fn walk<'a>(sizes: &'a [f64], within: &'a dyn Fn(&[f64]) -> bool) -> Walk<'a> {
-    Walk { sizes, parameter: sizes.len() - 1, step: 0.2, most: 400, within }
+fn walk<'a>(sizes: &'a [f64], within: &'a dyn Fn(&[f64]) -> bool) -> ContinuationSettings<'a> {
+    ContinuationSettings { sizes, parameter: sizes.len() - 1, step: 0.2, most: 400, within }
 }
 
 #[test]
 fn a_circle_closes_and_its_folds_are_known_to_rounding() {
     let mut circle = Plane(|x, p| [x * x + p * p - 1.0, 2.0 * x, 2.0 * p]);
-    let found = follow(&mut circle, &[1.1, 0.0], &[0.0, 1.0], &walk(&[1.0; 2], &|_| true)).expect("a circle");
-    assert_eq!(found.last, Last::Closed);
+    let found = continue_branch(&mut circle, &[1.1, 0.0], &[0.0, 1.0], &walk(&[1.0; 2], &|_| true)).expect("a circle");
+    assert_eq!(found.last, BranchEnd::Closed);
     let folds: Vec<&[f64]> = found.folds().map(|fold| &fold.x[..]).collect();
     assert_eq!(folds.len(), 2, "{folds:?}");
     for (fold, p) in folds.iter().zip([1.0, -1.0]) {
@@ -44,25 +46,27 @@ fn a_cubic_turns_back_twice_in_units_of_any_size() {
         [p - x * x * x + 3.0 * x, (3.0 - 3.0 * x * x) * 1e6, 1e-6]
     });
     let within = |x: &[f64]| x[1].abs() < 1e7;
-    let found = follow(&mut cubic, &[-3e-6, -18e6], &[1.0, 0.0], &walk(&[1e-6, 1e6], &|_| true)).expect("a curve");
+    let found =
+        continue_branch(&mut cubic, &[-3e-6, -18e6], &[1.0, 0.0], &walk(&[1e-6, 1e6], &|_| true)).expect("a curve");
     let folds: Vec<&[f64]> = found.folds().map(|fold| &fold.x[..]).collect();
     assert_eq!(folds.len(), 2);
     for (fold, x) in folds.iter().zip([-1.0, 1.0]) {
         assert!((fold[0] * 1e6 - x).abs() < 1e-13 && (fold[1] * 1e-6 + 2.0 * x).abs() < 1e-14, "{fold:?}");
     }
-    let bounded = follow(&mut cubic, &[-2e-6, -2e6], &[1.0, 0.0], &walk(&[1e-6, 1e6], &within)).expect("a curve");
-    assert_eq!(bounded.last, Last::Outside);
+    let bounded =
+        continue_branch(&mut cubic, &[-2e-6, -2e6], &[1.0, 0.0], &walk(&[1e-6, 1e6], &within)).expect("a curve");
+    assert_eq!(bounded.last, BranchEnd::Outside);
     assert!(bounded.places.iter().all(|place| within(&place.x)));
 }
 
 #[test]
 fn where_the_equations_end_the_walk_stalls_and_where_there_is_none_it_does_not_begin() {
     let mut root = Plane(|x, p| [x - p.sqrt(), 1.0, -0.5 / p.sqrt()]);
-    let found = follow(&mut root, &[1.0, 1.0], &[0.0, -1.0], &walk(&[1.0; 2], &|_| true)).expect("a curve");
+    let found = continue_branch(&mut root, &[1.0, 1.0], &[0.0, -1.0], &walk(&[1.0; 2], &|_| true)).expect("a curve");
     let end = found.places.last().expect("the start at least");
-    assert!(found.last == Last::Stalled && end.x[1] < 1e-3, "{:?} {end:?}", found.last);
+    assert!(found.last == BranchEnd::Stalled && end.x[1] < 1e-3, "{:?} {end:?}", found.last);
     let mut none = Plane(|x, p| [x * x + p * p + 1.0, 2.0 * x, 2.0 * p]);
-    assert_eq!(follow(&mut none, &[1.0, 1.0], &[1.0, 0.0], &walk(&[1.0; 2], &|_| true)), None);
+    assert_eq!(continue_branch(&mut none, &[1.0, 1.0], &[1.0, 0.0], &walk(&[1.0; 2], &|_| true)), None);
 }
 
 /// x'' = p - sin x - 0.3 x' with p a state that rests.
@@ -85,7 +89,7 @@ fn stability_is_exchanged_at_the_fold_of_a_pendulum_with_a_torque() {
     let mut rest = Equilibria::new(&Turned);
     let within = |x: &[f64]| x[0] < 3.0;
     let start = [0.0; 3];
-    let found = follow(&mut rest, &start, &[0.0, 0.0, 1.0], &walk(&[1.0; 3], &within)).expect("a branch");
+    let found = continue_branch(&mut rest, &start, &[0.0, 0.0, 1.0], &walk(&[1.0; 3], &within)).expect("a branch");
     let fold = found.places.iter().position(|place| place.fold).expect("a fold");
     let at = &found.places[fold].x;
     assert!((at[2] - 1.0).abs() < 1e-15 && (at[0] - std::f64::consts::FRAC_PI_2).abs() < 1e-14, "{at:?}");

@@ -2,20 +2,20 @@
 
 use crate::problems::{Growth, LooseRim, Rim, distance};
 use dalembert_integrators::{
-    Failure, Holding, Index2Dae, Index2DaeSystem, Method, Observer, Ode, Refusal, Span, System, Working, hold,
-    integrate_projected,
+    Failure, Index2Dae, Index2DaeSystem, Index2Method, Method, Observer, Ode, Refusal, Span, System, Working,
+    integrate_index2, integrate_projected,
 };
 use field::{Analytic, DoubleDouble, Over};
 
 const SPAN: f64 = 2.0;
 
 /// Every method, with so many steps.
-pub fn methods(steps: u32) -> [Holding; 8] {
-    let radau = |stages| Holding::RadauIIA { stages, steps };
-    let gauss = |stages| Holding::ProjectedGauss { stages, steps };
+pub fn methods(steps: u32) -> [Index2Method; 8] {
+    let radau = |stages| Index2Method::RadauIIA { stages, steps };
+    let gauss = |stages| Index2Method::ProjectedGauss { stages, steps };
     [
-        Holding::HalfExplicitEuler { steps },
-        Holding::HalfExplicitRungeKutta4 { steps },
+        Index2Method::HalfExplicitEuler { steps },
+        Index2Method::HalfExplicitRungeKutta4 { steps },
         radau(1),
         radau(2),
         radau(3),
@@ -40,13 +40,13 @@ where
 }
 
 /// The error at the end, and the drift.
-fn run<S: Working>(method: Holding, [start, end]: [f64; 2]) -> (f64, f64)
+fn run<S: Working>(method: Index2Method, [start, end]: [f64; 2]) -> (f64, f64)
 where
     Rim: Index2Dae<S>,
 {
     let span = Span::new(start, end, &Rim::state::<S>(start));
     let mut drift = 0.0;
-    let outcome = hold(&Rim, method, &span, &mut Drift::<S>(&mut drift, std::marker::PhantomData));
+    let outcome = integrate_index2(&Rim, method, &span, &mut Drift::<S>(&mut drift, std::marker::PhantomData));
     assert!(outcome.reached(), "{method}: {:?}", outcome.failure());
     (distance(&outcome.state, &Rim::state::<S>(end)), drift)
 }
@@ -86,7 +86,7 @@ fn a_start_off_the_constraint_is_brought_onto_it_by_the_first_step() {
         start[0] += 1e-3;
         let span = Span::new(0.0, SPAN, &start);
         let mut drift = 0.0;
-        let outcome = hold(&Rim, method, &span, &mut Drift::<f64>(&mut drift, std::marker::PhantomData));
+        let outcome = integrate_index2(&Rim, method, &span, &mut Drift::<f64>(&mut drift, std::marker::PhantomData));
         assert!(outcome.reached() && drift < 2e-15, "{method}: {drift:.1e}");
     }
 }
@@ -119,19 +119,20 @@ impl Index2DaeSystem for Loose {}
 fn what_cannot_be_held_is_singular_by_name() {
     let span = Span::new(0.0, SPAN, &Rim::state::<f64>(0.0));
     for method in methods(10) {
-        let failure = hold(&Loose, method, &span, &mut ()).failure();
+        let failure = integrate_index2(&Loose, method, &span, &mut ()).failure();
         assert!(matches!(failure, Some(Failure::Singular { .. })), "{method}: {failure:?}");
     }
 }
 
 #[test]
 fn data_that_no_method_could_use_are_refused() {
-    let refusal = |method, state: &[f64]| match hold(&Rim, method, &Span::new(0.0, 1.0, state), &mut ()).failure() {
-        Some(Failure::Refused(refusal)) => Some(refusal),
-        _ => None,
-    };
+    let refusal =
+        |method, state: &[f64]| match integrate_index2(&Rim, method, &Span::new(0.0, 1.0, state), &mut ()).failure() {
+            Some(Failure::Refused(refusal)) => Some(refusal),
+            _ => None,
+        };
     let start = Rim::state::<f64>(0.0);
-    let none = Holding::RadauIIA { stages: 0, steps: 10 };
+    let none = Index2Method::RadauIIA { stages: 0, steps: 10 };
     assert_eq!(refusal(none, &start), Some(Refusal::Stages { given: 0, least: 1, most: 20 }));
     for method in methods(0) {
         assert_eq!(refusal(method, &start), Some(Refusal::Steps { given: 0 }));
@@ -146,10 +147,10 @@ fn data_that_no_method_could_use_are_refused() {
 fn evaluations_are_counted_and_bounded() {
     for method in methods(50) {
         let span = Span::new(0.0, SPAN, &Rim::state::<f64>(0.0));
-        let work = hold(&Rim, method, &span, &mut ()).work;
+        let work = integrate_index2(&Rim, method, &span, &mut ()).work;
         assert!(work.steps == 50 && work.rates >= 50 && work.rates + work.constraints >= 100, "{method}: {work}");
         let span = span.with_evaluations(20);
-        let failure = hold(&Rim, method, &span, &mut ()).failure();
+        let failure = integrate_index2(&Rim, method, &span, &mut ()).failure();
         assert!(matches!(failure, Some(Failure::TooManyEvaluations { allowed: 20, .. })), "{method}: {failure:?}");
     }
 }
@@ -235,7 +236,8 @@ fn a_constraint_that_moves_is_met_where_it_is_at_the_end_of_the_step() {
         let off =
             |state: &[DoubleDouble]| (distance(&state[..1], &Led::state(end)[..1]), distance(state, &Led::state(end)));
         for (coarse, fine) in methods(50).into_iter().zip(methods(100)) {
-            let [(_, few), (drift, many)] = [coarse, fine].map(|method| off(&hold(&Led, method, &span, &mut ()).state));
+            let [(_, few), (drift, many)] =
+                [coarse, fine].map(|method| off(&integrate_index2(&Led, method, &span, &mut ()).state));
             assert!(drift < 1e-30, "{fine}: {drift:.1e}");
             assert!((few / many).log2() > f64::from(coarse.order()) - 0.1, "{coarse}: {few:.1e} and {many:.1e}");
         }

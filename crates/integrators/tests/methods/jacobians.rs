@@ -30,6 +30,6 @@ fn every_column_is_the_central_difference_of_the_rates() {
 fn the_slope_in_time_is_that_of_the_law() {
     let (t, y) = (0.8_f64, 0.5);
     let mut slopes = [0.0];
-    Jacobian::new(&Drive).time_slopes(t, &[y], &mut slopes);
+    Jacobian::new(&Drive).time_derivatives(t, &[y], &mut slopes);
     assert!((slopes[0] + t.sin() * y * y).abs() < 1e-15);
 }

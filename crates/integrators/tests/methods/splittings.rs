@@ -135,7 +135,7 @@ fn the_odd_powers_of_the_shares_below_the_order_sum_to_zero() {
 #[test]
 fn the_piece_of_the_friction_goes_back_by_a_sixth_of_a_step_at_most() {
     for splitting in Splitting::ALL {
-        assert!(splitting.goes_back() < 1.0 / 6.0, "{splitting:?}: {}", splitting.goes_back());
+        assert!(splitting.most_negative_substep() < 1.0 / 6.0, "{splitting:?}: {}", splitting.most_negative_substep());
     }
 }
 

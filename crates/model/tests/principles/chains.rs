@@ -14,7 +14,7 @@ fn principles_and_statements_agree_on_a_chain_of_eight_links() {
         let is_known = |found: &Agreement| matches!(found, Agreement::Proved { .. } | Agreement::Identified { .. });
         for other in Principle::ALL.into_iter().skip(1) {
             let found = dalembert_model::agreement(&trace, Principle::Lagrange, other).expect("it applies");
-            assert_eq!(found.rung(), "proved", "{}: {found}", other.name());
+            assert_eq!(found.degree(), "proved", "{}: {found}", other.name());
         }
         for stated in dalembert_model::statements(&trace) {
             assert!(is_known(&stated.agreement), "{}: {}", stated.subject, stated.agreement);

@@ -5,7 +5,7 @@
 //! model = "text"
 //! field_speed = "150 rad/s"
 //! field_energy = "-b0*cos(g)"            # U(g), J
-//! moment_law = "-mu*g' - f*phi'"         # m(g', phi'), N m
+//! torque_law = "-mu*g' - f*phi'"         # m(g', phi'), N m
 //!
 //! [machine.parameters]
 //! b0 = "0.15 N m"
@@ -42,9 +42,9 @@ const FIELD_ENERGY: Kind = Kind {
     unit: "J",
     motion: KnownMotion::Angle,
 };
-const MOMENT_LAW: Kind = Kind {
-    key: "moment_law",
-    meaning: "moment m(g', phi') of friction and slip",
+const TORQUE_LAW: Kind = Kind {
+    key: "torque_law",
+    meaning: "torque m(g', phi') of friction and slip",
     unit: "N m",
     motion: KnownMotion::Speeds,
 };
@@ -94,7 +94,7 @@ pub(super) fn read(mut table: Table<'_>, issues: &mut Vec<Issue>) -> Option<Moto
     }
     let mut laws = Reader::new(&names);
     let energy = laws.optional(&mut table, FIELD_ENERGY);
-    let moment = laws.law(&mut table, MOMENT_LAW);
+    let torque = laws.law(&mut table, TORQUE_LAW);
     let mut windings = Vec::new();
     for (mut winding, current) in tables.into_iter().zip(&names.currents) {
         windings.extend(read_winding(&mut winding, current, &mut laws));
@@ -109,7 +109,7 @@ pub(super) fn read(mut table: Table<'_>, issues: &mut Vec<Issue>) -> Option<Moto
     wrong.extend(table.finish());
     let sound = wrong.is_empty();
     issues.extend(wrong);
-    let At { value: moment, span: moment_span } = moment.filter(|_| sound)?;
+    let At { value: torque, span: torque_span } = torque.filter(|_| sound)?;
     let energy = energy.map_or(Sym::ZERO, |law| law.value);
     let (places, windings): (Vec<Places>, Vec<_>) = windings.into_iter().unzip();
     let found = issues.len();
@@ -122,7 +122,7 @@ pub(super) fn read(mut table: Table<'_>, issues: &mut Vec<Issue>) -> Option<Moto
         rotor: if Expressions::know_angle(energy, &windings) { RotorState::AngleAndSpeed } else { RotorState::Speed },
         frame_speed: Sym::symbol(&FIELD_SPEED.name),
         energy,
-        moment,
+        torque,
         windings,
         settled: Vec::new(),
     };
@@ -158,8 +158,8 @@ pub(super) fn read(mut table: Table<'_>, issues: &mut Vec<Issue>) -> Option<Moto
             "its power is {:.4} W at phi' = {:.4} rad/s, and more at higher speeds",
             backwards.power, backwards.at
         );
-        let title = "the moment law drives the rotor ever harder in both directions";
-        issues.push(Issue::at(moment_span, title, label).accepted(Bound::Friction.accepted(-1.0)));
+        let title = "the torque law drives the rotor ever harder in both directions";
+        issues.push(Issue::at(torque_span, title, label).accepted(Bound::Friction.accepted(-1.0)));
     }
     (issues.len() == found).then_some(motor)
 }

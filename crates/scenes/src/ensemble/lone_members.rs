@@ -5,7 +5,7 @@ use super::ModelEnsemble;
 use crate::changing_laws::is_watched;
 use crate::modes::{Modes, Refused, described};
 use model::Model;
-use simulation::ensemble::{Drawn, Ended, Last, RunsAlone, Stopped};
+use simulation::ensemble::{Drawn, Ended, IndividualMembers, Last, Stopped};
 use simulation::{Choice, IvpScene};
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -20,7 +20,7 @@ pub(super) fn laws_of(model: &Model, has_haste: bool) -> Option<String> {
     (is_watched(model) || has_haste).then(|| described(model).unwrap_or_else(|reason| reason.to_string()))
 }
 
-impl RunsAlone for ModelEnsemble {
+impl IndividualMembers for ModelEnsemble {
     fn run_alone(&self, drawn: &[Drawn], goes_on: &dyn Fn() -> bool) -> Result<Ended, Stopped> {
         let (parameters, start) = self.placed(drawn)?;
         let mut model = (*self.scene.model).clone();

@@ -13,13 +13,13 @@ use crate::row_units::columns;
 use crate::scene::{Given, ModelScene};
 use crate::start::{Completed, SingularPositions, StartSolver, Unmet, given, in_touch, start_speeds};
 use crate::warnings::warn_of;
-use integrators::{LaneSeries, Method, Projection};
+use integrators::{BatchSeries, Method, Projection};
 use lone_members::laws_of;
 use model::{Fault, Model, bare_angle, turned_further};
 use reader::{SceneError, tables};
 use simulation::ensemble::{
-    Column, Drawn, EnsembleScene, LANES, Last, Member, ParametricSystem, RunsAlone, Shape, Sizes, Stopped, Variable,
-    lane_series, vary,
+    BATCH_SIZE, Column, Drawn, EnsembleScene, IndividualMembers, Last, Member, ParametricSystem, Shape, Sizes, Stopped,
+    Variable, batch_series, vary,
 };
 use simulation::events::Margins;
 use simulation::{Axes, Choice, IvpScene, Run, RunFailure};
@@ -45,7 +45,7 @@ struct ModelEnsemble {
 /// The law of all members.
 #[derive(Debug)]
 enum Law {
-    SideBySide(Box<ParametricLaw>),
+    Batch(Box<ParametricLaw>),
     /// Text that determines the laws of members that run alone, for the fingerprint.
     Alone(String),
 }
@@ -189,10 +189,10 @@ impl ModelEnsemble {
         let has_haste = !scene.system.law().step_bounds(0.0, scene.run.span).is_empty();
         let law = match laws_of(model, has_haste) {
             Some(laws) => Law::Alone(laws),
-            None => Law::SideBySide(Box::new(ParametricLaw::of(model).map_err(Unmet::NotCompiled)?)),
+            None => Law::Batch(Box::new(ParametricLaw::of(model).map_err(Unmet::NotCompiled)?)),
         };
         let projection = match &law {
-            Law::SideBySide(_) => ConstraintProjection::of_members(model),
+            Law::Batch(_) => ConstraintProjection::of_members(model),
             Law::Alone(_) => None,
         };
         // members may start where other constraints are redundant
@@ -285,14 +285,14 @@ impl ParametricSystem for ModelEnsemble {
         Sizes { states: model.positions() + model.speeds(), parameters: model.parameters.len() }
     }
 
-    fn series(&self, order: usize) -> Option<Box<dyn LaneSeries<LANES> + '_>> {
+    fn series(&self, order: usize) -> Option<Box<dyn BatchSeries<BATCH_SIZE> + '_>> {
         match &self.law {
-            Law::SideBySide(law) => lane_series(&law.law, order),
+            Law::Batch(law) => batch_series(&law.law, order),
             Law::Alone(_) => None,
         }
     }
 
-    fn alone(&self) -> Option<&dyn RunsAlone> {
+    fn alone(&self) -> Option<&dyn IndividualMembers> {
         matches!(self.law, Law::Alone(_)).then_some(self)
     }
 
@@ -300,7 +300,7 @@ impl ParametricSystem for ModelEnsemble {
         let (parameters, start) = self.placed(drawn)?;
         let (own, before) = (parameters.clone(), start.clone());
         let end = Box::new(move |time: f64, state: &[f64]| match &self.law {
-            Law::SideBySide(law) => ModelEnsemble::end(law, [&own, &before], time, state),
+            Law::Batch(law) => ModelEnsemble::end(law, [&own, &before], time, state),
             Law::Alone(_) => Last { time, state: state.to_vec(), derived: Vec::new() },
         });
         let singular = self.singular.as_ref().and_then(|singular| {
@@ -335,7 +335,7 @@ impl ParametricSystem for ModelEnsemble {
     }
 
     fn columns(&self) -> Vec<Column> {
-        let keeps_energy = matches!(&self.law, Law::SideBySide(law) if law.keeps_energy);
+        let keeps_energy = matches!(&self.law, Law::Batch(law) if law.keeps_energy);
         let change = keeps_energy.then(|| Column { name: "energy_change".to_owned(), unit: "J".to_owned() });
         let shown = columns(&self.scene.model).into_iter();
         shown.map(|name| Column { unit: self.scene.unit(&name).into_owned(), name }).chain(change).collect()
@@ -345,7 +345,7 @@ impl ParametricSystem for ModelEnsemble {
         let ModelEnsemble { scene: ModelScene { model, .. }, law, .. } = self;
         let values: Vec<Option<f64>> = model.parameters.iter().map(|parameter| parameter.value).collect();
         match law {
-            Law::SideBySide(law) => write!(out, "{law:?}")?,
+            Law::Batch(law) => write!(out, "{law:?}")?,
             Law::Alone(laws) => write!(out, "{laws} {:?}", self.scene.run.method)?,
         }
         if ConstraintProjection::is_of(model) {

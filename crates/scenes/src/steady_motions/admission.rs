@@ -4,14 +4,14 @@ use super::conditions::{self, Case};
 use super::determinacy::Wanted;
 use super::quasi_velocities::state_names;
 use super::rows::{Rows, Touching};
-use super::{Asked, NoSteadyMotions};
+use super::{NoSteadyMotions, SteadySearch};
 use crate::compiled_system::has_values;
 use model::equations::vanishes;
 use model::{Contact, Model, Trace};
 use symbolic::Sym;
 
 /// The combinations of cases of the conditions of a law.
-pub(super) fn combinations(model: &Model, asked: &Asked) -> Result<Vec<Vec<Case>>, NoSteadyMotions> {
+pub(super) fn combinations(model: &Model, asked: &SteadySearch) -> Result<Vec<Vec<Case>>, NoSteadyMotions> {
     let is_refused = |one: &&Contact| one.one_way.is_some() || one.guide.is_some();
     if let Some(contact) = model.contacts.iter().find(is_refused) {
         return Err(NoSteadyMotions::Contacts { at: contact.at.clone() });

@@ -18,7 +18,7 @@ use super::quasi_velocities::{is_integral, state_names};
 use super::rows::{Rows, without_idle};
 use super::surplus::Selection;
 use super::tapes::{self, Expressions, Tapes};
-use super::{Asked, NoSteadyMotions, Range};
+use super::{SteadySearch, NoSteadyMotions, Range};
 use field::{Interval, Rational};
 use model::equations::vanishes;
 use model::{Model, Trace};
@@ -97,13 +97,13 @@ pub(super) struct SteadyEquations {
 }
 
 impl SteadyEquations {
-    pub fn of(model: &Model, asked: &Asked) -> Result<Self, NoSteadyMotions> {
+    pub fn of(model: &Model, asked: &SteadySearch) -> Result<Self, NoSteadyMotions> {
         checked(model)?;
         symbolic::apart(|| Self::written(model, asked, (None, false), &[]))
     }
 
     /// In one combination of cases of the conditions of a law that changes.
-    pub fn in_cases(model: &Model, asked: &Asked, cases: &[Case]) -> Result<Self, NoSteadyMotions> {
+    pub fn in_cases(model: &Model, asked: &SteadySearch, cases: &[Case]) -> Result<Self, NoSteadyMotions> {
         symbolic::apart(|| Self::written(model, asked, (None, false), cases))
     }
 
@@ -111,7 +111,7 @@ impl SteadyEquations {
     /// cyclic coordinates are those of the state unless an equation determines them; the conditions of the law have their cases.
     pub fn near(model: &Model, state: &[f64], cases: &[Case]) -> Result<Self, NoSteadyMotions> {
         checked_but_for_cases(model)?;
-        let written = |is_pinned| Self::written(model, &Asked::default(), (Some(state), is_pinned), cases);
+        let written = |is_pinned| Self::written(model, &SteadySearch::default(), (Some(state), is_pinned), cases);
         let is_square = |own: &Self| {
             own.is_unbalanced || own.rows == own.unknowns.len() + own.reactions && own.tapes.surplus.outputs() == 0
         };
@@ -126,7 +126,7 @@ impl SteadyEquations {
     /// In the graph of the thread; every number is the decimal that was written, so that sums such as k1 + k2 - k3 are exact.
     fn written(
         model: &Model,
-        asked: &Asked,
+        asked: &SteadySearch,
         (near, is_pinned): (Option<&[f64]>, bool),
         cases: &[Case],
     ) -> Result<Self, NoSteadyMotions> {

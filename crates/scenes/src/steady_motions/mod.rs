@@ -96,7 +96,7 @@ impl Range {
 
 /// The options of a search for steady motions.
 #[derive(Clone, Debug, Default)]
-pub struct Asked {
+pub struct SteadySearch {
     /// Ranges of coordinates, and of speeds of cyclic ones, by their names.
     pub ranges: Vec<(String, Range)>,
     /// The largest number of boxes to examine.
@@ -107,7 +107,7 @@ pub struct Asked {
     pub text: Option<Arc<Source>>,
 }
 
-impl Asked {
+impl SteadySearch {
     fn range(&self, name: &str) -> Option<Range> {
         self.ranges.iter().rev().find(|(own, _)| own == name).map(|(_, range)| *range)
     }
@@ -202,7 +202,7 @@ impl SteadyMotions {
     ///
     /// # Errors
     /// The reason for which steady motions are not searched for.
-    pub fn of(model: &Model, asked: &Asked, mut goes_on: impl FnMut() -> bool) -> Result<Self, NoSteadyMotions> {
+    pub fn of(model: &Model, asked: &SteadySearch, mut goes_on: impl FnMut() -> bool) -> Result<Self, NoSteadyMotions> {
         let names: Vec<&str> = asked.ranges.iter().map(|(name, _)| name.as_str()).collect();
         let extended = Extended::of(model, &names, None);
         let model = extended.as_ref().map_or(model, |extended| &extended.model);
@@ -216,7 +216,7 @@ impl SteadyMotions {
     /// The reason for which steady motions are not searched for.
     pub fn of_cases(
         model: &Model,
-        asked: &Asked,
+        asked: &SteadySearch,
         mut goes_on: impl FnMut() -> bool,
     ) -> Result<Vec<(Vec<Case>, Self)>, NoSteadyMotions> {
         let combinations = admission::combinations(model, asked)?;
@@ -233,7 +233,7 @@ impl SteadyMotions {
     fn found(
         model: &Model,
         (equations, extended): (SteadyEquations, Option<&Extended>),
-        asked: &Asked,
+        asked: &SteadySearch,
         goes_on: &mut dyn FnMut() -> bool,
     ) -> Self {
         let domain: Vec<Interval> = equations.unknowns.iter().map(|unknown| unknown.range.interval()).collect();

@@ -11,7 +11,7 @@
 
 use super::frame_angles::{Angles, Factor, Set};
 use super::quasi_velocities::without_part;
-use super::{Asked, Case, NoSteadyMotions, Range, SteadyMotion, SteadyMotions, Unknown};
+use super::{Case, NoSteadyMotions, Range, SteadyMotion, SteadyMotions, SteadySearch, Unknown};
 use crate::branch::settled;
 use crate::changing_laws::changes;
 use crate::readiness::independent_start;
@@ -45,7 +45,7 @@ pub struct Steep {
 #[derive(Clone, Debug)]
 pub struct Orientation {
     pub model: Model,
-    pub asked: Asked,
+    pub asked: SteadySearch,
     frames: Vec<Angles>,
     /// The orientations in which it is used, in words.
     held: Vec<String>,
@@ -62,7 +62,7 @@ impl Orientation {
     ///
     /// # Errors
     /// There are too many free frames, or a part of the text uses the free rotation itself.
-    pub fn all(source: &Source, model: &Model, asked: &Asked) -> Result<Vec<Self>, NoSteadyMotions> {
+    pub fn all(source: &Source, model: &Model, asked: &SteadySearch) -> Result<Vec<Self>, NoSteadyMotions> {
         let count = model.free.len();
         if count > MOST_FRAMES {
             let why = format!("{count} frames turn freely, and angles are tried for {MOST_FRAMES}");
@@ -109,12 +109,12 @@ impl Orientation {
             Angles { parent, frame: own.name.clone(), axes: set.axes, names: set.names, first: plain + 3 * at }
         };
         let frames = sets.iter().enumerate().map(frame).collect();
-        Ok(Orientation { model, asked: Asked::default(), frames, held: Vec::new() })
+        Ok(Orientation { model, asked: SteadySearch::default(), frames, held: Vec::new() })
     }
 
     /// Takes over the start and the ranges of the options; false if these ranges belong to other sets.
-    fn take(&mut self, original: &Model, sets: &[Set], asked: &Asked) -> bool {
-        self.asked = Asked { steep: Vec::new(), ..asked.clone() };
+    fn take(&mut self, original: &Model, sets: &[Set], asked: &SteadySearch) -> bool {
+        self.asked = SteadySearch { steep: Vec::new(), ..asked.clone() };
         for (number, (angles, set)) in self.frames.iter().zip(sets).enumerate() {
             let of = |name: &str, primes: &str| format!("{}.{name}{primes}", angles.frame);
             let range = |name: String| asked.ranges.iter().rev().find(|(own, _)| *own == name).map(|(_, range)| *range);
@@ -340,7 +340,7 @@ impl Orientation {
 }
 
 /// An expression for each bounded product; it must not be negative.
-pub(super) fn steep(trace: &Trace<'_>, names: &[String], asked: &Asked, is_cyclic: &[bool]) -> Vec<Sym> {
+pub(super) fn steep(trace: &Trace<'_>, names: &[String], asked: &SteadySearch, is_cyclic: &[bool]) -> Vec<Sym> {
     let each = asked.steep.iter().filter_map(|steep| {
         let mut product = Sym::ONE;
         for (name, factor) in &steep.factors {

@@ -2,7 +2,7 @@
 //! between neighbours.
 
 use super::along::{found_at, kinds};
-use super::{Asked, NoSteadyMotions, Range, SteadyMotions};
+use super::{NoSteadyMotions, Range, SteadyMotions, SteadySearch};
 use model::Model;
 
 /// A parameter, or the speed of a cyclic coordinate, with its range in SI units.
@@ -33,7 +33,7 @@ impl PlaneCell {
     /// The reason for which steady motions are not searched for.
     pub fn at(
         model: &Model,
-        asked: &Asked,
+        asked: &SteadySearch,
         names: [&str; 2],
         values: [f64; 2],
         goes_on: impl FnMut() -> bool,
@@ -45,7 +45,7 @@ impl PlaneCell {
     /// The column of cells at a value of the first parameter.
     pub fn column(
         model: &Model,
-        asked: &Asked,
+        asked: &SteadySearch,
         [first, second]: [Direction<'_>; 2],
         (value, rows): (f64, usize),
         mut goes_on: impl FnMut() -> bool,
@@ -75,7 +75,7 @@ impl PlaneCell {
         &self,
         other: &Self,
         model: &Model,
-        asked: &Asked,
+        asked: &SteadySearch,
         names: [&str; 2],
         mut goes_on: impl FnMut() -> bool,
     ) -> [[f64; 2]; 2] {

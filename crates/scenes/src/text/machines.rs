@@ -63,7 +63,7 @@ fn unknown(table: &mut Table<'_>) -> Option<Issue> {
     let model = machine.text("model", "name of the machine");
     let name = model.value.as_str();
     let is_prescribed =
-        |name: &str| catalogue::sampled(name, |_| 1.0, 1).is_some_and(|motor| motor.kept_speed().is_some());
+        |name: &str| catalogue::sampled(name, |_| 1.0, 1).is_some_and(|motor| motor.prescribed_speed().is_some());
     if is_prescribed(name) {
         let title = format!("`{name}` keeps the speed of its rotor under every load");
         let issue = Issue::at(model.span, title, "this is a constraint, no motor");
@@ -109,7 +109,7 @@ fn texts(drive: &str, motor: &Motor) -> Texts {
     let turned = field_speed * Sym::symbol("t");
     let angle = (of_drive("angle") - turned).circle();
     let varied = angle.varied();
-    let torque = machine.moment_law(speed - field_speed, speed) - machine.field_energy(varied).slope;
+    let torque = machine.torque_law(speed - field_speed, speed) - machine.field_energy(varied).slope;
     let currents: Vec<Sym> = (0..machine.windings()).map(|winding| of_drive(&machine.current_name(winding))).collect();
     let some = |law: Sym| (law != Sym::ZERO).then(|| law.to_string());
     let circuit = |winding: usize| {

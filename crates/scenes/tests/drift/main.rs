@@ -9,7 +9,7 @@ mod residuals;
 use dalembert_scenes::ModelScene;
 use integrators::Method;
 use machines as _;
-use simulation::work_precision::{Formulation, HeldLaw, Treated};
+use simulation::work_precision::{Formulation, SharedIndex2Dae, Treated};
 use simulation::{IvpScene, Law};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -38,7 +38,7 @@ fn plain(scene: &ModelScene) -> Arc<dyn Law> {
 }
 
 /// The equations that a motion of a scene keeps: constraints of positions, and the rates of all.
-fn kept(scene: &ModelScene) -> Arc<dyn HeldLaw> {
+fn kept(scene: &ModelScene) -> Arc<dyn SharedIndex2Dae> {
     let found = scene.ways().into_iter().find_map(|way| match way.law {
         Treated::Held(law) => Some(law),
         _ => None,

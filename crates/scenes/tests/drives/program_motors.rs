@@ -4,7 +4,7 @@ use super::{close, last, runs};
 use dalembert_scenes::ModelScene;
 use field::Circle;
 use integrators::Ode;
-use motor::{Machine, Motor, catalogue, drive};
+use motor::{Machine, Motor, catalogue, torque_and_current_rates};
 use reader::Quantity;
 
 const INERTIA: f64 = 0.01;
@@ -42,7 +42,7 @@ fn sampled(model: &str) -> Motor {
 fn own_law(motor: &Motor, angle: f64, slip: f64, currents: &[f64]) -> (f64, Vec<f64>) {
     let mut rates = vec![0.0; motor.windings()];
     let (sin, cos) = angle.sin_cos();
-    let moment = drive(motor, Circle { cos, sin }, slip, &currents[..motor.windings()], &mut rates);
+    let moment = torque_and_current_rates(motor, Circle { cos, sin }, slip, &currents[..motor.windings()], &mut rates);
     (moment, rates)
 }
 
@@ -51,7 +51,7 @@ fn every_motor_of_the_program_has_its_own_law_in_a_drive() {
     for model in catalogue::entries().into_iter().map(|entry| entry.name) {
         let motor = sampled(model);
         let text = scene(&motor);
-        if motor.kept_speed().is_some() {
+        if motor.prescribed_speed().is_some() {
             let said = ModelScene::parse("scene.toml", &text).expect_err("it is a constraint").to_string();
             assert!(said.contains("keeps the speed of its rotor"), "{said}");
             continue;

@@ -218,7 +218,7 @@ torque = "(1e-3 N m)*z"
 model = "text"
 field_speed = "50 rad/s"
 field_energy = "-b*cos(g)"
-moment_law = "-f*phi' - k*g'"
+torque_law = "-f*phi' - k*g'"
 
 [drive.machine.parameters]
 b = "0.1 N m"

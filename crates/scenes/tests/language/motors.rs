@@ -8,7 +8,8 @@ use std::fmt::Write;
 
 /// The motors of the catalogue whose rotor moves by the laws of a drive.
 fn of_drives() -> impl Iterator<Item = &'static Entry> {
-    let keeps_speed = |entry: &Entry| sampled(entry.name, |_| 1.0, 1).is_some_and(|motor| motor.kept_speed().is_some());
+    let keeps_speed =
+        |entry: &Entry| sampled(entry.name, |_| 1.0, 1).is_some_and(|motor| motor.prescribed_speed().is_some());
     entries().into_iter().filter(move |entry| !keeps_speed(entry))
 }
 

@@ -5,7 +5,7 @@ mod free_frames;
 mod lone_members;
 
 use dalembert_scenes::{ModelScene, parse_ensemble};
-use integrators::{Projection, Taylor, TaylorSeries, Tolerance, lanes_order};
+use integrators::{Projection, Taylor, TaylorSeries, Tolerance, batch_order};
 use simulation::ensemble::{EnsembleScene, Row};
 use simulation::{Axes, IvpScene};
 use std::ops::ControlFlow;
@@ -74,7 +74,7 @@ fn single(text: &str) -> (u64, Vec<f64>) {
     let tolerance = scene.run.tolerance;
     let series = problem.law.taylor().expect("its law is recorded");
     let series = OnConstraints { series, projection: problem.law.projection(), at: 0.0 };
-    let mut taylor = Taylor::new(series, &Tolerance::both(tolerance)).with_order(lanes_order(tolerance));
+    let mut taylor = Taylor::new(series, &Tolerance::both(tolerance)).with_order(batch_order(tolerance));
     let mut state = problem.state.clone();
     let steps = taylor.propagate(0.0, scene.run.span, &mut state).expect("it arrives");
     (steps, (problem.row)(scene.run.span, &state))

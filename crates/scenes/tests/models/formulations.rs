@@ -2,7 +2,7 @@
 
 use super::open;
 use dalembert_scenes::ModelScene;
-use integrators::{Holding, Method, Record, Span, Tolerance, hold, integrate};
+use integrators::{Index2Method, Method, Record, Span, Tolerance, integrate, integrate_index2};
 use simulation::work_precision::{Formulation, Treated};
 use simulation::{Axes, IvpScene};
 
@@ -20,11 +20,11 @@ fn parsed(text: &str) -> ModelScene {
 
 /// The last state by a formulation.
 fn end(law: &Treated, span: &Span<'_, f64>) -> Vec<f64> {
-    let (gauss, mut record) = (Holding::ProjectedGauss { stages: 3, steps: 400 }, Record::new());
+    let (gauss, mut record) = (Index2Method::ProjectedGauss { stages: 3, steps: 400 }, Record::new());
     let outcome = match law {
         Treated::Free(law) => integrate(&**law, Method::DormandPrince8, &Tolerance::both(1e-10), span, &mut record),
-        Treated::Held(law) => hold(&**law, gauss, span, &mut record),
-        Treated::Across(_) => panic!("these have no events"),
+        Treated::Held(law) => integrate_index2(&**law, gauss, span, &mut record),
+        Treated::Hybrid(_) => panic!("these have no events"),
     };
     assert!(outcome.reached(), "{:?}", outcome.end);
     outcome.state

@@ -109,7 +109,7 @@ fn every_principle_gives_every_model_the_same_equations() {
                     assert!(model.energies.kinetic.is_some() || is_open, "{}, {}", path.display(), other.name());
                     continue;
                 };
-                assert_eq!(found.rung(), "proved", "{}, {}: {found}", path.display(), other.name());
+                assert_eq!(found.degree(), "proved", "{}, {}: {found}", path.display(), other.name());
             }
         });
     }

@@ -137,7 +137,7 @@ fn hamel_and_maggi_take_a_kinetic_energy_and_the_others_say_why_not() {
         let trace = Trace::of(&scene.model);
         let quasi = QuasiVelocities::of(&trace).expect("they are independent");
         let found = quasi_agreement(&quasi, QuasiPrinciple::Maggi, QuasiPrinciple::Hamel).expect("it applies");
-        assert_eq!(found.rung(), "proved", "{found}");
+        assert_eq!(found.degree(), "proved", "{found}");
         for principle in [QuasiPrinciple::VirtualPower, QuasiPrinciple::Appell] {
             let why = principle.residual(&quasi).expect_err("it knows no bodies").to_string();
             assert!(why.contains("a kinetic energy is given"), "{why}");

@@ -164,10 +164,10 @@ fn a_run_across_events_ends_with_what_it_shows_last() {
     let trials = Trials { methods: Vec::new(), ..Trials::default() };
     let atlas = judged_across_events(&scene, &trials, Some(&kept), PATIENCE).unwrap_or_else(|why| panic!("{why}"));
     let way = &atlas.explored[0].way;
-    let Treated::Across(motion) = &way.law else { panic!("it has events") };
+    let Treated::Hybrid(motion) = &way.law else { panic!("it has events") };
     let run = |span: f64| {
         let (span, mut seen) = (Span::new(0.0, span, &way.state).with_even_outputs(4), Record::new());
-        let attempt = Attempt::Across(&**motion, Method::DormandPrince8);
+        let attempt = Attempt::Hybrid(&**motion, Method::DormandPrince8);
         let outcome = attempt.run(&Tolerance::both(1e-10), &span, &mut seen);
         (outcome, seen)
     };

@@ -16,7 +16,7 @@ mod smooth_laws;
 mod turning_frames;
 
 use dalembert_scenes::steady_motions::{
-    Along, Asked, Family, Near, NoSteadyMotions, Range, SteadyMotions, SteadyStability,
+    Along, Family, Near, NoSteadyMotions, Range, SteadyMotions, SteadySearch, SteadyStability,
 };
 use dalembert_scenes::{Task, parse_titled};
 use model::Model;
@@ -26,9 +26,9 @@ fn model(text: &str) -> Model {
     parse_titled("scene.toml", text, Task::Vary).unwrap_or_else(|error| panic!("{error}")).1
 }
 
-fn asked(ranges: &[(&str, f64, f64)], boxes: usize) -> Asked {
+fn asked(ranges: &[(&str, f64, f64)], boxes: usize) -> SteadySearch {
     let ranges = ranges.iter().map(|&(name, from, to)| (name.to_owned(), Range { from, to })).collect();
-    Asked { ranges, boxes, ..Asked::default() }
+    SteadySearch { ranges, boxes, ..SteadySearch::default() }
 }
 
 fn all(text: &str, ranges: &[(&str, f64, f64)]) -> SteadyMotions {
@@ -268,7 +268,7 @@ fn what_nothing_balances_has_no_steady_motion() {
 #[test]
 fn a_range_is_asked_for_where_no_circle_has_one() {
     let bistable = plane("k*(x^4/a^4 - 2*x^2/a^2 + y^2/a^2)");
-    let none = SteadyMotions::of(&model(&bistable), &Asked::default(), || true);
+    let none = SteadyMotions::of(&model(&bistable), &SteadySearch::default(), || true);
     assert_eq!(none.err(), Some(NoSteadyMotions::WithoutRange { names: vec!["x".to_owned(), "y".to_owned()] }));
     let minima = [(&[-1.0, 0.0][..], Some(true)), (&[0.0, 0.0], Some(false)), (&[1.0, 0.0], Some(true))];
     assert_are(&all(&bistable, &SIDES), &minima);

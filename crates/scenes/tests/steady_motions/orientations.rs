@@ -3,7 +3,7 @@
 use super::asked;
 use algebra::real::Root;
 use dalembert_scenes::steady_motions::{
-    Along, Asked, Change, EnclosedSpectrum, EnclosedVerdict, Orientation, Range, SteadyMotion, SteadyMotions,
+    Along, Change, EnclosedSpectrum, EnclosedVerdict, Orientation, Range, SteadyMotion, SteadyMotions, SteadySearch,
     SteadyStability,
 };
 use dalembert_scenes::{Task, parse_with_source};
@@ -130,7 +130,7 @@ fn a_turning_body_leaves_the_vertical_along_its_speed() {
         [bodies.b]\nframe = \"F\"\ncentre = \"G\"\nmass = \"1 kg\"\ninertia = { principal = [\"20 g m^2\", \"25 g m^2\", \"15 g m^2\"] }\n[run]\nspan = \"1 s\"\n";
     let (_, model, source) =
         parse_with_source("scene.toml", text, Task::Vary).unwrap_or_else(|error| panic!("{error}"));
-    let asked = Asked { text: Some(Arc::new(source)), ..asked(&[], 50_000) };
+    let asked = SteadySearch { text: Some(Arc::new(source)), ..asked(&[], 50_000) };
     let range = Range { from: 4.0, to: 9.0 };
     let along = Along::of(&model, &asked, ("F.precession'", range), 6, || true).unwrap_or_else(|why| panic!("{why:?}"));
     // about the pivot 0.03, 0.035 and 0.015 kg m^2: motions aside appear at w^2 = m g l/(B - C) and m g l/(A - C)

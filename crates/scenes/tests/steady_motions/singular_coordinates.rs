@@ -2,7 +2,7 @@
 
 use super::{all, model};
 use dalembert_scenes::linearisation::{NotLinear, VariedEquations};
-use dalembert_scenes::steady_motions::{Along, Asked, NoSteadyMotions, Range, SteadyMotion, SteadyStability};
+use dalembert_scenes::steady_motions::{Along, NoSteadyMotions, Range, SteadyMotion, SteadySearch, SteadyStability};
 
 /// A pendulum on a sphere, by two angles whose pole is below and above its centre.
 const SPHERICAL: &str = "title = \"Spherical\"\ngravity = \"-(9.81 m/s^2)*N.z\"\n[coordinates]\nph = \"rad\"\nth = \"rad\"\n\
@@ -64,7 +64,7 @@ fn a_parameter_that_takes_the_inertia_of_a_coordinate_away_is_told() {
         [bodies]\nb = { centre = \"O + R*sin(th)*N.x - R*cos(th)*N.y\", mass = \"1 kg\" }\n[run]\nspan = \"1 s\"\n";
     let along = Along::of(
         &model(text),
-        &Asked { boxes: 1_000, ..Asked::default() },
+        &SteadySearch { boxes: 1_000, ..SteadySearch::default() },
         ("R", Range { from: 0.0, to: 1.0 }),
         3,
         || true,
@@ -78,7 +78,7 @@ fn a_parameter_that_takes_the_inertia_of_a_coordinate_away_is_told() {
 
 #[test]
 fn poles_count_as_no_motions_along_a_speed() {
-    let asked = Asked { boxes: 1_000, ..Asked::default() };
+    let asked = SteadySearch { boxes: 1_000, ..SteadySearch::default() };
     let along = Along::of(&model(SPHERICAL), &asked, ("ph'", Range { from: 3.0, to: 6.0 }), 4, || true);
     let along = along.unwrap_or_else(|why| panic!("{why:?}"));
     for sample in &along.samples {

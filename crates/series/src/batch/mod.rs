@@ -22,7 +22,7 @@ use work::{Expand, Sum};
 /// L systems that differ in their parameters, states and times, one in each lane. Nothing is allocated, and no lane
 /// depends on another. `N` is a power of two above the number of quantities: no index needs a check.
 #[derive(Clone, Debug)]
-pub struct Abreast<'a, const L: usize, const N: usize = 256> {
+pub struct BatchExpansion<'a, const L: usize, const N: usize = 256> {
     order: usize,
     states: usize,
     time: bool,
@@ -48,8 +48,8 @@ impl Recurrence {
     /// registers for several numbers with a sum and product in one instruction. Until a lane is [set], all its coefficients
     /// are zero.
     ///
-    /// [set]: Abreast::set
-    pub fn abreast<const L: usize, const N: usize>(&self, order: usize) -> Option<Abreast<'_, L, N>> {
+    /// [set]: BatchExpansion::set
+    pub fn batch_expansion<const L: usize, const N: usize>(&self, order: usize) -> Option<BatchExpansion<'_, L, N>> {
         const { assert!(N.is_power_of_two() && N <= 1 << 16) };
         let plan = &self.plan;
         let last = plan.stages.iter().flat_map(Stage::places).max().unwrap_or(0);
@@ -66,7 +66,7 @@ impl Recurrence {
         let stages: Vec<Side<L>> = plan.stages.iter().map(|stage| Side::new(stage, order, &mut slots)).collect();
         let each = order / 4 + 1;
         let quantities = vec![Quantity::ZERO; N].into_boxed_slice();
-        Some(Abreast {
+        Some(BatchExpansion {
             order,
             states: plan.states,
             time: plan.time,
@@ -91,7 +91,7 @@ impl Recurrence {
     }
 }
 
-impl<const L: usize, const N: usize> Abreast<'_, L, N> {
+impl<const L: usize, const N: usize> BatchExpansion<'_, L, N> {
     /// The order of the last coefficients.
     pub fn order(&self) -> usize {
         self.order
@@ -106,7 +106,7 @@ impl<const L: usize, const N: usize> Abreast<'_, L, N> {
 
     /// Expands the solutions through these states, each at its time.
     pub fn expand(&mut self, states: &[Batch<L>], time: Batch<L>) {
-        in_wide(Expand { abreast: self, states, time });
+        in_wide(Expand { batch_expansion: self, states, time });
     }
 
     /// The coefficients a_k of the states, for k the order or one less; others are not kept in one piece.

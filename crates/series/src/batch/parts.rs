@@ -3,7 +3,7 @@
 use super::products::{Factor, Fan, paired};
 use super::sums::Rows;
 use crate::layout::Implicit;
-use crate::linear_equations::{LinearSeries, SideBySide};
+use crate::linear_equations::{LaneEquations, LinearSeries};
 use crate::plan::{Product, Quotient, Slot, Stage};
 use field::Batch;
 
@@ -15,7 +15,7 @@ pub(super) struct Side<const L: usize> {
     pub alone: Vec<Fan<L, 1>>,
     pub quotients: Vec<Implicit<Batch<L>>>,
     pub roots: Vec<Implicit<Batch<L>>>,
-    pub linear: Option<Box<LinearSeries<Batch<L>, SideBySide<L>>>>,
+    pub linear: Option<Box<LinearSeries<Batch<L>, LaneEquations<L>>>>,
 }
 
 /// The factors so far, and the number of the factor at each place.
@@ -64,7 +64,7 @@ impl<const L: usize> Side<L> {
             quotients: stage.quotients.iter().map(quotient).collect(),
             roots: stage.roots.iter().map(|&(place, of)| implicit(place, of, None)).collect(),
             linear: stage.linear.as_ref().map(|linear| {
-                let factors = SideBySide::new(&linear.pattern);
+                let factors = LaneEquations::new(&linear.pattern);
                 Box::new(LinearSeries::new(linear, order, factors, |place| place as usize))
             }),
         }

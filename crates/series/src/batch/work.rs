@@ -1,13 +1,13 @@
 //! All orders of a series, and its sum, compiled for each set of instructions.
 
-use super::Abreast;
+use super::BatchExpansion;
 use super::products::{Fan, Histories, Quantity};
 use field::Batch;
 use pulp::{Simd, WithSimd};
 
 /// All orders, compiled once for each set of instructions.
 pub(super) struct Expand<'a, 'b, 'c, const L: usize, const N: usize> {
-    pub abreast: &'a mut Abreast<'b, L, N>,
+    pub batch_expansion: &'a mut BatchExpansion<'b, L, N>,
     pub states: &'c [Batch<L>],
     pub time: Batch<L>,
 }
@@ -15,24 +15,24 @@ pub(super) struct Expand<'a, 'b, 'c, const L: usize, const N: usize> {
 impl<const L: usize, const N: usize> Expand<'_, '_, '_, L, N> {
     #[inline(always)]
     pub fn run(self) {
-        let order = self.abreast.order;
-        if self.abreast.changed {
-            self.abreast.learn();
+        let order = self.batch_expansion.order;
+        if self.batch_expansion.changed {
+            self.batch_expansion.learn();
         }
-        self.abreast.start(self.states, self.time);
+        self.batch_expansion.start(self.states, self.time);
         for k in (0..order).step_by(4) {
             if k == 0 {
-                self.abreast.four::<true>(k, order);
+                self.batch_expansion.four::<true>(k, order);
             } else {
-                self.abreast.begin(k / 4);
-                self.abreast.four::<false>(k, order);
+                self.batch_expansion.begin(k / 4);
+                self.batch_expansion.four::<false>(k, order);
             }
         }
-        self.abreast.end();
+        self.batch_expansion.end();
     }
 }
 
-impl<const L: usize, const N: usize> Abreast<'_, L, N> {
+impl<const L: usize, const N: usize> BatchExpansion<'_, L, N> {
     /// The coefficients of all systems: a late system costs no more than all at once.
     #[inline(always)]
     fn learn(&mut self) {

@@ -283,13 +283,13 @@ fn every_lane_has_the_last_terms_and_the_sum_of_its_own_series_at_any_order() {
         ([lanes(0.4, 0.1), lanes(-0.3, 0.2), lanes(0.2, -0.1)], lanes(0.5, 0.3), lanes(0.02, 0.005));
     let parameters = |lane: usize| [0.7 - 0.2 * lane as f64, 0.3 + 0.4 * lane as f64];
     for order in 2..=17 {
-        let mut abreast = recurrence.abreast::<3, 64>(order).unwrap();
-        (0..3).for_each(|lane| abreast.set(lane, &parameters(lane)));
+        let mut batch_expansion = recurrence.batch_expansion::<3, 64>(order).unwrap();
+        (0..3).for_each(|lane| batch_expansion.set(lane, &parameters(lane)));
         // a first expansion must not affect the next one
-        abreast.expand(&[Batch::all(f64::NAN); 3], times);
-        abreast.expand(&states, times);
+        batch_expansion.expand(&[Batch::all(f64::NAN); 3], times);
+        batch_expansion.expand(&states, times);
         let mut sums = [Batch::all(0.0); 3];
-        abreast.sum(h, &mut sums);
+        batch_expansion.sum(h, &mut sums);
         for lane in 0..3 {
             let mut single = recurrence.expansion::<f64, 4, 256>(&parameters(lane), order).unwrap();
             single.expand(&states.map(|y| y.0[lane]), times.0[lane]);
@@ -301,7 +301,7 @@ fn every_lane_has_the_last_terms_and_the_sum_of_its_own_series_at_any_order() {
             };
             assert!(near(&sums, &sum), "order {order}: {sums:?} for {sum:?}");
             for k in [order - 1, order] {
-                let (found, known) = (abreast.coefficients(k), &single.coefficients(k)[..3]);
+                let (found, known) = (batch_expansion.coefficients(k), &single.coefficients(k)[..3]);
                 assert!(near(found, known), "{k} of {order}: {found:?} for {known:?}");
             }
         }
@@ -326,14 +326,16 @@ fn long_sums_abreast_are_each_their_own_whether_one_stands_alone_or_five_are_ali
         let (state, rates) = alike(sums);
         let equations = Equations { state: &state, time: None, parameters: &[], rates: &rates, solve: None };
         let recurrence = Recurrence::record(&equations).unwrap();
-        let mut abreast = recurrence.abreast::<2, 64>(6).unwrap();
-        (0..2).for_each(|lane| abreast.set(lane, &[]));
+        let mut batch_expansion = recurrence.batch_expansion::<2, 64>(6).unwrap();
+        (0..2).for_each(|lane| batch_expansion.set(lane, &[]));
         let mut single = recurrence.expansion::<f64, 4, 256>(&[], 6).unwrap();
         single.expand(&start, 0.0);
         let lanes: Vec<Batch<2>> = start.iter().map(|y| Batch([*y, 0.0])).collect();
-        abreast.expand(&lanes, Batch::all(0.0));
+        batch_expansion.expand(&lanes, Batch::all(0.0));
         for k in [5, 6] {
-            for (number, (found, known)) in abreast.coefficients(k).iter().zip(single.coefficients(k)).enumerate() {
+            for (number, (found, known)) in
+                batch_expansion.coefficients(k).iter().zip(single.coefficients(k)).enumerate()
+            {
                 assert!((found.0[0] - known).abs() <= 1e-14, "{sums} sums, x{number}: {} for {known}", found.0[0]);
             }
         }

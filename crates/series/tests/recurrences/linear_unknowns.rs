@@ -95,7 +95,7 @@ fn from_any_order_on_the_digits_of_f64_do() {
 #[test]
 fn every_lane_solves_for_its_own_unknowns() {
     let (order, recurrence) = (14, links(false));
-    let mut side_by_side = recurrence.abreast::<2, 256>(order).unwrap();
+    let mut side_by_side = recurrence.batch_expansion::<2, 256>(order).unwrap();
     let masses = [1.25, 0.5];
     masses.iter().enumerate().for_each(|(lane, mass)| side_by_side.set(lane, &[*mass]));
     let other = [-0.3, 0.8, 0.1, -0.9, 0.0];

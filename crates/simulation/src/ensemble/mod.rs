@@ -5,22 +5,24 @@
 //! * [`parametric_system`]: the interface of a scene to an ensemble: names of the numbers that may vary, a law with a symbol for each,
 //!   members;
 //! * [`vary`], [`draw`]: the distributions, and random numbers that depend on seed, member and datum alone;
-//! * [`run`]: all members in lanes and threads; [`lane_series()`]: the series of a recurrence in lanes;
+//! * [`run`]: all members in lanes and threads; [`batch_series()`]: the series of a recurrence in lanes;
 //! * [`fingerprint`]: the data that decide a member, by which rows of different ensembles are distinguished.
 
+pub mod batch_series;
 pub mod draw;
 pub mod fingerprint;
-mod lane_end;
-pub mod lane_series;
+mod member_end;
 mod one_by_one;
 pub mod parametric_system;
 pub mod run;
 mod stop_reason;
 pub mod vary;
 
+pub use batch_series::batch_series;
 pub use fingerprint::Fingerprint;
-pub use lane_series::lane_series;
-pub use parametric_system::{Column, Drawn, Ended, LANES, Member, ParametricSystem, RunsAlone, Shape, Sizes, Variable};
+pub use parametric_system::{
+    BATCH_SIZE, Column, Drawn, Ended, IndividualMembers, Member, ParametricSystem, Shape, Sizes, Variable,
+};
 pub use run::{Last, Row};
 pub use stop_reason::Stopped;
 
@@ -57,7 +59,7 @@ impl EnsembleScene {
         let Variation { members, seed, varied } = variation;
         // the number of quantities does not depend on the order
         if system.alone().is_none() {
-            system.series(integrators::lanes_order(1.0)).ok_or(TooLong)?;
+            system.series(integrators::batch_order(1.0)).ok_or(TooLong)?;
         }
         Ok(EnsembleScene { system, members, seed, varied })
     }

@@ -1,19 +1,19 @@
 //! Series of the systems in lanes, one after the other: for laws with exponentials, whose arguments bound each step, and
 //! on processors without registers for several numbers.
 
-use super::lane_series::{FEW, MANY};
-use super::parametric_system::LANES;
+use super::batch_series::{FEW, MANY};
+use super::parametric_system::BATCH_SIZE;
 use crate::{Expandable, Room};
 use field::Batch;
-use integrators::LaneSeries;
+use integrators::BatchSeries;
 use series::Expansion;
 use std::cell::Cell;
 
 /// The number of quantities side by side in each system.
 const WIDTH: usize = 8;
 
-/// As [`lane_series`](super::lane_series()).
-pub(super) fn one_by_one(law: &Expandable, order: usize) -> Option<Box<dyn LaneSeries<LANES> + '_>> {
+/// As [`batch_series`](super::batch_series()).
+pub(super) fn one_by_one(law: &Expandable, order: usize) -> Option<Box<dyn BatchSeries<BATCH_SIZE> + '_>> {
     match law.recurrence.columns::<WIDTH>() {
         columns if columns <= FEW => Some(Box::new(OneByOne::<FEW>::new(law, order)?)),
         columns if columns <= MANY => Some(Box::new(OneByOne::<MANY>::new(law, order)?)),
@@ -25,7 +25,7 @@ struct OneByOne<'a, const N: usize> {
     law: &'a Expandable,
     lanes: Vec<Lane<N>>,
     /// The coefficients of the last order, and of the one before it.
-    last: [Vec<Batch<LANES>>; 2],
+    last: [Vec<Batch<BATCH_SIZE>>; 2],
     /// Room for the sum of one lane.
     sums: Cell<Vec<f64>>,
 }
@@ -50,13 +50,13 @@ impl<'a, const N: usize> OneByOne<'a, N> {
                 exponents: Room::default(),
             })
         };
-        let lanes = (0..LANES).map(|_| lane()).collect::<Option<Vec<_>>>()?;
+        let lanes = (0..BATCH_SIZE).map(|_| lane()).collect::<Option<Vec<_>>>()?;
         let last = [(); 2].map(|()| vec![Batch::all(0.0); law.states()]);
         Some(OneByOne { law, lanes, last, sums: Cell::default() })
     }
 }
 
-impl<const N: usize> LaneSeries<LANES> for OneByOne<'_, N> {
+impl<const N: usize> BatchSeries<BATCH_SIZE> for OneByOne<'_, N> {
     fn set(&mut self, lane: usize, parameters: &[f64]) {
         let lane = &mut self.lanes[lane];
         lane.expansion.set_parameters(parameters);
@@ -67,7 +67,7 @@ impl<const N: usize> LaneSeries<LANES> for OneByOne<'_, N> {
         self.lanes[0].expansion.order()
     }
 
-    fn expand(&mut self, times: Batch<LANES>, states: &[Batch<LANES>]) {
+    fn expand(&mut self, times: Batch<BATCH_SIZE>, states: &[Batch<BATCH_SIZE>]) {
         let order = self.order();
         for (place, (lane, time)) in self.lanes.iter_mut().zip(times.0).enumerate() {
             lane.extended.iter_mut().zip(states).for_each(|(own, state)| *own = state.0[place]);
@@ -82,11 +82,11 @@ impl<const N: usize> LaneSeries<LANES> for OneByOne<'_, N> {
         }
     }
 
-    fn coefficients(&self, k: usize) -> &[Batch<LANES>] {
+    fn coefficients(&self, k: usize) -> &[Batch<BATCH_SIZE>] {
         &self.last[usize::from(k != self.order())]
     }
 
-    fn sum(&self, h: Batch<LANES>, out: &mut [Batch<LANES>]) {
+    fn sum(&self, h: Batch<BATCH_SIZE>, out: &mut [Batch<BATCH_SIZE>]) {
         let mut sums = self.sums.take();
         sums.resize(out.len(), 0.0);
         for (place, (lane, h)) in self.lanes.iter().zip(h.0).enumerate() {
@@ -96,7 +96,7 @@ impl<const N: usize> LaneSeries<LANES> for OneByOne<'_, N> {
         self.sums.set(sums);
     }
 
-    fn shown(&self) -> Batch<LANES> {
+    fn shown(&self) -> Batch<BATCH_SIZE> {
         let first = self.law.states();
         let longest = |lane: &Lane<N>| {
             let term = |place: usize, k: usize| lane.expansion.coefficients(k)[first + place];

@@ -4,12 +4,12 @@ use super::run::Last;
 use super::stop_reason::Stopped;
 use crate::events::Margins;
 use crate::{Run, RunFailure};
-use integrators::{LaneSeries, Projection};
+use integrators::{BatchSeries, Projection};
 use std::borrow::Cow;
 use std::fmt;
 
-/// The number of lanes: one register of today keeps the numbers near the processor.
-pub const LANES: usize = 8;
+/// The number of members in a batch: their numbers fill one vector register.
+pub const BATCH_SIZE: usize = 8;
 
 /// A scene with the law written down once, a symbol for every number that may vary.
 pub trait ParametricSystem: fmt::Debug + Send + Sync {
@@ -22,11 +22,11 @@ pub trait ParametricSystem: fmt::Debug + Send + Sync {
     /// The numbers of states of a member and of parameters of its law.
     fn sizes(&self) -> Sizes;
 
-    /// The series of members side by side, to this order; `None` where the law is too long for them.
-    fn series(&self, order: usize) -> Option<Box<dyn LaneSeries<LANES> + '_>>;
+    /// The series of a batch of members, to this order; `None` where the law is too long for a batch.
+    fn series(&self, order: usize) -> Option<Box<dyn BatchSeries<BATCH_SIZE> + '_>>;
 
-    /// The way in which members run, where they do not run side by side.
-    fn alone(&self) -> Option<&dyn RunsAlone> {
+    /// The way in which members run, where they do not run in a batch.
+    fn alone(&self) -> Option<&dyn IndividualMembers> {
         None
     }
 
@@ -55,7 +55,7 @@ pub trait ParametricSystem: fmt::Debug + Send + Sync {
 }
 
 /// Members that run one by one: their laws change at events, at times of their own.
-pub trait RunsAlone: Sync {
+pub trait IndividualMembers: Sync {
     /// Runs the member with these numbers, while it may go on.
     ///
     /// # Errors

@@ -1,10 +1,10 @@
 //! An ensemble run: lanes in every thread, results in the order of the members.
 
-use super::lane_end::LaneEnd;
-use super::parametric_system::{Column, Ended, LANES, Member, RunsAlone};
+use super::member_end::LaneEnd;
+use super::parametric_system::{BATCH_SIZE, Column, Ended, IndividualMembers, Member};
 use super::{EnsembleScene, Stopped};
 use crate::Margin;
-use integrators::{Ensemble, Failure, LaneStep, Members};
+use integrators::{BatchStep, Ensemble, Failure, Members};
 use std::collections::BTreeMap;
 use std::ops::{ControlFlow, RangeInclusive};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -51,7 +51,7 @@ impl EnsembleScene {
                     next: &next,
                     last: *members.end(),
                     stop: &stop,
-                    aboard: Vec::with_capacity(LANES + 1),
+                    aboard: Vec::with_capacity(BATCH_SIZE + 1),
                     rows: sender.clone(),
                 };
                 scope.spawn(move || worker.work());
@@ -119,7 +119,7 @@ impl Worker<'_> {
             return self.work_alone(alone);
         }
         // a scene without a series was refused when it was made
-        let Some(series) = system.series(integrators::lanes_order(run.tolerance)) else { return };
+        let Some(series) = system.series(integrators::batch_order(run.tolerance)) else { return };
         let sizes = system.sizes();
         Ensemble::new(series, run.tolerance, run.span, sizes.states, sizes.parameters)
             .with_most_steps(MOST_STEPS)
@@ -127,7 +127,7 @@ impl Worker<'_> {
     }
 
     /// Runs one member after the other.
-    fn work_alone(&self, alone: &dyn RunsAlone) {
+    fn work_alone(&self, alone: &dyn IndividualMembers) {
         let goes_on = || !self.stop.load(Ordering::Relaxed);
         loop {
             let number = self.next.fetch_add(1, Ordering::Relaxed);
@@ -183,12 +183,12 @@ impl Members for Worker<'_> {
         self.aboard.iter().any(|aboard| aboard.member.margins.is_some())
     }
 
-    fn leaves(&mut self, number: u64, step: &LaneStep<'_>) -> Option<f64> {
+    fn leaves(&mut self, number: u64, step: &BatchStep<'_>) -> Option<f64> {
         let aboard = self.aboard.iter_mut().find(|aboard| aboard.number == number)?;
         let margins = aboard.member.margins.as_ref()?;
-        let mut lane_end = LaneEnd::new(&**margins, step, aboard.member.state.len());
-        let end = lane_end.look(step.end);
-        let left = lane_end.first([(step.begin, &aboard.margins), (step.end, &end)]);
+        let mut member_end = LaneEnd::new(&**margins, step, aboard.member.state.len());
+        let end = member_end.look(step.end);
+        let left = member_end.first([(step.begin, &aboard.margins), (step.end, &end)]);
         aboard.margins = end;
         aboard.left = left.map(|(_, what)| what);
         left.map(|(time, _)| time)

@@ -1,6 +1,6 @@
 //! The drift of an integral along a run, by its means over whole windows.
 
-use super::{Integral, KeptMotion, Window};
+use super::{Integral, MotionWithIntegrals, Window};
 use integrators::{Failure, Method, Observer, Span, Tolerance, integrate};
 use std::ops::ControlFlow;
 
@@ -115,7 +115,7 @@ impl Observer<f64> for Means<'_> {
 }
 
 /// The change of each integral from the start to the end of a span.
-fn over_span(motion: &KeptMotion<'_>, method: Method, length: f64) -> Result<Vec<Option<Measured>>, Failure> {
+fn over_span(motion: &MotionWithIntegrals<'_>, method: Method, length: f64) -> Result<Vec<Option<Measured>>, Failure> {
     let span = Span::new(0.0, length, motion.start).with_evaluations(u64::MAX);
     let outcome = integrate(motion.law, method, &Tolerance::both(1e-10), &span, &mut ());
     if let Some(failure) = outcome.failure() {
@@ -135,7 +135,7 @@ fn over_span(motion: &KeptMotion<'_>, method: Method, length: f64) -> Result<Vec
 /// # Errors
 /// Why the run ended before it had two windows.
 pub fn measured(
-    motion: &KeptMotion<'_>,
+    motion: &MotionWithIntegrals<'_>,
     method: Method,
     (window, windows): (Window, u32),
     sizes: &[f64],

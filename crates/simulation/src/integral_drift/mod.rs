@@ -53,7 +53,7 @@ impl From<Invariant> for Integral {
 }
 
 /// A motion with the integrals that it keeps.
-pub struct KeptMotion<'a> {
+pub struct MotionWithIntegrals<'a> {
     pub law: &'a dyn Law,
     /// The state at time zero.
     pub start: &'a [f64],
@@ -84,7 +84,7 @@ const EXACT: f64 = 1e-13;
 /// States of a window at which sizes are taken.
 const SIZED: usize = 64;
 
-impl KeptMotion<'_> {
+impl MotionWithIntegrals<'_> {
     /// States of the exact motion at ascending times.
     ///
     /// # Errors

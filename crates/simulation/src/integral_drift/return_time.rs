@@ -1,6 +1,6 @@
 //! The period of a motion: the first time at which the state is that of the start.
 
-use super::KeptMotion;
+use super::MotionWithIntegrals;
 use integrators::{Failure, Observer};
 
 /// The distance from the start, each component relative to its size along the motion, within which a state has returned.
@@ -40,7 +40,7 @@ impl Observer<f64> for Steps {
 ///
 /// # Errors
 /// Why the run ended before.
-pub fn return_time(motion: &KeptMotion<'_>, span: f64, gap: &Gap<'_>) -> Result<Returns, Failure> {
+pub fn return_time(motion: &MotionWithIntegrals<'_>, span: f64, gap: &Gap<'_>) -> Result<Returns, Failure> {
     let (n, start) = (motion.start.len(), motion.start);
     let mut rates = vec![0.0; n];
     motion.law.rates(0.0, start, &mut rates);

@@ -1,6 +1,6 @@
 //! The drift of an integral by single steps from points of the exact motion.
 
-use super::{KeptMotion, Window};
+use super::{MotionWithIntegrals, Window};
 use integrators::{Failure, Method, Span, Tolerance, integrate};
 use std::ops::ControlFlow;
 
@@ -41,7 +41,7 @@ const BETWEEN: f64 = 0.5;
 /// # Errors
 /// Why the exact motion, or a step, does not exist.
 pub fn expected(
-    motion: &KeptMotion<'_>,
+    motion: &MotionWithIntegrals<'_>,
     method: Method,
     window: Window,
     sizes: &[f64],
@@ -78,7 +78,7 @@ pub fn expected(
 
 /// The drift of each integral over a window and the distance between the largest and the least sum up to a point of it.
 fn defects(
-    motion: &KeptMotion<'_>,
+    motion: &MotionWithIntegrals<'_>,
     method: Method,
     (window, points, h): (Window, usize, f64),
     goes_on: &dyn Fn() -> ControlFlow<()>,

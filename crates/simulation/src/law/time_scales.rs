@@ -6,7 +6,7 @@
 
 use crate::law::program::Program;
 use field::Interval;
-use integrators::{Haste, StepBounds};
+use integrators::{FastInterval, StepBounds};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -55,7 +55,7 @@ pub struct TimeScales {
 struct Known {
     from: f64,
     to: f64,
-    found: Arc<[Haste]>,
+    found: Arc<[FastInterval]>,
 }
 
 impl TimeScales {
@@ -80,7 +80,7 @@ impl TimeScales {
             Some(known) => Arc::clone(&known.found),
             None => {
                 let all = self.functions.iter().flat_map(|function| hastes(function, from, to));
-                let found: Arc<[Haste]> = all.collect();
+                let found: Arc<[FastInterval]> = all.collect();
                 *known = Some(Known { from, to, found: Arc::clone(&found) });
                 found
             }
@@ -130,11 +130,11 @@ impl Ord for Cell {
 }
 
 /// The intervals of time on which a function changes fast.
-fn hastes(function: &Tape, from: f64, to: f64) -> Vec<Haste> {
+fn hastes(function: &Tape, from: f64, to: f64) -> Vec<FastInterval> {
     let at = |part: f64| from + (to - from) * part;
     let cells = cells(|a, b| function.range_over_last_input(Interval::new(at(a), at(b))));
     let length = (to - from).abs();
-    let bounded = |(begin, end, scale): (f64, f64, f64)| Haste {
+    let bounded = |(begin, end, scale): (f64, f64, f64)| FastInterval {
         from: at(begin),
         to: at(end.min(begin + BOUNDED * scale)),
         step: LONGEST * scale * length,

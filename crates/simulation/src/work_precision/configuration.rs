@@ -4,7 +4,7 @@ use super::measured::Trials;
 use crate::Problem;
 use crate::law::Law;
 use crate::problem::Row;
-use integrators::{Across, Attempt, Holding, Index2DaeSystem, Method, Reference, Span, survey};
+use integrators::{Attempt, HybridMotion, Index2DaeSystem, Index2Method, Method, Reference, Span, survey};
 use std::fmt;
 use std::sync::Arc;
 
@@ -98,18 +98,18 @@ pub enum Standing {
 #[derive(Clone)]
 pub enum Treated {
     Free(Arc<dyn Law>),
-    Held(Arc<dyn HeldLaw>),
+    Held(Arc<dyn SharedIndex2Dae>),
     /// Law after law, across events.
-    Across(Arc<dyn SharedAcross>),
+    Hybrid(Arc<dyn SharedHybridMotion>),
 }
 
 /// A held law that can be shared between threads.
-pub trait HeldLaw: Index2DaeSystem + Send + Sync {}
-impl<L: Index2DaeSystem + Send + Sync> HeldLaw for L {}
+pub trait SharedIndex2Dae: Index2DaeSystem + Send + Sync {}
+impl<L: Index2DaeSystem + Send + Sync> SharedIndex2Dae for L {}
 
 /// A motion across events that can be shared between threads.
-pub trait SharedAcross: Across + Send + Sync {}
-impl<L: Across + Send + Sync> SharedAcross for L {}
+pub trait SharedHybridMotion: HybridMotion + Send + Sync {}
+impl<L: HybridMotion + Send + Sync> SharedHybridMotion for L {}
 
 /// A formulation with a model, ready to be run by every method that it has.
 pub struct Configuration {
@@ -157,17 +157,17 @@ impl Configuration {
             Treated::Free(law) => {
                 trials.methods.iter().filter(split).map(|method| Attempt::Integrated(&**law, *method)).collect()
             }
-            Treated::Across(motion) => {
+            Treated::Hybrid(motion) => {
                 let steps = |method: &&Method| split(method) && (**method != Method::Taylor || motion.has_series());
-                trials.methods.iter().filter(steps).map(|method| Attempt::Across(&**motion, *method)).collect()
+                trials.methods.iter().filter(steps).map(|method| Attempt::Hybrid(&**motion, *method)).collect()
             }
             Treated::Held(law) => Trials::STEPS
                 .into_iter()
                 .flat_map(|steps| {
                     [
-                        Holding::HalfExplicitRungeKutta4 { steps },
-                        Holding::RadauIIA { stages: 3, steps },
-                        Holding::ProjectedGauss { stages: 3, steps },
+                        Index2Method::HalfExplicitRungeKutta4 { steps },
+                        Index2Method::RadauIIA { stages: 3, steps },
+                        Index2Method::ProjectedGauss { stages: 3, steps },
                     ]
                 })
                 .map(|holding| Attempt::Held(&**law, holding))

@@ -14,6 +14,8 @@ mod hybrid;
 mod measured;
 
 pub use atlas::{Atlas, Explored, Goal, Observed};
-pub use configuration::{Configuration, Formulation, HeldLaw, SharedAcross as AcrossEvents, Standing, Treated};
+pub use configuration::{
+    Configuration, Formulation, SharedHybridMotion as AcrossEvents, SharedIndex2Dae, Standing, Treated,
+};
 pub use hybrid::Hybrid;
 pub use measured::{Trials, judged, judged_across_events};

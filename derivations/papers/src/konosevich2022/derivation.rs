@@ -45,7 +45,7 @@ fn gyrostat(principle: Principle) -> Result<Vec<Equation>, NotDerived> {
             let rates = ["ψ̇", "θ̇", "φ̇", "φ̇′"].map(letter);
             let second = ["ψ̈", "θ̈", "φ̈", "φ̈′"].map(letter);
             accelerations = second.to_vec();
-            g.by_lagrange(angles, rates, second, s.moment)
+            g.by_lagrange(angles, rates, second, s.torque)
         }
         Principle::Maxwell | Principle::VirtualPower | Principle::Gauss => {
             return Err(NotDerived::Inapplicable { system: GYROSTAT.name, accepted: GYROSTAT.principles });

@@ -243,12 +243,12 @@ impl Example {
             rotor_speed: self.field_speed,
             angular_acceleration: Vector3::zeros(),
             rotor_acceleration: Rational::zero(),
-            moment: Rational::zero(),
+            torque: Rational::zero(),
         }
     }
 
     /// The residual torques about O of this rotation, by the theorem of angular momentum.
-    pub fn missing_moments(&self, angular_velocity: Rational) -> Vector3<Rational> {
+    pub fn residual_torques(&self, angular_velocity: Rational) -> Vector3<Rational> {
         let [x, y, z, _] = self.gyrostat.by_momentum(&self.rotation(angular_velocity));
         Vector3::new(x, y, z)
     }

@@ -26,7 +26,7 @@ pub struct Letters {
     pub big_gamma: Sym,
     pub dphi: Sym,
     pub ddphi: Sym,
-    pub moment: Sym,
+    pub torque: Sym,
     pub gamma: Sym,
     pub dgamma: Sym,
     pub ddgamma: Sym,
@@ -59,7 +59,7 @@ impl Default for Letters {
             big_gamma: letter("Γ"),
             dphi: letter("φ̇′"),
             ddphi: letter("φ̈′"),
-            moment: letter("M"),
+            torque: letter("M"),
             gamma: letter("γ"),
             dgamma: letter("γ̇"),
             ddgamma: letter("γ̈"),
@@ -124,7 +124,7 @@ impl Letters {
             rotor_speed: self.dphi,
             angular_acceleration: self.dw,
             rotor_acceleration: self.ddphi,
-            moment: self.moment,
+            torque: self.torque,
         }
     }
 
@@ -134,14 +134,14 @@ impl Letters {
     }
 
     /// A constant motion: w = w0 nu, everything else at rest, the rotor at a relative speed.
-    pub fn stationary(&self, rotor_speed: Sym, moment: Sym) -> MotionInstant<Sym> {
+    pub fn stationary(&self, rotor_speed: Sym, torque: Sym) -> MotionInstant<Sym> {
         MotionInstant {
             angular_velocity: self.nu * self.omega0,
             vertical: self.nu,
             rotor_speed,
             angular_acceleration: Vector3::zeros(),
             rotor_acceleration: Sym::zero(),
-            moment,
+            torque,
         }
     }
 

@@ -14,7 +14,7 @@ use machines::permanent_magnet::{Magnets, PermanentMagnet};
 use machines::synchronous::Synchronous;
 use mechanics::differentiate::along;
 use motor::FreeRotor;
-use motor::{Machine, drive, heat, is_fed, motional_moment, stored_energy, supplied};
+use motor::{Machine, electrical_power, is_fed, joule_heat, motional_torque, stored_energy, torque_and_current_rates};
 use nalgebra::Vector3;
 use symbolic::Sym;
 use systems::gyrostat::forms::{Form, SecondForm};
@@ -39,7 +39,7 @@ fn power(page: &mut Page, s: &Letters) {
     page.claim("beyond-power", "bodies", r"$\frac{d}{dt}(T + V) = M\dot\varphi'$ along the motion: the difference is $\omega\cdot$(carrier's equations) $+\ \dot\varphi'$(rotor's equation)")
         .in_words()
         .under(&s.unit_axis)
-        .follows([Equal(energy.slope - s.moment * s.dphi, along_motion)]);
+        .follows([Equal(energy.slope - s.torque * s.dphi, along_motion)]);
     circuits(page, s);
 }
 
@@ -52,7 +52,7 @@ fn circuits(page: &mut Page, s: &Letters) {
     let moving: Vec<Tangent<Sym>> = currents.iter().zip(&rates).map(|(&i, &rate)| Tangent::moving(i, rate)).collect();
     let stored = stored_energy(&machine, s.angle().moving(s.dgamma), &moving);
     let speed = s.dgamma + s.omega_field;
-    let lost = heat(&machine, &currents);
+    let lost = joule_heat(&machine, &currents);
     let friction_power = friction(speed) * speed;
     let supplied = s.omega_field * (moment - friction(speed));
     page.claim("beyond-power", "balance", r"three bars at any angles, with the circuits' energy $-b_0\cos\gamma + \frac12L_1x^2 + \frac12L_2\sum i_n^2$: $\dot E = \Omega(M - M_2) + \dot\varphi'M_2 - \mu\dot\gamma^2 - R_1x^2 - R_2\sum i_n^2$, the supply of the turning field, friction and heat")
@@ -134,12 +134,12 @@ fn every_machine(page: &mut Page, s: &Letters) {
 fn balance(page: &mut Page, s: &Letters, slug: &'static str, name: &str, machine: &impl Machine<Sym>) {
     let currents: Vec<Sym> = s.currents(3).into_iter().take(machine.windings()).collect();
     let mut rates = vec![Sym::ZERO; currents.len()];
-    let moment = drive(machine, s.angle(), s.dgamma, &currents, &mut rates);
+    let moment = torque_and_current_rates(machine, s.angle(), s.dgamma, &currents, &mut rates);
     let moving: Vec<Tangent<Sym>> = currents.iter().zip(rates).map(|(&i, rate)| Tangent::moving(i, rate)).collect();
     let stored = stored_energy(machine, s.angle().moving(s.dgamma), &moving).slope;
     let speed = s.dgamma + machine.frame_speed();
-    let law = machine.moment_law(s.dgamma, speed);
-    let (sliding, supply) = (motional_moment(machine, &currents), supplied(machine, s.angle(), &currents));
+    let law = machine.torque_law(s.dgamma, speed);
+    let (sliding, supply) = (motional_torque(machine, &currents), electrical_power(machine, s.angle(), &currents));
     let says = match is_fed(machine) {
         true => format!(
             r"{name}: $M\dot\varphi' + \dot W_m = \Omega(M - \sum c_ki_k) + \dot\gamma\,m + \sum v_ki_k - \sum R_ki_k^2$, with the energy $W_m$ of the circuits, the law $m$ of friction and slip, the voltages per speed $c_k$ of brushes or turning axes, and the supply $v_k$"
@@ -150,6 +150,6 @@ fn balance(page: &mut Page, s: &Letters, slug: &'static str, name: &str, machine
     };
     page.claim("beyond-power", slug, says).in_words().follows([Equal(
         moment * speed + stored,
-        machine.frame_speed() * (moment - sliding) + s.dgamma * law + supply - heat(machine, &currents),
+        machine.frame_speed() * (moment - sliding) + s.dgamma * law + supply - joule_heat(machine, &currents),
     )]);
 }

@@ -38,7 +38,7 @@ fn lagrange(page: &mut Page, s: &Letters) {
     let angles = ["ψ", "θ", "φ", "φ′"].map(letter);
     let rates = [letter("ψ̇"), letter("θ̇"), letter("φ̇"), s.dphi];
     let accelerations = [letter("ψ̈"), letter("θ̈"), letter("φ̈"), s.ddphi];
-    let by_lagrange = g.by_lagrange(angles, rates, accelerations, s.moment);
+    let by_lagrange = g.by_lagrange(angles, rates, accelerations, s.torque);
 
     let [position, velocity, acceleration] = [angles, rates, accelerations].map(|[a, b, c, _]| [a, b, c]);
     let forms = euler_forms(along(position, velocity));

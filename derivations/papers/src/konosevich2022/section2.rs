@@ -130,13 +130,13 @@ fn rotor(page: &mut Page, s: &Letters) {
         r"the rotor's equation about $l$, with $\ddot\varphi' = \dot p' - \dot\omega\cdot l$ from (2.7)",
     )
     .under(&s.unit_axis)
-    .holds([Line::equation(with_dp, s.axial * dp, s.moment)]);
+    .holds([Line::equation(with_dp, s.axial * dp, s.torque)]);
     for (slug, residual, route) in
         [("by-momentum", by_momentum, "angular momentum of the rotor"), ("by-appell", by_appell, "Appell")]
     {
         page.claim("eq2.10", slug, format!("equation of the rotor's rotation, by {route}"))
             .under(&s.unit_axis)
-            .holds([Line::equation(residual, s.axial * (axial_acceleration + s.ddphi), s.moment)]);
+            .holds([Line::equation(residual, s.axial * (axial_acceleration + s.ddphi), s.torque)]);
     }
 }
 

@@ -7,7 +7,7 @@ use field::{Circle, Over, Rational};
 use machines::kloss::Kloss;
 use machines::multi_current::MultiCurrent;
 use machines::synchronous::Synchronous;
-use motor::{Machine, RotorState, drive};
+use motor::{Machine, RotorState, torque_and_current_rates};
 use num_traits::Zero;
 use symbolic::Sym;
 
@@ -41,8 +41,8 @@ impl<M: Machine<Sym>> Machine<Sym> for WithFriction<M> {
     fn field_energy<S: Over<Sym>>(&self, angle: Circle<S>) -> S {
         self.machine.field_energy(angle)
     }
-    fn moment_law<S: Over<Sym>>(&self, slip: S, speed: S) -> S {
-        self.machine.moment_law(slip, speed) + S::lift(self.friction)
+    fn torque_law<S: Over<Sym>>(&self, slip: S, speed: S) -> S {
+        self.machine.torque_law(slip, speed) + S::lift(self.friction)
     }
 }
 
@@ -50,7 +50,7 @@ impl<M: Machine<Sym>> Machine<Sym> for WithFriction<M> {
 pub fn driven<M: Machine<Sym>>(machine: M, s: &Letters, currents: &[Sym]) -> (Sym, Vec<Sym>) {
     let machine = WithFriction { machine, friction: friction(s.dgamma + s.omega_field) };
     let mut rates = vec![Sym::zero(); currents.len()];
-    let moment = drive(&machine, s.angle(), s.dgamma, currents, &mut rates);
+    let moment = torque_and_current_rates(&machine, s.angle(), s.dgamma, currents, &mut rates);
     (moment, rates)
 }
 
@@ -83,7 +83,7 @@ fn currentless(page: &mut Page, s: &Letters) {
         "moment",
         r"moment of the synchronous motor from $U = -b_0\cos\gamma$ and friction; $\Delta M_2 = M_2(\dot\gamma+\Omega) + c_0$, $c_0 = -M_2(\Omega)$",
     )
-    .holds([Line::formula(moment, s.moment, excess_friction(s) - s.b0 * s.angle().sin - c0)]);
+    .holds([Line::formula(moment, s.torque, excess_friction(s) - s.b0 * s.angle().sin - c0)]);
 }
 
 /// (3.2) and c0 > 0. A decreasing law has secants of negative slope: M2(u) - M2(v) = -kappa (u - v), kappa > 0.
@@ -129,7 +129,7 @@ fn multi_current(page: &mut Page, s: &Letters, bars: u32, slug: &'static str) {
     page.claim("eq3.3", slug, format!("the motor alone with $n_2 = {bars}$: rotor and currents by Lagrange-Maxwell"))
         .holds([rotor].into_iter().chain(current_equations(s, bars, &rates)));
     page.claim("eq3.4", slug, format!(r"moment of the motor with $n_2 = {bars}$, from the fluxes $a_1\cos\gamma$ and $-a_2\sin(\gamma+t_n)$, whatever the angles $t_n$ (the paper: $-\pi/4+2\pi n/n_2$)"))
-        .holds([Line::formula(moment, s.moment, printed)]);
+        .holds([Line::formula(moment, s.torque, printed)]);
 }
 
 /// The equations of the currents, the last of (3.3) and (4.7), compared with derived rates.
@@ -181,10 +181,10 @@ fn linear_moment(s: &Letters, speed: Sym) -> Sym {
 fn kloss(page: &mut Page, s: &Letters) {
     let [pull_out, critical, f] = ["Mk", "sk", "f"].map(letter);
     let machine = Kloss { field_speed: s.omega_field, pull_out, pull_out_slip: critical, f };
-    let moment_at = |speed: Sym| machine.moment_law(speed - s.omega_field, speed);
+    let moment_at = |speed: Sym| machine.torque_law(speed - s.omega_field, speed);
     let without_friction = Kloss { f: Sym::ZERO, ..machine };
     let omega = s.omega_field;
-    let slip_moment = |slip: Sym| without_friction.moment_law(slip, slip + omega);
+    let slip_moment = |slip: Sym| without_friction.torque_law(slip, slip + omega);
     page.claim(
         "section3-motors",
         "slip-sign",

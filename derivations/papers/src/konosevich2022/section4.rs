@@ -63,7 +63,7 @@ fn first_form(page: &mut Page, s: &Letters) {
             (a[j] - a[k]) * w[j] * w[k]
                 + s.axial * spin * (l[j] * w[k] - l[k] * w[j])
                 + s.big_gamma * (e[j] * nu[k] - e[k] * nu[j])
-                - l[i] * s.moment
+                - l[i] * s.torque
         })
     };
     let less_rotor = |motion| {
@@ -94,7 +94,7 @@ fn first_form(page: &mut Page, s: &Letters) {
     .under(&s.unit_axis)
     .holds((0..3).map(|i| Line::equation(from_field[i], a[i] * s.dw[i], right(spin)[i])));
     let rotor = g.by_momentum(&s.motion_from_field())[3];
-    let right = -(s.axial * (l.x * s.dw.x + l.y * s.dw.y + l.z * s.dw.z)) + s.moment;
+    let right = -(s.axial * (l.x * s.dw.x + l.y * s.dw.y + l.z * s.dw.z)) + s.torque;
     page.claim("eq4.5", "rotor", "the rotor's equation in the angle from the field")
         .under(&s.unit_axis)
         .holds([Line::equation(rotor, s.axial * s.ddgamma, right)]);
@@ -138,7 +138,7 @@ fn currents(page: &mut Page, s: &Letters) {
 fn solved(page: &mut Page, s: &Letters) {
     let g = s.in_axes_of_a();
     let form = FirstForm::new(s.a, s.l, s.axial, s.e * s.big_gamma);
-    let (dw, ddphi) = form.accelerations(s.w, s.nu, s.dphi, s.moment);
+    let (dw, ddphi) = form.accelerations(s.w, s.nu, s.dphi, s.torque);
     let motion = systems::gyrostat::MotionInstant { angular_acceleration: dw, rotor_acceleration: ddphi, ..s.motion() };
     page.claim("eq4.3", "runs", "first form: the accelerations that the program integrates satisfy the angular momentum equations of the mass points")
         .under(&s.unit_axis)
@@ -147,7 +147,7 @@ fn solved(page: &mut Page, s: &Letters) {
     let motion = systems::gyrostat::MotionInstant {
         angular_acceleration: dw,
         rotor_acceleration: Sym::int(0),
-        moment: reaction,
+        torque: reaction,
         ..s.motion()
     };
     page.claim("eq4.3", "runs-prescribed", "first form with the rotor's speed prescribed: the accelerations and the reaction that the program integrates satisfy the angular momentum equations of the mass points")

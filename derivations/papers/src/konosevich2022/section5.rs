@@ -60,7 +60,7 @@ fn second_form(page: &mut Page, s: &Letters) {
         );
     }
     let form = SecondForm::new(s.a_star, l, s.axial, s.e * s.big_gamma);
-    let (dw, ddphi) = form.accelerations(s.w, s.nu, s.dphi, s.moment);
+    let (dw, ddphi) = form.accelerations(s.w, s.nu, s.dphi, s.torque);
     let motion = MotionInstant { angular_acceleration: dw, rotor_acceleration: ddphi, ..s.motion() };
     page.claim("eq5.2", "runs", "second form: the accelerations that the program integrates satisfy the angular momentum equations of the mass points")
         .under(&s.unit_axis)
@@ -87,7 +87,7 @@ fn rotor(page: &mut Page, s: &Letters) {
     let right = -(s.axial * weighted(inertial))
         - s.axial.powi(2) * (s.dgamma + s.omega_field) * weighted(l.cross(&w))
         - s.axial * s.big_gamma * weighted(e.cross(&nu))
-        + s.moment;
+        + s.torque;
     let derived = eliminated(s);
     page.claim("eq5.3", "rotor", "the rotor's equation with the carrier's accelerations eliminated")
         .under(&s.unit_axis)
@@ -103,7 +103,7 @@ fn rotor(page: &mut Page, s: &Letters) {
         derived,
         s.axial * s.ddgamma
             + s.axial * cyclic(|i, _, _| l[i] * (self::right(s)[i] - s.axial * s.ddgamma * l[i]) / a[i]).sum()
-            - s.moment,
+            - s.torque,
     )]);
     page.claim("eq5.4", "coefficient", r"the coefficient of $\ddot\gamma$ in (5.3) is $A'D$")
         .reading(r"The text has $AD$ here; (5.3) shows the prime.")
@@ -216,13 +216,13 @@ fn agree(page: &mut Page, s: &Letters) {
                  weight: Vector3<Sym>,
                  nu: Vector3<Sym>| {
         let x = a * w + l * (s.axial * (w.dot(&l) + s.dphi));
-        a * dw - x.cross(&w) - weight.cross(&nu) + l * s.moment
+        a * dw - x.cross(&w) - weight.cross(&nu) + l * s.torque
     };
     let second = |a: Matrix3<Sym>| {
         let x = a * s.w + s.l * (s.axial * s.dphi);
         a * s.dw + s.l * (s.axial * s.ddphi) - x.cross(&s.w) - weight.cross(&s.nu)
     };
-    let rotor = s.axial * (s.l.dot(&s.dw) + s.ddphi) - s.moment;
+    let rotor = s.axial * (s.l.dot(&s.dw) + s.ddphi) - s.torque;
     let gap = second(full) - first(tensor, s.w, s.dw, s.l, weight, s.nu) - s.l * rotor;
     page.claim("forms-agree", "common-axes", r"second form $-$ first form $-\; l\,$(rotor's equation) $= 0$ with full symmetric tensors in arbitrary common axes, all parameters and $M$ free")
         .follows(gap.iter().map(|&x| Condition::Zero(x)));
@@ -243,7 +243,7 @@ fn agree(page: &mut Page, s: &Letters) {
             - ((s.a[j] - s.a[k]) * s.w[j] * s.w[k]
                 + s.axial * (s.w.dot(&s.l) + s.dphi) * (s.l[j] * s.w[k] - s.l[k] * s.w[j])
                 + s.big_gamma * (s.e[j] * s.nu[k] - s.e[k] * s.nu[j])
-                - s.l[i] * s.moment)
+                - s.l[i] * s.torque)
     });
     let in_own = first(Matrix3::from_diagonal(&s.a), s.w, s.dw, s.l, weight, s.nu);
     let printed_second = cyclic(|i, _, _| s.a_star[i] * s.dw[i] + s.axial * s.ddgamma * s.l[i] - right(s)[i]);
@@ -267,11 +267,11 @@ fn explicit(page: &mut Page, s: &Letters, tensor: Matrix3<Sym>) {
     let weight = s.e * s.big_gamma;
     let x = tensor * s.w + s.l * (s.axial * (s.w.dot(&s.l) + s.dphi));
     let gain = x.cross(&s.w) + weight.cross(&s.nu);
-    let first = mechanics::rotation::inverse(&tensor) * (gain - s.l * s.moment);
+    let first = mechanics::rotation::inverse(&tensor) * (gain - s.l * s.torque);
     let inverse = mechanics::rotation::inverse(&full);
     let response = inverse * s.l;
     let d = one() - s.axial * s.l.dot(&response);
-    let ddphi = (s.moment / s.axial - response.dot(&gain)) / d;
+    let ddphi = (s.torque / s.axial - response.dot(&gain)) / d;
     let second = inverse * gain - response * (s.axial * ddphi);
     page.claim(
         "forms-agree",

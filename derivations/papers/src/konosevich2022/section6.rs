@@ -9,7 +9,7 @@ use field::Circle;
 use machines::asynchronous::Asynchronous;
 use machines::synchronous::Synchronous;
 use mechanics::momentum::absolute_rate;
-use motor::{Machine, drive};
+use motor::{Machine, torque_and_current_rates};
 use num_traits::Zero;
 use symbolic::{Hypotheses, Sym};
 
@@ -69,8 +69,8 @@ fn angles(page: &mut Page, s: &Letters) {
         .in_words()
         .under(&s.unit_axis)
         .follows([Condition::Equal(
-            s.in_axes_of_a_star().by_momentum(&s.stationary(s.omega_field, s.moment))[3],
-            -s.moment,
+            s.in_axes_of_a_star().by_momentum(&s.stationary(s.omega_field, s.torque))[3],
+            -s.torque,
         )]);
 
     // the two families as circle points: cosine C > 0 and sine -r, and the point of -pi less it
@@ -161,7 +161,7 @@ fn conditions(page: &mut Page, s: &Letters) {
         .follows(
             (0..3)
                 .map(|i| Condition::Equal(residual[i], -printed[i]))
-                .chain([Condition::Equal(g.by_momentum(&s.stationary(s.omega_field, s.moment))[3], -s.moment)])
+                .chain([Condition::Equal(g.by_momentum(&s.stationary(s.omega_field, s.torque))[3], -s.torque)])
                 .chain((0..3).map(|i| Condition::Equal(still[i], s.w.cross(&s.nu)[i])))
                 .chain(windings),
         );
@@ -213,14 +213,14 @@ fn remarks(page: &mut Page, s: &Letters) {
     let [k, f, working] = ["k", "f", "Ω′"].map(letter);
     let machine = Asynchronous { field_speed: s.omega_field, k, f };
     let slip = s.dgamma + working - machine.frame_speed();
-    let moment = drive(&machine, Circle::zero(), slip, &[], &mut []);
+    let moment = torque_and_current_rates(&machine, Circle::zero(), slip, &[], &mut []);
     page.claim(
         "remark2",
         "asynchronous",
         r"the moment of the linear asynchronous motor about $\Omega'$ is a function of the speed alone",
     )
     .under(&Hypotheses::none().given(working, k * s.omega_field / (k + f)))
-    .holds([Line::formula(moment, s.moment, -((k + f) * s.dgamma))]);
+    .holds([Line::formula(moment, s.torque, -((k + f) * s.dgamma))]);
     let by_momentum = s.in_axes_of_a_star().by_momentum(&s.stationary(working, Sym::ZERO));
     let printed = s.conditions().map(|x| x.substitute(&[(s.omega_field, working)]));
     page.claim(

@@ -227,7 +227,7 @@ fn statement7(page: &mut Page, s: &Letters, f: &Relations) {
         )]);
     let code = Stationary { moments: s.a_star, axis: s.l, spin: f.spin, weight: s.e * s.big_gamma };
     let (numerator, denominator) = code.speed(s.nu);
-    let missing = code.missing_moment(s.nu, s.omega0);
+    let missing = code.residual_torque(s.nu, s.omega0);
     page.claim(
         "eq7.11",
         "runs",

@@ -39,8 +39,8 @@ fn constant_speed(page: &mut Page, s: &Letters) {
     page.claim("section8.1", "reaction", r"at constant rotor speed the rotor's equation gives the moment that keeps it, $M = A'\,l\cdot\dot\omega$, and restricts nothing")
         .in_words()
         .under(&s.unit_axis)
-        .follows([Condition::Equal(residual[3], s.axial * s.l.dot(&s.dw) - s.moment)]);
-    let still = MotionInstant { moment: Sym::ZERO, ..s.stationary(s.omega_field, Sym::ZERO) };
+        .follows([Condition::Equal(residual[3], s.axial * s.l.dot(&s.dw) - s.torque)]);
+    let still = MotionInstant { torque: Sym::ZERO, ..s.stationary(s.omega_field, Sym::ZERO) };
     let stationary = g.by_momentum(&still);
     page.claim(
         "section8.1",
@@ -61,7 +61,7 @@ fn free_rotor(page: &mut Page, s: &Letters) {
     let free = MotionInstant {
         rotor_speed: p - s.w.dot(&s.l),
         rotor_acceleration: -s.l.dot(&s.dw),
-        moment: Sym::ZERO,
+        torque: Sym::ZERO,
         ..s.motion()
     };
     let residual = first.by_momentum(&free);
@@ -83,7 +83,7 @@ fn free_rotor(page: &mut Page, s: &Letters) {
     page.claim("section8.2", "runs", r"$p'$ of a free rotor has no rate along the motions that the program integrates, in the first form and in the second")
         .under(&s.unit_axis)
         .follows([spin_rate(forms.0, s), spin_rate(forms.1, s)].map(Condition::Zero));
-    let still = MotionInstant { moment: Sym::ZERO, ..s.stationary(p - s.omega0 * s.nu.dot(&s.l), Sym::ZERO) };
+    let still = MotionInstant { torque: Sym::ZERO, ..s.stationary(p - s.omega0 * s.nu.dot(&s.l), Sym::ZERO) };
     let stationary = first.by_momentum(&still);
     let to_first: Vec<(Sym, Sym)> = (0..3).map(|i| (s.a_star[i], s.a[i])).chain([(s.omega_field, p)]).collect();
     let printed = s.conditions().map(|x| x.substitute(&to_first));

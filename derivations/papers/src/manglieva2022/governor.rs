@@ -6,7 +6,7 @@ use field::{Analytic, Scalar};
 use mechanics::constrained::motion::Motion;
 use mechanics::constrained::{PointSystem, State, kinetic_energy};
 use symbolic::{Hypotheses, Sym};
-use systems::governor::{Gearing, Governor, Moment};
+use systems::governor::{Gearing, Governor, Torque};
 
 /// The letters of sections 3.1 and 3.2 and a governor written in them.
 pub struct GovernorLetters {
@@ -45,7 +45,7 @@ impl GovernorLetters {
         let [m1, m2, growth1, growth2, push] = letters(["M1", "M2", "Ṁ1", "Ṁ2", "u"]);
         let friction = letter("F₁₁") + letter("F₂₂");
         let [rho, drho, ddrho, speed, dspeed] = letters(["ϱ", "ϱ̇", "ϱ̈", "ω2", "ω̇2"]);
-        let moments = [Moment { start: m1, growth: growth1 }, Moment { start: m2, growth: growth2 }];
+        let moments = [Torque { start: m1, growth: growth1 }, Torque { start: m2, growth: growth2 }];
         let governor = Governor {
             inertia: [first, second, wheel],
             mass,

@@ -4,13 +4,13 @@ use super::alphabet::{letter, letters, tidy};
 use super::governor::GovernorLetters;
 use mechanics::bellman::Regulator;
 use symbolic::{Hypotheses, Sym};
-use systems::governor::released::FirstApproximation;
+use systems::governor::released::LinearisedEquations;
 
 /// The released governor about its programme.
 pub struct ReleasedLetters {
     pub drum: GovernorLetters,
     /// x' = A x + b u1 of x = (zeta, rho', z), with M2 expressed by the programme's rho'
-    pub linear: FirstApproximation<Sym>,
+    pub linear: LinearisedEquations<Sym>,
     pub rho: Sym,
     pub drho: Sym,
     pub n: Sym,
@@ -30,10 +30,10 @@ impl Default for ReleasedLetters {
         let programme = drum.reduced() * rho * drum.speed * drho - rho * drum.m1 / drum.drum;
         let at = [drum.speed, rho, drho];
         let undefined = [[Sym::ONE / Sym::ZERO; 3]; 3];
-        let raw = drum.governor.first_approximation(Sym::ZERO, at);
-        let raw = raw.unwrap_or(FirstApproximation { matrix: undefined, control: undefined[0] });
+        let raw = drum.governor.linearised(Sym::ZERO, at);
+        let raw = raw.unwrap_or(LinearisedEquations { matrix: undefined, control: undefined[0] });
         let on_programme = |entry: Sym| tidy(entry.substitute(&[(drum.m2, programme)]));
-        let linear = FirstApproximation {
+        let linear = LinearisedEquations {
             matrix: raw.matrix.map(|row| row.map(on_programme)),
             control: raw.control.map(on_programme),
         };

@@ -8,7 +8,7 @@ use symbolic::Sym;
 
 pub fn claims(page: &mut Page, s: &ElasticLetters) {
     page.section("3.1. Stability of the elastic governor");
-    first_approximation(page, s);
+    linearised(page, s);
     matrix(page, s);
     let quintic = Quintic::new(s);
     page.section("3.1. The characteristic polynomial of the elastic governor");
@@ -17,7 +17,7 @@ pub fn claims(page: &mut Page, s: &ElasticLetters) {
 }
 
 /// The equations (3.20), (3.21) by differentiation, for deviations written with a prime.
-fn first_approximation(page: &mut Page, s: &ElasticLetters) {
+fn linearised(page: &mut Page, s: &ElasticLetters) {
     let [dw, ddx, dx, x, w, w0] = letters(["ω̇′", "ẍ′", "ẋ′", "x′", "ω′", "ω₀"]);
     let [lambda, psi, dlambda, dpsi] = letters(["λᵉ", "ψ", "λ̇ᵉ", "ψ̇"]);
     let ([of_w, of_x, of_dx, of_lambda, of_psi], [of_dw, of_ddx]) = (s.state, s.rates);

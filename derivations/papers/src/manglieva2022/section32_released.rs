@@ -12,7 +12,7 @@ pub fn claims(page: &mut Page, r: &ReleasedLetters) {
     release(page, r);
     energy(page, r);
     equations(page, r);
-    first_approximation(page, r);
+    linearised(page, r);
 }
 
 /// omega2 = omega2_0 + zeta, omega2' = zeta', u + u1.
@@ -121,7 +121,7 @@ fn equations(page: &mut Page, r: &ReleasedLetters) {
     ]);
 }
 
-fn first_approximation(page: &mut Page, r: &ReleasedLetters) {
+fn linearised(page: &mut Page, r: &ReleasedLetters) {
     let s = &r.drum;
     let [zeta, more, z] = r.deviation;
     let [dzeta, dmore, dz] = letters(["ζ̇", "ϱ̇′", "ż"]);

@@ -10,7 +10,7 @@ use mechanics::constrained::rates::{jacobian, rates};
 use mechanics::constrained::{Constrained, Constraint, PointSystem, State};
 use mechanics::differentiate::{fixed, gradient};
 use symbolic::Sym;
-use systems::prescribed_speed_point::KeptSpeed;
+use systems::prescribed_speed_point::PrescribedSpeedPoint;
 
 use Condition::{Equal, NonZero, Positive, Zero};
 
@@ -156,7 +156,7 @@ fn instability(page: &mut Page) {
         .given([Positive(b), Positive(dy0)])
         .follows([Equal(drifted.diff(t).diff(t), moved[0]), Equal(reached, b)]);
     let [mass, gravity, speed, u, v] = letters(["m", "g", "v0", "q̇1", "q̇2"]);
-    let point = KeptSpeed { mass, gravity, speed, acceleration: Sym::ZERO };
+    let point = PrescribedSpeedPoint { mass, gravity, speed, acceleration: Sym::ZERO };
     let at = State { time: Sym::ZERO, place: [Sym::ZERO; 2], velocity: [u, v] };
     let kept = lagrange(&point, &at, point.force(&at)).map_or([Sym::UNDEFINED; 2], |reaction| reaction.acceleration);
     let [rate]: [Sym; 1] = rates(&point, &at, kept);

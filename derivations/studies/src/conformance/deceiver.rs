@@ -52,7 +52,7 @@ impl<P: Base> Machine<P> for Deceiver<P> {
         S::int((self.call() % 7) as i64) * flux
     }
 
-    fn moment_law<S: Over<P>>(&self, slip: S, _speed: S) -> S {
+    fn torque_law<S: Over<P>>(&self, slip: S, _speed: S) -> S {
         -S::lift(self.friction) * slip
     }
 }

@@ -4,29 +4,29 @@ use super::instant::{Instant, vanish};
 use super::verdict_of;
 use claims::finding::PropertyVerdict;
 use field::{Analytic, Circle, Over, Scalar, Tangent};
-use motor::{Machine, RotorState, drive};
+use motor::{Machine, RotorState, torque_and_current_rates};
 use symbolic::Sym;
 
 /// In the stator's frame the coenergy is K(phi - W t, i), and the rotation of the field is a rheonomic constraint: the equations of
 /// Lagrange-Maxwell and Hamel there, by two derivatives of K, against the law in the field's frame.
 pub(super) fn stator(machine: &impl Machine<Sym>, at: &Instant) -> PropertyVerdict {
     if at.kept {
-        return PropertyVerdict::DoesNotApply("the speed is kept by whatever moment that takes".to_owned());
+        return PropertyVerdict::DoesNotApply("the speed is prescribed and does not depend on the torque".to_owned());
     }
     let (phi, field) = match machine.rotor() {
         RotorState::AngleAndSpeed => (Sym::symbol("the angle phi").circle(), Sym::symbol("the angle W t").circle()),
         RotorState::Prescribed | RotorState::Speed => (Circle::zero(), Circle::zero()),
     };
     let mut rates = vec![Sym::ZERO; at.currents.len()];
-    let moment = drive(machine, phi - field, at.slip, &at.currents, &mut rates);
+    let torque = torque_and_current_rates(machine, phi - field, at.slip, &at.currents, &mut rates);
     // dK/dphi with the field held
     let varied = phi.moving(Sym::ONE) - field.moving(Sym::ZERO);
     let held: Vec<_> = at.currents.iter().map(|&i| Tangent::fixed(i)).collect();
     let pull = coenergy(machine, varied, &held).slope;
     let motional: Vec<Sym> = (0..rates.len()).map(|k| machine.motional(k, &at.currents).unwrap_or(Sym::ZERO)).collect();
     let sliding = at.currents.iter().zip(&motional).fold(Sym::ZERO, |sum, (&i, &c)| sum + i * c);
-    let law = machine.moment_law(at.speed - machine.frame_speed(), at.speed);
-    let mut residuals = vec![("the moment".to_owned(), moment - (pull + sliding + law))];
+    let law = machine.torque_law(at.speed - machine.frame_speed(), at.speed);
+    let mut residuals = vec![("the torque".to_owned(), torque - (pull + sliding + law))];
     // d/dt dK/di_k with rotor and field both turning
     let running = phi.moving(at.speed) - field.moving(machine.frame_speed());
     for (k, &motional) in motional.iter().enumerate() {
@@ -64,10 +64,10 @@ pub(super) fn turned_windings(machine: &impl Machine<Sym>, at: &Instant) -> Prop
         let turned = Turned { machine, pair, turn };
         let (currents, expected) = (turned.forwards(&at.currents), turned.forwards(&at.rates));
         let mut rates = vec![Sym::ZERO; count];
-        let moment = drive(&turned, at.angle, at.slip, &currents, &mut rates);
+        let torque = torque_and_current_rates(&turned, at.angle, at.slip, &currents, &mut rates);
         let off = rates.into_iter().zip(expected).enumerate();
         let off = off.map(|(k, (rate, expected))| (format!("the rate of turned current {k}"), rate - expected));
-        std::iter::once(("the moment of turned windings".to_owned(), moment - at.moment)).chain(off).collect::<Vec<_>>()
+        std::iter::once(("the torque of turned windings".to_owned(), torque - at.torque)).chain(off).collect::<Vec<_>>()
     });
     verdict_of(vanish(residuals.collect::<Vec<_>>()), "windings that are alike may be turned among themselves")
 }
@@ -138,7 +138,7 @@ impl<M: Machine<Sym>> Machine<Sym> for Turned<'_, M> {
         self.machine.field_energy(angle)
     }
 
-    fn moment_law<S: Over<Sym>>(&self, slip: S, speed: S) -> S {
-        self.machine.moment_law(slip, speed)
+    fn torque_law<S: Over<Sym>>(&self, slip: S, speed: S) -> S {
+        self.machine.torque_law(slip, speed)
     }
 }

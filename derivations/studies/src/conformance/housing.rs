@@ -4,7 +4,7 @@ use super::instant::{Doubt, Instant, bench_state, vanish};
 use super::verdict_of;
 use claims::finding::PropertyVerdict;
 use field::Tangent;
-use motor::{Bench, Machine, RotorState, drive};
+use motor::{Bench, Machine, RotorState, torque_and_current_rates};
 use nalgebra::Vector3;
 use symbolic::{Decision, Hypotheses, Sym, decide, normal};
 use systems::gyrostat::driven::Driven;
@@ -34,10 +34,10 @@ pub(super) fn momentum(machine: &(impl Machine<Sym> + Clone), at: &Instant) -> P
         let known = machine.rotor();
         let (rotor, currents) = y[6..].split_at(known.dimension());
         let (angle, slip) = known.angle_and_slip(rotor);
-        let moment = drive(machine, angle, slip, currents, &mut vec![Sym::ZERO; currents.len()]);
+        let torque = torque_and_current_rates(machine, angle, slip, currents, &mut vec![Sym::ZERO; currents.len()]);
         let along = Vector3::from_fn(|k, _| dy[k]).dot(&three("axis l"));
         let spin = Sym::symbol("the moment A'") * (along + dy[6 + known.dimension() - 1]);
-        residuals.push(("the rotor's own momentum".to_owned(), spin - moment));
+        residuals.push(("the rotor's own momentum".to_owned(), spin - torque));
     }
     verdict_of(vanish(residuals), "what the rotor gets of momentum about its axis the housing gives, and no more")
 }

@@ -1,7 +1,7 @@
 //! A motor at an instant, over symbols: torque and current rates by its law at any state.
 
 use field::{Analytic, Circle};
-use motor::{Machine, RotorState, drive, state_names};
+use motor::{Machine, RotorState, state_names, torque_and_current_rates};
 use symbolic::{Decision, Hypotheses, Sym, decide};
 
 /// Any state of a motor, with torque and rates by its law. (A symbol with a space in its name is no parameter of any motor.)
@@ -13,7 +13,7 @@ pub struct Instant {
     pub speed: Sym,
     pub currents: Vec<Sym>,
     /// the torque M, N m
-    pub moment: Sym,
+    pub torque: Sym,
     /// di_k/dt, A/s
     pub rates: Vec<Sym>,
     /// Whether the rotor's speed is prescribed, by whatever torque that takes.
@@ -31,8 +31,8 @@ impl Instant {
         let slip = if kept { Sym::ZERO } else { Sym::symbol("the slip") };
         let currents: Vec<Sym> = (0..machine.windings()).map(|k| Sym::symbol(&format!("current {k}"))).collect();
         let mut rates = vec![Sym::ZERO; currents.len()];
-        let moment = drive(machine, angle, slip, &currents, &mut rates);
-        Instant { angle, slip, speed: slip + machine.frame_speed(), currents, moment, rates, kept }
+        let torque = torque_and_current_rates(machine, angle, slip, &currents, &mut rates);
+        Instant { angle, slip, speed: slip + machine.frame_speed(), currents, torque, rates, kept }
     }
 }
 

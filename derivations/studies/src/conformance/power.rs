@@ -6,13 +6,13 @@ use crate::stationary::motor::{Fraction, NoMotor};
 use algebra::real::Root;
 use claims::finding::PropertyVerdict;
 use field::{Analytic, Circle, Rational, Scalar, Tangent};
-use motor::{Machine, RotorState, heat, motional_moment, stored_energy, supplied};
+use motor::{Machine, RotorState, electrical_power, joule_heat, motional_torque, stored_energy};
 use symbolic::{Decision, Hypotheses, Sym, decide};
 
 /// M phi' + d/dt (U + sum 1/2 L i^2) = W dK/dg + phi' m + sum v i - sum R i^2, by moving the stored energy along the motion.
 pub(super) fn balance(machine: &impl Machine<Sym>, at: &Instant) -> PropertyVerdict {
     if at.kept {
-        return PropertyVerdict::DoesNotApply("the speed is kept by whatever moment that takes".to_owned());
+        return PropertyVerdict::DoesNotApply("the speed is prescribed and does not depend on the torque".to_owned());
     }
     let moving: Vec<_> = at.currents.iter().zip(&at.rates).map(|(&i, &rate)| Tangent::moving(i, rate)).collect();
     let stored = stored_energy(machine, at.angle.moving(at.slip), &moving).slope;
@@ -23,10 +23,10 @@ pub(super) fn balance(machine: &impl Machine<Sym>, at: &Instant) -> PropertyVerd
         .enumerate()
         .fold(-machine.field_energy(varied).slope, |sum, (k, &i)| sum + i * machine.linkage(k, varied).slope);
     let given = machine.frame_speed() * pull
-        + at.speed * machine.moment_law(at.slip, at.speed)
-        + supplied(machine, at.angle, &at.currents)
-        - heat(machine, &at.currents);
-    let proof = vanish([("the power balance".to_owned(), at.moment * at.speed + stored - given)]);
+        + at.speed * machine.torque_law(at.slip, at.speed)
+        + electrical_power(machine, at.angle, &at.currents)
+        - joule_heat(machine, &at.currents);
+    let proof = vanish([("the power balance".to_owned(), at.torque * at.speed + stored - given)]);
     verdict_of(proof, "shaft and store get what field, friction and supplies give, less heat")
 }
 
@@ -65,13 +65,13 @@ pub(super) fn passivity(machine: &impl Machine<Sym>, written: &impl Machine<Sym>
 /// d/dt (E - W p + c0 g) = (m - m(0, W)) g' - heat - W sum c_k i_k.
 fn from_field(machine: &impl Machine<Sym>) -> Result<(), Gives> {
     let currents = currents(machine);
-    let slid = machine.frame_speed() * motional_moment(machine, &currents);
+    let slid = machine.frame_speed() * motional_torque(machine, &currents);
     if !vanishes(slid)? {
         return Err(Gives::Sliding);
     }
     let (frame_speed, slip) = (machine.frame_speed(), Sym::symbol("the slip"));
-    let moment = machine.moment_law(slip, slip + frame_speed);
-    takes((moment - machine.moment_law(Sym::ZERO, frame_speed)) * slip, slip)
+    let torque = machine.torque_law(slip, slip + frame_speed);
+    takes((torque - machine.torque_law(Sym::ZERO, frame_speed)) * slip, slip)
 }
 
 /// dE/dt = m phi' - heat, where nothing depends on the angle to the field.
@@ -85,7 +85,7 @@ fn from_housing(machine: &impl Machine<Sym>) -> Result<(), Gives> {
     }
     let slip = Sym::symbol("the slip");
     let speed = slip + machine.frame_speed();
-    takes(machine.moment_law(slip, speed) * speed, slip)
+    takes(machine.torque_law(slip, speed) * speed, slip)
 }
 
 /// The source of energy in a motor that is not passive.
@@ -95,7 +95,7 @@ enum Gives {
     /// The turning field.
     Field,
     /// The torque m, below synchronism or above.
-    Moment { below: bool },
+    Torque { below: bool },
     /// Undecided: the torque is no rational function.
     Unknown(NoMotor),
 }
@@ -105,10 +105,10 @@ impl Gives {
         PropertyVerdict::Fails(match self {
             Gives::Sliding => "conductors that slide under a turning field give W sum c i".to_owned(),
             Gives::Field => "the field turns, and gives W dK/dg".to_owned(),
-            Gives::Moment { below } => {
+            Gives::Torque { below } => {
                 let side = if *below { "below" } else { "above" };
-                let moment = machine.moment_law(Sym::symbol("g'"), Sym::symbol("phi'"));
-                format!("the moment m gives {side} synchronism: {moment}")
+                let torque = machine.torque_law(Sym::symbol("g'"), Sym::symbol("phi'"));
+                format!("the torque m gives {side} synchronism: {torque}")
             }
             Gives::Unknown(reason) => return PropertyVerdict::Undecided(reason.to_string()),
         })
@@ -118,7 +118,7 @@ impl Gives {
 /// Ok if a power is positive at no slip.
 fn takes(power: Sym, slip: Sym) -> Result<(), Gives> {
     let power = Fraction::of(power, slip).map_err(Gives::Unknown)?;
-    positive(&power).map_or(Ok(()), |gives| Err(Gives::Moment { below: gives.sign() == Some(-1) }))
+    positive(&power).map_or(Ok(()), |gives| Err(Gives::Torque { below: gives.sign() == Some(-1) }))
 }
 
 fn currents(machine: &impl Machine<Sym>) -> Vec<Sym> {

@@ -5,7 +5,7 @@ use super::verdict_of;
 use crate::stationary::motor::{MotorStates, NoMotor};
 use claims::finding::PropertyVerdict;
 use integrators::{Jacobian, Method, Ode, Span, Tolerance, integrate, spectrum};
-use motor::{Bench, Machine, Motor, RotorState, drive, is_fed, resting_currents};
+use motor::{Bench, Machine, Motor, RotorState, is_fed, steady_currents, torque_and_current_rates};
 use nalgebra::Complex;
 use simulation::CompiledLaw;
 use symbolic::Sym;
@@ -28,22 +28,22 @@ pub(super) fn currents(machine: &impl Machine<Sym>, at: &Instant) -> PropertyVer
     if at.currents.is_empty() {
         return PropertyVerdict::DoesNotApply("it has no windings".to_owned());
     }
-    let Some(resting) = resting_currents(machine, at.angle, at.slip) else {
+    let Some(resting) = steady_currents(machine, at.angle, at.slip) else {
         return PropertyVerdict::Fails(
             "no currents rest: the smaller model without their transients does not exist".to_owned(),
         );
     };
     let mut rates = vec![Sym::ZERO; resting.len()];
-    drive(machine, at.angle, at.slip, &resting, &mut rates);
+    torque_and_current_rates(machine, at.angle, at.slip, &resting, &mut rates);
     let rates = rates.into_iter().enumerate().map(|(k, rate)| (format!("the rate of resting current {k}"), rate));
     if is_fed(machine) || machine.rotor() != RotorState::AngleAndSpeed {
         return verdict_of(vanish(rates), "L -> 0: there are currents at which every rate vanishes");
     }
     let still = vec![Sym::ZERO; resting.len()];
-    let in_step = drive(machine, at.angle, Sym::ZERO, &still, &mut still.clone());
+    let in_step = torque_and_current_rates(machine, at.angle, Sym::ZERO, &still, &mut still.clone());
     let bare =
-        machine.moment_law(Sym::ZERO, machine.frame_speed()) - machine.field_energy(at.angle.moving(Sym::ONE)).slope;
-    let step = std::iter::once(("the moment in step".to_owned(), in_step - bare));
+        machine.torque_law(Sym::ZERO, machine.frame_speed()) - machine.field_energy(at.angle.moving(Sym::ONE)).slope;
+    let step = std::iter::once(("the torque in step".to_owned(), in_step - bare));
     verdict_of(
         vanish(rates.chain(step)),
         "L -> 0: every rate vanishes at some currents; in step it is the motor without",

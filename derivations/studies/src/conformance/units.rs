@@ -14,13 +14,13 @@ pub(super) fn dimensions(at: &Instant, parameters: &[(String, Dimension)]) -> Pr
         _ if name.starts_with("current ") => Some(Dimension::current()),
         _ => parameters.iter().find(|(known, _)| known == name).map(|(_, dimension)| *dimension),
     };
-    let moment = Dimension::of(1, 2, -2, 0);
+    let torque = Dimension::of(1, 2, -2, 0);
     let agrees = |what: &str, law: Sym, wanted: Dimension| match dimension(law, &of) {
         Ok(Some(found)) if found != wanted => Err(Doubt::Off(format!("{what} is {found}, not {wanted}"))),
         Ok(_) => Ok(()),
         Err(mismatch) => Err(Doubt::Off(format!("in {what} {mismatch}"))),
     };
     let rates = at.rates.iter().map(|&rate| ("the rate of a current", rate, Dimension::current() / Dimension::time()));
-    let mut all = std::iter::once(("the moment", at.moment, moment)).chain(rates);
+    let mut all = std::iter::once(("the torque", at.torque, torque)).chain(rates);
     verdict_of(all.try_for_each(|(what, law, wanted)| agrees(what, law, wanted)), "the units of the parameters agree")
 }

@@ -5,11 +5,11 @@ use super::kind::{INVARIANT_UNITS, INVARIANTS, Kind, form_parameters};
 use super::known::{Data, DatumPlace, variables};
 use crate::scene::state::{ROTOR_SPEED, rotor_state};
 use crate::scene::{Scene, Setup};
-use integrators::LaneSeries;
+use integrators::BatchSeries;
 use motor::{Conserved, Machine};
 use nalgebra::{Matrix3, Vector3};
 use reader::{Family, Issue, Opening, Table};
-use simulation::ensemble::parametric_system::{Column, Drawn, LANES, Member, ParametricSystem, Sizes};
+use simulation::ensemble::parametric_system::{BATCH_SIZE, Column, Drawn, Member, ParametricSystem, Sizes};
 use simulation::ensemble::{EnsembleScene, Last, Stopped, vary};
 use simulation::{Axes, Run};
 use std::fmt::{self, Write};
@@ -64,7 +64,7 @@ impl ParametricSystem for DrivenSystem {
         Sizes { states: self.kind.states(), parameters: self.kind.parameters() }
     }
 
-    fn series(&self, order: usize) -> Option<Box<dyn LaneSeries<LANES> + '_>> {
+    fn series(&self, order: usize) -> Option<Box<dyn BatchSeries<BATCH_SIZE> + '_>> {
         self.kind.series(order)
     }
 

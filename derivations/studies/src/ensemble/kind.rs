@@ -2,11 +2,11 @@
 
 use crate::scene::Setup;
 use crate::scene::state::principal;
-use integrators::LaneSeries;
+use integrators::BatchSeries;
 use motor::{Bench, Machine, Motor};
 use nalgebra::{Matrix3, Vector3};
 use series::Equations;
-use simulation::ensemble::{LANES, lane_series};
+use simulation::ensemble::{BATCH_SIZE, batch_series};
 use simulation::{Axes, Expandable};
 use symbolic::{Sym, Tape, Untapeable, apart};
 use systems::gyrostat::driven::Driven;
@@ -53,8 +53,8 @@ impl Kind {
     }
 
     /// Taylor series of a batch of members, to this order.
-    pub fn series(&self, order: usize) -> Option<Box<dyn LaneSeries<LANES> + '_>> {
-        lane_series(&self.law, order)
+    pub fn series(&self, order: usize) -> Option<Box<dyn BatchSeries<BATCH_SIZE> + '_>> {
+        batch_series(&self.law, order)
     }
 
     /// The program for the values of [`INVARIANTS`], from the states followed by the parameters.

@@ -72,7 +72,7 @@ impl Known {
             1,
             DatumPlace::Start(|s| from_mut(&mut s.rotor_angle)),
         )];
-        if scene.machine.kept_speed().is_none() {
+        if scene.machine.prescribed_speed().is_none() {
             start.push(Known::new(
                 "rotor_speed",
                 "relative speed of the rotor",

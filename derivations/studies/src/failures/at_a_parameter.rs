@@ -1,7 +1,7 @@
 //! Newton's method for the unknown x of a curve F(x, p) = 0 at a fixed p.
 //!
 //! At a fold of the curve F_x, by which the method divides, vanishes; beyond the fold there is no x to be found.
-//! The continuation [`integrators::follow`] walks along the curve, where nothing is singular.
+//! The continuation [`integrators::continue_branch`] walks along the curve, where nothing is singular.
 
 use integrators::Curve;
 use std::fmt;

@@ -8,7 +8,7 @@ use num_traits::Zero;
 use simulation::Axes;
 use simulation::models::open;
 use std::path::Path;
-use systems::governor::{Gearing, Governor, Moment};
+use systems::governor::{Gearing, Governor, Torque};
 
 pub const FAILING: Failing = Failing {
     name: "blow-up",
@@ -44,7 +44,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         mass: Rational::decimal(mass),
         radius: Rational::decimal(radius),
         gearing: Gearing::Drum { radius: Rational::decimal(drum) },
-        moments: [first, second].map(|moment| Moment::constant(Rational::decimal(moment.start))),
+        moments: [first, second].map(|moment| Torque::constant(Rational::decimal(moment.start))),
         push: Rational::zero(),
         lateral: Rational::decimal(lateral),
     };

@@ -7,7 +7,7 @@ use crate::stabilisation::drifting::{Drift, Drifting};
 use crate::stabilisation::law::{Stabilised, state};
 use crate::stabilisation::schemes::Scheme;
 use field::Rational;
-use integrators::{Attempt, Holding, Method, Ode, Record, Span, Tolerance, integrate};
+use integrators::{Attempt, Index2Method, Method, Ode, Record, Span, Tolerance, integrate};
 use mechanics::constrained::energies::{Kinematics, Reduced};
 use num_traits::Zero;
 use reader::Family;
@@ -141,10 +141,10 @@ fn tried(mechanism: &CrankSlider<f64>, way: &Configuration, span: f64) -> Vec<Tr
             [constant, Method::DormandPrince8].map(|method| Attempt::Integrated(&**law, method)).to_vec()
         }
         // a formulation with contacts is not compared here
-        Treated::Across(_) => Vec::new(),
+        Treated::Hybrid(_) => Vec::new(),
         Treated::Held(law) => vec![
-            Attempt::Held(&**law, Holding::ProjectedGauss { stages: 3, steps: 2_500 }),
-            Attempt::Held(&**law, Holding::HalfExplicitRungeKutta4 { steps: LONG }),
+            Attempt::Held(&**law, Index2Method::ProjectedGauss { stages: 3, steps: 2_500 }),
+            Attempt::Held(&**law, Index2Method::HalfExplicitRungeKutta4 { steps: LONG }),
         ],
     };
     // minimal coordinates have no constraint to violate

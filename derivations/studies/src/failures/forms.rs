@@ -93,9 +93,9 @@ fn second_of<P: Base>(bodies: &Gyrostat<P>) -> SecondForm<P> {
 }
 
 /// phi'' of a gyrostat that hangs at rest, under a torque on its rotor.
-fn turning<P: Base>(form: &impl Form<P>, moment: P) -> P {
+fn turning<P: Base>(form: &impl Form<P>, torque: P) -> P {
     let (rest, down) = (Vector3::zeros(), Vector3::new(P::zero(), P::zero(), P::one()));
-    form.accelerations(rest, down, P::zero(), moment).1
+    form.accelerations(rest, down, P::zero(), torque).1
 }
 
 /// The largest error of D in doubles, over carriers whose D is small.

@@ -8,8 +8,8 @@ use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
 use crate::scene::{Scene, Setup, Start};
 use crate::stationary::motor::MotorStates;
 use field::{Analytic, Circle, Over, Rational, Scalar, Tangent};
-use integrators::{Branch, Curve, Failure, Method, Walk, follow};
-use motor::{Datum, Motor, drive};
+use integrators::{Branch, ContinuationSettings, Curve, Failure, Method, continue_branch};
+use motor::{Datum, Motor, torque_and_current_rates};
 use reader::Family;
 use simulation::{Axes, Choice};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -94,8 +94,8 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
 }
 
 /// The torque on a rotor at synchronism, where no current flows.
-fn moment<P: Datum, S: Over<P>>(motor: &Motor<P>, angle: Circle<S>) -> S {
-    drive(motor, angle, S::zero(), &[], &mut [])
+fn torque<P: Datum, S: Over<P>>(motor: &Motor<P>, angle: Circle<S>) -> S {
+    torque_and_current_rates(motor, angle, S::zero(), &[], &mut [])
 }
 
 /// The motor with this coefficient of viscous friction.
@@ -108,10 +108,10 @@ fn rubbed<P: Datum>(motor: &Motor<P>, friction: P) -> Motor<P> {
 fn critical(motor: &Motor) -> Option<Rational> {
     let t = Sym::symbol("t");
     let [free, rubbed] = [0, 1].map(|f| rubbed(&motor.decimals(), Sym::int(f)));
-    let slope = moment(&free, Circle::from_half_tangent(t).moving(Sym::int(1))).slope;
+    let slope = torque(&free, Circle::from_half_tangent(t).moving(Sym::int(1))).slope;
     let load = |half: Rational| {
         let angle = Circle::from_half_tangent(Sym::constant(half));
-        let [free, rubbed] = [&free, &rubbed].map(|motor| moment(motor, angle));
+        let [free, rubbed] = [&free, &rubbed].map(|motor| torque(motor, angle));
         (-free / (rubbed - free)).as_constant()
     };
     let folds = numerator(slope, t)?.real_roots();
@@ -128,7 +128,7 @@ struct Standing {
 impl Standing {
     /// The torque of friction is linear in the coefficient of friction.
     fn value(&self, angle: Tangent<f64>, friction: Tangent<f64>) -> Tangent<f64> {
-        let [free, rubbed] = self.motors.each_ref().map(|motor| moment(motor, angle.circle()));
+        let [free, rubbed] = self.motors.each_ref().map(|motor| torque(motor, angle.circle()));
         free / Tangent::fixed(self.unit) + friction * (rubbed - free)
     }
 }
@@ -150,8 +150,14 @@ impl Curve for Standing {
 /// Continuation of the steady angle from zero friction round the fold, until half a turn is passed.
 fn round_the_fold(curve: &mut Standing, field_speed: f64) -> Option<Branch> {
     let within = |x: &[f64]| x[0].abs() < PI;
-    let walk = Walk { sizes: &[1.0, 1.0 / field_speed.abs()], parameter: 1, step: STEP, most: MOST, within: &within };
-    follow(curve, &[0.0, 0.0], &[0.0, 1.0], &walk)
+    let walk = ContinuationSettings {
+        sizes: &[1.0, 1.0 / field_speed.abs()],
+        parameter: 1,
+        step: STEP,
+        most: MOST,
+        within: &within,
+    };
+    continue_branch(curve, &[0.0, 0.0], &[0.0, 1.0], &walk)
 }
 
 /// Whether a run of the motor alone stays synchronous under a friction, from its steady angle under that friction or, beyond

@@ -1,6 +1,6 @@
 //! Trials: every method on a scene under a budget of evaluations, and its fate.
 
-use integrators::{End, Failure, Method, Outcome, Record, Span, System, Tolerance, beside, integrate};
+use integrators::{End, Failure, Method, Outcome, Record, Span, System, Tolerance, check_by_step_halving, integrate};
 use simulation::{Problem, methods};
 use std::fmt;
 
@@ -93,10 +93,12 @@ impl<'a> Tried<'a> {
             let accepted = !matches!(outcome.failure(), Some(Failure::Refused(_)));
             accepted.then(|| {
                 let told = match fate(&outcome, &record, left, &holds) {
-                    Fate::Wrong => beside(method, &record, |shorter| self.run(shorter)).map(|beside| beside.parting),
+                    Fate::Wrong => {
+                        check_by_step_halving(method, &record, |shorter| self.run(shorter)).map(|beside| beside.verdict)
+                    }
                     fate => return Trial { by, fate },
                 };
-                let told = told.filter(|parting| parting.parts()).map(|parting| Fate::Told(parting.name()));
+                let told = told.filter(|verdict| verdict.departs()).map(|verdict| Fate::Told(verdict.name()));
                 Trial { by, fate: told.unwrap_or(Fate::Wrong) }
             })
         };

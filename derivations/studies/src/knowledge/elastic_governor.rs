@@ -34,7 +34,7 @@ submit! { Knowledge {
     ..Knowledge::EMPTY
 } }
 
-submit! { Reductions { name: NAME, rungs } }
+submit! { Reductions { name: NAME, models } }
 
 /// The data by their names; the rim of the text has no mass.
 fn data(scene: &dyn Modelled) -> ElasticGovernor<f64> {
@@ -69,16 +69,16 @@ fn theory(data: &ElasticGovernor<f64>) -> Vec<String> {
 }
 
 /// Smaller models of the elastic rim.
-fn rungs(scene: &dyn Modelled) -> Vec<ReducedModel> {
+fn models(scene: &dyn Modelled) -> Vec<ReducedModel> {
     let (written, data, start) = (scene.symbolic_law(), data(scene), scene.problem(Axes::First).state);
-    let rung = |name, dropped: &str, parameter, rim: Rim, kept: Vec<usize>| {
+    let reduced = |name, dropped: &str, parameter, rim: Rim, kept: Vec<usize>| {
         let z0 = kept.iter().map(|&place| start[place]).collect();
         let whole = Whole { rim, data };
         ReducedModel::new(name, dropped, Loss::Small { parameter }, Lower::keeping(&written, kept, whole), z0)
     };
     let sleeve = || vec![0, 1, 2, 3, 6, 9];
     let quasi_steady = (data.alpha != 0.0).then(|| {
-        rung(
+        reduced(
             "rim relaxed",
             "the rim's relaxation: psi = x'/(R omega1), lambda = beta psi/alpha",
             "rate of the sleeve over that of the rim, R omega1 beta/2",
@@ -86,14 +86,14 @@ fn rungs(scene: &dyn Modelled) -> Vec<ReducedModel> {
             sleeve(),
         )
     });
-    let sliding = rung(
+    let sliding = reduced(
         "rigid wheel that slides",
         "the rim: the wheel slides across without resistance",
         "force of the rim over that of the springs",
         Rim::Absent,
         sleeve(),
     );
-    let rolling = rung(
+    let rolling = reduced(
         "rigid rim",
         "the rim and with it the sleeve's motion: a rigid wheel rolls on in its own plane",
         "way of the sleeve over its place",

@@ -20,7 +20,7 @@ submit! { Knowledge {
     ..Knowledge::EMPTY
 } }
 
-submit! { Reductions { name: NAME, rungs: |scene| frictionless(scene).into_iter().collect() } }
+submit! { Reductions { name: NAME, models: |scene| frictionless(scene).into_iter().collect() } }
 
 /// The governor whose wheel slides along its axle without friction; `None` where the scene has no such friction.
 pub(super) fn frictionless(scene: &dyn Modelled) -> Option<ReducedModel> {

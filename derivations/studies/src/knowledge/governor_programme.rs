@@ -12,8 +12,8 @@ use simulation::knowledge::{ClosedForm, Diagnosis, Ended, Knowledge, submit};
 use simulation::models::Modelled;
 use std::sync::Arc;
 use symbolic::Sym;
-use systems::governor::constant::{ConstantMoments, ProgrammeEnd};
-use systems::governor::{Gearing, Governor, Moment};
+use systems::governor::constant::{ConstantTorques, ProgrammeEnd};
+use systems::governor::{Gearing, Governor, Torque};
 
 const NAME: &str = "governor_programme";
 
@@ -29,7 +29,7 @@ submit! { Knowledge {
     margins,
 } }
 
-submit! { Reductions { name: NAME, rungs } }
+submit! { Reductions { name: NAME, models } }
 
 /// The governor of a scene, without a push along the axle.
 ///
@@ -46,7 +46,7 @@ pub fn governor(scene: &dyn Modelled) -> Result<Governor<f64>, &'static str> {
         mass: datum("m")?,
         radius: datum("r")?,
         gearing,
-        moments: [Moment::constant(datum("M1")?), Moment::constant(datum("M2")?)],
+        moments: [Torque::constant(datum("M1")?), Torque::constant(datum("M2")?)],
         push: 0.0,
         lateral: datum(LATERAL)?,
     })
@@ -68,7 +68,7 @@ impl Closed {
         }
         let law = governor.small_parameter(speed)?;
         let (of_second, of_first) = (law.of_second[0], law.of_first[0]);
-        let law = ConstantMoments { epsilon: law.epsilon, of_second, of_first, start };
+        let law = ConstantTorques { epsilon: law.epsilon, of_second, of_first, start };
         let distance = Box::new(move |time| law.distance(time));
         Some(Closed { course: law.course(), what: "the closed form by Lambert's W", distance })
     }
@@ -141,7 +141,7 @@ fn margins(scene: &dyn Modelled, states: &[String]) -> Option<Box<Margins>> {
     }))
 }
 
-fn rungs(scene: &dyn Modelled) -> Vec<ReducedModel> {
+fn models(scene: &dyn Modelled) -> Vec<ReducedModel> {
     frictionless(scene).into_iter().chain(series(scene).unwrap_or_default()).collect()
 }
 
@@ -161,7 +161,7 @@ fn series(scene: &dyn Modelled) -> Option<Vec<ReducedModel>> {
         let (rim, speed) = (second * Sym::lift(speed), Sym::lift(speed));
         [rim / first, speed, rim / Sym::lift(governor.radius)]
     };
-    let rung = |(order, name): (usize, &'static str)| {
+    let reduced = |(order, name): (usize, &'static str)| {
         let terms = Arc::new(law.series(start[3], order));
         let (seen, followed) = ((Arc::clone(&place), Arc::clone(&terms)), (Arc::clone(&place), terms));
         let lift = move |_: Sym, z: &[Sym]| {
@@ -180,5 +180,5 @@ fn series(scene: &dyn Modelled) -> Option<Vec<ReducedModel>> {
         let first = vec![0.0, start[0], start[1], start[2]];
         ReducedModel::new(name, "the powers of the small parameter beyond", loss, lower, first)
     };
-    Some(ORDERS.into_iter().filter_map(rung).collect())
+    Some(ORDERS.into_iter().filter_map(reduced).collect())
 }

@@ -9,7 +9,7 @@ use super::receipt::{Choice, Line, Receipt, Sufficiency, Wish, Work, cheapest};
 use super::run_rows::Run;
 use super::sampled_run::instants;
 use super::trial::Trial;
-use integrators::taking_turns;
+use integrators::interleaved;
 use simulation::Law;
 
 /// The method's share of the tolerance, with a margin for errors that its pilot runs do not show.
@@ -122,7 +122,7 @@ pub fn choose(models: &dyn Models, wish: &Wish) -> Result<Receipt, String> {
         Some(go) if trial.line == own => go(1.0, &instants(span).collect::<Vec<_>>()),
         _ => run_of(&forms[trial.line], &trial.plan, &instants(span).collect::<Vec<_>>()),
     };
-    let times = taking_turns(tried.len(), wish.allowed, |at| go(&tried[at]).is_some());
+    let times = interleaved(tried.len(), wish.allowed, |at| go(&tried[at]).is_some());
     let exact = models.exact();
     for (Trial { line, plan, run, error: promised }, time) in tried.into_iter().zip(times) {
         // a NaN is no estimate

@@ -10,7 +10,7 @@
 //!
 //! The first is a solution for fluxes with one harmonic, psi'' + psi constant, and is offered for these only. Windings with
 //! a supply, or with sliding conductors, have currents at synchronism too: all their currents take the steady values at the
-//! present angle and speed ([`motor::resting_currents`]).
+//! present angle and speed ([`motor::steady_currents`]).
 
 use field::{Circle, Over, Tangent};
 use motor::Machine;

@@ -35,22 +35,22 @@ impl Hierarchy {
     /// The failure of a run, or of a richer law without series.
     pub fn shares(
         &self,
-        rung: &ReducedModel,
+        reduced: &ReducedModel,
         watched: &Watched,
         rich: &dyn System,
         stretches: usize,
         tolerance: f64,
     ) -> Result<Shares, Failure> {
         let n = self.start.len();
-        let span = Span::new(0.0, self.own.span, &rung.start).with_even_outputs(stretches);
+        let span = Span::new(0.0, self.own.span, &reduced.start).with_even_outputs(stretches);
         let mut record = Record::new();
-        let outcome = integrate(&*rung.law, Method::DormandPrince8, &Tolerance::both(tolerance), &span, &mut record);
+        let outcome = integrate(&*reduced.law, Method::DormandPrince8, &Tolerance::both(tolerance), &span, &mut record);
         if let Some(failure) = outcome.failure() {
             return Err(failure);
         }
         let times: Vec<f64> = std::iter::once(0.0).chain(record.times.iter().copied()).collect();
-        let states = std::iter::once(&rung.start).chain(&record.states);
-        let lifted: Vec<Vec<f64>> = times.iter().zip(states).map(|(time, z)| rung.lifted(*time, z, n)).collect();
+        let states = std::iter::once(&reduced.start).chain(&record.states);
+        let lifted: Vec<Vec<f64>> = times.iter().zip(states).map(|(time, z)| reduced.lifted(*time, z, n)).collect();
         let mut found: Vec<(Vec<f64>, Vec<f64>)> = Vec::new();
         for k in 0..stretches {
             let flown = transition(rich, &Tolerance::both(tolerance), (times[k], times[k + 1]), &lifted[k])?;

@@ -147,8 +147,8 @@ impl Hierarchy {
     ///
     /// # Errors
     /// The failure of the run: the smaller model's motion may leave the domain of the richer law.
-    pub fn estimate(&self, rung: &ReducedModel, watched: &Watched, tolerance: f64) -> Result<Estimate, Failure> {
-        self.estimate_within(rung, watched, tolerance, f64::INFINITY)
+    pub fn estimate(&self, reduced: &ReducedModel, watched: &Watched, tolerance: f64) -> Result<Estimate, Failure> {
+        self.estimate_within(reduced, watched, tolerance, f64::INFINITY)
     }
 
     /// The error estimate of a reduced model, ended at the first step or instant at which it exceeds `most`.
@@ -157,49 +157,49 @@ impl Hierarchy {
     /// As [`Self::estimate`].
     pub fn estimate_within(
         &self,
-        rung: &ReducedModel,
+        reduced: &ReducedModel,
         watched: &Watched,
         tolerance: f64,
         most: f64,
     ) -> Result<Estimate, Failure> {
-        if rung.is_exact() {
+        if reduced.is_exact() {
             return Ok(Estimate::nothing(watched.columns.len()));
         }
         let (n, span) = (self.start.len(), self.own.span);
-        let law = carried(&self.written, &rung.lower).ok_or(Failure::Refused(Refusal::NoSeries))?;
-        let y0 = rung.lifted(0.0, &rung.start, n);
+        let law = carried(&self.written, &reduced.lower).ok_or(Failure::Refused(Refusal::NoSeries))?;
+        let y0 = reduced.lifted(0.0, &reduced.start, n);
         let first = self.start.iter().zip(&y0).map(|(y, lifted)| y - lifted);
-        let start = rung.start.iter().copied().chain(first).chain(vec![0.0; n]).collect();
-        let sizes: Vec<f64> = match &rung.lower.kept {
+        let start = reduced.start.iter().copied().chain(first).chain(vec![0.0; n]).collect();
+        let sizes: Vec<f64> = match &reduced.lower.kept {
             Some(places) => places.iter().map(|&place| watched.states[place]).collect(),
             // the sizes of other states come from a coarse run of the smaller model
             None => {
                 let looks: Vec<f64> = looks(span).collect();
-                let (coarse, _) = followed_at(&*rung.law, &Tolerance::both(COARSE), &looks, &rung.start)?;
-                let states = || coarse.states.iter().chain([&rung.start]);
-                (0..rung.start.len()).map(|i| largest(states().map(|state| state[i]))).collect()
+                let (coarse, _) = followed_at(&*reduced.law, &Tolerance::both(COARSE), &looks, &reduced.start)?;
+                let states = || coarse.states.iter().chain([&reduced.start]);
+                (0..reduced.start.len()).map(|i| largest(states().map(|state| state[i]))).collect()
             }
         };
         let carrying = Carrying {
             watched,
-            lift: &|time, z| rung.lifted(time, z, n),
+            lift: &|time, z| reduced.lifted(time, z, n),
             row: &|time, y| self.row(time, y),
             small: &|time, z| {
-                let small = rung.small.as_ref()?;
+                let small = reduced.small.as_ref()?;
                 let mut rates = vec![0.0; z.len()];
-                rung.law.rates(time, z, &mut rates);
+                reduced.law.rates(time, z, &mut rates);
                 small(z, &rates)
             },
-            kept: rung.start.len(),
+            kept: reduced.start.len(),
         };
         carrying.estimate(&[(span, law)], start, &sizes, tolerance, most)
     }
 
     /// The largest difference of the outputs, relative to their sizes, between the runs of a reduced model and of the law from which it
     /// is derived.
-    pub fn difference(&self, rung: &ReducedModel, low: &Record<f64>, rich: &Record<f64>, watched: &Watched) -> f64 {
+    pub fn difference(&self, reduced: &ReducedModel, low: &Record<f64>, rich: &Record<f64>, watched: &Watched) -> f64 {
         let at = |((time, z), y): ((&f64, &Vec<f64>), &Vec<f64>)| {
-            let low = self.row(*time, &rung.lifted(*time, z, self.start.len()));
+            let low = self.row(*time, &reduced.lifted(*time, z, self.start.len()));
             watched.off(&low, &self.row(*time, y))
         };
         low.times.iter().zip(&low.states).zip(&rich.states).map(at).fold(0.0, f64::max)

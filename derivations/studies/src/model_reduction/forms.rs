@@ -57,17 +57,17 @@ impl Models for Forms {
     fn lines(&self, watched: &Watched, _tolerance: f64) -> (Vec<Line>, u64) {
         let ladder = &self.ladders[0];
         let own = Line::own(&ladder.model, ladder.own.state.len(), watched.columns.len());
-        let smaller = ladder.rungs.iter().map(|rung| Line {
-            name: rung.name.to_owned(),
-            dropped: rung.dropped.clone(),
-            loss: rung.loss,
-            states: rung.start.len(),
-            model: match rung.is_exact() {
+        let smaller = ladder.models.iter().map(|reduced| Line {
+            name: reduced.name.to_owned(),
+            dropped: reduced.dropped.clone(),
+            loss: reduced.loss,
+            states: reduced.start.len(),
+            model: match reduced.is_exact() {
                 true => Ok(Estimate::nothing(watched.columns.len())),
                 false => Err(BY_ITS_RUN.to_owned()),
             },
             verdict: Sufficiency::Suffices,
-            asked_as: (rung.shows.is_empty() || rung.shows_all(&watched.names)).then(|| rung.name.to_owned()),
+            asked_as: (reduced.shows.is_empty() || reduced.shows_all(&watched.names)).then(|| reduced.name.to_owned()),
             choice: None,
         });
         (std::iter::once(own).chain(smaller).collect(), 0)
@@ -75,9 +75,9 @@ impl Models for Forms {
 
     fn start(&self, line: usize) -> Option<(&dyn Law, &[f64])> {
         let ladder = self.ladders.first()?;
-        Some(match line.checked_sub(1).and_then(|rung| ladder.rungs.get(rung)) {
+        Some(match line.checked_sub(1).and_then(|reduced| ladder.models.get(reduced)) {
             None => (&*ladder.own.law, &ladder.own.state),
-            Some(rung) => (&*rung.law, &rung.start),
+            Some(reduced) => (&*reduced.law, &reduced.start),
         })
     }
 
@@ -92,7 +92,7 @@ impl Models for Forms {
 
     fn code_size(&self, line: usize) -> Option<usize> {
         let ladder = self.ladders.first()?;
-        line.checked_sub(1).map_or(ladder.own.law.code_size(), |rung| ladder.rungs.get(rung)?.law.code_size())
+        line.checked_sub(1).map_or(ladder.own.law.code_size(), |reduced| ladder.models.get(reduced)?.law.code_size())
     }
 
     fn exact(&self) -> Option<Vec<Vec<f64>>> {
@@ -119,25 +119,25 @@ impl Models for Forms {
             return None;
         }
         let far = |line: &Line| matches!(line.verdict, Sufficiency::TooFar | Sufficiency::NotBelieved);
-        let worth = |at: usize, rung: &ReducedModel| rung.lower.kept.is_some() && cheaper(ladder, at + 1, rich);
-        let unfit = ladder.rungs.iter().enumerate().filter(|(at, _)| far(&lines[at + 1]));
-        let unfit: Vec<(usize, &ReducedModel)> = unfit.filter(|(at, rung)| worth(*at, rung)).collect();
+        let worth = |at: usize, reduced: &ReducedModel| reduced.lower.kept.is_some() && cheaper(ladder, at + 1, rich);
+        let unfit = ladder.models.iter().enumerate().filter(|(at, _)| far(&lines[at + 1]));
+        let unfit: Vec<(usize, &ReducedModel)> = unfit.filter(|(at, reduced)| worth(*at, reduced)).collect();
         if unfit.is_empty() {
             return None;
         }
         let course = ladder.course(watched, Some(Instant::now() + wish.allowed)).ok()?;
-        let schedules = unfit.into_iter().filter_map(|(at, rung)| {
-            let schedule = ladder.schedule(rung, &course, OF_MODEL * wish.tolerance)?;
+        let schedules = unfit.into_iter().filter_map(|(at, reduced)| {
+            let schedule = ladder.schedule(reduced, &course, OF_MODEL * wish.tolerance)?;
             (schedule.share() >= WORTH_WHILE).then_some((at, schedule))
         });
         let (at, schedule) = schedules.max_by(|a, b| a.1.share().total_cmp(&b.1.share()))?;
         let low = plan::plan(&[runnable(ladder, at + 1, Axes::First)], watched, OF_METHOD * wish.tolerance)?;
         let spans = schedule.spans().into_iter().map(|(from, to)| format!("{from:.3} to {to:.3} s"));
-        let (rung, name) = (&ladder.rungs[at], &lines[rich].name);
+        let (reduced, name) = (&ladder.models[at], &lines[rich].name);
         let line = Line {
             name: SWITCHING.to_owned(),
-            dropped: format!("{name}, and from {} {}", spans.collect::<Vec<_>>().join(", "), rung.name),
-            loss: rung.loss,
+            dropped: format!("{name}, and from {} {}", spans.collect::<Vec<_>>().join(", "), reduced.name),
+            loss: reduced.loss,
             states: ladder.start.len(),
             model: Ok(Estimate { first: schedule.promised, ..Estimate::nothing(watched.columns.len()) }),
             asked_as: None,
@@ -147,7 +147,7 @@ impl Models for Forms {
         let sides = [(plan.method, plan.tolerance), (low.method, low.tolerance)];
         let go = move |finer: f64, times: &[f64]| {
             let sides = sides.map(|(method, tolerance)| (method, (tolerance * finer).max(FINEST)));
-            ladder.run_switching(rung, &schedule, sides, MOST, times)
+            ladder.run_switching(reduced, &schedule, sides, MOST, times)
         };
         Some(Mixed { line, plan, go: Box::new(go) })
     }
@@ -157,7 +157,7 @@ impl Models for Forms {
 /// states of a run over the whole span, by a method that needs no recording.
 fn cheaper(ladder: &Hierarchy, line: usize, rich: usize) -> bool {
     let work = |line: usize| {
-        let states = line.checked_sub(1).map_or(ladder.own.state.len(), |rung| ladder.rungs[rung].start.len());
+        let states = line.checked_sub(1).map_or(ladder.own.state.len(), |reduced| ladder.models[reduced].start.len());
         let (run, evaluations) = runnable(ladder, line, Axes::First).run(Method::DormandPrince8, COARSE, MOST, None);
         run.map(|_| evaluations as f64 * states as f64)
     };
@@ -167,18 +167,18 @@ fn cheaper(ladder: &Hierarchy, line: usize, rich: usize) -> bool {
 /// A line of the receipt in a form.
 fn runnable(ladder: &Hierarchy, line: usize, axes: Axes) -> Runnable<'_> {
     let span = ladder.own.span;
-    match line.checked_sub(1).and_then(|rung| ladder.rungs.get(rung)) {
+    match line.checked_sub(1).and_then(|reduced| ladder.models.get(reduced)) {
         None if ladder.own.switching.is_some() => across_events(axes, &ladder.own),
         None => {
             let (law, start) = (Arc::clone(&ladder.own.law), ladder.own.state.clone());
             let outside = |time: f64, y: &[f64]| ladder.own.outside(time, y).is_some();
             Runnable::of_law(axes, law, start, span, |time, y| (ladder.own.row)(time, y), outside)
         }
-        Some(rung) => {
-            let lifted = move |time: f64, z: &[f64]| rung.lifted(time, z, ladder.start.len());
+        Some(reduced) => {
+            let lifted = move |time: f64, z: &[f64]| reduced.lifted(time, z, ladder.start.len());
             let outside = move |time: f64, z: &[f64]| ladder.left(time, &lifted(time, z)).is_some();
             let row = move |time: f64, z: &[f64]| ladder.row(time, &lifted(time, z));
-            Runnable::of_law(axes, Arc::clone(&rung.law), rung.start.clone(), span, row, outside)
+            Runnable::of_law(axes, Arc::clone(&reduced.law), reduced.start.clone(), span, row, outside)
         }
     }
 }

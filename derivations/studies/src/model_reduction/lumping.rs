@@ -13,7 +13,7 @@
 use super::currents::has_one_harmonic;
 use super::elimination::{factored, inverse_of_unit, pivots, shares};
 use field::{Base, Circle, Over, Rational, Scalar};
-use motor::{Machine, RotorState, drive, is_fed};
+use motor::{Machine, RotorState, is_fed, torque_and_current_rates};
 use symbolic::{Hypotheses, Sym, decide};
 
 /// Harmonics of the fluxes that the sampled angles distinguish. With more harmonics the proof fails: a wrong model is impossible.
@@ -120,12 +120,12 @@ impl Lumping {
             self.down.iter().map(row).collect()
         };
         let mut rates = vec![Sym::ZERO; currents.len()];
-        let moment = drive(machine, angle, slip, &currents, &mut rates);
+        let torque = torque_and_current_rates(machine, angle, slip, &currents, &mut rates);
         let mut lumped_rates = vec![Sym::ZERO; self.windings.len()];
-        let same = drive(&lumped, angle, slip, &down(&currents), &mut lumped_rates);
+        let same = torque_and_current_rates(&lumped, angle, slip, &down(&currents), &mut lumped_rates);
         let hypotheses = Hypotheses::none().on_circle(angle);
         let equal = |a: Sym, b: Sym| decide(a - b, &hypotheses).is_zero();
-        equal(moment, same) && down(&rates).iter().zip(&lumped_rates).all(|(&a, &b)| equal(a, b))
+        equal(torque, same) && down(&rates).iter().zip(&lumped_rates).all(|(&a, &b)| equal(a, b))
     }
 
     /// The windings with their data in another field.
@@ -235,8 +235,8 @@ impl<P: Base, M: Machine<P>> Machine<P> for Lumped<P, M> {
         self.machine.field_energy(angle)
     }
 
-    fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
-        self.machine.moment_law(slip, speed)
+    fn torque_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
+        self.machine.torque_law(slip, speed)
     }
 }
 

@@ -106,7 +106,7 @@ pub struct Hierarchy {
     pub law: Arc<dyn Law>,
     pub start: Vec<f64>,
     pub whole: Box<Whole>,
-    pub rungs: Vec<ReducedModel>,
+    pub models: Vec<ReducedModel>,
     /// The lumping of the windings, if there is one.
     pub lumping: Option<Lumping>,
 }
@@ -161,21 +161,21 @@ impl Hierarchy {
 
     /// The reduced models as configurations for a work-precision study, each with a law of its own.
     pub fn ways(self: &Arc<Self>, formulation: Formulation) -> Vec<Configuration> {
-        let way = |(at, rung): (usize, &ReducedModel)| {
+        let way = |(at, reduced): (usize, &ReducedModel)| {
             let ladder = Arc::clone(self);
             let states = self.start.len();
-            let row = move |time: f64, z: &[f64]| ladder.row(time, &ladder.rungs[at].lifted(time, z, states));
+            let row = move |time: f64, z: &[f64]| ladder.row(time, &ladder.models[at].lifted(time, z, states));
             Configuration {
                 formulation,
-                model: rung.name,
-                standing: if rung.is_exact() { Standing::Exact } else { Standing::Approximate },
-                law: Treated::Free(Arc::clone(&rung.law)),
-                state: rung.start.clone(),
+                model: reduced.name,
+                standing: if reduced.is_exact() { Standing::Exact } else { Standing::Approximate },
+                law: Treated::Free(Arc::clone(&reduced.law)),
+                state: reduced.start.clone(),
                 sizes: Vec::new(),
                 columns: self.own.columns.clone(),
                 row: Box::new(row),
             }
         };
-        self.rungs.iter().enumerate().map(way).collect()
+        self.models.iter().enumerate().map(way).collect()
     }
 }

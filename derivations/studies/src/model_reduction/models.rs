@@ -14,7 +14,7 @@ use std::sync::Arc;
 pub struct Reductions {
     /// The name, as in [`simulation::knowledge::Knowledge`].
     pub name: &'static str,
-    pub rungs: fn(&dyn Modelled) -> Vec<ReducedModel>,
+    pub models: fn(&dyn Modelled) -> Vec<ReducedModel>,
 }
 
 inventory::collect!(Reductions);
@@ -27,14 +27,14 @@ impl Hierarchy {
     pub fn of_model(scene: &dyn Modelled) -> Self {
         let own = scene.problem(Axes::First);
         let known = inventory::iter::<Reductions>().filter(|one| scene.known_as() == Some(one.name));
-        let rungs = known.flat_map(|one| (one.rungs)(scene)).collect();
+        let models = known.flat_map(|one| (one.models)(scene)).collect();
         Hierarchy {
             model: scene.model().to_owned(),
             written: scene.symbolic_law(),
             law: Arc::clone(&own.law),
             start: own.state.clone(),
             whole: Box::new(|_, state| state.to_vec()),
-            rungs,
+            models,
             lumping: None,
             own,
         }

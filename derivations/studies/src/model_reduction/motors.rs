@@ -18,19 +18,19 @@ impl Hierarchy {
     /// The hierarchy of a scene in the axes of a form.
     pub fn of_scene(scene: &Scene, axes: Axes) -> Self {
         let own = scene.problem(axes);
-        let Within { written, start, whole, lumping, rungs } = Within::of(scene, axes, &own.state);
-        let law = match (&lumping, rungs.first()) {
+        let Within { written, start, whole, lumping, models } = Within::of(scene, axes, &own.state);
+        let law = match (&lumping, models.first()) {
             (Some(_), Some(lumped)) => Arc::clone(&lumped.law),
             _ => Arc::clone(&own.law),
         };
         let model = scene.machine.name().to_owned();
-        let mut ladder = Hierarchy { model, own, written, law, start, whole, rungs, lumping };
+        let mut ladder = Hierarchy { model, own, written, law, start, whole, models, lumping };
         let known =
             catalogue::entries().into_iter().map(|entry| entry.name).take_while(|name| *name != scene.machine.name());
         // lumping finds the equivalent windings
         let known = known.filter(|name| *name != "equivalent_windings").collect::<Vec<_>>();
         for model in known.into_iter().rev() {
-            ladder.rungs.extend(smaller_machines::rung(scene, axes, &ladder, model));
+            ladder.models.extend(smaller_machines::reduced_model(scene, axes, &ladder, model));
         }
         ladder
     }
@@ -42,7 +42,7 @@ struct Within {
     start: Vec<f64>,
     whole: Box<Whole>,
     lumping: Option<Lumping>,
-    rungs: Vec<ReducedModel>,
+    models: Vec<ReducedModel>,
 }
 
 impl Within {
@@ -66,21 +66,21 @@ impl Within {
         let Some(exact) = ReducedModel::new("lumped windings", &dropped, loss, lower, inner.clone()) else {
             return unlumped(scene, axes, lumped.machine, start);
         };
-        let rungs = std::iter::once(exact).chain(quasi_steady::rungs(&lumped, &written, &inner)).collect();
+        let models = std::iter::once(exact).chain(quasi_steady::models(&lumped, &written, &inner)).collect();
         let recovery = lumping.recovery(currents);
         let whole = move |time: f64, y: &[f64]| {
             let (mechanics, lumped) = y.split_at(mechanical);
             mechanics.iter().copied().chain(recovery.currents(time, lumped)).collect()
         };
-        Within { written, start: inner, whole: Box::new(whole), lumping: Some(lumping), rungs }
+        Within { written, start: inner, whole: Box::new(whole), lumping: Some(lumping), models }
     }
 }
 
 /// The reduced models from a machine without lumping.
 fn unlumped(scene: &Scene, axes: Axes, machine: Motor, start: &[f64]) -> Within {
     let written = written(&scene.system, axes, machine.clone());
-    let rungs = quasi_steady::rungs(&machine, &written, start);
-    Within { written, start: start.to_vec(), whole: Box::new(|_, y| y.to_vec()), lumping: None, rungs }
+    let models = quasi_steady::models(&machine, &written, start);
+    Within { written, start: start.to_vec(), whole: Box::new(|_, y| y.to_vec()), lumping: None, models }
 }
 
 /// The symbolic law of a system with a machine.

@@ -9,13 +9,13 @@ use simulation::SymbolicLaw;
 use std::sync::Arc;
 
 /// The reduced models, those that replace only the fastest windings first.
-pub(super) fn rungs<M>(machine: &M, written: &Arc<dyn SymbolicLaw>, start: &[f64]) -> Vec<ReducedModel>
+pub(super) fn models<M>(machine: &M, written: &Arc<dyn SymbolicLaw>, start: &[f64]) -> Vec<ReducedModel>
 where
     M: Machine<f64> + Clone + Send + Sync + 'static,
 {
     let windings = machine.windings();
     if is_fed(machine) {
-        return steady_currents::rung(machine, written, start).into_iter().collect();
+        return steady_currents::reduced_model(machine, written, start).into_iter().collect();
     }
     if windings == 0 || machine.rotor() != RotorState::AngleAndSpeed {
         return Vec::new();
@@ -26,7 +26,7 @@ where
     // windings with one time constant up to rounding form one class
     let ends = (1..=windings)
         .filter(|&end| end == windings || time_constant(order[end]) > (1.0 + 1e-9) * time_constant(order[end - 1]));
-    let mut rungs = Vec::new();
+    let mut models = Vec::new();
     for end in ends {
         let mut slaved = order[..end].to_vec();
         slaved.sort_unstable();
@@ -37,9 +37,9 @@ where
             &[Current::AtPresentSlip, Current::Resistive]
         };
         let suitable = kinds.iter().filter(|kind| slaved.iter().all(|&k| kind.suits(machine, k)));
-        rungs.extend(suitable.filter_map(|&kind| without(machine, written, start, &slaved, kind)));
+        models.extend(suitable.filter_map(|&kind| without(machine, written, start, &slaved, kind)));
     }
-    rungs
+    models
 }
 
 /// The reduced model on which these windings have currents of one kind.
@@ -70,9 +70,9 @@ where
     let fill = Slaved { machine: machine.clone(), rotor, currents: mechanical, slaved: slaved.to_vec(), kind };
     let loss = Loss::Small { parameter: kind.parameter() };
     let lower = Lower::keeping(written, kept, fill);
-    let mut rung = ReducedModel::new(name, &dropped, loss, lower, z0)?;
-    rung.small = Some(Box::new(move |z, dz| kind.value(slowest, z[rotor + 1], dz[rotor + 1])));
-    Some(rung)
+    let mut reduced = ReducedModel::new(name, &dropped, loss, lower, z0)?;
+    reduced.small = Some(Box::new(move |z, dz| kind.value(slowest, z[rotor + 1], dz[rotor + 1])));
+    Some(reduced)
 }
 
 /// Quasi-steady currents as functions of angle and slip.

@@ -13,7 +13,7 @@ pub struct ReducedScene<'a> {
     scene: &'a dyn IvpScene,
     /// The hierarchies in the axes of each form that the scene has, the first form first.
     ladders: Vec<Arc<Hierarchy>>,
-    rung: usize,
+    reduced: usize,
 }
 
 impl<'a> ReducedScene<'a> {
@@ -23,9 +23,9 @@ impl<'a> ReducedScene<'a> {
     /// The names of the known models.
     pub fn of(scene: &'a dyn IvpScene, ladders: Vec<Hierarchy>, name: &str) -> Result<Self, Vec<&'static str>> {
         let known: Vec<&str> =
-            ladders.first().into_iter().flat_map(|ladder| &ladder.rungs).map(|rung| rung.name).collect();
+            ladders.first().into_iter().flat_map(|ladder| &ladder.models).map(|reduced| reduced.name).collect();
         match known.iter().position(|known| *known == name) {
-            Some(rung) => Ok(ReducedScene { scene, ladders: ladders.into_iter().map(Arc::new).collect(), rung }),
+            Some(reduced) => Ok(ReducedScene { scene, ladders: ladders.into_iter().map(Arc::new).collect(), reduced }),
             None => Err(known),
         }
     }
@@ -41,7 +41,7 @@ impl IvpScene for ReducedScene<'_> {
     }
 
     fn model(&self) -> &str {
-        self.ladders[0].rungs[self.rung].name
+        self.ladders[0].models[self.reduced].name
     }
 
     fn has_own_names(&self) -> bool {
@@ -57,11 +57,11 @@ impl IvpScene for ReducedScene<'_> {
             Axes::First => &self.ladders[0],
             Axes::Second => self.ladders.last().unwrap_or(&self.ladders[0]),
         };
-        let (ladder, at) = (Arc::clone(ladder), self.rung);
-        let (law, state) = (Arc::clone(&ladder.rungs[at].law), ladder.rungs[at].start.clone());
+        let (ladder, at) = (Arc::clone(ladder), self.reduced);
+        let (law, state) = (Arc::clone(&ladder.models[at].law), ladder.models[at].start.clone());
         let (span, columns) = (ladder.own.span, ladder.own.columns.clone());
         let lifted = move |time: f64, z: &[f64]| {
-            let whole = ladder.rungs[at].lifted(time, z, ladder.start.len());
+            let whole = ladder.models[at].lifted(time, z, ladder.start.len());
             (Arc::clone(&ladder), whole)
         };
         let of_margins = lifted.clone();

@@ -13,7 +13,12 @@ use symbolic::Sym;
 
 /// The reduced model by a smaller motor model, lifted by the names of the states: an angle that it lacks is the integral of its
 /// slip, currents that it lacks are zero.
-pub(super) fn rung(scene: &Scene, axes: Axes, ladder: &Hierarchy, model: &'static str) -> Option<ReducedModel> {
+pub(super) fn reduced_model(
+    scene: &Scene,
+    axes: Axes,
+    ladder: &Hierarchy,
+    model: &'static str,
+) -> Option<ReducedModel> {
     let smaller = scene.with_model(model).ok()?;
     let names = smaller.names();
     if names.is_empty() {
@@ -55,11 +60,11 @@ pub(super) fn rung(scene: &Scene, axes: Axes, ladder: &Hierarchy, model: &'stati
     start.extend(turning.then_some(scene.start.rotor_angle));
     let lower = Lower { dimension: start.len(), lift: Arc::new(lift), rates: Arc::new(rates), kept: None };
     let (dropped, parameter) = dropped(model);
-    let mut rung = ReducedModel::new(model, dropped, Loss::Small { parameter }, lower, start)?;
+    let mut reduced = ReducedModel::new(model, dropped, Loss::Small { parameter }, lower, start)?;
     // a run of the smaller machine measures the slip against its own field
     let shown = outputs(scene.on_bench(), &smaller.machine);
-    rung.shows = shown.into_iter().filter(|name| name != "slip" || lag == 0.0).collect();
-    Some(rung)
+    reduced.shows = shown.into_iter().filter(|name| name != "slip" || lag == 0.0).collect();
+    Some(reduced)
 }
 
 /// The parts that a smaller machine leaves out, and the parameter that must be small for that, in words.
@@ -67,11 +72,11 @@ fn dropped(model: &str) -> (&'static str, &'static str) {
     match model {
         "synchronous" => ("all currents and the damping by slip", "damping of the swing over one swing"),
         "kloss" | "asynchronous" => {
-            ("the angle to the field: the moment is one of slip alone", "b0 over the moment of slip")
+            ("the angle to the field: the torque is one of slip alone", "b0 over the torque of slip")
         }
-        "free_rotor" => ("the motor's moment", "M t over the rotor's momentum"),
+        "free_rotor" => ("the motor's torque", "M t over the rotor's momentum"),
         _ => (
-            "the rotor's own motion: its speed is kept by whatever moment that takes",
+            "the rotor's own motion: its speed is prescribed and does not depend on the torque",
             "change of speed over the speed",
         ),
     }

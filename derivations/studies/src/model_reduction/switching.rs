@@ -15,11 +15,11 @@ use nalgebra::DMatrix;
 use std::time::Instant;
 
 /// Intervals of a run.
-pub const STRETCHES: usize = 64;
+pub const INTERVALS: usize = 64;
 /// States along each interval from which its transition matrix is computed.
 const KNOTS: usize = 4;
 /// Jacobians along the coarse run, each more expensive than an evaluation.
-pub const LOOKING: usize = 2 * STRETCHES * KNOTS;
+pub const LOOKING: usize = 2 * INTERVALS * KNOTS;
 /// The ratio of the threshold at which the smaller model is left to that at which it is taken up.
 const HYSTERESIS: f64 = 4.0;
 /// The tolerance of the coarse run.
@@ -76,9 +76,9 @@ impl Hierarchy {
     /// The failure of the run, which may be the deadline.
     pub fn course(&self, watched: &Watched, deadline: Option<Instant>) -> Result<CoarseRun, Failure> {
         let (n, span) = (self.start.len(), self.own.span);
-        let times: Vec<f64> = (1..=STRETCHES).map(|k| span * (k as f64 / STRETCHES as f64)).collect();
+        let times: Vec<f64> = (1..=INTERVALS).map(|k| span * (k as f64 / INTERVALS as f64)).collect();
         let mut record = Record::new();
-        let mut even = Span::new(0.0, span, &self.start).with_even_outputs(STRETCHES * KNOTS);
+        let mut even = Span::new(0.0, span, &self.start).with_even_outputs(INTERVALS * KNOTS);
         if let Some(deadline) = deadline {
             even = even.with_deadline(deadline);
         }
@@ -97,8 +97,8 @@ impl Hierarchy {
         let whole = |parts: &[DMatrix<f64>]| parts.iter().fold(DMatrix::identity(n, n), |whole, part| part * whole);
         let matrices: Vec<DMatrix<f64>> = short.chunks(KNOTS).map(whole).collect();
         let states: Vec<Vec<f64>> = knots.into_iter().step_by(KNOTS).map(|(_, state, _)| state).collect();
-        let mut weights = vec![Vec::new(); STRETCHES];
-        for end in 1..=STRETCHES {
+        let mut weights = vec![Vec::new(); INTERVALS];
+        for end in 1..=INTERVALS {
             for (&column, size) in watched.columns.iter().zip(&watched.sizes) {
                 let mut weight = self.output(column, *size, times[end - 1], &states[end]);
                 for k in (0..end).rev() {
@@ -113,9 +113,9 @@ impl Hierarchy {
 
     /// The schedule of a reduced model for an allowed error of the outputs; `None` where it suffices nowhere, or where its states are not
     /// among those of the richer law.
-    pub fn schedule(&self, rung: &ReducedModel, course: &CoarseRun, allowed: f64) -> Option<Schedule> {
-        let kept = rung.lower.kept.as_ref()?;
-        let losses: Vec<f64> = (0..STRETCHES).map(|k| self.loss(rung, kept, course, k)).collect();
+    pub fn schedule(&self, reduced: &ReducedModel, course: &CoarseRun, allowed: f64) -> Option<Schedule> {
+        let kept = reduced.lower.kept.as_ref()?;
+        let losses: Vec<f64> = (0..INTERVALS).map(|k| self.loss(reduced, kept, course, k)).collect();
         let taken = |threshold: f64| -> Vec<bool> {
             let mut low = false;
             let step = |loss: &f64| {
@@ -135,16 +135,16 @@ impl Hierarchy {
     }
 
     /// The largest change of an output by a reduced model on the interval k; infinite where its run does not reach the end.
-    fn loss(&self, rung: &ReducedModel, kept: &[usize], course: &CoarseRun, k: usize) -> f64 {
+    fn loss(&self, reduced: &ReducedModel, kept: &[usize], course: &CoarseRun, k: usize) -> f64 {
         let begin = k.checked_sub(1).map_or(0.0, |before| course.times[before]);
         let (y, end) = (&course.states[k], course.times[k]);
         let down: Vec<f64> = kept.iter().map(|&place| y[place]).collect();
         let span = Span::new(begin, end, &down);
-        let ended = integrate(&*rung.law, Method::DormandPrince8, &Tolerance::both(COARSE), &span, &mut ());
+        let ended = integrate(&*reduced.law, Method::DormandPrince8, &Tolerance::both(COARSE), &span, &mut ());
         if !ended.reached() {
             return f64::INFINITY;
         }
-        let up = rung.lifted(end, &ended.state, self.start.len());
+        let up = reduced.lifted(end, &ended.state, self.start.len());
         let off: Vec<f64> = up.iter().zip(&course.states[k + 1]).map(|(up, y)| up - y).collect();
         let lost = |weight: &Vec<f64>| weight.iter().zip(&off).map(|(w, d)| w * d).sum::<f64>().abs();
         course.weights[k].iter().map(lost).fold(0.0, f64::max)
@@ -153,13 +153,13 @@ impl Hierarchy {
     /// The switching run of a schedule, with rows at its steps and at these times; `None` where it does not reach its end.
     pub fn run_switching(
         &self,
-        rung: &ReducedModel,
+        reduced: &ReducedModel,
         schedule: &Schedule,
         sides: Sides,
         most: u64,
         times: &[f64],
     ) -> Option<Run> {
-        let kept = rung.lower.kept.as_ref()?;
+        let kept = reduced.lower.kept.as_ref()?;
         let (law, start) = (&self.law, &self.start);
         let n = self.start.len();
         let (mut at, mut y) = (0.0, start.clone());
@@ -174,9 +174,9 @@ impl Hierarchy {
             let state = if low { kept.iter().map(|&place| y[place]).collect() } else { y.clone() };
             let span = Span::new(at, end, &state).with_outputs(&outputs).with_evaluations(most);
             let (method, tolerance) = sides[usize::from(low)];
-            let whole = |time: f64, state: &[f64]| if low { rung.lifted(time, state, n) } else { state.to_vec() };
+            let whole = |time: f64, state: &[f64]| if low { reduced.lifted(time, state, n) } else { state.to_vec() };
             let mut along = Along::of(|time: f64, state: &[f64]| self.row(time, &whole(time, state)));
-            let system = if low { &rung.law } else { law };
+            let system = if low { &reduced.law } else { law };
             let outcome = integrate(&**system, method, &Tolerance::both(tolerance), &span, &mut along);
             let evaluations = outcome.work.rates + outcome.work.jacobians * state.len() as u64;
             outcome.reached().then_some(())?;

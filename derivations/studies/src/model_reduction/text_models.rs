@@ -206,7 +206,7 @@ impl Models for TextModels {
     }
 
     fn forms(&self, line: usize) -> Vec<Runnable<'_>> {
-        let known = self.known.ladders[0].rungs.len() + 1;
+        let known = self.known.ladders[0].models.len() + 1;
         match line.checked_sub(known) {
             None => self.known.forms(line),
             Some(place) => {
@@ -217,7 +217,7 @@ impl Models for TextModels {
     }
 
     fn start(&self, line: usize) -> Option<(&dyn Law, &[f64])> {
-        let known = self.known.ladders[0].rungs.len() + 1;
+        let known = self.known.ladders[0].models.len() + 1;
         match line.checked_sub(known) {
             None => self.known.start(line),
             Some(place) => self.found.get()?.get(place).map(|one| (&*one.problem.law, &one.problem.state[..])),
@@ -225,13 +225,13 @@ impl Models for TextModels {
     }
 
     fn changes(&self, line: usize) -> bool {
-        let known = self.known.ladders[0].rungs.len() + 1;
+        let known = self.known.ladders[0].models.len() + 1;
         let found = line.checked_sub(known).and_then(|place| self.found.get()?.get(place));
         found.map_or(line == 0, |one| one.problem.switching.is_some()) && self.own().switching.is_some()
     }
 
     fn code_size(&self, line: usize) -> Option<usize> {
-        let known = self.known.ladders[0].rungs.len() + 1;
+        let known = self.known.ladders[0].models.len() + 1;
         match line.checked_sub(known) {
             None => self.known.code_size(line),
             Some(place) => self.found.get()?.get(place)?.problem.law.code_size(),
@@ -243,7 +243,7 @@ impl Models for TextModels {
     }
 
     fn mixed(&self, watched: &Watched, lines: &[Line], tried: &[Trial], wish: &Wish) -> Option<Mixed<'_>> {
-        let known = self.known.ladders[0].rungs.len() + 1;
+        let known = self.known.ladders[0].models.len() + 1;
         (lines.len() == known).then(|| self.known.mixed(watched, lines, tried, wish)).flatten()
     }
 }

@@ -2,12 +2,12 @@
 
 use super::methods::OneStep;
 use super::motions::Stationed;
-use super::threshold_run_length::{Crossing, SHOWN, STRETCHES};
+use super::threshold_run_length::{Crossing, INTERVALS, SHOWN};
 use crate::scene::Scene;
 use field::Scalar;
 use integrators::{
-    Family, Holding, Index2Dae, Index2DaeSystem, Method, Observer, Ode, Outcome, Record, Span, Splitting, Tolerance,
-    hold, integrate,
+    Family, Index2Dae, Index2DaeSystem, Index2Method, Method, Observer, Ode, Outcome, Record, Span, Splitting,
+    Tolerance, integrate, integrate_index2,
 };
 use nalgebra::{DMatrix, DVector};
 use simulation::{Axes, Law};
@@ -105,7 +105,7 @@ impl Runs {
         let mut watched = Watched { last: start.to_vec(), sizes: Vec::with_capacity(count) };
         let reached = self.run(method, step, count, start, &mut watched).reached();
         let seen = &watched.sizes;
-        let stretch = (count as f64 / STRETCHES) as usize;
+        let stretch = (count as f64 / INTERVALS) as usize;
         let most = |window: std::ops::Range<usize>| seen[window].iter().copied().fold(0.0, f64::max);
         match watched.share() {
             Some(share) if share < GONE => false,
@@ -134,10 +134,10 @@ impl Runs {
             Run::Splitting(splitting) => run(Method::Split { splitting, steps }, observer),
             Run::OneStep(OneStep::Collocation(family, stages)) => {
                 let holding = match family {
-                    Family::Gauss => Holding::ProjectedGauss { stages, steps },
-                    Family::RadauIIA => Holding::RadauIIA { stages, steps },
+                    Family::Gauss => Index2Method::ProjectedGauss { stages, steps },
+                    Family::RadauIIA => Index2Method::RadauIIA { stages, steps },
                 };
-                hold(&Free(&*self.law), holding, &span, observer)
+                integrate_index2(&Free(&*self.law), holding, &span, observer)
             }
         }
     }

@@ -42,7 +42,7 @@ impl Piece {
 pub(super) fn pieces(motor: &Motor, axial: f64) -> Option<([Piece; 2], bool)> {
     let machine = motor.decimals();
     let slip = Sym::symbol("s");
-    let bend = machine.moment_law(slip, slip + machine.frame_speed()).diff(slip).diff(slip);
+    let bend = machine.torque_law(slip, slip + machine.frame_speed()).diff(slip).diff(slip);
     let linear = decide(bend, &Hypotheses::none()).is_zero();
     if !(linear && machine.rotor() == RotorState::AngleAndSpeed && has_known_flow(&machine)) {
         return None;

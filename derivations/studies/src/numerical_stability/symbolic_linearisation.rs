@@ -6,7 +6,7 @@ use crate::stationary::motions::decimals;
 use crate::stationary::motor::NoMotor;
 use field::{Analytic, Circle, Rational, Scalar};
 use mechanics::definite::solve;
-use motor::{Machine, Motor, RotorState, drive, is_fed, resting_currents};
+use motor::{Machine, Motor, RotorState, is_fed, steady_currents, torque_and_current_rates};
 use nalgebra::Vector3;
 use symbolic::{Hypotheses, Sym, decide, substitute_all};
 use systems::gyrostat::{Gyrostat, MotionInstant};
@@ -30,12 +30,12 @@ pub(super) fn linearised(system: &Setup, motor: &Motor, free: bool) -> Result<Li
     let fed = is_fed(&machine);
     let groups = if fed { Vec::new() } else { windings(&machine, angle, slip)? };
     // with a supply the currents are states with steady values at the motion; the others are zero there
-    let resting = if fed { resting_currents(&machine, angle, slip) } else { Some(Vec::new()) };
+    let resting = if fed { steady_currents(&machine, angle, slip) } else { Some(Vec::new()) };
     let resting = resting.ok_or(NoLinear::Motor(NoMotor::NoRest))?;
     let own: Vec<Sym> = (0..resting.len()).map(|k| Sym::symbol(&format!("i{k}"))).collect();
     let currents = if fed { own.clone() } else { vec![Sym::ZERO; machine.windings()] };
     let mut of_currents = vec![Sym::ZERO; currents.len()];
-    let moment = drive(&machine, angle, slip, &currents, &mut of_currents) + share;
+    let torque = torque_and_current_rates(&machine, angle, slip, &currents, &mut of_currents) + share;
     let rotor: &[Sym] = match known {
         RotorState::Prescribed => &[],
         RotorState::Speed => &[slip],
@@ -45,9 +45,9 @@ pub(super) fn linearised(system: &Setup, motor: &Motor, free: bool) -> Result<Li
         Setup::Gyrostat(bodies) => {
             let relative = if known == RotorState::Prescribed { Sym::ZERO } else { slip };
             let speed = relative + machine.frame_speed();
-            carrier(&decimals(bodies), known, speed, moment)?
+            carrier(&decimals(bodies), known, speed, torque)?
         }
-        Setup::Bench { axial } => (Vec::new(), Vec::new(), moment / Sym::constant(Rational::decimal(*axial))),
+        Setup::Bench { axial } => (Vec::new(), Vec::new(), torque / Sym::constant(Rational::decimal(*axial))),
     };
     let mut of_rotor = vec![Sym::ZERO; rotor.len()];
     known.write(slip, acceleration, &mut of_rotor);
@@ -75,7 +75,7 @@ fn vectors() -> [Vector3<Sym>; 2] {
 /// Whether friction and windings dissipate nothing, decided exactly.
 pub(super) fn keeps_energy(machine: &impl Machine<Sym>) -> bool {
     let slip = Sym::symbol("s");
-    let friction = machine.moment_law(slip, slip + machine.frame_speed());
+    let friction = machine.torque_law(slip, slip + machine.frame_speed());
     machine.rotor() == RotorState::Prescribed
         || machine.windings() == 0 && decide(friction, &Hypotheses::none()).is_zero()
 }
@@ -87,12 +87,12 @@ fn windings(machine: &impl Machine<Sym>, angle: Circle<Sym>, slip: Sym) -> Resul
         return Err(NoLinear::Windings);
     }
     let mut rates = vec![Sym::ZERO; currents.len()];
-    let moment = drive(machine, angle, slip, &currents, &mut rates);
+    let torque = torque_and_current_rates(machine, angle, slip, &currents, &mut rates);
     let mut groups: Vec<Group> = Vec::new();
     for (current, rate) in currents.iter().zip(rates) {
         let decay = -rate.diff(*current);
         let decay = decay.as_constant().ok_or(NoLinear::NotAlgebraic(decay))?;
-        let strength = moment.diff(*current) * -rate.diff(slip);
+        let strength = torque.diff(*current) * -rate.diff(slip);
         match groups.iter_mut().find(|group| group.decay == decay) {
             Some(group) => {
                 group.strength += strength;
@@ -109,7 +109,7 @@ fn carrier(
     bodies: &Gyrostat<Rational>,
     rotor: RotorState,
     rotor_speed: Sym,
-    moment: Sym,
+    torque: Sym,
 ) -> Result<(Vec<Sym>, Vec<Sym>, Sym), NoLinear> {
     let zero = Rational::int(0);
     let column = |k: usize| {
@@ -120,7 +120,7 @@ fn carrier(
             rotor_speed: zero,
             angular_acceleration: Vector3::new(one(0), one(1), one(2)),
             rotor_acceleration: one(3),
-            moment: zero,
+            torque: zero,
         })
     };
     let columns: [[Rational; 4]; 4] = std::array::from_fn(column);
@@ -131,7 +131,7 @@ fn carrier(
         rotor_speed,
         angular_acceleration: Vector3::zeros(),
         rotor_acceleration: Sym::ZERO,
-        moment,
+        torque,
     });
     let solved = match rotor {
         // the rotor's own equation gives the torque that keeps its speed

@@ -54,13 +54,13 @@ impl Crossing {
         }
         // zero where there is no other mode
         let slower = if rest.is_finite() { (rest / growth).ln() / (rest + growth) } else { 0.0 };
-        let steps = slower.max(SHOWN / growth * STRETCHES).max(SHOWN / rest * STRETCHES).max(FEWEST);
+        let steps = slower.max(SHOWN / growth * INTERVALS).max(SHOWN / rest * INTERVALS).max(FEWEST);
         (steps <= MOST).then_some(steps.ceil() as usize)
     }
 }
 
 /// The number of intervals into which a run is cut.
-pub const STRETCHES: f64 = 10.0;
+pub const INTERVALS: f64 = 10.0;
 
 #[cfg(test)]
 mod tests {

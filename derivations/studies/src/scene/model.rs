@@ -124,7 +124,7 @@ fn of_bodies(bodies: &Gyrostat<f64>) -> Source {
 
 /// Adds the motor between carrier and rotor, or the constraint of a prescribed speed.
 fn drive(source: &mut Source, machine: &Motor, on_bench: bool) {
-    if let Some(speed) = machine.kept_speed() {
+    if let Some(speed) = machine.prescribed_speed() {
         source.parameters.push(entry("W", speed, "rad/s"));
         source.constraints.push(ConstraintSource { zero: vec!["phi' - W".into()], ..ConstraintSource::default() });
         return;

@@ -1,7 +1,7 @@
 //! Scenes with a motor whose supply is metered: the work of the supply is a state, and the power balance an invariant of the run.
 
 use super::{Scene, Setup};
-use motor::{Bench, Metered, Powered, is_fed};
+use motor::{Bench, Powered, WithSuppliedWork, is_fed};
 use simulation::events::of_leading;
 use simulation::problem::{Invariant, Problem};
 use simulation::{Axes, CompiledLaw, Law};
@@ -47,7 +47,7 @@ impl Scene {
 }
 
 fn metered(law: impl Powered + Send + Sync + 'static) -> (Arc<dyn Law>, Invariant) {
-    let law = Arc::new(Metered(law));
+    let law = Arc::new(WithSuppliedWork(law));
     let balancing = Arc::clone(&law);
     let balance = Invariant { name: "jacobi_less_work", value: Box::new(move |_, y| balancing.balance(y)), size: None };
     (Arc::new(CompiledLaw::of(law)), balance)

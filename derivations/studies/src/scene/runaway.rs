@@ -22,7 +22,7 @@ impl Scene {
             };
             let faster = if beyond == 0.0 { String::new() } else { format!(" faster than {:.4} rad/s", beyond.abs()) };
             Some(format!(
-                "the moment law drives a rotor that turns {direction}{faster}, ever harder: {power:.4} W at phi' = {at:.4} rad/s; {run}. \
+                "the torque law drives a rotor that turns {direction}{faster}, ever harder: {power:.4} W at phi' = {at:.4} rad/s; {run}. \
                  A law that brakes in both directions is odd in phi', as -c*phi'^3 is"
             ))
         })

@@ -77,7 +77,7 @@ fn rotor_speed(table: &mut Table<'_>, machine: Option<&Motor>) -> f64 {
     let Some(machine) = machine else {
         return table.optional_scalar(KEY.0, KEY.1, KEY.2).map_or(0.0, |given| given.value);
     };
-    let Some(kept) = machine.kept_speed() else {
+    let Some(kept) = machine.prescribed_speed() else {
         return table.scalar(KEY.0, KEY.1, KEY.2).value;
     };
     match table.optional_scalar(KEY.0, KEY.1, KEY.2) {
@@ -94,6 +94,6 @@ fn rotor_speed(table: &mut Table<'_>, machine: Option<&Motor>) -> f64 {
 impl super::Scene {
     /// Whether the machine prescribes the rotor's speed, whatever torque that takes.
     pub(super) fn keeps_speed(&self) -> bool {
-        self.machine.kept_speed().is_some()
+        self.machine.prescribed_speed().is_some()
     }
 }

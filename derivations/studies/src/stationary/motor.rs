@@ -2,7 +2,7 @@
 
 use algebra::real::{Polynomial, Root};
 use field::{Circle, Rational, Scalar};
-use motor::{Loaded, Machine, Motor, NoModel, RotorState, drive, is_fed, resting_currents};
+use motor::{Loaded, Machine, Motor, NoModel, RotorState, is_fed, steady_currents, torque_and_current_rates};
 use symbolic::{Hypotheses, Sym, normal, univariate};
 
 /// The steady states of a machine's rotor.
@@ -53,7 +53,7 @@ pub struct Extreme {
     /// rad/s
     pub speed: f64,
     /// N m
-    pub moment: f64,
+    pub torque: f64,
 }
 
 /// The reason for which the steady states of a machine are not known.
@@ -74,7 +74,7 @@ impl std::fmt::Display for NoMotor {
         match self {
             Self::Data(reason) => reason.fmt(f),
             Self::NotAlgebraic(reason) => {
-                write!(f, "the motor's moment is not known as a fraction of polynomials: {reason}")
+                write!(f, "the motor's torque is not known as a fraction of polynomials: {reason}")
             }
             Self::AnyAngle => {
                 write!(
@@ -141,22 +141,22 @@ impl Angle {
 
 /// The torque at steady currents, and these currents with a supply.
 struct Resting {
-    moment: Sym,
+    torque: Sym,
     currents: Vec<Sym>,
 }
 
 impl Resting {
     fn of(machine: &impl Machine<Sym>, angle: Circle<Sym>, slip: Sym) -> Result<Self, NoMotor> {
-        let mut currents = resting_currents(machine, angle, slip).ok_or(NoMotor::NoRest)?;
-        let moment = drive(machine, angle, slip, &currents, &mut vec![Sym::ZERO; currents.len()]);
+        let mut currents = steady_currents(machine, angle, slip).ok_or(NoMotor::NoRest)?;
+        let torque = torque_and_current_rates(machine, angle, slip, &currents, &mut vec![Sym::ZERO; currents.len()]);
         currents.retain(|_| is_fed(machine));
-        Ok(Resting { moment, currents })
+        Ok(Resting { torque, currents })
     }
 
     /// Torque and currents as rational functions of one unknown.
     fn fractions(&self, unknown: Sym) -> Result<(Fraction, Vec<Fraction>), NoMotor> {
         let currents = self.currents.iter().map(|&current| Fraction::of(current, unknown)).collect::<Result<_, _>>()?;
-        Ok((Fraction::of(self.moment, unknown)?, currents))
+        Ok((Fraction::of(self.torque, unknown)?, currents))
     }
 }
 
@@ -229,9 +229,9 @@ fn in_step(
     let extremes = slope.real_roots();
     let values =
         extremes.iter().filter_map(|at| of_angle.value(at)).chain(zero.as_ref().and_then(|at| turned.value(at)));
-    let bears = values.fold(None, |range: Option<Bears>, moment| {
-        let range = range.unwrap_or(Bears { least: moment, greatest: moment });
-        Some(Bears { least: range.least.min(moment), greatest: range.greatest.max(moment) })
+    let bears = values.fold(None, |range: Option<Bears>, torque| {
+        let range = range.unwrap_or(Bears { least: torque, greatest: torque });
+        Some(Bears { least: range.least.min(torque), greatest: range.greatest.max(torque) })
     });
     Ok(MotorStates::InStep { speed, angles, bears, fed })
 }
@@ -246,7 +246,7 @@ fn slipping(resting: &Resting, speed: Sym) -> Result<MotorStates, NoMotor> {
     let speeds = of_speed.roots().map(slip).collect();
     let extremes = slope.real_roots();
     let extremes =
-        extremes.iter().filter_map(|at| Some(Extreme { speed: at.to_f64(), moment: of_speed.value(at)? })).collect();
+        extremes.iter().filter_map(|at| Some(Extreme { speed: at.to_f64(), torque: of_speed.value(at)? })).collect();
     Ok(MotorStates::Slipping { speeds, extremes })
 }
 

@@ -1,7 +1,10 @@
 //! Steady states of a synchronous motor under a load by continuation: synchronous equilibria, and periodic slipping.
 
 use super::loaded::Loaded;
-use integrators::{Branch, CurvePoint, Equilibria, Failure, Last, Repeating, Walk, follow, spectrum};
+use integrators::{
+    Branch, BranchEnd, ContinuationSettings, CurvePoint, Equilibria, Failure, PeriodicMotions, continue_branch,
+    spectrum,
+};
 use nalgebra::{Matrix3, RowVector3, Vector3};
 use std::cell::Cell;
 use std::f64::consts::{PI, TAU};
@@ -84,15 +87,15 @@ impl Loaded {
         let bottom = self.facts.bottom;
         let last = sizes.len() - 1;
         let mut start = vec![0.0; sizes.len()];
-        (start[0], start[last]) = (bottom, self.own.moment(bottom, 0.0));
+        (start[0], start[last]) = (bottom, self.own.torque(bottom, 0.0));
         let within = |x: &[f64]| (x[0] - bottom).abs() <= PI + STEP;
-        let walk = Walk { sizes, parameter: last, step: STEP, most: MOST, within: &within };
+        let walk = ContinuationSettings { sizes, parameter: last, step: STEP, most: MOST, within: &within };
         let mut rest = Equilibria::new(&*self.law);
         let mut towards = vec![0.0; sizes.len()];
         towards[0] = 1.0;
         let mut side = |sign: f64| -> Vec<CurvePoint> {
             towards[0] = sign;
-            follow(&mut rest, &start, &towards, &walk).map_or_else(Vec::new, |branch| branch.places)
+            continue_branch(&mut rest, &start, &towards, &walk).map_or_else(Vec::new, |branch| branch.places)
         };
         let (down, up) = (side(-1.0), side(1.0));
         let places = down.into_iter().skip(1).rev().chain(up);
@@ -117,14 +120,14 @@ impl Loaded {
         let facts = &self.facts;
         let count = facts.sizes.len();
         // at this slip friction alone exceeds the pull-out torque: the branch has no folds at faster slips
-        let asks = |slip: f64| self.own.moment(facts.bottom, -slip) + facts.friction;
+        let asks = |slip: f64| self.own.torque(facts.bottom, -slip) + facts.friction;
         let slow = facts.field_speed.abs().max(FAST * facts.frequency);
         let faster = |doublings: u32| slow * f64::from(1u32 << doublings);
         let fast = (1..MOST_DOUBLINGS).map(faster).find(|slip| asks(*slip) > 2.0 * facts.hold);
         let fast = fast.unwrap_or(faster(MOST_DOUBLINGS));
         let (shortest, longest) = (TAU / fast, LONGEST / facts.frequency);
         let mut start = vec![0.0; count];
-        (start[0], start[1], start[count - 1]) = (shortest, -fast, self.own.moment(facts.bottom, -fast));
+        (start[0], start[1], start[count - 1]) = (shortest, -fast, self.own.torque(facts.bottom, -fast));
         let before = Cell::new((0.0, f64::INFINITY));
         let within = |x: &[f64]| {
             let (period, load) = (x[0], x[count - 1]);
@@ -136,7 +139,7 @@ impl Loaded {
         let mut towards = vec![0.0; count];
         towards[0] = 1.0;
         let (motions, last) = self.turns(&start, &towards, MOST, &within)?;
-        let limit = if last == Last::Outside { self.limit(&motions) } else { None };
+        let limit = if last == BranchEnd::Outside { self.limit(&motions) } else { None };
         Ok(OutOfStep { motions, limit })
     }
 
@@ -163,16 +166,16 @@ impl Loaded {
         towards: &[f64],
         most: usize,
         within: &dyn Fn(&[f64]) -> bool,
-    ) -> Result<(Vec<Slipping>, Last), Failure> {
+    ) -> Result<(Vec<Slipping>, BranchEnd), Failure> {
         let (facts, count) = (&self.facts, start.len());
         let mut sizes = facts.sizes.clone();
         sizes[0] = 1.0 / facts.frequency;
         let mut shift = vec![0.0; count - 1];
         shift[0] = -TAU;
-        let mut turns = Repeating::new(&*self.law, TOLERANCE, &shift, (0, facts.bottom));
-        let walk = Walk { sizes: &sizes, parameter: count - 1, step: LONGER_STEP, most, within };
+        let mut turns = PeriodicMotions::new(&*self.law, TOLERANCE, &shift, (0, facts.bottom));
+        let walk = ContinuationSettings { sizes: &sizes, parameter: count - 1, step: LONGER_STEP, most, within };
         let lost = Failure::NewtonFailed { at: start[0], step: start[0] };
-        let Branch { places, last } = follow(&mut turns, start, towards, &walk).ok_or(lost)?;
+        let Branch { places, last } = continue_branch(&mut turns, start, towards, &walk).ok_or(lost)?;
         let slipping = |CurvePoint { x, fold }: CurvePoint| -> Result<Slipping, Failure> {
             let (n, matrix) = turns.returning(&x)?;
             let (mut state, period) = turns.motion(&x);
@@ -222,8 +225,8 @@ impl Loaded {
         (start[0], start[sizes.len() - 1], towards[sizes.len() - 1]) = (near[0].angle, load, 1.0);
         let mut rest = Equilibria::new(&*self.law);
         // only the first point, on the branch at this load
-        let walk = Walk { sizes, parameter: sizes.len() - 1, step: STEP, most: 1, within: &|_| true };
-        let at = follow(&mut rest, &start, &towards, &walk)?;
+        let walk = ContinuationSettings { sizes, parameter: sizes.len() - 1, step: STEP, most: 1, within: &|_| true };
+        let at = continue_branch(&mut rest, &start, &towards, &walk)?;
         let (n, matrix) = rest.linearised(&at.places.first()?.x);
         match spectrum(n, &matrix)?[..] {
             [out, back, ..] if out.re > 0.0 && back.re < 0.0 => Some([out.re, -back.re]),

@@ -17,7 +17,7 @@ use std::f64::consts::TAU;
 /// V at a state of a bench under a load, up to a constant, J.
 pub fn height<P: Base, S: Over<P> + Analytic, M: Machine<P>>(bench: &Bench<P, M>, load: S, state: &[S]) -> S {
     let field_speed = S::lift(bench.machine.frame_speed());
-    let drag = load - bench.machine.moment_law(S::zero(), field_speed);
+    let drag = load - bench.machine.torque_law(S::zero(), field_speed);
     bench.jacobi(state) + drag * state[0]
 }
 

@@ -58,10 +58,10 @@ pub struct Facts {
 
 impl UnderLoad {
     /// The torque M without currents, N m.
-    pub(super) fn moment(&self, angle: f64, slip: f64) -> f64 {
+    pub(super) fn torque(&self, angle: f64, slip: f64) -> f64 {
         let machine = &self.0.machine;
         let speed = slip + machine.frame_speed();
-        machine.moment_law(slip, speed) - machine.field_energy(angle.circle().moving(1.0)).slope
+        machine.torque_law(slip, speed) - machine.field_energy(angle.circle().moving(1.0)).slope
     }
 
     /// [`height`](super::energy::height) at a state with its load.
@@ -151,7 +151,7 @@ impl Loaded {
         }));
         sizes.push(hold);
         let field_speed = machine.frame_speed();
-        let friction = -machine.moment_law(0.0, field_speed);
+        let friction = -machine.torque_law(0.0, field_speed);
         let facts = Facts { field_speed, friction, hold, frequency, bottom, sizes };
         let law = Arc::new(UnderLoad(Bench { machine: machine.clone(), axial }));
         let compiled = Arc::new(CompiledLaw::of(Arc::clone(&law) as Arc<dyn SymbolicLaw>));

@@ -6,7 +6,7 @@
 
 /// eps, k1, k2 of rho' = eps (k1/rho + k2), and rho at t = 0, all finite, with rho_0 > 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ConstantMoments {
+pub struct ConstantTorques {
     pub epsilon: f64,
     pub of_second: f64,
     pub of_first: f64,
@@ -27,7 +27,7 @@ pub enum ProgrammeEnd {
     Grows,
 }
 
-impl ConstantMoments {
+impl ConstantTorques {
     /// The time, s, at which the wheel passes rho, by the quadrature; NaN where it never does.
     pub fn time(&self, rho: f64) -> f64 {
         let Self { epsilon, of_second, of_first, start } = *self;

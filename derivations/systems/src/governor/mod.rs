@@ -31,17 +31,17 @@ pub enum Gearing<P> {
 
 /// A torque that is linear in the time: M + M' t.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Moment<P> {
+pub struct Torque<P> {
     /// at t = 0, N m
     pub start: P,
     /// N m/s
     pub growth: P,
 }
 
-impl<P: Base> Moment<P> {
+impl<P: Base> Torque<P> {
     /// A constant torque.
     pub fn constant(start: P) -> Self {
-        Moment { start, growth: P::zero() }
+        Torque { start, growth: P::zero() }
     }
 
     /// M(t)
@@ -61,7 +61,7 @@ pub struct Governor<P> {
     pub radius: P,
     pub gearing: Gearing<P>,
     /// M1, M2 on the shafts
-    pub moments: [Moment<P>; 2],
+    pub moments: [Torque<P>; 2],
     /// u, the force along the axle, N
     pub push: P,
     /// F11 + F22, the friction across the wheel at both contacts, against the growth of rho, N

@@ -32,11 +32,11 @@ impl<P: Base> Governor<P> {
     ///
     /// # Errors
     /// As [`released`](Self::released).
-    pub fn first_approximation<S: Over<P> + Analytic>(
+    pub fn linearised<S: Over<P> + Analytic>(
         &self,
         time: S,
         state: [S; 3],
-    ) -> Result<FirstApproximation<S>, NotDefinite>
+    ) -> Result<LinearisedEquations<S>, NotDefinite>
     where
         Tangent<S>: Over<P>,
     {
@@ -50,20 +50,20 @@ impl<P: Base> Governor<P> {
         }
         let control = Tangent::variable(S::zero());
         let by_control = self.released(Tangent::fixed(time), state.map(Tangent::fixed), control)?;
-        Ok(FirstApproximation { matrix, control: by_control.map(|rate| rate.slope) })
+        Ok(LinearisedEquations { matrix, control: by_control.map(|rate| rate.slope) })
     }
 }
 
 /// x' = A x + b u.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FirstApproximation<S> {
+pub struct LinearisedEquations<S> {
     /// A
     pub matrix: [[S; 3]; 3],
     /// b
     pub control: [S; 3],
 }
 
-impl<S: Scalar> FirstApproximation<S> {
+impl<S: Scalar> LinearisedEquations<S> {
     /// A x
     pub fn apply(&self, x: [S; 3]) -> [S; 3] {
         self.matrix.map(|row| (0..3).fold(S::zero(), |sum, j| sum + row[j] * x[j]))

@@ -4,7 +4,9 @@ use super::forms::Form;
 use super::vectors::cross;
 use field::{Analytic, Base, Batch, Over, Tangent};
 use integrators::Ode;
-use motor::{Circuit, Machine, Powered, RotorState, drive_circuits, feeding, state_names, stored_energy};
+use motor::{
+    Circuit, Machine, Powered, RotorState, state_names, stored_energy, supplied_power, torque_and_circuit_rates,
+};
 use nalgebra::Vector3;
 use std::marker::PhantomData;
 
@@ -53,11 +55,12 @@ impl<P: Base, F: Form<P>, M: Machine<P>> Driven<P, F, M> {
         let rotor_speed = slip + S::lift(self.machine.frame_speed());
         let (mechanical, current_rates) = dy.split_at_mut(rotor_end);
         let circuits = self.circuits.iter().copied();
-        let moment = drive_circuits(&self.machine, circuits, angle, slip, &y[rotor_end..], current_rates) - load;
+        let torque =
+            torque_and_circuit_rates(&self.machine, circuits, angle, slip, &y[rotor_end..], current_rates) - load;
         let w_rate = if known == RotorState::Prescribed {
             self.form.prescribed(w, v, rotor_speed).0
         } else {
-            let (w_rate, rotor_acceleration) = self.form.accelerations(w, v, rotor_speed, moment);
+            let (w_rate, rotor_acceleration) = self.form.accelerations(w, v, rotor_speed, torque);
             known.write(slip, rotor_acceleration, &mut mechanical[6..]);
             w_rate
         };
@@ -133,7 +136,7 @@ impl<F: Form<f64>, M: Machine<f64>> Powered for Driven<f64, F, M> {
     }
 
     fn power<S: Over<f64> + Analytic>(&self, y: &[S]) -> S {
-        feeding(&self.machine, &y[6..])
+        supplied_power(&self.machine, &y[6..])
     }
 }
 

@@ -19,7 +19,7 @@ use nalgebra::{Matrix3, Vector3};
 /// A form of the equations of motion, with data in its own axes, solved for the accelerations.
 pub trait Form<P: Base> {
     /// (w', phi'') under the torque M on the rotor.
-    fn accelerations<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S, moment: S) -> (Vector3<S>, S);
+    fn accelerations<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S, torque: S) -> (Vector3<S>, S);
 
     /// w' with a constant rotor speed (phi'' = 0), and the torque M that this takes.
     fn prescribed<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S) -> (Vector3<S>, S);
@@ -100,19 +100,19 @@ impl<P: Base> SecondForm<P> {
 
 impl<P: Base> Form<P> for FirstForm<P> {
     #[inline(always)]
-    fn accelerations<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S, moment: S) -> (Vector3<S>, S) {
+    fn accelerations<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S, torque: S) -> (Vector3<S>, S) {
         let axis = lift(self.data.axis);
-        let free = less(self.data.gain(self.momentum(w, rotor_speed), w, v), axis, moment);
+        let free = less(self.data.gain(self.momentum(w, rotor_speed), w, v), axis, torque);
         let w_rate = by_component(free, lift(self.data.mobility));
-        (w_rate, less_dot(moment.divided_by(self.data.axial), axis, w_rate))
+        (w_rate, less_dot(torque.divided_by(self.data.axial), axis, w_rate))
     }
 
     #[inline(always)]
     fn prescribed<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S) -> (Vector3<S>, S) {
         let (free, free_rotor) = self.accelerations(w, v, rotor_speed, S::zero());
-        let moment = -free_rotor * S::lift(self.reaction);
+        let torque = -free_rotor * S::lift(self.reaction);
         let oblique = by_component(self.data.axis, self.data.mobility);
-        (less(free, lift(oblique), moment), moment)
+        (less(free, lift(oblique), torque), torque)
     }
 
     #[inline(always)]
@@ -146,11 +146,11 @@ impl<P: Base> Form<P> for FirstForm<P> {
 
 impl<P: Base> Form<P> for SecondForm<P> {
     #[inline(always)]
-    fn accelerations<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S, moment: S) -> (Vector3<S>, S) {
+    fn accelerations<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S, torque: S) -> (Vector3<S>, S) {
         let axial = S::lift(self.data.axial.value());
         let response = lift(self.response);
         let free = self.data.gain(self.momentum(w, rotor_speed), w, v);
-        let rotor_acceleration = less_dot(moment.divided_by(self.data.axial), response, free) * S::lift(self.inverse_d);
+        let rotor_acceleration = less_dot(torque.divided_by(self.data.axial), response, free) * S::lift(self.inverse_d);
         let w_rate = less(by_component(free, lift(self.data.mobility)), response, axial * rotor_acceleration);
         (w_rate, rotor_acceleration)
     }

@@ -26,8 +26,8 @@ use field::{Analytic, Base, Over, Scalar};
 use integrators::{Pieces, Real};
 use mechanics::rotation::{turned_about, turned_along};
 use motor::{
-    Acting, Fading, Kick, Law, Machine, Point as RotorPoint, Programmed, Programs, RotorState, Rule, Separable,
-    decay_quotient, has_known_flow, kick, solved,
+    Fading, FixedAngleMachine, Kick, Law, Machine, Point as RotorPoint, Programmed, Programs, RotorState, Rule,
+    Separable, decay_quotient, has_known_flow, kick, solved,
 };
 use nalgebra::Vector3;
 use simulation::Running;
@@ -153,24 +153,30 @@ impl<S: Analytic> Flows<S> {
     /// The flow at constant v and g: the weight changes x, the machine the rest. Returns the residual of the equation that
     /// is solved by iteration.
     #[inline]
-    pub fn push<P: Base, A: Acting<P, S>>(&self, machine: &A, by: &Kick<S>, at: &mut Point<S>) -> S
+    pub fn push<P: Base, A: FixedAngleMachine<P, S>>(&self, machine: &A, by: &Kick<S>, at: &mut Point<S>) -> S
     where
         S: Over<P>,
     {
-        let moment = self.momenta.weight.cross(&at.vertical);
+        let torque = self.momenta.weight.cross(&at.vertical);
         let mut left = S::zero();
         if machine.machine().rotor() != RotorState::Prescribed {
             let (_, slip) = self.velocities(at);
-            let pull = -self.momenta.axis.dot(&self.angular_velocity(moment));
+            let pull = -self.momenta.axis.dot(&self.angular_velocity(torque));
             left = kick(machine, by, slip, pull, &mut at.rotor);
         }
-        at.momentum += moment * by.length;
+        at.momentum += torque * by.length;
         left
     }
 
     /// The flow of a piece, in the order push, squares. Returns the residual, as the push does.
     #[inline]
-    pub fn flow<P: Base, A: Acting<P, S>>(&self, machine: &A, piece: usize, lapse: &Lapse<S>, at: &mut Point<S>) -> S
+    pub fn flow<P: Base, A: FixedAngleMachine<P, S>>(
+        &self,
+        machine: &A,
+        piece: usize,
+        lapse: &Lapse<S>,
+        at: &mut Point<S>,
+    ) -> S
     where
         S: Over<P>,
     {
@@ -204,7 +210,7 @@ impl<S: Analytic> Flows<S> {
 
     /// The state of the law from a point.
     #[inline]
-    pub fn leave<P: Base, A: Acting<P, S>>(&self, machine: &A, at: &Point<S>, y: &mut [S])
+    pub fn leave<P: Base, A: FixedAngleMachine<P, S>>(&self, machine: &A, at: &Point<S>, y: &mut [S])
     where
         S: Over<P>,
     {

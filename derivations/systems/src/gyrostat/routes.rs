@@ -26,7 +26,7 @@ pub struct MotionInstant<S: field::Scalar> {
     /// phi'', rad/s^2
     pub rotor_acceleration: S,
     /// M, N m
-    pub moment: S,
+    pub torque: S,
 }
 
 impl<P: Base> Gyrostat<P> {
@@ -48,7 +48,7 @@ impl<P: Base> Gyrostat<P> {
         let [all, spin] = self.angular_momentum(moving, rotor_speed);
         let weight = self.first_moment().map(S::lift) * S::lift(self.gravity);
         let total = absolute_rate(all, w) - weight.cross(&motion.vertical);
-        let axial = absolute_rate(spin, w).dot(&self.rotor.axis.map(S::lift)) - motion.moment;
+        let axial = absolute_rate(spin, w).dot(&self.rotor.axis.map(S::lift)) - motion.torque;
         [total.x, total.y, total.z, axial]
     }
 
@@ -70,17 +70,17 @@ impl<P: Base> Gyrostat<P> {
             },
             motion.angular_velocity.into(),
         );
-        [left[0] - power[0], left[1] - power[1], left[2] - power[2], left[3] - motion.moment]
+        [left[0] - power[0], left[1] - power[1], left[2] - power[2], left[3] - motion.torque]
     }
 
     /// Lagrange's equations in Euler's angles and the rotor's angle, from L = T - V; residuals for each coordinate.
-    /// `moment` is the generalised force of the rotor's angle, the torque M.
+    /// `torque` is the generalised force of the rotor's angle, the torque M.
     pub fn by_lagrange<S: Over<P> + Analytic>(
         &self,
         angles: [S; 4],
         rates: [S; 4],
         accelerations: [S; 4],
-        moment: S,
+        torque: S,
     ) -> [S; 4] {
         let mut residual = lagrange(
             |[a, b, c, _], [da, db, dc, rotor_speed]| {
@@ -93,7 +93,7 @@ impl<P: Base> Gyrostat<P> {
             rates,
             accelerations,
         );
-        residual[3] -= moment;
+        residual[3] -= torque;
         residual
     }
 
@@ -118,7 +118,7 @@ impl<P: Base> Gyrostat<P> {
         for i in 0..3 {
             residual[i] += along_fields[i];
         }
-        residual[3] -= motion.moment;
+        residual[3] -= motion.torque;
         residual
     }
 }

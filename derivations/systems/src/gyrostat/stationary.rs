@@ -26,7 +26,7 @@ pub struct Stationary<P: Scalar> {
 
 impl<P: Base> Stationary<P> {
     /// F, N m: the residual torque, which vanishes if w0 v is a motion.
-    pub fn missing_moment<S: Over<P>>(&self, v: Vector3<S>, w0: S) -> Vector3<S> {
+    pub fn residual_torque<S: Over<P>>(&self, v: Vector3<S>, w0: S) -> Vector3<S> {
         let momentum = v.component_mul(&self.moments.map(S::lift)) * w0 + self.axis.map(S::lift) * S::lift(self.spin);
         (momentum * w0 + self.weight.map(S::lift)).cross(&v)
     }

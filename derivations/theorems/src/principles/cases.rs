@@ -5,11 +5,11 @@ use super::equal::Case;
 use mechanics::constrained::contacts::{Closed, Sides};
 use symbolic::Sym;
 use systems::disc::Disc;
-use systems::governor::{Gearing, Governor, Moment};
+use systems::governor::{Gearing, Governor, Torque};
 use systems::knife_edge::KnifeEdge;
 use systems::ladder::{Ladder, LeaningLadder};
-use systems::moving_pivot_pendulum::Swing;
-use systems::prescribed_speed_point::KeptSpeed;
+use systems::moving_pivot_pendulum::MovingPivotPendulum;
+use systems::prescribed_speed_point::PrescribedSpeedPoint;
 use systems::rod::{GuidedRod, Rod};
 use systems::steered_rod::{GuidedSteeredRod, SteeredRod};
 
@@ -104,7 +104,7 @@ pub fn governor() -> Case<Governor<Sym>, 7, 5, 4, 2> {
             mass,
             radius,
             gearing: Gearing::Drum { radius: drum },
-            moments: [m1, m2].map(Moment::constant),
+            moments: [m1, m2].map(Torque::constant),
             push,
             lateral: Sym::ZERO,
         },
@@ -128,12 +128,12 @@ pub fn governor_between_discs() -> Case<Governor<Sym>, 7, 5, 4, 2> {
 }
 
 /// The pendulum with a moving pivot.
-pub fn swing() -> Case<Swing<Sym>, 2, 1, 1, 1> {
+pub fn swing() -> Case<MovingPivotPendulum<Sym>, 2, 1, 1, 1> {
     let [mass, length, gravity, speed, acceleration] = letters(["m", "l", "g", "u", "b"]);
     Case {
         entry: "swing",
         name: "the pendulum with a moving pivot",
-        system: Swing { mass, length, gravity, speed, acceleration },
+        system: MovingPivotPendulum { mass, length, gravity, speed, acceleration },
         at: (letter("t"), letters(["θ"]), letters(["θ̇"])),
         dependent: [1],
         friction: letters(["μθ"]),
@@ -142,12 +142,12 @@ pub fn swing() -> Case<Swing<Sym>, 2, 1, 1, 1> {
 }
 
 /// The point of prescribed speed.
-pub fn kept_speed() -> Case<KeptSpeed<Sym>, 2, 1, 2, 1> {
+pub fn prescribed_speed_point() -> Case<PrescribedSpeedPoint<Sym>, 2, 1, 2, 1> {
     let [mass, gravity, speed, acceleration] = letters(["m", "g", "u", "b"]);
     Case {
         entry: "kept-speed",
         name: "the point of prescribed speed",
-        system: KeptSpeed { mass, gravity, speed, acceleration },
+        system: PrescribedSpeedPoint { mass, gravity, speed, acceleration },
         at: (letter("t"), letters(["x", "y"]), letters(["χ"])),
         dependent: [0],
         friction: letters(["μχ"]),

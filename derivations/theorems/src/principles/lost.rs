@@ -21,7 +21,7 @@ pub fn claims(page: &mut Page) {
     condition(page);
     knife_edge(page);
     disc(page);
-    kept_speed(page);
+    prescribed_speed_point(page);
 }
 
 /// The operator in redundant coordinates, and the inertia sum m x'' dx'/dp that it should equal; undefined where the dependent
@@ -204,8 +204,8 @@ fn disc(page: &mut Page) {
 }
 
 /// A nonlinear kinematic constraint, substituted into the energy, loses the whole inertia.
-fn kept_speed(page: &mut Page) {
-    let case = cases::kept_speed();
+fn prescribed_speed_point(page: &mut Page) {
+    let case = cases::prescribed_speed_point();
     let rates = [letter("χ̇")];
     let found = operator(&case.system, case.at, rates);
     let [m, u, b, t] = letters(["m", "u", "b", "t"]);

@@ -90,7 +90,7 @@ fn holonomic(page: &mut Page) {
 
 fn nonholonomic(page: &mut Page) {
     page.section("Every principle: kinematic constraints");
-    let (steered, sleigh, point) = (cases::steered_rod(), cases::knife_edge(), cases::kept_speed());
+    let (steered, sleigh, point) = (cases::steered_rod(), cases::knife_edge(), cases::prescribed_speed_point());
     steered.chart(page);
     steered.claims(page);
     steered.gauss(page);

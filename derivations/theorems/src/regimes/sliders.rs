@@ -7,7 +7,7 @@ use mechanics::constrained::State;
 use mechanics::regimes::cramer::Cramer;
 use mechanics::regimes::{Direction, Dry, Face, Mode, Touch, conditions};
 use symbolic::Sym;
-use systems::painleve_klein::Sliders;
+use systems::painleve_klein::PainleveKlein;
 
 use Direction::Forwards;
 
@@ -16,7 +16,7 @@ pub fn claims(page: &mut Page) {
     let [m1, m2, l, f, x, p1, p2] = ["m1", "m2", "l", "f", "x", "P1", "P2"].map(letter);
     let (theta, circle) = angle("c", "s");
     let (c, s) = (theta.cos, theta.sin);
-    let sliders = Sliders { masses: [m1, m2], loads: [p1, p2], distance: l * s, length: l, friction: f };
+    let sliders = PainleveKlein { masses: [m1, m2], loads: [p1, p2], distance: l * s, length: l, friction: f };
     let at = State { time: Sym::ZERO, place: [x, Sym::ZERO, x + l * c, l * s], velocity: [Sym::ZERO; 4] };
     let Ok(dry) = Dry::<Sym, 2>::of(&sliders, &at, sliders.force(&at)) else { return };
     let smooth = Mode::Slip(Forwards, Face::Front);

@@ -64,7 +64,7 @@ fn zeros(page: &mut Page, s: &Letters) {
         .under(&s.unit_axis)
         .follows([Equal(all.dot(&moving).slope, s.nu.dot(&of_carrier) + values.dot(&of_vertical))]);
     let (_, spin) = energies.momenta(s.w.zip_map(&s.dw, Tangent::moving), Tangent::moving(s.dphi, s.ddphi));
-    let drive = motor::drive(&any, s.angle(), s.dphi - s.omega_field, &[], &mut []);
+    let drive = motor::torque_and_current_rates(&any, s.angle(), s.dphi - s.omega_field, &[], &mut []);
     page.claim("zeros", "rotor", r"$\dot p'$, $p'=\partial T/\partial\dot\varphi'$, is the moment on the rotor: that of a free rotor is an integral, which gives a third zero root")
         .in_words()
         .follows([Equal(spin.slope, missing[7] + drive)]);

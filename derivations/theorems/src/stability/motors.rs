@@ -8,7 +8,7 @@ use machines::asynchronous::Asynchronous;
 use machines::equivalent_windings::EquivalentWindings;
 use machines::synchronous::Synchronous;
 use mechanics::rotation::determinant;
-use motor::{Machine, drive};
+use motor::{Machine, torque_and_current_rates};
 use nalgebra::{Matrix3, Matrix4};
 use papers::konosevich2022::{self as paper, Letters};
 use studies::stationary::stability::linear::variation;
@@ -30,7 +30,7 @@ fn stiffness(machine: &impl Machine<Sym>, angle: Circle<Sym>, z: Sym) -> Sym {
     let (moved, slip) = (angle.moving(Sym::int(1)), Tangent::moving(Sym::ZERO, z));
     let rates = |currents: &[Tangent<Sym>]| {
         let mut rates = vec![Tangent::fixed(Sym::ZERO); windings];
-        let moment = drive(machine, moved, slip, currents, &mut rates);
+        let moment = torque_and_current_rates(machine, moved, slip, currents, &mut rates);
         (moment.slope, rates)
     };
     let (_, induced) = rates(&vec![Tangent::fixed(Sym::ZERO); windings]);
@@ -38,7 +38,7 @@ fn stiffness(machine: &impl Machine<Sym>, angle: Circle<Sym>, z: Sym) -> Sym {
     let some = paper::letter("x");
     let mut fading = vec![Tangent::fixed(Sym::ZERO); windings];
     let moving = vec![Tangent::moving(Sym::ZERO, some); windings];
-    drive(machine, angle.map(Tangent::fixed), Tangent::fixed(Sym::ZERO), &moving, &mut fading);
+    torque_and_current_rates(machine, angle.map(Tangent::fixed), Tangent::fixed(Sym::ZERO), &moving, &mut fading);
     // z i = induced + own i
     let current = |(induced, own): (&Tangent<Sym>, &Tangent<Sym>)| {
         Tangent::moving(Sym::ZERO, induced.slope / (z - own.slope / some))

@@ -43,7 +43,7 @@ pub fn vectors(all: &[LiveVector]) -> String {
 pub struct LiveVerdict {
     pub title: String,
     /// The name of the verdict, or other words where there is none.
-    pub rung: String,
+    pub degree: String,
     /// The verdict in a sentence.
     pub said: String,
     /// Grounds, each a line.
@@ -52,11 +52,11 @@ pub struct LiveVerdict {
 
 /// Statements with their verdicts.
 pub fn verdicts(rows: &[LiveVerdict]) -> String {
-    let known = |rung: &str| Verdict::ALL.into_iter().find(|verdict| verdict.name() == rung);
+    let known = |degree: &str| Verdict::ALL.into_iter().find(|verdict| verdict.name() == degree);
     html! {
-        @for LiveVerdict { title, rung, said, behind } in rows {
+        @for LiveVerdict { title, degree, said, behind } in rows {
             article.verdict {
-                @match known(rung) { Some(verdict) => (chip(verdict)), None => span.chip.open { (rung) } }
+                @match known(degree) { Some(verdict) => (chip(verdict)), None => span.chip.open { (degree) } }
                 div {
                     p { b { (title) } }
                     p.note { (said) }
@@ -83,8 +83,8 @@ mod tests {
 
     #[test]
     fn a_statement_that_does_not_apply_has_no_sign_of_a_verdict() {
-        let row = LiveVerdict { title: "a = b".into(), rung: "does not apply".into(), ..LiveVerdict::default() };
-        let shown = verdicts(&[row, LiveVerdict { rung: "proved".into(), ..LiveVerdict::default() }]);
+        let row = LiveVerdict { title: "a = b".into(), degree: "does not apply".into(), ..LiveVerdict::default() };
+        let shown = verdicts(&[row, LiveVerdict { degree: "proved".into(), ..LiveVerdict::default() }]);
         assert!(shown.contains("chip open\">does not apply") && shown.contains("chip proved"), "{shown}");
     }
 }

@@ -113,7 +113,7 @@ pub(super) fn tell_verdicts(path: &Path, text: String) -> Result<(), Broken> {
 }
 
 fn verdict(row: Judgement) -> LiveVerdict {
-    LiveVerdict { title: row.title(), rung: row.rung().to_owned(), said: row.said(), behind: row.behind }
+    LiveVerdict { title: row.title(), degree: row.degree().to_owned(), said: row.said(), behind: row.behind }
 }
 
 /// An entry at the top of a text.

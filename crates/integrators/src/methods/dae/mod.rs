@@ -36,48 +36,48 @@ use std::fmt;
 
 /// A method with the number of its equal steps over the span.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Holding {
+pub enum Index2Method {
     HalfExplicitEuler { steps: u32 },
     HalfExplicitRungeKutta4 { steps: u32 },
     RadauIIA { stages: u8, steps: u32 },
     ProjectedGauss { stages: u8, steps: u32 },
 }
 
-impl Holding {
+impl Index2Method {
     /// The order of y in the step.
     pub fn order(self) -> u32 {
         match self {
-            Holding::HalfExplicitEuler { .. } => 1,
-            Holding::HalfExplicitRungeKutta4 { .. } => 3,
-            Holding::RadauIIA { stages, .. } => (2 * u32::from(stages)).saturating_sub(1),
-            Holding::ProjectedGauss { stages, .. } => 2 * u32::from(stages),
+            Index2Method::HalfExplicitEuler { .. } => 1,
+            Index2Method::HalfExplicitRungeKutta4 { .. } => 3,
+            Index2Method::RadauIIA { stages, .. } => (2 * u32::from(stages)).saturating_sub(1),
+            Index2Method::ProjectedGauss { stages, .. } => 2 * u32::from(stages),
         }
     }
 
     /// The number of steps over the span.
     pub fn steps(self) -> u32 {
         match self {
-            Holding::HalfExplicitEuler { steps }
-            | Holding::HalfExplicitRungeKutta4 { steps }
-            | Holding::RadauIIA { steps, .. }
-            | Holding::ProjectedGauss { steps, .. } => steps,
+            Index2Method::HalfExplicitEuler { steps }
+            | Index2Method::HalfExplicitRungeKutta4 { steps }
+            | Index2Method::RadauIIA { steps, .. }
+            | Index2Method::ProjectedGauss { steps, .. } => steps,
         }
     }
 
     /// The method with one step over the span.
     fn once(self) -> Self {
         match self {
-            Holding::HalfExplicitEuler { .. } => Holding::HalfExplicitEuler { steps: 1 },
-            Holding::HalfExplicitRungeKutta4 { .. } => Holding::HalfExplicitRungeKutta4 { steps: 1 },
-            Holding::RadauIIA { stages, .. } => Holding::RadauIIA { stages, steps: 1 },
-            Holding::ProjectedGauss { stages, .. } => Holding::ProjectedGauss { stages, steps: 1 },
+            Index2Method::HalfExplicitEuler { .. } => Index2Method::HalfExplicitEuler { steps: 1 },
+            Index2Method::HalfExplicitRungeKutta4 { .. } => Index2Method::HalfExplicitRungeKutta4 { steps: 1 },
+            Index2Method::RadauIIA { stages, .. } => Index2Method::RadauIIA { stages, steps: 1 },
+            Index2Method::ProjectedGauss { stages, .. } => Index2Method::ProjectedGauss { stages, steps: 1 },
         }
     }
 
     fn check(self) -> Result<(), Refusal> {
         match self {
             _ if self.steps() == 0 => Err(Refusal::Steps { given: 0 }),
-            Holding::RadauIIA { stages, .. } | Holding::ProjectedGauss { stages, .. }
+            Index2Method::RadauIIA { stages, .. } | Index2Method::ProjectedGauss { stages, .. }
                 if !(1..=MOST_STAGES).contains(&stages) =>
             {
                 Err(Refusal::Stages { given: stages.into(), least: 1, most: MOST_STAGES.into() })
@@ -87,23 +87,25 @@ impl Holding {
     }
 }
 
-impl fmt::Display for Holding {
+impl fmt::Display for Index2Method {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Holding::HalfExplicitEuler { steps } => write!(f, "half-explicit Euler, {steps} steps"),
-            Holding::HalfExplicitRungeKutta4 { steps } => write!(f, "half-explicit Runge-Kutta 4, {steps} steps"),
-            Holding::RadauIIA { stages, steps } => write!(f, "Radau IIA, {stages} stages, {steps} steps"),
-            Holding::ProjectedGauss { stages, steps } => write!(f, "projected Gauss, {stages} stages, {steps} steps"),
+            Index2Method::HalfExplicitEuler { steps } => write!(f, "half-explicit Euler, {steps} steps"),
+            Index2Method::HalfExplicitRungeKutta4 { steps } => write!(f, "half-explicit Runge-Kutta 4, {steps} steps"),
+            Index2Method::RadauIIA { stages, steps } => write!(f, "Radau IIA, {stages} stages, {steps} steps"),
+            Index2Method::ProjectedGauss { stages, steps } => {
+                write!(f, "projected Gauss, {stages} stages, {steps} steps")
+            }
         }
     }
 }
 
-/// Integrates a held law over a span; the state is y. It need not begin on the constraint: the first step brings it there.
+/// Integrates a DAE of index 2 over a span; the state is y. It need not begin on the constraint: the first step brings it there.
 ///
 /// Never panics and never returns NaN: a failure is the outcome's end.
-pub fn hold<S: Working>(
+pub fn integrate_index2<S: Working>(
     system: &dyn Index2DaeSystem,
-    method: Holding,
+    method: Index2Method,
     span: &Span<'_, S>,
     observer: &mut dyn Observer<S>,
 ) -> Outcome<S> {
@@ -119,22 +121,22 @@ pub fn hold<S: Working>(
     if let Some(component) = rates.iter().position(|rate| !rate.finite()) {
         return refused(span, Refusal::RatesNotFinite { component });
     }
-    let again = |span: &Span<'_, S>| hold(system, method.once(), span, &mut ());
+    let again = |span: &Span<'_, S>| integrate_index2(system, method.once(), span, &mut ());
     let (meter, watch) = (BudgetedRhs::new(&whole, span), Watch::new(span, observer, Within::new(&again, None)));
     let step = watch.length() / S::int(method.steps().into());
     let onto = Onto::new(law, system);
     let slopes = Whole { law: system as &dyn Index2Dae<Dual8>, n, m };
     match method {
-        Holding::HalfExplicitEuler { .. } => {
+        Index2Method::HalfExplicitEuler { .. } => {
             drive(&mut HalfExplicit::new(half_explicit::EULER, step, onto), 0.0, &meter, watch)
         }
-        Holding::HalfExplicitRungeKutta4 { .. } => {
+        Index2Method::HalfExplicitRungeKutta4 { .. } => {
             drive(&mut HalfExplicit::new(half_explicit::RUNGE_KUTTA_4, step, onto), 0.0, &meter, watch)
         }
-        Holding::RadauIIA { stages, .. } => {
+        Index2Method::RadauIIA { stages, .. } => {
             drive(&mut Collocated::new(Family::RadauIIA, stages.into(), step, &slopes, onto), 0.0, &meter, watch)
         }
-        Holding::ProjectedGauss { stages, .. } => {
+        Index2Method::ProjectedGauss { stages, .. } => {
             drive(&mut Collocated::new(Family::Gauss, stages.into(), step, &slopes, onto), 0.0, &meter, watch)
         }
     }

@@ -31,7 +31,7 @@ impl<'a> Linearised<'a> {
         self.jacobian.matrix(t, y, &mut self.matrix);
         // in the run's own time f and t both change sign backwards: df/dy does, df/dt does not
         self.matrix.iter_mut().for_each(|entry| *entry *= meter.direction);
-        self.jacobian.time_slopes(t, y, &mut self.drift);
+        self.jacobian.time_derivatives(t, y, &mut self.drift);
         meter.count_jacobian();
         meter.rates(tau, y, &mut self.slope);
         self.at = Some(tau);

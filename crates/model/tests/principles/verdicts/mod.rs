@@ -34,7 +34,7 @@ fn corpus() -> Vec<(String, String)> {
 
 /// Whether a verdict says that both sides are equal.
 fn holds(agreement: &Agreement) -> bool {
-    matches!(agreement.rung(), "proved" | "identified" | "tested")
+    matches!(agreement.degree(), "proved" | "identified" | "tested")
 }
 
 /// The lines that are printed of a model, and all false ones among them.

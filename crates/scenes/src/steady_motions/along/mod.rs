@@ -7,7 +7,7 @@ mod change;
 
 pub use change::Change;
 
-use super::{Asked, NoSteadyMotions, Orientation, Range, SteadyMotions};
+use super::{SteadySearch, NoSteadyMotions, Orientation, Range, SteadyMotions};
 use crate::admissible::impossible;
 pub(super) use change::kinds;
 use change::{change, largest_eigenvalue};
@@ -59,7 +59,7 @@ impl Along {
     /// The reason for which steady motions are not searched for at any value, or for which the name is not a parameter.
     pub fn of(
         model: &Model,
-        asked: &Asked,
+        asked: &SteadySearch,
         (name, range): (&str, Range),
         values: usize,
         goes_on: impl FnMut() -> bool,
@@ -102,7 +102,7 @@ impl Along {
 /// All motions at values of parameters, or of speeds of cyclic coordinates, in SI units, without places at which the coordinates are singular.
 pub(super) fn found_at(
     model: &Model,
-    asked: &Asked,
+    asked: &SteadySearch,
     values: &[(&str, f64)],
     goes_on: impl FnMut() -> bool,
 ) -> Result<SteadyMotions, NoSteadyMotions> {
@@ -116,7 +116,7 @@ pub(super) fn found_at(
 
 fn searched(
     model: &Model,
-    asked: &Asked,
+    asked: &SteadySearch,
     values: &[(&str, f64)],
     goes_on: impl FnMut() -> bool,
 ) -> Result<SteadyMotions, NoSteadyMotions> {

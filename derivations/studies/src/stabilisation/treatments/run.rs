@@ -5,7 +5,9 @@ use super::goal::{Goal, SPAN, START, reduced, span, whole};
 use crate::stabilisation::law::{BothHeld, Stabilised};
 use crate::stabilisation::regions::MECHANISM;
 use crate::stabilisation::schemes::Scheme;
-use integrators::{Failure, Holding, Observer, Outcome, Tolerance, hold, integrate, integrate_projected};
+use integrators::{
+    Failure, Index2Method, Observer, Outcome, Tolerance, integrate, integrate_index2, integrate_projected,
+};
 use systems::crank_slider::CrankSlider;
 
 /// Errors and cost of a run.
@@ -72,19 +74,19 @@ impl Run {
         match self.way {
             Keeping::Led(beta, kappa) => integrate(&law(beta, kappa), method, &tolerance, &span_of_all, observer),
             Keeping::Projected => integrate_projected(&law(0.0, 0.0), &held, method, &span_of_all, observer),
-            Keeping::BothHeld => hold(&held, self.holding(), &span_of_all, observer),
+            Keeping::BothHeld => integrate_index2(&held, self.holding(), &span_of_all, observer),
             Keeping::Minimal => integrate(&reduced(), method, &tolerance, &span(&START), observer),
         }
     }
 
     /// The method of the scheme for the equations with f = 0 and f' = 0.
-    fn holding(&self) -> Holding {
+    fn holding(&self) -> Index2Method {
         let steps = self.steps;
         match self.scheme {
-            Scheme::Euler => Holding::HalfExplicitEuler { steps },
-            Scheme::RungeKutta4 => Holding::HalfExplicitRungeKutta4 { steps },
-            Scheme::BackwardEuler => Holding::RadauIIA { stages: 1, steps },
-            Scheme::ImplicitMidpoint => Holding::ProjectedGauss { stages: 1, steps },
+            Scheme::Euler => Index2Method::HalfExplicitEuler { steps },
+            Scheme::RungeKutta4 => Index2Method::HalfExplicitRungeKutta4 { steps },
+            Scheme::BackwardEuler => Index2Method::RadauIIA { stages: 1, steps },
+            Scheme::ImplicitMidpoint => Index2Method::ProjectedGauss { stages: 1, steps },
         }
     }
 

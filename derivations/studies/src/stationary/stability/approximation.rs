@@ -6,7 +6,7 @@ use crate::stationary::energies::Energies;
 use crate::stationary::motor::NoMotor;
 use algebra::real::Ordered;
 use field::{Circle, Rational, Tangent};
-use motor::{Machine, Motor, RotorState, is_fed, resting_currents};
+use motor::{Machine, Motor, RotorState, is_fed, steady_currents};
 use nalgebra::Vector3;
 use std::sync::Arc;
 use symbolic::{Formulas, Hypotheses, Sym, decide, symbols};
@@ -58,7 +58,7 @@ impl Approximation {
         let place =
             StationaryState { speed, vertical: Vector3::new(v1, v2, v3), rotor_speed, angle: Circle { cos, sin } };
         let (fed, slip) = (is_fed(machine), rotor_speed - machine.frame_speed());
-        if resting_currents(machine, place.angle, slip).is_none() {
+        if steady_currents(machine, place.angle, slip).is_none() {
             return Err(NoMotor::NoRest);
         }
         let linear = Linear::at(energies, machine, &place, is_free(machine));
@@ -117,11 +117,11 @@ fn vanishes(expression: Sym) -> bool {
 /// Whether the torque law never depends on the slip.
 fn is_steady(machine: &impl Machine<Sym>) -> bool {
     let [slip, speed] = symbols(["slip", "speed"]);
-    vanishes(machine.moment_law(Tangent::variable(slip), Tangent::variable(speed)).slope)
+    vanishes(machine.torque_law(Tangent::variable(slip), Tangent::variable(speed)).slope)
 }
 
 /// Whether no torque ever acts: no windings, no angle, and a vanishing torque law.
 fn is_free(machine: &impl Machine<Sym>) -> bool {
     let [slip, speed] = symbols(["slip", "speed"]);
-    machine.rotor() == RotorState::Speed && machine.windings() == 0 && vanishes(machine.moment_law(slip, speed))
+    machine.rotor() == RotorState::Speed && machine.windings() == 0 && vanishes(machine.torque_law(slip, speed))
 }

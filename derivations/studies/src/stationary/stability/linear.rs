@@ -15,7 +15,7 @@ use super::state::{Layout, State, StationaryState, twice_moved};
 use crate::stationary::energies::Energies;
 use field::{Base, Over, Scalar, Tangent};
 use mechanics::momentum::absolute_rate;
-use motor::{Machine, drive, stored_energy};
+use motor::{Machine, stored_energy, torque_and_current_rates};
 use nalgebra::Vector3;
 
 /// The matrices at a stationary motion.
@@ -80,8 +80,8 @@ pub fn missing<P: Base, S: Over<P>, M: Machine<P>>(
     }
     if layout.slip().is_some() {
         let mut currents = vec![S::zero(); layout.windings];
-        let moment = drive(machine, state.angle, state.slip, &state.currents, &mut currents);
-        missing.push(spin.slope - moment);
+        let torque = torque_and_current_rates(machine, state.angle, state.slip, &state.currents, &mut currents);
+        missing.push(spin.slope - torque);
         let own = &rates[layout.size() - layout.windings..];
         missing.extend(own.iter().zip(currents).map(|(rate, law)| *rate - law));
     }
@@ -158,9 +158,9 @@ impl<S: Scalar> Linear<S> {
         }
         let slip =
             if layout.angle().is_some() { S::zero() } else { place.rotor_speed - S::lift(machine.frame_speed()) };
-        let moment = machine.moment_law(Tangent::variable(slip), Tangent::variable(place.rotor_speed));
+        let torque = machine.torque_law(Tangent::variable(slip), Tangent::variable(place.rotor_speed));
         let resistances = (0..layout.windings).map(|k| S::lift(machine.resistance(k)));
-        let damping = layout.slip().map(|_| -moment.slope).into_iter().chain(resistances).collect();
+        let damping = layout.slip().map(|_| -torque.slope).into_iter().chain(resistances).collect();
         Linear {
             rates: resolved(mass, force),
             energy: (0..size).map(|i| (0..size).map(|j| second(i, j)).collect()).collect(),

@@ -1,7 +1,7 @@
 //! Stationary motions, the layout of states, and states near stationary motions along deviations.
 
 use field::{Base, Circle, Over, Scalar, Tangent};
-use motor::{Machine, RotorState, resting_currents};
+use motor::{Machine, RotorState, steady_currents};
 use nalgebra::Vector3;
 
 /// A stationary motion.
@@ -79,7 +79,7 @@ impl<S: Scalar> StationaryState<S> {
         let in_step = layout.angle().is_some();
         let slip = if in_step { S::zero() } else { self.rotor_speed - S::lift(machine.frame_speed()) };
         let first = layout.size() - layout.windings;
-        let resting = resting_currents(machine, self.angle, slip);
+        let resting = steady_currents(machine, self.angle, slip);
         let resting = resting.unwrap_or_else(|| vec![S::zero(); layout.windings]);
         State {
             w: moving(self.vertical * self.speed, vector(0)),

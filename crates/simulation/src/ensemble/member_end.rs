@@ -5,7 +5,7 @@
 
 use crate::Margin;
 use crate::events::{Margins, outside};
-use integrators::{LaneStep, Pace};
+use integrators::{BatchStep, Pace};
 
 /// The change of a distance over an interval below which the interval is not halved.
 const LITTLE: f64 = 2e-4;
@@ -16,13 +16,13 @@ const APART: f64 = 1e-6;
 /// A step with the margins of the law.
 pub(super) struct LaneEnd<'a> {
     margins: &'a Margins,
-    step: &'a LaneStep<'a>,
+    step: &'a BatchStep<'a>,
     state: Vec<f64>,
     rates: Vec<f64>,
 }
 
 impl<'a> LaneEnd<'a> {
-    pub fn new(margins: &'a Margins, step: &'a LaneStep<'a>, states: usize) -> Self {
+    pub fn new(margins: &'a Margins, step: &'a BatchStep<'a>, states: usize) -> Self {
         LaneEnd { margins, step, state: vec![0.0; states], rates: vec![0.0; states] }
     }
 

@@ -6,7 +6,7 @@ use super::corrector::Corrector;
 use nalgebra::DVector;
 
 /// The settings of a continuation. Lengths are in unknowns divided by their sizes.
-pub struct Walk<'a> {
+pub struct ContinuationSettings<'a> {
     /// The usual size of each unknown.
     pub sizes: &'a [f64],
     /// The unknown whose turning points are folds.
@@ -29,7 +29,7 @@ pub struct CurvePoint {
 
 /// Why a continuation ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Last {
+pub enum BranchEnd {
     /// The next point is not within the bounds.
     Outside,
     /// The curve came back to its beginning.
@@ -44,7 +44,7 @@ pub enum Last {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Branch {
     pub places: Vec<CurvePoint>,
-    pub last: Last,
+    pub last: BranchEnd,
 }
 
 impl Branch {
@@ -65,7 +65,12 @@ const MOST_TRIALS: u32 = 60;
 
 /// Follows a curve from a point near it. `towards` points into the direction in which it begins: at the start the curve
 /// is sought across it. `None` where there is no curve near the start.
-pub fn follow(curve: &mut dyn Curve, start: &[f64], towards: &[f64], walk: &Walk<'_>) -> Option<Branch> {
+pub fn continue_branch(
+    curve: &mut dyn Curve,
+    start: &[f64],
+    towards: &[f64],
+    walk: &ContinuationSettings<'_>,
+) -> Option<Branch> {
     let scaled = |x: &[f64]| DVector::from_iterator(x.len(), x.iter().zip(walk.sizes).map(|(x, size)| x / size));
     let mut corrector = Corrector::new(curve, walk.sizes);
     let along = scaled(towards).normalize();
@@ -82,7 +87,7 @@ pub fn follow(curve: &mut dyn Curve, start: &[f64], towards: &[f64], walk: &Walk
         let Some((next, ahead)) = taken(&mut corrector, &x, &direction, step) else {
             step *= 0.5;
             if step < SHORTEST * walk.step {
-                return Some(Branch { places, last: Last::Stalled });
+                return Some(Branch { places, last: BranchEnd::Stalled });
             }
             continue;
         };
@@ -94,7 +99,7 @@ pub fn follow(curve: &mut dyn Curve, start: &[f64], towards: &[f64], walk: &Walk
         }
         let arrived = place(&next, false);
         if !(walk.within)(&arrived.x) {
-            return Some(Branch { places, last: Last::Outside });
+            return Some(Branch { places, last: BranchEnd::Outside });
         }
         // the beginning lies between this point and the next, and nowhere near beside them
         let back = &first.0 - &x;
@@ -104,7 +109,7 @@ pub fn follow(curve: &mut dyn Curve, start: &[f64], towards: &[f64], walk: &Walk
             places.len() > 3 && passed > 0.0 && passed <= step && beside < 0.1 * step && ahead.dot(&first.1) > 0.0;
         if closed {
             places.push(place(&first.0, false));
-            return Some(Branch { places, last: Last::Closed });
+            return Some(Branch { places, last: BranchEnd::Closed });
         }
         places.push(arrived);
         (x, direction) = (next, ahead);
@@ -112,7 +117,7 @@ pub fn follow(curve: &mut dyn Curve, start: &[f64], towards: &[f64], walk: &Walk
             step = (1.5 * step).min(walk.step);
         }
     }
-    Some(Branch { places, last: Last::Enough })
+    Some(Branch { places, last: BranchEnd::Enough })
 }
 
 /// The point a step ahead with the direction there; `None` where the step is too long.

@@ -9,7 +9,7 @@ use super::Curve;
 use crate::{Failure, Ode, System, Tolerance, transition};
 
 /// The motions of an autonomous law, whose last state is a constant parameter.
-pub struct Repeating<'a> {
+pub struct PeriodicMotions<'a> {
     law: &'a dyn System,
     tolerance: Tolerance,
     /// The shift of each state but the parameter.
@@ -22,11 +22,11 @@ pub struct Repeating<'a> {
     transition: Vec<f64>,
 }
 
-impl<'a> Repeating<'a> {
+impl<'a> PeriodicMotions<'a> {
     /// State number `section` is `value` at time zero, and T takes its place among the unknowns.
     pub fn new(law: &'a dyn System, tolerance: f64, shift: &[f64], (section, value): (usize, f64)) -> Self {
         let count = Ode::<f64>::dimension(law);
-        Repeating {
+        PeriodicMotions {
             law,
             tolerance: Tolerance::both(tolerance),
             shift: shift.to_vec(),
@@ -70,7 +70,7 @@ impl<'a> Repeating<'a> {
     }
 }
 
-impl Curve for Repeating<'_> {
+impl Curve for PeriodicMotions<'_> {
     fn unknowns(&self) -> usize {
         self.start.len()
     }
