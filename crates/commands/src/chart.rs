@@ -260,7 +260,13 @@ fn drawn(
     match form {
         Form::Page => page(vec![counted, timed]),
         Form::Table(_) => provenance.comment("#") + &runs(atlas),
-        Form::Picture | Form::Reference | Form::Certificates | Form::Unit | Form::Program(_) | Form::Archive => {
+        Form::Picture
+        | Form::Reference
+        | Form::Certificates
+        | Form::Unit
+        | Form::Program(_)
+        | Form::Archive
+        | Form::Rows(_) => {
             let mut chart = match asked.x {
                 None | Some(Axis::Evaluations) => counted,
                 Some(Axis::Time) => timed,

@@ -46,6 +46,17 @@ impl Drop for Folder {
 
 const SAME: [&str; 2] = ["", ""];
 
+/// A table with the hashes that its rows must have, as a program on another machine writes them.
+fn sealed(table: &str) -> String {
+    let row = |(number, line): (usize, &str)| {
+        let Some((cells, _)) = line.rsplit_once(',').filter(|_| number > 0) else { return format!("{line}\n") };
+        let hash = hmac_sha256::Hash::hash(cells.as_bytes());
+        let digits: String = hash[..8].iter().map(|byte| format!("{byte:02x}")).collect();
+        format!("{cells},{digits}\n")
+    };
+    table.lines().enumerate().map(row).collect()
+}
+
 #[test]
 fn a_run_killed_again_and_again_ends_with_the_same_table() {
     let folder = Folder::new("killed");
@@ -177,7 +188,14 @@ fn parts_are_joined_to_the_table_of_one_run_whatever_was_killed() {
     let edited = whole.replacen(",0.", ",0.9", 3);
     std::fs::write(&joined, &edited).expect("it can be written");
     let (code, said) = of_tables(&scene, "--merge", &[first, second, third], &out);
-    assert!(code == Some(2) && said.contains("would be lost") && folder.read("joined.csv") == edited, "{said}");
+    assert!(code == Some(2) && said.contains("it was edited since") && folder.read("joined.csv") == edited, "{said}");
+    // nor is the table of a run with more members
+    let more = folder.scene(21, SAME);
+    std::fs::remove_file(&joined).expect("it is there");
+    assert!(run(&more, &joined, &[]).status.success());
+    let longer = folder.read("joined.csv");
+    let (code, said) = of_tables(&scene, "--merge", &[first, second, third], &out);
+    assert!(code == Some(2) && said.contains("would be lost") && folder.read("joined.csv") == longer, "{said}");
     assert_eq!(of_tables(&scene, "--merge", &[first, second, third], &[&out[..], &["--force"]].concat()).0, Some(0));
     assert_eq!(of_tables(&scene, "--merge", &[first, second, third], &out).0, Some(0));
     assert_eq!(folder.read("joined.csv"), whole);
@@ -198,11 +216,12 @@ fn tables_that_do_not_belong_together_are_not_joined() {
     let text = std::fs::read_to_string(second).expect("it is there");
     let write = |text: &str| std::fs::write(second, text).expect("it can be written");
     // the last digit of a number in the middle of a row
-    let other = text.replacen(",0.", ",0.9", 1);
-    write(&other);
+    write(&text.replacen(",0.", ",0.9", 1));
     refused(&[first, second, third], "line 2");
-    let changed = text.lines().map(|line| line.replace("-fused", "-other").replace("-unfused", "-other") + "\n");
-    write(&changed.collect::<String>());
+    let end = text.lines().nth(1).and_then(|row| row.split(',').rev().nth(2)).expect("a row has cells");
+    write(&text.replacen(&format!(",{end},"), &format!(",9{end},"), 1));
+    refused(&[first, second, third], "line 2: this row was edited since it was written");
+    write(&sealed(&text.replace("-fused", "-other").replace("-unfused", "-other")));
     refused(&[first, second, third], "whose last digits may differ");
     assert_eq!(of_tables(&scene, "--missing", &[first, second, third], &["--any-processor"]).0, Some(0));
     assert_eq!(
@@ -214,12 +233,31 @@ fn tables_that_do_not_belong_together_are_not_joined() {
     // the table is one of those that are read
     let own = ["--out", first.to_str().expect("a name"), "--force"];
     let (code, said) = of_tables(&scene, "--merge", &[first, second, third], &own);
-    assert!(code == Some(2) && said.contains("that is read"), "{said}");
+    assert!(code == Some(2) && said.contains("reads this file"), "{said}");
     let lost = folder.0.join("lost.csv");
     refused(&[first, second, &lost], "lost.csv");
     let seed = folder.scene(10, ["seed = 1", "seed = 2"]);
     let (code, said) = of_tables(&seed, "--missing", &[first], &[]);
     assert!(code == Some(2) && said.contains("line 2: another ensemble"), "{said}");
+}
+
+#[test]
+fn a_table_with_an_edited_row_is_neither_continued_nor_replaced() {
+    let folder = Folder::new("edited");
+    let (scene, path) = (folder.scene(5, SAME), folder.0.join("table.csv"));
+    assert!(run(&scene, &path, &[]).status.success());
+    let table = folder.read("table.csv");
+    let row = table.lines().nth(3).expect("it has rows");
+    let state = row.split(',').rev().nth(2).expect("a row has cells");
+    let edited = table.replace(row, &row.replace(&format!(",{state},"), ",0.125,"));
+    std::fs::write(&path, &edited).expect("it can be written");
+    for scene in [&scene, &folder.scene(6, SAME)] {
+        let output = run(scene, &path, &[]);
+        let said = String::from_utf8_lossy(&output.stderr);
+        let why = "line 4: this row was edited since it was written";
+        assert!(output.status.code() == Some(2) && said.contains(why) && folder.read("table.csv") == edited, "{said}");
+    }
+    assert!(run(&scene, &path, &["--force"]).status.success() && folder.read("table.csv") == table);
 }
 
 #[test]
@@ -232,7 +270,7 @@ fn a_part_goes_on_in_its_own_table_alone() {
     assert!(output.status.code() == Some(2) && said.contains("line 2: member 4 belongs to another part"), "{said}");
     let output = run(&scene, &second, &[]);
     let said = String::from_utf8_lossy(&output.stderr);
-    assert!(said.contains("line 2: member 4 stands where member 1 belongs"), "{said}");
+    assert!(said.contains("line 2: member 4 stands in the place of member 1"), "{said}");
     for (wrong, why) in [("4/3", "a part and the number of all parts"), ("1/10", "the ensemble has 9 members")] {
         let output = run(&scene, &folder.0.join("wrong.csv"), &["--part", wrong]);
         let said = String::from_utf8_lossy(&output.stderr);
@@ -255,8 +293,8 @@ fn rows_that_another_processor_rounded_are_told_apart() {
     let scene = folder.scene(3, SAME);
     assert!(run(&scene, &path, &[]).status.success());
     let table = folder.read("table.csv");
-    let other = if table.contains("-unfused\n") { ["-unfused\n", "-fused\n"] } else { ["-fused\n", "-unfused\n"] };
-    std::fs::write(&path, table.replace(other[0], other[1])).expect("it can be written");
+    let other = if table.contains("-unfused,") { ["-unfused,", "-fused,"] } else { ["-fused,", "-unfused,"] };
+    std::fs::write(&path, sealed(&table.replace(other[0], other[1]))).expect("it can be written");
     let output = run(&scene, &path, &[]);
     let said = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.code() == Some(2) && said.contains("whose last digits may differ"), "{said}");

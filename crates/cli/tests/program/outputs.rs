@@ -73,8 +73,8 @@ fn every_command_replaces_its_own_file_and_no_other() {
         // a scene is never replaced, under any name and with any flag
         std::fs::remove_file(folder.at(name)).expect("it is there");
         std::fs::hard_link(folder.at("scene.toml"), folder.at(name)).expect("links can be made");
-        folder.refused(&[command, &[name]].concat(), "that is read");
-        folder.refused(&[command, &[name, "--force"]].concat(), "that is read");
+        folder.refused(&[command, &[name]].concat(), "reads this file");
+        folder.refused(&[command, &[name, "--force"]].concat(), "reads this file");
         assert_eq!(folder.read("scene.toml"), scene);
     }
     folder.refused(&["run", "scene.toml", "--out", "scene.toml"], "ends in .csv or .npz is accepted");

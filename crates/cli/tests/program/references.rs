@@ -15,7 +15,9 @@ fn a_reference_gives_way_to_a_better_one_only() {
     let marked = format!("{unsealed}\n# kept\n");
     std::fs::write(&path, &marked).expect("it can be written");
     let output = run(&asked);
-    assert!(output.status.success() && String::from_utf8_lossy(&output.stdout).contains("is kept: its methods share"));
+    assert!(
+        output.status.success() && String::from_utf8_lossy(&output.stdout).contains("is kept: its methods agree to")
+    );
     assert_eq!(read(), marked);
     let digits = made.lines().find(|line| line.starts_with("digits = ")).expect("it tells its digits");
     std::fs::write(&path, marked.replace(digits, "digits = 20.5")).expect("it can be written");

@@ -1,11 +1,11 @@
 //! Joining the tables of the parts of an ensemble: the missing members, and one table, byte for byte as one run would have written it.
 
 use super::fates::Fates;
-use super::rows::{Makers, RowOfMember, Rows};
+use super::rows::{Makers, RowOfMember, Rows, heading};
 use crate::clock;
 use crate::exit::{Exit, print};
 use crate::output::{Form, Writes};
-use simulation::ensemble::{EnsembleScene, Fingerprint};
+use simulation::ensemble::EnsembleScene;
 use std::fs::File;
 use std::io::{self, BufReader};
 use std::ops::RangeInclusive;
@@ -29,10 +29,7 @@ impl Part<'_> {
 }
 
 fn foreign(path: &Path, line: usize, why: &str) -> Exit {
-    Exit::refused(format!(
-        "{}, line {line}: {why}; tables of the parts of this very ensemble are accepted",
-        path.display()
-    ))
+    Exit::refused(format!("{}, line {line}: {why}; tables of the parts of this ensemble are accepted", path.display()))
 }
 
 /// Goes through all members once: `take` gets the row of a member, or a range of members that no part has.
@@ -67,11 +64,7 @@ fn joined(
         let own: Vec<usize> = (0..parts.len()).filter(|&k| here(&parts[k])).collect();
         if let Some(&other) = own.iter().skip(1).find(|&&k| parts[k].rows.text() != parts[own[0]].rows.text()) {
             let (line, first) = (parts[other].rows.line(), parts[own[0]].path.display());
-            return Err(foreign(
-                parts[other].path,
-                line,
-                &format!("member {next} comes out otherwise than in {first}"),
-            ));
+            return Err(foreign(parts[other].path, line, &format!("the row of member {next} is not that of {first}")));
         }
         let (part, row) = (&parts[own[0]], parts[own[0]].row.as_ref());
         take(Joined::Row(part.rows.text(), next, row.and_then(|row| row.stopped.as_deref())))?;
@@ -106,8 +99,8 @@ pub fn merge(
     makers: Makers,
     (writes, out): (&Writes<'_>, &Path),
 ) -> Result<Exit, Exit> {
-    let heading = crate::csv::line(&scene.headings()) + "\n";
-    let output = writes.output(out, &[Form::Table(heading.trim_end().to_owned())])?;
+    let heading = heading(scene);
+    let output = writes.output(out, &[Form::Rows(heading.trim_end().to_owned())])?;
     // all tables are checked before anything is written
     let (mut absent, mut fates) = (Vec::new(), Fates::default());
     let mut standing = Standing { rows: if writes.force { None } else { of_this(scene, out) }, path: out };
@@ -161,22 +154,19 @@ pub fn merge(
     Ok(if fates.reached() > 0 { Exit::Done } else { Exit::Stopped })
 }
 
-/// A table of this ensemble that stands where the joined one is to be written: its rows are those of the parts, unless it was edited.
+/// A table of this ensemble that stands where the joined one is to be written: its rows are those of the parts, unless the parts have changed.
 struct Standing<'a> {
     path: &'a Path,
     rows: Option<Rows<'a, BufReader<File>>>,
 }
 
-/// The table at a path, if its first row ends as one of this ensemble.
+/// The table at a path, if its first row is one of this ensemble.
 fn of_this<'a>(scene: &'a EnsembleScene, path: &Path) -> Option<Rows<'a, BufReader<File>>> {
     // reading a pipe would wait for a writer
     let open =
         || Rows::of(BufReader::new(File::open(path).ok().filter(|_| path.is_file())?), scene, Makers::This).ok()?;
-    let mut rows = open()?;
-    // data of the row may have been edited
-    let _ = rows.next_row();
-    let own = format!(",{}\n", Fingerprint::of(scene));
-    rows.text().ends_with(own.as_bytes()).then(open)?
+    open()?.next_row().ok()??;
+    open()
 }
 
 impl Standing<'_> {

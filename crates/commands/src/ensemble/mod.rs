@@ -77,7 +77,7 @@ pub fn run(asked: &Args) -> Result<Exit, Exit> {
     let members = match asked.part {
         Some(part) => part.of(scene.members).ok_or_else(|| {
             Exit::refused(format!(
-                "--part {part:#}: the ensemble has {} members, and each part has one at least",
+                "--part {part:#}: the ensemble has {} members, and each part needs at least one",
                 scene.members
             ))
         })?,

@@ -1,6 +1,7 @@
 //! Reads the table of an ensemble row by row; a file with a row of another ensemble is refused.
 
 use crate::csv;
+use crate::output::each_row;
 use ::csv::{ReaderBuilder, StringRecord};
 use simulation::ensemble::{EnsembleScene, Fingerprint};
 use std::io::{self, BufRead, Read};
@@ -26,6 +27,11 @@ pub struct RowOfMember {
     pub stopped: Option<String>,
 }
 
+/// The first line of the table, with its line end.
+pub fn heading(scene: &EnsembleScene) -> String {
+    format!("{},{}\n", csv::line(&scene.headings()), each_row::COLUMN)
+}
+
 /// A reader of a table, which holds one line at a time.
 pub struct Rows<'a, R> {
     table: R,
@@ -33,6 +39,7 @@ pub struct Rows<'a, R> {
     fingerprint: Fingerprint,
     makers: Makers,
     heading: String,
+    /// The number of columns before the hashes of rows.
     columns: usize,
     /// The last row, with its end of line.
     text: Vec<u8>,
@@ -43,8 +50,7 @@ pub struct Rows<'a, R> {
 impl<'a, R: BufRead> Rows<'a, R> {
     /// Opens a table; `None` where the headings are incomplete, since a run was killed before its first row.
     pub fn of(mut table: R, scene: &'a EnsembleScene, makers: Makers) -> Result<Option<Self>, Foreign> {
-        let headings = scene.headings();
-        let heading = csv::line(&headings) + "\n";
+        let heading = heading(scene);
         let unreadable = |error: io::Error| (1, error.to_string());
         let mut head = Vec::new();
         table.by_ref().take(heading.len() as u64).read_to_end(&mut head).map_err(unreadable)?;
@@ -54,7 +60,7 @@ impl<'a, R: BufRead> Rows<'a, R> {
         if head != heading.as_bytes() {
             return Err((1, "these are not the columns of this ensemble's table".to_owned()));
         }
-        let (fingerprint, columns) = (Fingerprint::of(scene), headings.len());
+        let (fingerprint, columns) = (Fingerprint::of(scene), scene.headings().len());
         Ok(Some(Rows { table, scene, fingerprint, makers, heading, columns, text: Vec::new(), line: 1, before: 0 }))
     }
 
@@ -87,17 +93,22 @@ impl<'a, R: BufRead> Rows<'a, R> {
         if !self.text.ends_with(b"\n") && (length as u64) < LONGEST {
             return Ok(None);
         }
-        let cells = cells(&self.text).filter(|cells| cells.len() == self.columns);
+        let cells = cells(&self.text).filter(|cells| cells.len() == self.columns + 1);
         let no_row = || foreign("this is no row of the table".to_owned());
         let cells = cells.ok_or_else(no_row)?;
-        let fingerprint = &cells[cells.len() - 1];
+        let fingerprint = &cells[self.columns - 1];
         let is_accepted = self.makers == Makers::Any && self.fingerprint.is_of_same_members(fingerprint);
         if let Some(why) = self.fingerprint.differs_from(fingerprint).filter(|_| !is_accepted) {
             return Err(foreign(why));
         }
+        if !self.text.strip_suffix(b"\n").is_some_and(each_row::is_whole) {
+            return Err(foreign(
+                "this row was edited since it was written: its hash is not that of its cells".to_owned(),
+            ));
+        }
         let member: u64 = cells[0].parse().map_err(|_| no_row())?;
         if member <= self.before {
-            return Err(foreign(format!("member {member} stands behind member {}", self.before)));
+            return Err(foreign(format!("member {member} follows member {}", self.before)));
         }
         if member > self.scene.members {
             return Err(foreign(format!("there are more than the {} members", self.scene.members)));

@@ -1,15 +1,15 @@
 //! The table of an ensemble on the disk: complete rows in the order of the members, so that a run continues after the last one.
 //!
-//! Each row ends with the fingerprint of all that decides a member's result, and of the program and processor. A column works with
-//! every reader and stays with its rows when tables are joined, unlike a comment or a second file. An incomplete last line is
-//! removed, and the last complete row is computed again: it must be reproduced.
+//! Each row ends with the fingerprint of all that decides a member's result, and of the program and processor, then with its hash, by which
+//! a row that was edited is refused. Columns work with every reader and stay with their rows when tables are joined, unlike a comment or
+//! a second file. An incomplete last line is removed, and the last complete row is computed again: it must be reproduced.
 
 use super::fates::Fates;
-use super::rows::{Foreign, Makers, Rows};
+use super::rows::{Foreign, Makers, Rows, heading};
 use crate::atomic_write;
 use crate::csv;
 use crate::exit::Exit;
-use crate::output::Writes;
+use crate::output::{Writes, each_row};
 use same_file::Handle;
 use simulation::ensemble::{EnsembleScene, Fingerprint, Row};
 use std::fs::{File, OpenOptions, TryLockError};
@@ -29,7 +29,7 @@ pub struct Table {
     path: PathBuf,
     file: File,
     fingerprint: String,
-    /// The number of columns.
+    /// The number of columns before the hashes of rows.
     columns: usize,
     /// Rows that are not written yet.
     waiting: String,
@@ -63,23 +63,22 @@ impl Table {
             Err(_) if writes.force => (0, Fates::default()),
             Err((line, why)) => {
                 let accepted =
-                    "a table of this very ensemble is continued; name another file, or begin anew with --force";
+                    "only a table of this ensemble is continued; name another file, or begin anew with --force";
                 return Err(Exit::refused(format!("{}, line {line}: {why}; {accepted}", path.display())));
             }
         };
         file.set_len(whole).map_err(unwritable)?;
-        let headings = scene.headings();
         let mut table = Table {
             path: path.to_owned(),
             file,
             fingerprint: fingerprint.to_string(),
-            columns: headings.len(),
+            columns: scene.headings().len(),
             waiting: String::new(),
             length: whole,
             settled: Instant::now(),
         };
         if whole == 0 {
-            table.waiting = csv::line(&headings) + "\n";
+            table.waiting = heading(scene);
             table.settle()?;
         }
         Ok((table, told))
@@ -148,7 +147,7 @@ fn read(
             });
         }
         if row.member != next {
-            return foreign(format!("member {} stands where member {next} belongs", row.member));
+            return foreign(format!("member {} stands in the place of member {next}", row.member));
         }
         next += 1;
         told.add(row.member, row.stopped.as_deref());
@@ -164,7 +163,7 @@ fn read(
         });
         // a member that the clock stopped has no row to compare
         if !again.is_empty() && again.as_bytes() != last {
-            return Err((rows.line() - 1, format!("member {} comes out otherwise today", next - 1)));
+            return Err((rows.line() - 1, format!("member {} gives another row when it is computed again", next - 1)));
         }
     }
     Ok((whole, told))
@@ -185,5 +184,5 @@ fn line(row: &Row, columns: usize, fingerprint: &str) -> String {
     }
     cells.resize(columns - 1, String::new());
     cells.push(fingerprint.to_owned());
-    csv::line(&cells) + "\n"
+    each_row::sealed(&csv::line(&cells)) + "\n"
 }

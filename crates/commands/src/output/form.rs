@@ -1,14 +1,14 @@
 //! The forms of output files, and the marks by which a command recognises its own files.
 //!
-//! Every form but the table of an ensemble holds a hash of itself, a seal, so that what was changed by hand is never replaced: a table in its
-//! first comment, an archive and a functional mock-up unit in a file of their own, the others in their last line. A program, a picture
-//! and a unit without a seal are not replaced either; tables, archives, pages, references and certificates had none in earlier versions
-//! and are. A picture begins with a comment that names the command, a page names the command as its generator, a reference says which
+//! Every file holds a hash of itself, a seal, so that what was changed by hand is never replaced: a table in its first comment, the table of
+//! an ensemble in each of its rows, an archive and a functional mock-up unit in a file of their own, the others in their last line. A file
+//! without its seal was edited, and is not replaced either. Only references were written without a seal before; they do not state the
+//! version of the program, and are replaced. A picture begins with a comment that names the command, a page names the command as its generator, a reference says which
 //! command made it. A table begins with comments, `# ...`, on its origin (`pandas.read_csv(..., comment="#")`); it is
 //! recognised by the line after them, the names of its columns with their units.
 
 use super::seal::last_line::Around;
-use super::seal::{first_line, last_line};
+use super::seal::{each_row, first_line, last_line};
 use std::fs::{self, File};
 use std::io::{self, BufReader, Read};
 use std::path::Path;
@@ -24,6 +24,8 @@ pub enum Form {
     Reference,
     /// A table, CSV, with this first line after its comments.
     Table(String),
+    /// The table of an ensemble, CSV, with this first line, and a hash in each row.
+    Rows(String),
     /// Arrays of NumPy.
     Archive,
     /// The certificates of a paper, JSON.
@@ -50,7 +52,7 @@ pub enum Origin {
     Own,
     /// The command wrote it, and it was changed since.
     Changed,
-    /// It has the mark of the command, and not the seal that its form always has.
+    /// It has the mark of the command, and lacks the seal with which it was written.
     Unsealed,
     Other,
 }
@@ -88,7 +90,7 @@ impl Form {
             Form::Picture => &["svg"],
             Form::Page => &["html", "htm"],
             Form::Reference => &["reference"],
-            Form::Table(_) => &["csv"],
+            Form::Table(_) | Form::Rows(_) => &["csv"],
             Form::Archive => &["npz"],
             Form::Certificates => &["json"],
             Form::Unit => &["fmu"],
@@ -108,7 +110,7 @@ impl Form {
             Form::Picture => "picture",
             Form::Page => "page",
             Form::Reference => "reference",
-            Form::Table(_) => "table",
+            Form::Table(_) | Form::Rows(_) => "table",
             Form::Archive => "archive",
             Form::Certificates => "file of certificates",
             Form::Unit => "unit",
@@ -131,13 +133,15 @@ impl Form {
             Form::Picture | Form::Page => Some(Around::MARKUP),
             Form::Reference => Some(Around::SHARP),
             Form::Certificates => Some(Around::JSON),
-            Form::Table(_) | Form::Archive | Form::Unit => None,
+            Form::Table(_) | Form::Rows(_) | Form::Archive | Form::Unit => None,
         }
     }
 
-    /// Whether every version has sealed its files of this form.
-    fn is_always_sealed(&self) -> bool {
-        matches!(self, Form::Program(_) | Form::Picture | Form::Unit)
+    /// Whether a file that begins like this was written with a seal: all but references that do not state the version of the program.
+    fn was_sealed(&self, head: &str) -> bool {
+        let has_version =
+            |head: &str| head.lines().any(|line| line.starts_with("# Made by: ") && line.contains(", version "));
+        !head.is_empty() && (*self != Form::Reference || has_version(head))
     }
 
     /// Whether this command wrote a file, by its mark and its seal.
@@ -145,13 +149,13 @@ impl Form {
     /// # Errors
     /// The file cannot be read.
     pub fn origin(&self, maker: Maker, file: &Path) -> io::Result<Origin> {
-        if !self.is_marked(maker, file)? {
+        let head = self.head(file)?;
+        if !self.is_marked(maker, &head) {
             return Ok(Origin::Other);
         }
-        let is_empty = fs::metadata(file)?.len() == 0;
         Ok(match self.seal_holds(file)? {
             Some(false) => Origin::Changed,
-            None if self.is_always_sealed() && !is_empty => Origin::Unsealed,
+            None if self.was_sealed(&head) => Origin::Unsealed,
             Some(true) | None => Origin::Own,
         })
     }
@@ -162,21 +166,26 @@ impl Form {
             (_, Some(around)) => last_line::holds(&fs::read(file)?, around),
             (Form::Unit, None) => exchange::fmu::seal_holds(&fs::read(file)?),
             (Form::Archive, None) => exchange::npz::seal_holds(&fs::read(file)?),
+            (Form::Rows(_), None) => Some(each_row::holds(BufReader::new(File::open(file)?))?),
             (_, None) => first_line::holds(BufReader::new(File::open(file)?))?,
         })
     }
 
-    /// Whether a file is empty, or has the mark of this command in this form.
-    fn is_marked(&self, maker: Maker, file: &Path) -> io::Result<bool> {
+    /// The beginning of a file, in which its mark stands.
+    fn head(&self, file: &Path) -> io::Result<String> {
         let mut head = Vec::new();
         let room = match self {
-            Form::Table(heading) => HEAD + heading.len() as u64 + 1,
+            Form::Table(heading) | Form::Rows(heading) => HEAD + heading.len() as u64 + 1,
             _ => HEAD,
         };
         File::open(file)?.take(room).read_to_end(&mut head)?;
-        let text = String::from_utf8_lossy(&head);
+        Ok(String::from_utf8_lossy(&head).into_owned())
+    }
+
+    /// Whether a file that begins like this is empty, or has the mark of this command in this form.
+    fn is_marked(&self, maker: Maker, text: &str) -> bool {
         let name = maker.name();
-        Ok(text.is_empty()
+        text.is_empty()
             || match self {
                 Form::Picture => text.starts_with(&format!("<!-- {name}, version ")),
                 Form::Page => text.contains(&format!("<meta name=\"generator\" content=\"{name}, version ")),
@@ -194,6 +203,7 @@ impl Form {
                     let table = text[comments..].strip_prefix(heading.as_str());
                     table.is_some_and(|rest| rest.starts_with('\n'))
                 }
-            })
+                Form::Rows(heading) => text.strip_prefix(heading.as_str()).is_some_and(|rest| rest.starts_with('\n')),
+            }
     }
 }

@@ -17,6 +17,7 @@ pub use form::{Form, Maker, Source};
 
 use form::Origin;
 pub use provenance::Provenance;
+pub use seal::each_row;
 
 use crate::atomic_write::{self, Beside, Untaken};
 use crate::clock;
@@ -74,7 +75,7 @@ impl Writes<'_> {
                 let ends: Vec<&str> = forms.iter().flat_map(Form::ends).copied().collect();
                 let ends = ends.join(" or .");
                 return Err(Exit::refused(format!(
-                    "{} cannot be written: the end of its name is that of no form which `{}` writes there; a name that ends in \
+                    "{} cannot be written: `{}` writes no file with this extension; a name that ends in \
                      .{ends} is accepted",
                     path.display(),
                     self.maker().name()
@@ -123,7 +124,7 @@ impl Rights {
             self.reads.iter().find(|read| read.is_file() && same_file::is_same_file(read, file).unwrap_or(false));
         if let Some(read) = read {
             return Err(Exit::refused(format!(
-                "{} cannot be written: it is the file {} that is read; another name is accepted",
+                "{} cannot be written: the command reads this file, {}; another name is accepted",
                 path.display(),
                 read.display()
             )));
@@ -230,7 +231,7 @@ fn came_meanwhile(path: &Path, written: Beside) -> Exit {
         Ok(kept) => format!("the results are kept in {}", kept.display()),
         Err(error) => format!("the results could not be kept: {error}"),
     };
-    Exit::refused(format!("{} came into being meanwhile and is left alone; {kept}", path.display()))
+    Exit::refused(format!("{} was created meanwhile by another program, and is not replaced; {kept}", path.display()))
 }
 
 /// Refuses two outputs of one command to one file.

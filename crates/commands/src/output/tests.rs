@@ -1,4 +1,4 @@
-use super::{Form, Writes, apart};
+use super::{Form, Writes, apart, each_row};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -34,7 +34,7 @@ fn writes(reads: &Path, force: bool) -> Writes<'_> {
 fn write(writes: &Writes<'_>, path: &Path) -> Result<(), String> {
     let said = |ending| format!("{ending:?}");
     let output = writes.output(path, &table()).map_err(said)?;
-    output.write_text("time [s],x [m]\n0,2\n").map(drop).map_err(said)
+    output.write_text("# made by: dalembert run, version 9\ntime [s],x [m]\n0,2\n").map(drop).map_err(said)
 }
 
 #[test]
@@ -52,11 +52,11 @@ fn a_table_of_our_own_is_replaced_and_that_of_another_only_by_force() {
 }
 
 #[test]
-fn a_file_that_was_edited_is_replaced_by_force_alone_and_one_of_an_earlier_version_as_before() {
+fn a_file_that_was_edited_or_lost_its_seal_is_replaced_by_force_alone() {
     let folder = Folder::new();
     let scene = folder.at("scene.toml");
     let page = "<meta name=\"generator\" content=\"dalembert run, version 9\">\n<p>old</p>\n";
-    let reference = "# Reference of x: so\n# Made by: dalembert run x\ndigits = 20 # old\n";
+    let reference = "# Reference of x: so\n# Made by: dalembert run x, version 9\ndigits = 20 # old\n";
     for (name, form, content) in [
         ("a.csv", table()[0].clone(), "# made by: dalembert run, version 9\ntime [s],x [m]\n0,\"old\"\n"),
         ("a.html", Form::Page, page),
@@ -80,8 +80,33 @@ fn a_file_that_was_edited_is_replaced_by_force_alone_and_one_of_an_earlier_versi
         }
         assert_eq!((write(true), folder.read(name)), (Ok(()), made), "{name}");
         fs::write(&path, content).expect("it can be written");
-        assert_eq!(write(false), Ok(()), "{name} of an earlier version");
+        let refused = write(false).expect_err(name);
+        assert!(refused.contains("it was edited, or written by an earlier version"), "{refused}");
+        assert_eq!(folder.read(name), content);
     }
+}
+
+#[test]
+fn a_reference_of_an_earlier_version_needs_no_seal() {
+    let folder = Folder::new();
+    let (scene, path) = (folder.at("scene.toml"), folder.at("a.reference"));
+    fs::write(&path, "# Reference of x: so\n# Made by: dalembert run x\ndigits = 20\n").expect("it can be written");
+    let output = writes(&scene, false).output(&path, &[Form::Reference]).expect("it is our own");
+    assert!(output.write_text("digits = 21\n").is_ok() && folder.read("a.reference").starts_with("digits = 21\n"));
+}
+
+#[test]
+fn the_table_of_an_ensemble_is_our_own_if_every_row_ends_with_its_hash() {
+    let folder = Folder::new();
+    let (scene, path) = (folder.at("scene.toml"), folder.at("ensemble.csv"));
+    let heading = "member,x,row_sha256";
+    let admitted = |rows: &str| {
+        fs::write(&path, format!("{heading}\n{rows}")).expect("it can be written");
+        writes(&scene, false).output(&path, &[Form::Rows(heading.to_owned())]).is_ok()
+    };
+    let row = each_row::sealed("1,0.5");
+    assert!(admitted("") && admitted(&format!("{row}\n")) && admitted(&format!("{row}\n2,0.")));
+    assert!(!admitted(&format!("{}\n", row.replace("0.5", "0.6"))) && !admitted("1,0.5\n"));
 }
 
 #[test]
@@ -94,7 +119,7 @@ fn what_is_read_is_never_written_by_any_name() {
     for name in names {
         for force in [false, true] {
             let refused = write(&writes(&read, force), &name).expect_err("it is read");
-            assert!(refused.contains("that is read"), "{}: {refused}", name.display());
+            assert!(refused.contains("reads this file"), "{}: {refused}", name.display());
         }
     }
     assert_eq!(folder.read("read.csv"), "time [s],x [m]\n");
@@ -131,7 +156,7 @@ fn a_file_that_came_meanwhile_is_left_alone_and_the_work_is_kept() {
     let output = writes(&scene, false).output(&path, &table()).expect("it is accepted");
     fs::write(&path, "another's").expect("it can be written");
     let refused = output.write_text("mine").err().map(|ending| format!("{ending:?}")).unwrap_or_default();
-    assert!(refused.contains("came into being meanwhile"), "{refused}");
+    assert!(refused.contains("was created meanwhile"), "{refused}");
     assert_eq!(folder.read("table.csv"), "another's");
     let kept = fs::read_dir(folder.0.path()).expect("it is there").filter_map(|entry| Some(entry.ok()?.path()));
     let kept: Vec<PathBuf> = kept.filter(|path| path.extension().is_some_and(|end| end == "part")).collect();
@@ -184,7 +209,8 @@ fn links_are_followed_and_stay() {
     assert!(write(&writes(&scene, true), &folder.at("to_nothing.csv")).is_err());
     write(&writes(&scene, false), &folder.at("own.csv")).expect("it can be written");
     symlink(folder.at("own.csv"), folder.at("link.csv")).expect("links can be made");
-    fs::write(folder.at("own.csv"), "time [s],x [m]\nold\n").expect("it can be written");
+    let older = writes(&scene, false).output(&folder.at("own.csv"), &table()).expect("it is our own");
+    assert!(older.write_text("# made by: dalembert run, version 8\ntime [s],x [m]\nold\n").is_ok());
     write(&writes(&scene, false), &folder.at("link.csv")).expect("it is our own");
     assert!(fs::symlink_metadata(folder.at("link.csv")).expect("it is there").is_symlink());
     assert!(folder.read("own.csv").ends_with("0,2\n"));
@@ -210,7 +236,7 @@ fn a_device_is_written_to_and_a_pipe_that_nobody_reads_is_refused() {
     });
     assert_eq!(write(&writes(&scene, false), &pipe), Ok(()));
     let read = reader.join().expect("it ends").expect("it can be read");
-    assert_eq!(read, "time [s],x [m]\n0,2\n");
+    assert_eq!(read, "# made by: dalembert run, version 9\ntime [s],x [m]\n0,2\n");
     let refused = writes(&scene, false).continued(&pipe);
     assert!(refused.is_err());
 }

@@ -98,8 +98,9 @@ impl Stored {
         let Reference { times, states, digits, sizes, methods: [one, other], work } = &self.reference;
         let mut text = format!(
             "# Reference of {scene}: the states that two methods of different families agree on in double-double.\n\
-             # Made by: dalembert reference {scene}\n\
-             # Digits count from the largest size of a component; one more is written than is shared.\n\n"
+             # Made by: dalembert reference {scene}, version {}\n\
+             # Digits count from the largest size of a component; one more is written than is shared.\n\n",
+            env!("CARGO_PKG_VERSION")
         );
         let mut line = |key: &str, value: String| {
             // writing to a string cannot fail

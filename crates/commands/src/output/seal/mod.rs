@@ -1,5 +1,6 @@
 //! Seals: hashes within files, by which a file that was changed by hand is told from one that a command wrote.
 
+pub mod each_row;
 pub mod first_line;
 pub mod last_line;
 
