@@ -198,7 +198,7 @@ fn at_time(path: &Path, text: &SystemText, time: f64, towards: Option<[f64; 3]>)
     }
     let geometry = geometry(path, &scene.model, &scene.start)?;
     let figure = if time > 0.0 {
-        let mut problem = scene.problem_with_switches();
+        let mut problem = scene.problem_with_mode_values();
         problem.span = time;
         let run = problem.simulate_while(&choice(&scene, 1), |_| clock::goes_on());
         if let Some(why) = run.stopped().filter(|_| run.outcome.time < time) {
@@ -215,8 +215,8 @@ fn at_time(path: &Path, text: &SystemText, time: f64, towards: Option<[f64; 3]>)
                 path.display()
             )));
         }
-        let switches = run.last.get(run.names.len()..).unwrap_or_default();
-        geometry.figure_with(time, &run.outcome.state, switches)
+        let of_mode = run.last.get(run.names.len()..).unwrap_or_default();
+        geometry.figure_with(time, &run.outcome.state, of_mode)
     } else {
         geometry.first_figure(&scene.start)
     };
@@ -252,7 +252,7 @@ fn moving(
     let Some(Motion { figures, part, run }) = followed else {
         let from = short(interval.from);
         return Err(Exit::refused(format!(
-            "{}: the run has no instant from {from} s on: it ends before; a part of the run before it is accepted",
+            "{}: the run ends before {from} s; a part of the run before it is accepted",
             path.display()
         )));
     };

@@ -12,7 +12,7 @@ use crate::ensemble::parse_ensemble;
 use crate::formulations::formulations;
 use crate::inductances::impossible_inductances;
 use crate::known_as::asked_for;
-use crate::modes::{BROKEN, Modes, SwitchValues};
+use crate::modes::{BROKEN, ModeValues, Modes, mode_values_lengths};
 use crate::named_systems;
 use crate::power_balance::metered;
 use crate::quoted_keys::with_quoted_primes;
@@ -97,7 +97,7 @@ pub fn register(warn: Warn) {
 pub(crate) const TITLE: &str = "one line that says what happens";
 
 /// The key `known_as` in words.
-pub(crate) const KNOWN_AS: &str = "name of a system of which more is known";
+pub(crate) const KNOWN_AS: &str = "name of a system about which the program has knowledge";
 
 impl ModelScene {
     /// Reads a file; `name` is what messages call it.
@@ -284,14 +284,19 @@ impl ModelScene {
         (problem, modes)
     }
 
-    /// The problem of the run, whose rows end with the value of each switch: between 0 and 1 where its condition stays at zero.
-    pub fn problem_with_switches(&self) -> Problem {
+    /// The problem of the run, whose rows end with the values that its mode determines, which sketches need: of switches, and of friction.
+    pub fn problem_with_mode_values(&self) -> Problem {
         let (mut problem, modes) = self.switched();
-        if let Some(switches) = modes.map(SwitchValues::of) {
+        if let Some(values) = modes.map(ModeValues::of) {
             let row = problem.row;
-            problem.row = Box::new(move |time, state| [row(time, state), switches.at(time, state)].concat());
+            problem.row = Box::new(move |time, state| [row(time, state), values.at(time, state)].concat());
         }
         problem
+    }
+
+    /// The number of values that the mode adds to each row of such a problem.
+    pub fn mode_values(&self) -> usize {
+        mode_values_lengths(&self.model).iter().sum()
     }
 
     /// The largest residual of the constraints; none of a model without constraints.

@@ -3,6 +3,7 @@
 use dalembert_scenes::ModelScene;
 use dalembert_scenes::geometry::{Figure, Geometry, Joint};
 use model::geometry::Action;
+use nalgebra::Vector3;
 use simulation::{Axes, IvpScene};
 
 fn scene(text: &str) -> ModelScene {
@@ -281,12 +282,38 @@ fn friction_that_sticks_points_against_the_load() {
         let scene = scene(&text(load));
         let found = geometry(&scene).first_figure(&scene.start).forces[0].1.x;
         assert!((found - force).abs() < 1e-12, "{load}: {found}");
-        let mut problem = scene.problem_with_switches();
+        let mut problem = scene.problem_with_mode_values();
         problem.span = 0.5;
         let run = problem.simulate(&scene.run().choice(), |_| ());
         let (states, switches) = (scene.start.len(), run.last.len() - 1);
         let figure = geometry(&scene).figure_with(0.5, &run.last[..states], &run.last[switches..]);
         assert!((figure.forces[0].1.x - force).abs() < 1e-12, "{load}: {:?}", figure.forces);
+    }
+}
+
+/// A block of 2 kg on a rough floor under a constant push: friction equals the push up to its limit 0.5 m g = 9.81 N.
+#[test]
+fn friction_of_a_contact_sticks_up_to_its_limit_and_slides_against_the_motion_beyond() {
+    let text = |push: f64| {
+        format!(
+            "title = \"b\"\ngravity = \"-g*N.y\"\nparameters = {{ m = \"2 kg\", g = \"9.81 m/s^2\" }}\n\
+             coordinates = {{ x = \"m\", y = \"m\" }}\nbodies = {{ block = {{ centre = \"O + x*N.x + y*N.y\", mass = \"m\" }} }}\n\
+             run = {{ span = \"1 s\" }}\n[[contact]]\nof = \"block\"\nthrough = \"O\"\nnormal = \"N.y\"\nfriction = \"0.5\"\n\
+             touching = true\n[[force]]\nalong = \"x\"\nis = \"{push} N\"\n"
+        )
+    };
+    for (push, friction) in [(0.0, 0.0), (4.0, -4.0), (-4.0, 4.0), (12.0, -9.81), (-12.0, 9.81)] {
+        let scene = scene(&text(push));
+        let geometry = geometry(&scene);
+        let mut problem = scene.problem_with_mode_values();
+        problem.span = 0.5;
+        let run = problem.simulate(&scene.run().choice(), |_| ());
+        let later = geometry.figure_with(0.5, &run.outcome.state, &run.last[run.names.len()..]);
+        for figure in [geometry.first_figure(&scene.start), later] {
+            let found = figure.touches[0].friction;
+            assert!((found.x - friction).abs() < 1e-9 && found.y == 0.0, "{push}: {found}");
+            assert!(friction != 0.0 || found == Vector3::zeros(), "{push}: {found}");
+        }
     }
 }
 

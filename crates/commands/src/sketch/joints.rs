@@ -36,6 +36,7 @@ pub fn draw(parts: &mut Parts<'_>) {
         if !contact.is_line {
             parts.add(SketchPart::Surface { at: foot, normal, kind });
         }
+        rubbed(parts, touch);
     }
     rolled_on(parts);
     about_axes(parts);
@@ -46,6 +47,16 @@ pub fn draw(parts: &mut Parts<'_>) {
             let along = parts.direction(move |figure| way(figure.forces[force].1));
             parts.add(SketchPart::Arrow { at, along });
         }
+    }
+}
+
+/// Draws the friction of a contact, on the body that touches.
+fn rubbed(parts: &mut Parts<'_>, touch: usize) {
+    let acts = |figure: &scenes::geometry::Figure| is_seen(figure.touches[touch].friction);
+    if parts.figures.iter().any(acts) {
+        let at = parts.geometry.first[parts.figures[0].touches[touch].point];
+        let along = parts.direction(move |figure| way(figure.touches[touch].friction));
+        parts.add(SketchPart::Arrow { at, along });
     }
 }
 

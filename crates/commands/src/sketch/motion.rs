@@ -106,14 +106,14 @@ fn run(
     Interval { from, to }: Interval,
     progress: &mut impl FnMut(f64) -> ControlFlow<()>,
 ) -> Trajectory {
-    let mut problem = scene.problem_with_switches();
+    let mut problem = scene.problem_with_mode_values();
     problem.span = to;
-    let most = most_samples(problem.columns.len() + scene.model.switches.len());
+    let most = most_samples(problem.columns.len() + scene.mode_values());
     let samples = (INSTANTS * to / (to - from)).min(most as f64) as usize;
     problem.simulate_while(&Choice { samples, allowed: clock::left(), ..scene.run().choice() }, progress)
 }
 
-/// The pictures of a run of some span, whose rows end with the values of switches or not.
+/// The pictures of a run of some span, whose rows end with the values that its mode determines or not.
 pub fn pictures(
     scene: &ModelScene,
     geometry: &Geometry,
@@ -122,8 +122,8 @@ pub fn pictures(
 ) -> Motion {
     let states = scene.model.positions() + scene.model.speeds();
     let figure = |time: f64, row: &[f64]| {
-        let switches = row.len().checked_sub(scene.model.switches.len()).filter(|at| *at >= run.names.len());
-        geometry.figure_with(time, &row[..states.min(row.len())], switches.map_or(&[], |at| &row[at..]))
+        let of_mode = row.get(run.names.len()..).unwrap_or_default();
+        geometry.figure_with(time, &row[..states.min(row.len())], of_mode)
     };
     let has_end = run.times.last().is_some_and(|last| run.outcome.time > *last);
     let end = has_end.then_some((run.outcome.time, &run.last));

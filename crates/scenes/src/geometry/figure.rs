@@ -2,6 +2,7 @@
 
 use crate::compiled_system::NotCompiled;
 use crate::letters::Letters;
+use crate::modes::OF_CONTACT;
 use crate::program::recorded;
 use model::geometry::{Couple, Element, Gear, Torsion, frame_axes};
 use model::{FrameId, Inertia, Model, Trace};
@@ -34,6 +35,8 @@ pub struct Touch {
     pub point: usize,
     pub normal: Vector3<f64>,
     pub gap: f64,
+    /// The friction on the body that touches, N; zero where it is unknown, or rounding beside the normal reaction.
+    pub friction: Vector3<f64>,
 }
 
 /// The symbolic part of the geometry.
@@ -75,6 +78,8 @@ pub(super) struct Recorded {
 
 /// The number of states near the start from which the structure is found.
 const SAMPLES: u64 = 5;
+/// Friction below this part of the normal reaction is rounding.
+const ROUNDING: f64 = 1e-9;
 /// Trials of the cases of conditions: one may decide another.
 const TRIALS: usize = 4;
 
@@ -115,12 +120,20 @@ impl Recorded {
         self.read(time, values)
     }
 
-    /// The same with the values of the switches, as a run has them; by the conditions where these are no numbers.
-    pub fn figure_with(&self, time: f64, state: &[f64], switches: &[f64]) -> Figure {
-        match switches.len() == self.switches && switches.iter().all(|switch| switch.is_finite()) {
+    /// The same with the values that the mode of a run determines; switches that are no numbers follow from their conditions.
+    pub fn figure_with(&self, time: f64, state: &[f64], of_mode: &[f64]) -> Figure {
+        let (switches, contacts) = of_mode.split_at(self.switches.min(of_mode.len()));
+        let mut figure = match switches.len() == self.switches && switches.iter().all(|switch| switch.is_finite()) {
             true => self.read(time, self.values(time, state, switches)),
             false => self.figure(time, state),
+        };
+        for (touch, values) in figure.touches.iter_mut().zip(contacts.chunks_exact(OF_CONTACT)) {
+            let (friction, normal) = (Vector3::new(values[0], values[1], values[2]), values[3]);
+            if friction.norm() > ROUNDING * normal.abs() {
+                touch.friction = friction;
+            }
         }
+        figure
     }
 
     /// All values; not numbers at a state of another length.
@@ -145,7 +158,7 @@ impl Recorded {
         let touches = self.contacts.iter().zip(normals);
         let touches = touches.map(|((contact, point), normal)| {
             let gap = left.next().unwrap_or(f64::NAN);
-            Touch { contact: *contact, point: *point, normal, gap }
+            Touch { contact: *contact, point: *point, normal, gap, friction: Vector3::zeros() }
         });
         let touches = touches.collect();
         let inertias = (0..self.bodies).map(|_| std::array::from_fn(|_| left.next().unwrap_or(f64::NAN))).collect();

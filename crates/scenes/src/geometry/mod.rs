@@ -18,7 +18,7 @@ pub use inertia::Ellipsoid;
 pub use rigid::Link;
 
 use crate::compiled_system::NotCompiled;
-use crate::modes::switch_values_at_start;
+use crate::modes::mode_values_at_start;
 use figure::Recorded;
 use model::Model;
 use model::geometry::Element;
@@ -155,15 +155,17 @@ impl Geometry {
         self.recorded.figure(time, state)
     }
 
-    /// The same with the value of each switch, as a run has them.
-    pub fn figure_with(&self, time: f64, state: &[f64], switches: &[f64]) -> Figure {
-        self.recorded.figure_with(time, state, switches)
+    /// The same with the values that the mode of a run determines: of switches, then of the friction of contacts.
+    pub fn figure_with(&self, time: f64, state: &[f64], of_mode: &[f64]) -> Figure {
+        self.recorded.figure_with(time, state, of_mode)
     }
 
     /// The figure of the motion that goes on from a start.
     pub fn first_figure(&self, start: &[f64]) -> Figure {
-        let switches = if self.has_switched_loads { switch_values_at_start(&self.model, start) } else { None };
-        self.figure_with(0.0, start, &switches.unwrap_or_default())
+        let has_friction = self.model.contacts.iter().any(|contact| contact.friction.is_some());
+        let is_of_mode = self.has_switched_loads || has_friction;
+        let of_mode = if is_of_mode { mode_values_at_start(&self.model, start) } else { None };
+        self.figure_with(0.0, start, &of_mode.unwrap_or_default())
     }
 
     /// The place of a body's centre of mass.

@@ -1,59 +1,103 @@
-//! The values of the switches along a run: 1 or 0, and between them where a condition stays at zero, as of dry friction that sticks.
+//! Values along a run that its mode determines, for sketches.
+//!
+//! Of each switch 1 or 0, and between them where a condition stays at zero, as of dry friction that sticks; then of each contact the three
+//! components of its friction on the body that touches, in the axes of the ground, and its normal reaction. A value is no number where no
+//! law determines it.
 
 use super::{Mode, Modes};
 use crate::compiled_system::{CompiledSystem, determined};
 use crate::letters::Letters;
 use crate::program::recorded;
-use model::{Model, Trace};
+use model::{FrameId, Model, Trace, Vector};
 use simulation::Program;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
+use symbolic::Sym;
 
-/// The switches of a model in the law in which a run is.
-pub(crate) struct SwitchValues {
+/// The number of values of a contact.
+pub(crate) const OF_CONTACT: usize = 4;
+
+/// The values of a model in the law in which a run is.
+pub(crate) struct ModeValues {
     modes: Arc<Modes>,
-    known: Mutex<HashMap<Mode, Option<Arc<Program>>>>,
+    known: Mutex<HashMap<Mode, Arc<Programs>>>,
 }
 
-impl SwitchValues {
+/// The programs of a mode: of the switches, and of the contacts.
+struct Programs([Option<Program>; 2]);
+
+impl ModeValues {
     pub fn of(modes: Arc<Modes>) -> Self {
-        SwitchValues { modes, known: Mutex::default() }
+        ModeValues { modes, known: Mutex::default() }
     }
 
-    /// The values at a time and a state of the run; not numbers where no law determines them.
+    /// The values at a time and a state of the run.
     pub fn at(&self, time: f64, state: &[f64]) -> Vec<f64> {
         let Some(system) = self.modes.current() else { return Vec::new() };
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
-        let program = known.entry(system.mode.clone()).or_insert_with(|| program(&system).map(Arc::new)).clone();
+        let programs = known.entry(system.mode.clone()).or_insert_with(|| Arc::new(Programs::of(&system)));
+        let programs = Arc::clone(programs);
         drop(known);
-        values(system.model(), program.as_deref(), (time, state))
+        programs.values(system.model(), time, state)
     }
 }
 
 /// The values at the start of a model; none where no motion, or no single one, goes on from there.
-pub(crate) fn switch_values_at_start(model: &Arc<Model>, state: &[f64]) -> Option<Vec<f64>> {
+pub(crate) fn mode_values_at_start(model: &Arc<Model>, state: &[f64]) -> Option<Vec<f64>> {
     let system = Modes::of(model, &[], &[]).first(state).ok()?;
-    Some(values(system.model(), program(&system).as_ref(), (0.0, state)))
+    Some(Programs::of(&system).values(system.model(), 0.0, state))
 }
 
-fn values(model: &Model, program: Option<&Program>, (time, state): (f64, &[f64])) -> Vec<f64> {
-    let mut values = vec![f64::NAN; model.switches.len()];
-    if let Some(program) = program {
-        // a state without values leaves them undefined
-        let _ = program.run(time, state, &mut values);
-    }
-    values
+/// The contacts that have places: those that are no diodes and no freewheels.
+fn contacts(model: &Model) -> impl Iterator<Item = usize> {
+    (0..model.contacts.len()).filter(|place| model.contacts[*place].one_way.is_none())
 }
 
-fn program(system: &CompiledSystem) -> Option<Program> {
-    let (model, mode) = (system.model(), &system.mode);
-    if mode.cases.len() != model.switches.len() {
-        return None;
+/// The numbers of values of switches and of contacts.
+pub(crate) fn lengths(model: &Model) -> [usize; 2] {
+    [model.switches.len(), OF_CONTACT * contacts(model).count()]
+}
+
+impl Programs {
+    fn of(system: &CompiledSystem) -> Self {
+        let (model, mode) = (system.model(), &system.mode);
+        let program = |of: fn(&Trace<'_>) -> Vec<Sym>| {
+            let program = recorded(model.positions() + model.speeds(), |time, state| {
+                let trace = Trace::of(model);
+                let values = determined(&trace, mode, of(&trace));
+                Letters::with_data(time, state).put_into(&trace, &values)
+            });
+            program.ok()
+        };
+        let has_cases = mode.cases.len() == model.switches.len();
+        Programs([
+            if has_cases { program(|trace| trace.switches.clone()) } else { None },
+            program(|trace| contacts(trace.model).flat_map(|contact| of_contact(trace, contact)).collect()),
+        ])
     }
-    let program = recorded(model.positions() + model.speeds(), |time, state| {
-        let trace = Trace::of(model);
-        let switches = determined(&trace, mode, trace.switches.clone());
-        Letters::with_data(time, state).put_into(&trace, &switches)
-    });
-    program.ok()
+
+    fn values(&self, model: &Model, time: f64, state: &[f64]) -> Vec<f64> {
+        let parts = self.0.iter().zip(lengths(model)).map(|(program, length)| {
+            let mut values = vec![f64::NAN; length];
+            if let Some(program) = program {
+                // a state without values leaves them undefined
+                let state = &state[..state.len().min(model.positions() + model.speeds())];
+                let _ = program.run(time, state, &mut values);
+            }
+            values
+        });
+        parts.collect::<Vec<_>>().concat()
+    }
+}
+
+/// The friction of a contact as a vector, and its normal reaction.
+fn of_contact(trace: &Trace<'_>, place: usize) -> [Sym; OF_CONTACT] {
+    let contact = &trace.model.contacts[place];
+    let along = |(number, tangent): (usize, &model::VectorId)| {
+        let component = trace.reaction(place, number + 1);
+        trace.vector(*tangent).map(|part| component * part)
+    };
+    let friction = contact.tangents.iter().enumerate().map(along).fold(Vector::ZERO, |sum, part| trace.sum(sum, part));
+    let [x, y, z] = trace.express(friction, FrameId::GROUND);
+    [x, y, z, trace.reaction(place, 0)]
 }
