@@ -136,8 +136,8 @@ fn text(scene: &Scene, common: &Common, cases: &[Case]) -> String {
     // writing to a String cannot fail
     let _ = writeln!(
         out,
-        "{}: field {} rad/s, holds {:.6} N m; friction at synchronism {:.6} N m; swings about it {:.4} rad/s\n\
-         loads are further moments against the rotor's turning, whichever way it turns, N m",
+        "{}: field {} rad/s, holds {:.6} N m; friction at synchronism {:.6} N m; oscillates about it with {:.4} rad/s\n\
+         loads are additional torques against the rotation of the rotor, in either direction, N m",
         motor.machine.name(),
         facts.field_speed,
         facts.hold,

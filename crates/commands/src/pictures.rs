@@ -159,7 +159,7 @@ pub fn series_errors(errors: &[(f64, Vec<(usize, f64)>)]) -> charts::Trajectory 
         title: "Programme of the friction governor: error of the series in ε = 1/k against its order".to_owned(),
         x: "order".to_owned(),
         panels: vec![Panel { y: "log₁₀ of the error, m".to_owned(), series: errors.iter().map(track).collect() }],
-        note: "Under constant moments, half a second after the start, compared with the closed form. The error falls by a factor \
+        note: "Under constant torques, half a second after the start, compared with the closed form. The error falls by a factor \
                with each order, until only rounding is left; the higher the kept speed, the faster."
             .to_owned(),
     }

@@ -159,7 +159,7 @@ fn text(title: &str, Exact { reference, events }: &Exact) -> String {
         true => String::new(),
         false => format!(": no reference, which needs {ENOUGH_DIGITS}"),
     };
-    let mut text = format!("{title}\n{one} and {other} share {digits:.1} digits{enough}\n");
+    let mut text = format!("{title}\n{one} and {other} agree to {digits:.1} digits{enough}\n");
     for event @ Event { what, regime, .. } in events {
         // writing to a string cannot fail
         let _ = writeln!(text, "t = {} s  {what}", event.instant(digits.max(0.0) as usize));
@@ -194,7 +194,7 @@ fn keep(output: Output, owner: &dyn Owner, made: &Stored, asked: &Args) -> Resul
     let of_this = |there: &Stored| there.reference.times == made.reference.times && there.belongs_to(owner);
     match there.filter(of_this).map(|there| there.reference.digits) {
         Some(digits) if digits >= made.reference.digits && !asked.force => {
-            print(&format!("{} is kept: its methods share {digits:.1} digits\n", path.display()))?;
+            print(&format!("{} is kept: its methods agree to {digits:.1} digits\n", path.display()))?;
         }
         _ => {
             // the command as it is given, so that it makes the file again

@@ -74,7 +74,11 @@ fn found(motion: &Motion<'_, '_>, expression: Sym, conditions: &[Condition], eff
         }
         Decision::GaveUp(reason) => match identified(&[reduced]) {
             Identity::Identified { points, error, .. } => of_identity(points, error),
-            _ => Outcome::Undecided(reason + &above_highest_multiple(reduced)),
+            Identity::Untested(why) => Outcome::Undecided(format!(
+                "{reason}{}; random points of prime fields do not decide either: {why}",
+                above_highest_multiple(reduced)
+            )),
+            Identity::NotZero => Outcome::Undecided(reason + &above_highest_multiple(reduced)),
         },
         Decision::NonZero(witness) => refuted(motion, reduced, (witness, effort), conditions),
     }

@@ -44,9 +44,13 @@ const METHODS: &[(&str, Named, &str)] = &[
     (
         "backward_euler",
         Named::Steps(|steps| Method::BackwardEuler { steps }),
-        "implicit, damps what is stiff, so many equal steps",
+        "implicit, damps stiff parts of the law, the given number of equal steps",
     ),
-    ("strang", split!(Strang), "splitting of order 2, keeps |v| and x.v to rounding, so many equal steps"),
+    (
+        "strang",
+        split!(Strang),
+        "splitting of order 2, conserves |v| and x.v to rounding, the given number of equal steps",
+    ),
     ("blanes_moan_4", split!(BlanesMoan4), "the same of order 4"),
     ("blanes_moan_6", split!(BlanesMoan6), "the same of order 6"),
     ("kahan_li_8", split!(KahanLi8), "the same of order 8"),
@@ -104,6 +108,8 @@ pub fn method(text: &str) -> Result<Method, (String, String)> {
             Ok(stages) if (1..=MOST_STAGES).contains(&stages) => Ok(make(stages)),
             _ => wrong(format!("from 1 to {MOST_STAGES} stages are accepted: `{name}:{usual}`")),
         },
-        (Named::Steps(_), None) => wrong(format!("it has a constant step; say how many steps: `{name}:20000`")),
+        (Named::Steps(_), None) => {
+            wrong(format!("its steps are constant; the number of steps is needed: `{name}:20000`"))
+        }
     }
 }

@@ -91,7 +91,7 @@ fn text(found: &Crossings, name: &str, unit: &str) -> String {
     let _ = match found.changes.len() {
         0 if found.samples.len() < 2 => writeln!(
             out,
-            "nothing is known of changes: fewer than two values were judged; along a parameter `dalembert stationary --along {name}=FROM..TO` looks for the \
+            "changes cannot be found: fewer than two values were judged; along a parameter `dalembert stationary --along {name}=FROM..TO` looks for the \
              steady motions at each value"
         ),
         0 if !found.open.is_empty() => writeln!(out, "no change between the values that were judged"),

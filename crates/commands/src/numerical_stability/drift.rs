@@ -194,7 +194,7 @@ impl Found {
         match expected.drift {
             Drift::None => [format!("no drift, swings by {swing:.3e}"), "no drift".to_owned()],
             Drift::Rounding(size) if swing <= self.part(place, size) => ["kept".to_owned(), "rounding".to_owned()],
-            Drift::Rounding(_) => [format!("below rounding, swings by {swing:.1e}"), "rounding".to_owned()],
+            Drift::Rounding(_) => [format!("below rounding, oscillates by {swing:.1e}"), "rounding".to_owned()],
             Drift::Of(drift) => {
                 let part = self.part(place, drift);
                 let after = match part.abs() * MILLION {

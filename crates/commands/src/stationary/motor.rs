@@ -19,7 +19,8 @@ pub(super) fn text(motor: &MotorStates) -> String {
             let without = if *fed { "" } else { ", without currents" };
             let _ = writeln!(out, "motor: in step with its field at {} rad/s{without}", speed.to_f64());
             if bears.is_some_and(|bears| bears.least == bears.greatest) {
-                let _ = writeln!(out, "  no angle: in step nothing holds the rotor, it can only slip");
+                let _ =
+                    writeln!(out, "  no equilibrium angle: no torque holds the rotor in synchronism, it can only slip");
                 return out;
             }
             if angles.is_empty() {

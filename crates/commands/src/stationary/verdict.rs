@@ -81,8 +81,7 @@ pub(super) fn stability(motion: &SteadyMotion, found: &SteadyMotions) -> String 
 pub(super) const RESISTS: &str = "stable, by enclosures: dry friction resists every motion, so that the system comes to rest nearby after a small push";
 
 /// The effect of dry friction with negative coefficients.
-pub(super) const FEEDS: &str =
-    "unstable, by enclosures: the coefficient of dry friction is negative, so that friction feeds every motion";
+pub(super) const FEEDS: &str = "unstable, by enclosures: the coefficient of dry friction is negative, so that friction supplies power to every motion";
 
 /// The sentence on a position that coordinates do not describe.
 pub fn singular(names: &[String]) -> String {

@@ -67,7 +67,7 @@ pub fn watch(asked: &Args) -> Result<Exit, Exit> {
         return stage::work(stage, &asked.file);
     }
     if std::fs::metadata(&asked.file).is_ok_and(|data| !data.is_file() && !data.is_dir()) {
-        let why = "a pipe or a device gives its text once, and cannot be looked at again; a file is accepted";
+        let why = "a pipe or a device can be read only once; a file is accepted";
         return Err(Exit::refused(format!("{}: {why}", asked.file.display())));
     }
     // a name that leads nowhere is refused; a text that is wrong is shown

@@ -113,7 +113,7 @@ class ModelBuilder:
         return self
 
     def known_as(self, name: str) -> ModelBuilder:
-        """The name of a system of which more is known than its equations: its theory, its closed form."""
+        """The name of a system about which the program has knowledge than its equations: its theory, its closed form."""
         self._top["known_as"] = name
         return self
 

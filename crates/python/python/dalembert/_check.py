@@ -220,8 +220,13 @@ class _Equations:
             taken = not shown.isidentifier() or shown in (*self.names.values(), "t", "pi")
             self.names[name] = f"letter_{place}" if taken else shown
             letters.append((self.names[name], meaning))
+        # a speed whose coordinate the method leaves out, such as that of a wheel, has no kinematic equation; `names` may have its meaning
+        self.named_speeds: list[str] = []
         for place, one in enumerate(self.u, 1):
             self.names[_key(one)] = f"speed_of_method_{place}"
+            if _key(one) in given:
+                letters.append((f"meaning_of_speed_{place}", given[_key(one)]))
+                self.named_speeds.append(f"speed_of_method_{place} - meaning_of_speed_{place}")
         for place, one in enumerate(self.multipliers, 1):
             self.names[_key(one)] = f"multiplier_of_method_{place}"
         return letters
@@ -281,7 +286,7 @@ class _Equations:
             "accelerations": [self._text(one) for one in self.unknown[: len(self.unknown) - len(self.multipliers)]],
             "multipliers": [self.names[_key(one)] for one in self.multipliers],
             "abbreviations": abbreviations,
-            "kinematics": texts[:k],
+            "kinematics": texts[:k] + self.named_speeds,
             "constraints": texts[k:m],
             "equations": list(zip(titles, texts[m:])),
         }

@@ -71,9 +71,10 @@ fn pairs(model: &Model) -> PropertyVerdict {
     match (between, alone.is_empty()) {
         (0, true) => PropertyVerdict::DoesNotApply(pairs),
         (_, true) => PropertyVerdict::Proved(format!("{pairs}; none acts on one alone")),
-        (_, false) => {
-            PropertyVerdict::DoesNotApply(format!("{pairs}; {}: on what it reacts is not said", alone.join(", ")))
-        }
+        (_, false) => PropertyVerdict::DoesNotApply(format!(
+            "{pairs}; {}: the body on which its reaction acts is not given",
+            alone.join(", ")
+        )),
     }
 }
 

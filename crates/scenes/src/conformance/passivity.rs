@@ -38,7 +38,8 @@ pub(super) fn verdict(model: &Model) -> PropertyVerdict {
         }
         match (!chooses).then(|| quadratic(&trace, &forces)).flatten().map(is_never_positive) {
             Some(true) => PropertyVerdict::Proved(
-                "what comes with the speeds takes energy, for any positions and speeds and for these data".to_owned(),
+                "the forces that depend on speeds dissipate energy, for all positions and speeds with these data"
+                    .to_owned(),
             ),
             _ => sampled(&trace, &forces),
         }
@@ -117,10 +118,10 @@ fn sampled(trace: &Trace<'_>, forces: &[Sym]) -> PropertyVerdict {
                 let found = gives(model, &state, power);
                 return match part == NEAR {
                     true => PropertyVerdict::Fails(format!(
-                        "forces that come with the speeds give {found}: a wrong sign, or a motor whose field or supply they stand for"
+                        "the forces that depend on speeds supply {found}: a wrong sign, or a motor whose field or supply they stand for"
                     )),
                     false => PropertyVerdict::Tested(format!(
-                        "near the start what comes with the speeds takes energy; away from it, forces give {found}"
+                        "near the start the forces that depend on speeds dissipate energy; away from it they supply {found}"
                     )),
                 };
             }
@@ -128,7 +129,7 @@ fn sampled(trace: &Trace<'_>, forces: &[Sym]) -> PropertyVerdict {
     }
     match seen {
         0 => PropertyVerdict::Undecided("the power has a value at no state that was tried".to_owned()),
-        _ => PropertyVerdict::Tested(format!("at {seen} states what comes with the speeds takes energy")),
+        _ => PropertyVerdict::Tested(format!("at {seen} states the forces that depend on speeds dissipate energy")),
     }
 }
 

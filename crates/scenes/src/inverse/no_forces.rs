@@ -112,7 +112,7 @@ impl fmt::Display for NoForces {
             }
             Self::OfItsStart { current } => write!(
                 f,
-                "the law of `{current}` holds its rate and no unknown: this current depends on what was before, and the motion at an instant does \
+                "the law of `{current}` contains its rate and no unknown: this current depends on the motion before, and the motion at an instant does \
                  not determine it"
             ),
             Self::NoCurrent { equation, residual, time } => write!(

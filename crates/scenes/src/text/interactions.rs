@@ -127,15 +127,15 @@ pub(super) fn contacts(top: &mut Table<'_>) -> Vec<ContactSource> {
 pub(super) fn one_ways(top: &mut Table<'_>) -> Vec<OneWaySource> {
     let mut one_ways = Vec::new();
     for (is, key, needed) in [
-        (OneWay::Diode, "current", "current that does not turn round, \"q'\""),
-        (OneWay::Freewheel, "speed", "speed that does not turn round, \"a'\""),
+        (OneWay::Diode, "current", "current that does not fall below zero, \"q'\""),
+        (OneWay::Freewheel, "speed", "speed that does not fall below zero, \"a'\""),
     ] {
         let several = format!("[[{}]] in double brackets is accepted, since a system may have several", is.name());
         for mut table in top.tables(is.name(), &several) {
             let name = text_of(&mut table, "name", "name");
             let speed = table.text(key, needed);
             let speed = placed(&table, &speed);
-            let drop = text_of(&mut table, "drop", "what it takes while it lets through");
+            let drop = text_of(&mut table, "drop", "forward voltage, torque or force while it conducts or runs free");
             let at = table.span();
             let sound = !table.has_issues();
             top.absorb(table);

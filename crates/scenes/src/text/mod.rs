@@ -264,7 +264,7 @@ fn constraints(top: &mut Table<'_>) -> Vec<ConstraintSource> {
     {
         let name = text_of(&mut table, "name", "name");
         let gains = programmed(&mut table);
-        let zero = table.text_or_texts("zero", "expression that is zero, or a list of such");
+        let zero = table.text_or_texts("zero", "expression that is zero, or a list of expressions");
         let zero = zero.iter().map(|text| placed(&table, text)).collect();
         let at = table.span();
         top.absorb(table);

@@ -30,7 +30,7 @@ fn events_that_set_back_each_other_at_once_are_told_from_either_side_and_in_eith
                 let found = runs(&relay("x'", order, ["0", speed, s]), method);
                 let stopped = found.stopped();
                 assert!(
-                    stopped.as_ref().is_some_and(|why| why.contains("without end")),
+                    stopped.as_ref().is_some_and(|why| why.contains("in a finite time")),
                     "{speed} {order:?} {stopped:?}"
                 );
                 close(found.outcome.time, 0.3, 1e-9);

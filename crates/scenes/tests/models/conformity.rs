@@ -71,7 +71,9 @@ fn a_damper_between_bodies_takes_energy_whoever_looks() {
     );
     let alone = blocks("on = \"b\"\nis = \"-c*y'*N.x\"");
     assert!(
-        verdict(&alone, "pairs").says().contains("a force acts on `b`: on what it reacts is not said"),
+        verdict(&alone, "pairs")
+            .says()
+            .contains("a force acts on `b`: the body on which its reaction acts is not given"),
         "{}",
         verdict(&alone, "pairs").says()
     );

@@ -46,7 +46,7 @@ pub struct TooLong;
 
 impl fmt::Display for TooLong {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "its series take more quantities than members side by side have room for")
+        write!(f, "its series has more quantities than a batch of members can hold")
     }
 }
 

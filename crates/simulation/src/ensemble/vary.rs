@@ -82,7 +82,7 @@ pub fn read(
             }
             if varied.is_empty() && vary.exists() && issues.is_empty() && !vary.has_issues() {
                 let issue = Issue::at(vary.span(), "nothing varies", "no datum is named here");
-                vary.report(issue.accepted(format!("{example} is accepted, and the like")));
+                vary.report(issue.accepted(format!("an entry such as {example} is accepted")));
             }
         }
     }

@@ -70,7 +70,7 @@ const MOST_EVENTS: usize = 20_000;
 const MOST_TOGETHER: usize = 64;
 
 /// Why a run ends where the times of its events have a limit.
-pub const ACCUMULATE: &str = "its events follow each other without end";
+pub const ACCUMULATE: &str = "infinitely many events follow each other in a finite time";
 
 /// Why a run ends after its largest number of events.
 pub const TOO_MANY: &str = "more events than 20,000";

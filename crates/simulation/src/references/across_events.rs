@@ -71,10 +71,13 @@ impl fmt::Display for Unknown {
                 )
             }
             Unknown::LastBounce { time } => {
-                write!(f, "infinitely many bounces end at t = {time:.9} s, and each of them would have to be followed")
+                write!(f, "infinitely many bounces end at t = {time:.9} s, and a reference needs each of them")
             }
             Unknown::FewDigits { digits } => {
-                write!(f, "two methods share {digits:.1} digits of the motion, and a reference needs {ENOUGH_DIGITS}")
+                write!(
+                    f,
+                    "two methods agree to {digits:.1} digits of the motion, and a reference needs {ENOUGH_DIGITS}"
+                )
             }
             Unknown::Failed(failure) => failure.fmt(f),
         }

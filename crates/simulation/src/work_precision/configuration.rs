@@ -71,7 +71,7 @@ impl Formulation {
             Formulation::IndexReduced => "in redundant coordinates after index reduction",
             Formulation::Led => "in redundant coordinates, stabilised",
             Formulation::Projected => "in redundant coordinates, projected",
-            Formulation::Held => "held after Gear, Gupta and Leimkuhler",
+            Formulation::Held => "in the form of Gear, Gupta and Leimkuhler",
             Formulation::Contacts => "regime by regime",
         }
     }
