@@ -315,3 +315,42 @@ def test_long_equations_are_taken_in_parts(monkeypatch):
 def test_a_check_ends_at_its_time():
     with pytest.raises(ValueError, match="seconds"):
         dalembert.Model.from_text(PENDULUM).check(pendulum(), seconds=-1)
+
+
+ROLLING_WHEEL = """
+[parameters]
+m = "kg"
+J = "kg m^2"
+R = "m"
+[coordinates]
+x = "m"
+phi = "rad"
+[bodies.wheel]
+turns = "phi"
+centre = "O + x*N.x"
+mass = "m"
+inertia = "J"
+[inputs]
+F = "N"
+[[force]]
+on = "wheel"
+is = "F*N.x"
+[[constraint]]
+zero = "x' - R*phi'"
+"""
+
+
+def test_a_speed_whose_angle_is_left_out_has_its_meaning_in_the_names():
+    x, v, w = dynamicsymbols("x v w")
+    m, J, R, F = sympy.symbols("m J R F")
+    N, wheel, centre = ReferenceFrame("N"), ReferenceFrame("W"), Point("C")
+    wheel.set_ang_vel(N, w * N.z)
+    centre.set_vel(N, v * N.x)
+    body = RigidBody("wheel", centre, wheel, m, (inertia(wheel, 0, 0, J), centre))
+    method = KanesMethod(N, q_ind=[x], u_ind=[v], u_dependent=[w], velocity_constraints=[v - R * w], kd_eqs=[x.diff() - v])
+    method.kanes_equations([body], [(centre, F * N.x)])
+    model = dalembert.Model.from_text(ROLLING_WHEEL)
+    assert model.check(method, {w: "phi'"}).verdict == "proved"
+    assert model.check(method, {w: "-phi'"}).same is False
+    with pytest.raises(dalembert.ModelError, match="determine 1 of 2 speeds; .*meaning of a speed"):
+        model.check(method)

@@ -12,7 +12,7 @@ use symbolic::{Hypotheses, Sym, decide};
 /// The reason why equations cannot be compared, and the accepted form.
 type Refusal = (String, &'static str);
 
-const LINEAR: &str = "kinematic equations that are linear in the speeds and determine them";
+const LINEAR: &str = "kinematic equations that are linear in the speeds and determine them; `names` has the meaning of a speed without one";
 
 /// The most choices of equations that are tried for finding multipliers.
 const MOST_CHOICES: usize = 64;

@@ -123,8 +123,8 @@ def check(method: Any, model: Model, names: Mapping[Any, str] | None = None, *, 
     method: a KanesMethod or a LagrangesMethod of sympy.physics.mechanics whose equations are formed (or what has q, u, mass_matrix_full and
     forcing_full as these have).
     names: what SymPy's coordinates and symbols are in the model, by symbol or by name; what is left out has the same name there. A meaning is a
-    letter of the model or an expression of its language: {q1: "theta", "I": "m*l^2/12"}. Speeds of Kane's method need none: its kinematic
-    equations say what they are.
+    letter of the model or an expression of its language: {q1: "theta", "I": "m*l^2/12"}. Speeds of Kane's method need none where kinematic
+    equations define them; the spin of a wheel whose angle is left out has no such equation, and needs its meaning: {u3: "wheel'"}.
     seconds: the check is broken off then, with TimeoutError; None for no limit. So does Ctrl-C.
 
     The equations may be other combinations, along other speeds, with multipliers or with dependent speeds. Raises ModelError where a letter has no
