@@ -145,5 +145,5 @@ fn a_motor_that_fails_a_check_ends_with_one_and_says_which() {
     let output = run(&["conform", &place.to_string_lossy()]);
     let said = String::from_utf8(output.stdout).expect("it is text");
     assert_eq!(output.status.code(), Some(1), "{said}");
-    assert!(said.contains("fails           passivity   the moment m gives"), "{said}");
+    assert!(said.contains("fails           passivity   the torque m gives"), "{said}");
 }

@@ -11,8 +11,9 @@ fn a_reference_gives_way_to_a_better_one_only() {
     let made = read();
     let (unsealed, seal) = made.trim_end().rsplit_once('\n').expect("it has lines");
     assert!(seal.starts_with("# sha256 of the lines above: "), "{seal}");
-    // as an earlier version wrote it, with a comment that a newly written reference would not have
-    let marked = format!("{unsealed}\n# kept\n");
+    // as an earlier version wrote it, without its number, and with a comment that a newly written reference would not have
+    let version = format!(", version {}", env!("CARGO_PKG_VERSION"));
+    let marked = format!("{}\n# kept\n", unsealed.replace(&version, ""));
     std::fs::write(&path, &marked).expect("it can be written");
     let output = run(&asked);
     assert!(
@@ -27,6 +28,11 @@ fn a_reference_gives_way_to_a_better_one_only() {
     std::fs::write(&path, &edited).expect("it can be written");
     let refused = run(&asked);
     assert!(refused.status.code() == Some(2) && read() == edited, "an edited reference is the user's");
+    // so is one of this version that lost its hash
+    let stripped = format!("{unsealed}\n").replace(digits, "digits = 20.5");
+    std::fs::write(&path, &stripped).expect("it can be written");
+    let refused = run(&asked);
+    assert!(refused.status.code() == Some(2) && read() == stripped, "a reference without its hash was edited");
     std::fs::remove_file(&path).expect("it is there");
     assert_eq!(again, made);
 }
