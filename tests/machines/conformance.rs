@@ -31,7 +31,7 @@ fn text(machine: &str) -> Scene {
 /// A magnet with one winding of these data, in the parameters k, l, r and u.
 fn wound(inductance: &str, resistance: &str, more: &str) -> Scene {
     text(&format!(
-        "field_energy = \"-k*cos(g)\"\nmoment_law = \"-f*phi'\"\n[machine.parameters]\nk = \"0.8 N m\"\n\
+        "field_energy = \"-k*cos(g)\"\ntorque_law = \"-f*phi'\"\n[machine.parameters]\nk = \"0.8 N m\"\n\
          f = \"0.004 N m s\"\na = \"60 mWb\"\nl = \"20 mH\"\nr = \"1.5 ohm\"\nu = \"12 V\"\n\
          [[machine.winding]]\nflux = \"-a*sin(g)\"\ninductance = \"{inductance}\"\nresistance = \"{resistance}\"\n{more}"
     ))

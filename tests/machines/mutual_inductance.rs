@@ -49,7 +49,7 @@ fn text(allowed: &str) -> String {
     }
     format!(
         "title = \"an induction machine\"\nsystem = \"bench\"\n{allowed}[rotor]\naxial = \"0.1 kg m^2\"\n[machine]\nmodel = \"text\"\n\
-         field_speed = \"157 rad/s\"\nmoment_law = \"-load\"\n[machine.parameters]\n{parameters}{windings}\
+         field_speed = \"157 rad/s\"\ntorque_law = \"-load\"\n[machine.parameters]\n{parameters}{windings}\
          [start]\nrotor_speed = \"0 rad/s\"\n[run]\nspan = \"1 s\"\n"
     )
 }

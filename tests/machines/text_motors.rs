@@ -59,7 +59,7 @@ fn winding(flux: &str, of: u8) -> String {
     format!("[[machine.winding]]\nflux = \"{flux}\"\ninductance = \"l{of}\"\nresistance = \"r{of}\"\n")
 }
 
-const FIELD_AND_FRICTION: &str = "field_energy = \"-b0*cos(g)\"\nmoment_law = \"-(mu*g' + f*phi')\"\n";
+const FIELD_AND_FRICTION: &str = "field_energy = \"-b0*cos(g)\"\ntorque_law = \"-(mu*g' + f*phi')\"\n";
 
 /// The motor with bars at some angles, compiled and as text; the data of the bars agree to the last bit.
 fn with_bars(degrees: &[f64]) -> (MultiCurrent<f64>, Motor) {
@@ -79,7 +79,7 @@ fn twins() -> Vec<(Motor, Motor)> {
     let kloss_law = "torque_law = \"2*pull_out*(-g'/field_speed)*pull_out_slip/((-g'/field_speed)*(-g'/field_speed) \
                      + pull_out_slip*pull_out_slip) - f*phi'\"\n";
     let field = "b0 = \"0.8 N m\"\nf = \"0.05 N m s\"\n";
-    let field_law = "field_energy = \"-b0*cos(g)\"\nmoment_law = \"-f*phi'\"\n";
+    let field_law = "field_energy = \"-b0*cos(g)\"\ntorque_law = \"-f*phi'\"\n";
     let two =
         winding("a1*cos(g)", 1) + &winding("-a2*sqrt(5/2)*sin(g + t)", 2) + &winding("-a2*sqrt(5/2)*cos(g + t)", 2);
     let lumped = format!("{WINDINGS}t = \"-45 deg\"\n");
@@ -296,7 +296,7 @@ fn off_by<S: Real + Running>(law: &impl Separable, programs: &Programs, state: &
 fn its_kicks_by_programs_are_those_of_its_laws_one_by_one() {
     let y: Vec<f64> = (0..20).map(|i| (1.0 + 3.0 * f64::from(i)).sin()).collect();
     // a nonlinear torque, with windings
-    let bent = "field_energy = \"-b0*cos(g)\"\nmoment_law = \"-mu*g'/(1 + g'*g'*s*s) - f*phi'\"\n";
+    let bent = "field_energy = \"-b0*cos(g)\"\ntorque_law = \"-mu*g'/(1 + g'*g'*s*s) - f*phi'\"\n";
     let with_time = format!("{WINDINGS}s = \"0.3 s\"\nt = \"20 deg\"\n");
     let bent = written(DATA, bent, &with_time, &(winding("a1*cos(g)", 1) + &winding("-a2*sin(2*g + t)", 2)));
     let g = rounded(&gyrostats::opposite_sign().gyrostat);

@@ -279,7 +279,7 @@ refuses_laws! {
         ("resistance = \"r1\"\n", "resistance = \"r1\"\n\n[[machine.winding]]\ninductance = \"l1\"\nresistance = \"r1\"\n\n\
           [[machine.winding]]\ninductance = \"2*l1\"\nresistance = \"r1\"\n"),
     ] => ["\"l1\""];
-    a_letter_that_many_laws_hold_is_told_once: [("field_energy = \"-b0*cos(g)\"\nmoment_law = \"-mu*g' - f*phi'\"", "field_energy = \"-b*cos(g)\"\nmoment_law = \"-f*phi' - b\"")]
+    a_letter_that_many_laws_hold_is_told_once: [("field_energy = \"-b0*cos(g)\"\ntorque_law = \"-mu*g' - f*phi'\"", "field_energy = \"-b*cos(g)\"\ntorque_law = \"-f*phi' - b\"")]
         => ["b"];
     parameters_under_a_misspelt_heading_are_told_once: [("[machine.parameters]", "[machine.parameter]")] => ["parameter"];
     two_currents_of_one_name_are_told_as_such: [("resistance = \"r1\"\n", "resistance = \"r1\"\ncurrent = \"id\"\n\n[[machine.winding]]\n\

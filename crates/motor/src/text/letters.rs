@@ -117,7 +117,7 @@ impl Vocabulary for Letters<'_> {
             (SLIP | SPEED, KnownMotion::Speeds) => Ok(Sym::symbol(name)),
             (ANGLE | SLIP | SPEED, KnownMotion::Rest) => refused("the data of a winding do not know the motion"),
             (ANGLE, _) => {
-                refused("a torque of the angle comes from `field_energy` or from fluxes, else energy is lost")
+                refused("a torque that depends on the angle comes from `field_energy` or from fluxes, else energy is lost")
             }
             (SLIP | SPEED, _) => refused(
                 "a law of the angle or the currents does not depend on speeds, which are accepted in `torque_law`",
@@ -130,7 +130,7 @@ impl Vocabulary for Letters<'_> {
                 refused(&format!("no law of the angle knows a current: inductances are constant, and {INDUCED}"))
             }
             (_, KnownMotion::Speeds) if self.is_current(name) => {
-                refused("a torque of currents follows from `flux` and `motional`, else energy is lost")
+                refused("a torque that depends on currents follows from `flux` and `motional`, else energy is lost")
             }
             _ if self.parameters.iter().any(|(known, _)| known == name) => Ok(Sym::symbol(name)),
             _ => Err(self.never_known(name).map_or_else(|| Reason::Name(name.to_owned()), Reason::Refused)),

@@ -77,7 +77,7 @@ fn every_motor_of_the_program_has_its_own_law_in_a_drive() {
 /// A brushed motor at its last speed: U k/(R f + k^2).
 #[test]
 fn a_motor_in_its_own_letters_runs_in_a_gear() {
-    let data = "[drive.machine]\nmodel = \"text\"\nfield_speed = \"0 rad/s\"\nmoment_law = \"-f*phi'\"\n[drive.machine.parameters]\n\
+    let data = "[drive.machine]\nmodel = \"text\"\nfield_speed = \"0 rad/s\"\ntorque_law = \"-f*phi'\"\n[drive.machine.parameters]\n\
                 v = \"24 V\"\nk = \"45 mWb\"\nl = \"2 mH\"\nr = \"0.6 ohm\"\nf = \"0.1 mN m s\"\n\
                 [[drive.machine.winding]]\ncurrent = \"ia\"\ninductance = \"l\"\nresistance = \"r\"\nsupply = \"v\"\nmotional = \"k\"\n";
     let text = format!(
