@@ -66,10 +66,10 @@ fn what_the_prover_gives_up_is_undecided_and_does_not_fail() {
 }
 
 #[test]
-fn a_moment_that_drives_away_from_step_is_not_passive() {
+fn a_torque_that_drives_away_from_step_is_not_passive() {
     let found =
         failed_by(&text("torque_law = \"mu*g' - f*phi'\"\n[machine.parameters]\nmu = \"2 N m s\"\nf = \"1 N m s\""));
-    assert_eq!(found, [("passivity", "the moment m gives below synchronism: mu*g' - f*phi'".to_owned())]);
+    assert_eq!(found, [("passivity", "the torque m gives below synchronism: mu*g' - f*phi'".to_owned())]);
 }
 
 #[test]

@@ -22,7 +22,7 @@ fn pendulum(damping: f64) -> Scene {
     let text = format!(
         r#"
         title = "A motor in its own units"
-        description = "A pendulum with damping and a constant moment."
+        description = "A pendulum with damping and a constant torque."
         system = "bench"
         rotor = {{ axial = "1 kg m^2" }}
         machine = {{ model = "synchronous", field_speed = "10 rad/s", b0 = "1 N m", f = "{damping:e} N m s" }}

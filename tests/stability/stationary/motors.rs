@@ -36,7 +36,7 @@ fn a_synchronous_motor_has_two_angles_one_of_which_holds() {
         "{found:?}"
     );
     assert_eq!((found[0].1, found[1].1), (1, -1));
-    let bears = bears.expect("the moment has bounds");
+    let bears = bears.expect("the torque has bounds");
     assert!((bears.greatest - 0.135).abs() < 1e-15 && (bears.least + 0.165).abs() < 1e-15, "{bears:?}");
 }
 
