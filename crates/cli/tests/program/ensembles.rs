@@ -257,6 +257,12 @@ fn a_table_with_an_edited_row_is_neither_continued_nor_replaced() {
         let why = "line 4: this row was edited since it was written";
         assert!(output.status.code() == Some(2) && said.contains(why) && folder.read("table.csv") == edited, "{said}");
     }
+    // a note at the end is no row that a killed run began
+    let noted = format!("{table}checked by hand");
+    std::fs::write(&path, &noted).expect("it can be written");
+    let output = run(&folder.scene(6, SAME), &path, &[]);
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(said.contains("line 7: this incomplete line") && folder.read("table.csv") == noted, "{said}");
     assert!(run(&scene, &path, &["--force"]).status.success() && folder.read("table.csv") == table);
 }
 

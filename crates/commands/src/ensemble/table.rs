@@ -155,15 +155,33 @@ fn read(
         last.clear();
         last.extend_from_slice(rows.text());
     }
-    if told.members > 0 {
-        let mut again = String::new();
-        scene.run(next - 1..=next - 1, 1, |row| {
-            again = line(&row, rows.columns(), &fingerprint.to_string());
+    // the row of a member; empty where the clock stopped it
+    let computed = |member: u64| {
+        let mut text = String::new();
+        scene.run(member..=member, 1, |row| {
+            text = line(&row, rows.columns(), &fingerprint.to_string());
             ControlFlow::Continue(())
         });
-        // a member that the clock stopped has no row to compare
+        text
+    };
+    if told.members > 0 {
+        let again = computed(next - 1);
         if !again.is_empty() && again.as_bytes() != last {
             return Err((rows.line() - 1, format!("member {} gives another row when it is computed again", next - 1)));
+        }
+    }
+    // an incomplete line is removed only where a killed run left it
+    if !rows.text().is_empty() {
+        let begun = (next <= *members.end()).then(|| computed(next));
+        let why = match begun {
+            Some(begun) if begun.is_empty() => {
+                Some("there was no time to compute the row that this incomplete line may begin")
+            }
+            Some(begun) if begun.as_bytes().starts_with(rows.text()) => None,
+            _ => Some("this incomplete line is not the beginning of the next row"),
+        };
+        if let Some(why) = why {
+            return Err((rows.line(), why.to_owned()));
         }
     }
     Ok((whole, told))

@@ -116,9 +116,9 @@ impl Vocabulary for Letters<'_> {
             }
             (SLIP | SPEED, KnownMotion::Speeds) => Ok(Sym::symbol(name)),
             (ANGLE | SLIP | SPEED, KnownMotion::Rest) => refused("the data of a winding do not know the motion"),
-            (ANGLE, _) => {
-                refused("a torque that depends on the angle comes from `field_energy` or from fluxes, else energy is lost")
-            }
+            (ANGLE, _) => refused(
+                "a torque that depends on the angle comes from `field_energy` or from fluxes, else energy is lost",
+            ),
             (SLIP | SPEED, _) => refused(
                 "a law of the angle or the currents does not depend on speeds, which are accepted in `torque_law`",
             ),
