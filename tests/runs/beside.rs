@@ -10,7 +10,9 @@ use std::time::Duration;
 
 fn run(problem: &Problem, method: Method) -> (Choice, Trajectory) {
     let allowed = Duration::from_secs(60);
-    let choice = Choice { method, tolerance: 1e-9, axes: Axes::First, samples: 40, allowed };
+    let through_singular_positions = false;
+    let choice =
+        Choice { method, tolerance: 1e-9, axes: Axes::First, samples: 40, allowed, through_singular_positions };
     let trajectory = problem.simulate(&choice, |_| ());
     (choice, trajectory)
 }

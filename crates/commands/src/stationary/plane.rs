@@ -10,7 +10,7 @@ use crate::exit::{Exit, print, warn};
 use crate::job_pool::JobPool;
 use crate::output::{Form, Writes};
 use crate::progress::Progress;
-use ::scenes::steady_motions::{SteadySearch, Direction, NoSteadyMotions, PlaneCell, Range, middles};
+use ::scenes::steady_motions::{Direction, NoSteadyMotions, PlaneCell, Range, SteadySearch, middles};
 use charts::{AreaCurve, Areas};
 use model::Model;
 use serde_json::{Value, json};
@@ -84,7 +84,11 @@ pub(super) fn show(asked: &Args, [first, second]: [&(String, Range); 2]) -> Resu
 }
 
 /// All cells, column by column.
-fn cells((wanted, count): (&SteadySearch, usize), model: &Model, directions: [Direction<'_>; 2]) -> Vec<Vec<PlaneCell>> {
+fn cells(
+    (wanted, count): (&SteadySearch, usize),
+    model: &Model,
+    directions: [Direction<'_>; 2],
+) -> Vec<Vec<PlaneCell>> {
     let mut progress = Progress::new("the map");
     let mut columns: Vec<Option<Vec<PlaneCell>>> = (0..count).map(|_| None).collect();
     let mut crew = JobPool::default();

@@ -6,7 +6,7 @@ use crate::clock::has_time;
 use crate::exit::{Exit, warn};
 use crate::named_value::named_value;
 use crate::progress::Progress;
-use ::scenes::steady_motions::{Along, SteadySearch, Near, NoSteadyMotions, Range, SteadyMotions};
+use ::scenes::steady_motions::{Along, Near, NoSteadyMotions, Range, SteadyMotions, SteadySearch};
 use ::scenes::{SystemText, Task, independent_start, parse_with_source, unit_of};
 use clap::builder::RangedU64ValueParser;
 use model::{FrameId, Model, Source};

@@ -18,7 +18,7 @@ use super::quasi_velocities::{is_integral, state_names};
 use super::rows::{Rows, without_idle};
 use super::surplus::Selection;
 use super::tapes::{self, Expressions, Tapes};
-use super::{SteadySearch, NoSteadyMotions, Range};
+use super::{NoSteadyMotions, Range, SteadySearch};
 use field::{Interval, Rational};
 use model::equations::vanishes;
 use model::{Model, Trace};

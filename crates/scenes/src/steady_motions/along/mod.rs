@@ -7,7 +7,7 @@ mod change;
 
 pub use change::Change;
 
-use super::{SteadySearch, NoSteadyMotions, Orientation, Range, SteadyMotions};
+use super::{NoSteadyMotions, Orientation, Range, SteadyMotions, SteadySearch};
 use crate::admissible::impossible;
 pub(super) use change::kinds;
 use change::{change, largest_eigenvalue};
