@@ -141,7 +141,7 @@ fn the_motor_of_the_documentation_and_a_new_one_can_be_added_as_it_says() {
         .args(["test", "--offline", "--workspace"])
         .args(plain.iter().flatten())
         .args(["--test", name, "--test", "begun_here", "--test", "gyrostats", "--", name])
-        .args(["power::", "the_moment", "it_does_what", "moment_and_current"])
+        .args(["power::", "the_torque", "it_does_what", "torque_and_current"])
         .output()
         .expect("cargo runs");
     let (said, log) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));

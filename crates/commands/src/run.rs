@@ -249,11 +249,16 @@ fn follow(scene: &dyn IvpScene, asked: &Args, form: Option<Axes>) -> Result<Exit
     if let Some(path) = &asked.transition {
         let not_written = |why: &str| warn(&format!("{} is not written: {why}", path.display()));
         let is_whole = trajectory.outcome.reached() && !trajectory.ends_before(problem.span);
-        let rows = is_whole.then(|| {
+        let passes = choice.through_singular_positions && !trajectory.passages.is_empty();
+        let rows = (is_whole && !passes).then(|| {
             let problem = scene.problem(choice.axes);
             phase("the transition matrix", || problem.transition(choice.tolerance))
         });
         match rows {
+            None if passes => {
+                not_written("the run may pass singular positions, where the linear equations have no solution");
+                ending = Exit::Stopped;
+            }
             None => not_written("the run did not reach its end"),
             Some(Ok(rows)) => depends = matrix.write(&rows),
             Some(Err(failure)) if failure.is_broken_off() => {

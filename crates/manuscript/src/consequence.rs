@@ -57,6 +57,17 @@ pub(crate) fn step<'t, 'm>(motion: &Motion<'t, 'm>, zero: Sym, then: Sym, condit
             };
             Step::Fails(admissible(refutation, motion, conditions, again))
         }
+        Step::Follows(mut divisors, way) => {
+            // constraints solved for what stands in both divide by these
+            let reduced = [zero, then].map(|each| motion.reduced(each));
+            let hidden = reduced.into_iter().flat_map(written_divisors);
+            for divisor in hidden.filter(|divisor| !is_apart(*divisor, motion, conditions)) {
+                if !divisors.contains(&divisor) {
+                    divisors.push(divisor);
+                }
+            }
+            Step::Follows(divisors, way)
+        }
         step => step,
     }
 }

@@ -10,6 +10,7 @@ use crate::finding::Finding;
 use crate::half_turn::sign_of_number;
 use crate::letters::Letters;
 use crate::lines::{Line, lines};
+use crate::lost_divisors::Lost;
 use crate::motion::Motion;
 use crate::real_signs::are_equal_by_squares;
 use crate::signs::without_real_value;
@@ -85,9 +86,12 @@ pub(crate) fn equalities(
             (outcome, _) => outcome,
         };
         let is_open = matches!(outcome, Outcome::Undecided(_) | Outcome::Identified(_));
-        if is_open && are_equal_by_squares(line.model, motion, &conditions(motion, assumed)) {
+        if is_open
+            && let Lost::Divisors(hidden) = motion.lost_divisors(difference)
+            && are_equal_by_squares(line.model, motion, &conditions(motion, assumed))
+        {
             by_squares = true;
-            requires.extend(motion.divisors.iter().copied());
+            requires.extend(motion.divisors.iter().copied().chain(hidden));
             record.leave_out();
             continue;
         }

@@ -3,6 +3,7 @@
 use crate::admissible::admissible;
 use crate::exact_points::{Effort, completed, search};
 use crate::half_turn::{is_number_of_half_turn, sign_of_number};
+use crate::lost_divisors::Lost;
 use crate::motion::Motion;
 use crate::refutation::Refutation;
 use claims::Condition;
@@ -50,6 +51,13 @@ pub(crate) fn vanishes_within(
     effort: Effort,
 ) -> Outcome {
     match found(motion, expression, conditions, effort) {
+        Outcome::Zero(mut divisors) => match motion.lost_divisors(expression) {
+            Lost::Zero(why) => Outcome::Undecided(why),
+            Lost::Divisors(lost) => {
+                divisors.extend(lost);
+                Outcome::Zero(divisors)
+            }
+        },
         Outcome::NonZero(refutation) if !refutation.is_confirmed(expression, motion) => {
             let why = "its normal form is not zero, but its value at the exact point that was found was not confirmed";
             Outcome::Undecided(why.to_owned())

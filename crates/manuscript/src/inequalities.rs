@@ -12,6 +12,7 @@ use crate::finding::{Finding, Sides as Values};
 use crate::half_turn::{enclosed, holds_half_turn};
 use crate::letters::Letters;
 use crate::line_signs::least;
+use crate::lost_divisors::Lost;
 use crate::motion::Motion;
 use crate::natural_domain::natural_domain;
 use crate::polynomial_signs;
@@ -101,6 +102,13 @@ pub(crate) fn inequality(
     let conditions = conditions(&motion, assumed);
     let reduced = motion.reduced(greater);
     let told = Told(letters);
+    let hidden = match motion.lost_divisors(greater) {
+        Lost::Divisors(hidden) => [&motion.divisors[..], &hidden].concat(),
+        Lost::Zero(why) => {
+            neither(Outcome::Undecided(why), letters, finding);
+            return Ok(());
+        }
+    };
     let is_enough = |found: &Shown| found.is_strict || !is_strict;
     let by_terms = [reduced, greater]
         .into_iter()
@@ -127,7 +135,7 @@ pub(crate) fn inequality(
             _ => record.positive_by_products(&motion, assumed, reduced, is_strict, &conditions),
         }
         (finding.judged.verdict, finding.judged.evidence) = (Verdict::Proved, found.evidence);
-        finding.judged.requires.extend(divisors(&motion.divisors, told));
+        finding.judged.requires.extend(divisors(&hidden, told));
         return Ok(());
     }
     let fails = |sign: i8| sign == -1 || sign == 0 && is_strict;
@@ -156,7 +164,7 @@ pub(crate) fn inequality(
             finding.judged.verdict = Verdict::Proved;
             finding.judged.evidence =
                 "products of the hypotheses with its opposite add up to a negative number, exactly".to_owned();
-            finding.judged.requires.extend(divisors(&motion.divisors, told));
+            finding.judged.requires.extend(divisors(&hidden, told));
         }
         None if enclosed(reduced).is_some_and(|value| value.low() > 0.0) => {
             finding.judged.verdict = Verdict::Enclosed;

@@ -86,6 +86,7 @@ mod linear_equations;
 mod linear_motion;
 mod linearisation;
 mod lines;
+mod lost_divisors;
 mod minimum_certificate;
 mod motion;
 mod natural_domain;

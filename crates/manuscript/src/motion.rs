@@ -1,6 +1,7 @@
 //! The equations that hold along every motion of a model: accelerations and multipliers by its equations, speeds and positions by its
 //! constraints, and the hypotheses.
 
+use crate::consequence::written_divisors;
 use crate::half_turn::is_half_turn;
 use crate::letters::circle;
 use model::Trace;
@@ -31,6 +32,8 @@ pub(crate) struct Motion<'t, 'm> {
     pub held: Vec<Sym>,
     /// Constraints of positions.
     positions: Vec<Sym>,
+    /// The number of rounds before the first hypothesis.
+    pub before_hypotheses: Option<usize>,
 }
 
 impl<'t, 'm> Motion<'t, 'm> {
@@ -86,6 +89,7 @@ impl<'t, 'm> Motion<'t, 'm> {
             divisors: Vec::new(),
             held: Vec::new(),
             positions: Vec::new(),
+            before_hypotheses: None,
         }
     }
 
@@ -209,6 +213,7 @@ impl<'t, 'm> Motion<'t, 'm> {
     /// It cannot be solved for any symbol, or no point satisfies it.
     pub fn assume(&mut self, zero: Sym, first: Option<Sym>) -> Result<(), String> {
         self.held.push(zero);
+        self.before_hypotheses.get_or_insert(self.rounds.len());
         let zero = self.reduced(zero);
         if decide(zero, &self.hypotheses).is_zero() {
             return Ok(());
@@ -219,8 +224,11 @@ impl<'t, 'm> Motion<'t, 'm> {
         }
         match solution(self.trace, zero, first) {
             Some(Solution { symbol, value, divisor }) => {
-                if divisor.as_constant().is_none() {
-                    self.divisors.push(divisor);
+                let below = written_divisors(zero).into_iter().chain([divisor]);
+                for divisor in below.filter(|divisor| divisor.as_constant().is_none()) {
+                    if !self.divisors.contains(&divisor) {
+                        self.divisors.push(divisor);
+                    }
                 }
                 self.give((symbol, value), zero);
                 self.keep_positions()

@@ -33,6 +33,10 @@ pub(crate) fn shows(expression: Sym, motion: &Motion<'_, '_>, conditions: &[Cond
 /// Whether the terms of an expression as written show that it is nonnegative: none if not, otherwise whether zero is excluded.
 pub(crate) fn is_written_as_positive(expression: Sym, conditions: &[Condition]) -> Option<bool> {
     let known = &mut HashMap::new();
+    // from the leaves on, since a long sum is as deep as it is long
+    for part in Sym::ascending(&[expression]) {
+        sign(part, conditions, known);
+    }
     sign(expression, conditions, known).and_then(|sign| match sign {
         Sign::Positive => Some(true),
         Sign::NotNegative => Some(false),

@@ -83,7 +83,7 @@ impl Unit {
     /// Reads a product of units such as `kg m^2/s` or `N/(m s)`, with or without spaces about its slash; the empty text is the number one.
     pub fn parse(text: &str) -> Result<Self, NoUnit> {
         let spaced = text.replace(['*', '\u{b7}'], " ");
-        let (unit, rest) = product(&spaced)?;
+        let (unit, rest) = product(&spaced, MOST_NESTED)?;
         if rest.is_empty() { Ok(unit) } else { Err(NoUnit::Malformed { part: rest.to_owned() }) }
     }
 
@@ -166,8 +166,11 @@ impl Dimension {
     }
 }
 
+/// The largest number of parentheses within each other.
+const MOST_NESTED: usize = 8;
+
 /// A product up to its end, or to the parenthesis that closes it, and the rest of the text.
-fn product(text: &str) -> Result<(Unit, &str), NoUnit> {
+fn product(text: &str, nested: usize) -> Result<(Unit, &str), NoUnit> {
     let mut product = Unit { times: 1.0, per: 1.0, dimension: Dimension { exponents: NUMBER } };
     let (mut rest, mut is_first, mut divided) = (text.trim_start(), true, false);
     while !rest.is_empty() && !rest.starts_with(')') {
@@ -179,7 +182,10 @@ fn product(text: &str) -> Result<(Unit, &str), NoUnit> {
         let ends = |letter: char| letter.is_whitespace() || matches!(letter, '/' | '(' | ')');
         let (factor, exponent, after) = match at.strip_prefix('(') {
             Some(inner) => {
-                let (factor, after) = self::product(inner)?;
+                if nested == 0 || inner.trim_start().starts_with(')') {
+                    return Err(NoUnit::Malformed { part: at.chars().take(16).collect() });
+                }
+                let (factor, after) = self::product(inner, nested - 1)?;
                 let after = after.strip_prefix(')').ok_or_else(|| NoUnit::Malformed { part: at.to_owned() })?;
                 let raised = &after[..after.find(ends).unwrap_or(after.len())];
                 (factor, exponent(raised)?, &after[raised.len()..])
@@ -300,7 +306,19 @@ mod tests {
             let found = Unit::parse(text).unwrap_or_else(|wrong| panic!("{text}: {wrong}")).to_si(1.0);
             assert!((found - si).abs() <= 1e-15 * si, "{text}: {found}");
         }
-        for wrong in ["kg / m s", "N/(m s", "N/m)", "N/(m/s) s", "(m s)^x", "/s", "m//s", "m/", "()^"] {
+        for wrong in [
+            "kg / m s",
+            "N/(m s",
+            "N/m)",
+            "N/(m/s) s",
+            "(m s)^x",
+            "/s",
+            "m//s",
+            "m/",
+            "()^",
+            "kg ()",
+            "((((((((((m))))))))))",
+        ] {
             assert!(Unit::parse(wrong).is_err(), "{wrong}");
         }
     }

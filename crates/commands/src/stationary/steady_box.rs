@@ -264,22 +264,26 @@ impl Found {
     }
 }
 
-/// Values below this part of a range differ from zero by the rounding of data alone.
+/// Values below this part of a range, or of one in SI units where it is larger, differ from zero by the rounding of data alone.
 const ROUNDING: f64 = 1e-14;
 
 /// The value of an unknown with a range, in as many digits as its enclosure shows, at most ten.
 pub fn enclosed([low, high]: [f64; 2], range: Range) -> String {
     let middle = 0.5 * (low + high);
-    if low <= 0.0 && high >= 0.0 || middle.abs() <= ROUNDING * range.from.abs().max(range.to.abs()) {
+    let scale = range.from.abs().max(range.to.abs()).min(1.0);
+    if low <= 0.0 && high >= 0.0 || middle.abs() <= ROUNDING * scale {
         return number(0.0);
     }
     let digits = (-((high - low) / middle.abs()).log10()).floor().clamp(1.0, 10.0) as usize;
-    number(format!("{middle:.*e}", digits - 1).parse().unwrap_or(middle))
+    written(format!("{middle:.*e}", digits - 1).parse().unwrap_or(middle))
 }
 
 /// A number with ten digits, without trailing zeros.
 pub fn number(value: f64) -> String {
-    let value = if value.abs() < 5e-16 { 0.0 } else { value };
+    written(if value.abs() < 5e-16 { 0.0 } else { value })
+}
+
+fn written(value: f64) -> String {
     match value.abs() {
         size if size == 0.0 || (1e-4..1e7).contains(&size) => {
             let places = if size == 0.0 { 0 } else { (9 - size.log10().floor() as i32).max(0) as usize };
@@ -305,6 +309,8 @@ mod tests {
         assert_eq!(enclosed([-1e-12, 3e-12], range), "0");
         assert_eq!(enclosed([1.0e-15, 1.2e-15], range), "0");
         assert_eq!(enclosed([0.123_456_789_01, 0.123_456_789_01], range), "0.123456789");
+        assert_eq!(enclosed([2.999, 3.001], Range { from: 1.0, to: 1e15 }), "3");
+        assert_eq!(enclosed([1e-301, 1e-301], Range { from: -1e-300, to: 1e-300 }), "1e-301");
         assert_eq!(enclosed([0.123_45, 0.123_47], range), "0.123");
     }
 }

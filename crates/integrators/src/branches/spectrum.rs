@@ -27,25 +27,50 @@ pub fn eigenvalues(matrix: &DMatrix<f64>) -> Option<Vec<Complex<f64>>> {
     if !matrix.iter().all(|entry| entry.is_finite()) {
         return None;
     }
-    // pairs that lie symmetrically about zero may turn in a circle: those of A + s I do not
-    let mut found = [0.0, matrix.amax()].into_iter().find_map(|shift| shifted(matrix, shift))?;
+    let all = disguises(matrix);
+    let mut found = NOTHING.iter().find_map(|units| all.iter().find_map(|disguise| disguise.eigenvalues(*units)))?;
     found.sort_by(|a, b| b.re.total_cmp(&a.re).then(b.im.total_cmp(&a.im)));
     Some(found)
 }
 
-/// The eigenvalues of A by those of A + s I.
-fn shifted(matrix: &DMatrix<f64>, shift: f64) -> Option<Vec<Complex<f64>>> {
+/// A matrix B whose eigenvalues give those of A.
+struct Disguise {
+    matrix: DMatrix<f64>,
+    shift: f64,
+    /// Whether B = (A - s I)^-1 instead of A - s I.
+    is_inverse: bool,
+}
+
+/// Shifts in units of the norm of A.
+const SHIFTS: [f64; 2] = [0.0, -1.0];
+const OUTSIDE: [f64; 2] = [1.3, -1.7];
+
+/// The iteration of A itself may turn in a circle where its eigenvalues lie symmetrically about zero, which those of A - s I do not, or where
+/// two pairs have one imaginary part, which those of (A - s I)^-1 do not.
+fn disguises(matrix: &DMatrix<f64>) -> Vec<Disguise> {
     let n = matrix.nrows();
-    let matrix = matrix + DMatrix::from_diagonal_element(n, n, shift);
-    let schur =
-        NOTHING.iter().find_map(|units| Schur::try_new(matrix.clone(), units * f64::EPSILON, MOST_STEPS * n))?;
-    Some(schur.complex_eigenvalues().iter().map(|value| value - shift).collect())
+    let shifted = |part: f64, size: f64| (matrix - DMatrix::from_diagonal_element(n, n, part * size), part * size);
+    let plain = SHIFTS.map(|part| shifted(part, matrix.amax()));
+    let plain = plain.into_iter().map(|(matrix, shift)| Disguise { matrix, shift, is_inverse: false });
+    let inverse = OUTSIDE.into_iter().filter_map(|part| {
+        let (matrix, shift) = shifted(part, matrix.norm());
+        Some(Disguise { matrix: matrix.try_inverse()?, shift, is_inverse: true })
+    });
+    plain.chain(inverse).collect()
+}
+
+impl Disguise {
+    fn eigenvalues(&self, units: f64) -> Option<Vec<Complex<f64>>> {
+        let schur = Schur::try_new(self.matrix.clone(), units * f64::EPSILON, MOST_STEPS * self.matrix.nrows())?;
+        let own = |value: &Complex<f64>| if self.is_inverse { value.inv() } else { *value } + self.shift;
+        Some(schur.complex_eigenvalues().iter().map(own).collect())
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::eigenvalues;
-    use nalgebra::DMatrix;
+    use nalgebra::{Complex, DMatrix};
 
     /// Two unstable directions with gyroscopic coupling, and a coordinate of its own, for every place of this coordinate.
     #[test]
@@ -61,6 +86,39 @@ mod tests {
             // p^4 - 4 p^2 + 16 = 0: p = +-sqrt(3) +- i
             let unstable = found.iter().filter(|value| (value.re - 3.0_f64.sqrt()).abs() < 1e-12);
             assert_eq!(unstable.count(), 2, "{order}: {found:?}");
+        }
+    }
+
+    /// A rotor in a plane with cross-coupling: two pairs with one imaginary part, p^2 + 2 p + 0.1 +- i q = 0.
+    #[test]
+    fn pairs_with_one_imaginary_part_are_found() {
+        for (coupling, damping) in (1..40).flat_map(|k| [0.5, 2.0, 3.0].map(|damping| (0.05 * f64::from(k), damping))) {
+            let rows = [
+                [0.0, 0.0, 1.0, 0.0],
+                [0.0, 0.0, 0.0, 1.0],
+                [-0.1, -coupling, -damping, 0.0],
+                [coupling, -0.1, 0.0, -damping],
+            ];
+            let found = eigenvalues(&DMatrix::from_fn(4, 4, |i, j| rows[i][j]))
+                .unwrap_or_else(|| panic!("{coupling} {damping}"));
+            for value in found {
+                let side = |sign: f64| value * value + value * damping + Complex::new(0.1, sign * coupling);
+                let off = side(1.0).norm().min(side(-1.0).norm());
+                assert!(off < 1e-12, "{coupling} {damping}: {value}, {off}");
+            }
+        }
+    }
+
+    /// Gyroscopic forces on two like directions: p^4 + (g^2 - 2) p^2 + 1 = 0.
+    #[test]
+    fn gyroscopic_pairs_are_found() {
+        for g in (0..80).map(|k| 0.05 * f64::from(k)) {
+            let rows = [[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0], [1.0, 0.0, 0.0, g], [0.0, 1.0, -g, 0.0]];
+            let found = eigenvalues(&DMatrix::from_fn(4, 4, |i, j| rows[i][j])).expect("four eigenvalues");
+            for p in found {
+                let off = (p * p * p * p + p * p * (g * g - 2.0) + Complex::new(1.0, 0.0)).norm();
+                assert!(off < 1e-10, "{g}: {p}, {off}");
+            }
         }
     }
 }

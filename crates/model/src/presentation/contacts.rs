@@ -94,9 +94,11 @@ fn law(trace: &Trace<'_>, place: usize, contact: &Contact, balance: Option<Sym>)
     if let Some(restitution) = contact.restitution {
         let restitution = text(trace.scalar(restitution));
         lines.push(match contact.law {
-            Restitution::Newton | Restitution::Moreau => {
-                format!("  an impact leaves -{restitution} times the rate of the gap")
-            }
+            Restitution::Newton => format!("  an impact leaves -{restitution} times the rate of the gap"),
+            Restitution::Moreau => format!(
+                "  an impact of this or another contact leaves -{restitution} times the rate of the gap, or a larger rate without an \
+                 impulse"
+            ),
             Restitution::Poisson => {
                 format!("  the impulse of the restitution is {restitution} times that of the compression")
             }

@@ -80,7 +80,7 @@ impl Modes {
             Fall::Passes { .. } => expansions.contacts(&Instant::at(time, state), before),
             _ => Vec::new(),
         };
-        let (mut opened, mut struck) = (Vec::new(), Vec::new());
+        let [mut opened, mut struck, mut stay, mut stick] = [const { Vec::new() }; 4];
         let approaches = |contact: &Touching<1>| contact.gap_rate.sign_of(0, SLACK) < 0.0;
         if let Some(contact) = closing {
             match expansions.kinds[contact].is_one_way {
@@ -118,10 +118,9 @@ impl Modes {
                 let [together, others] = expansions.partners(&instant, mode, contact, SLACK);
                 together.iter().for_each(|&other| expansions.return_to_touch(time, state, other));
                 let instant = Instant { late, ..Instant::at(time, state) };
-                let (after, free) =
-                    expansions.struck_together(&instant, (&together, &others), &mode.cases).map_err(why)?;
-                state.copy_from_slice(&after);
-                (struck, opened) = (together, free);
+                let after = expansions.struck_together(&instant, (&together, &others), &mode.cases).map_err(why)?;
+                state.copy_from_slice(&after.state);
+                (struck, opened, stay, stick) = (together, after.opened, after.stay, after.stick);
             } else {
                 struck = vec![contact];
                 opened = expansions.struck(time, state, (contact, &mode.cases), &in_touch).map_err(why)?;
@@ -156,7 +155,10 @@ impl Modes {
             }
             Phase::Apart if Some(place) != closing && !struck.contains(&place) => Touch::Open,
             Phase::Apart if expansions.kinds[place].is_one_way => touching(&contact),
+            // rounding leaves a rest of what an impact stops
+            _ if stick.contains(&place) => Touch::Rest,
             // a bounce
+            Phase::Apart if stay.contains(&place) => touching(&contact),
             Phase::Apart if contact.gap_rate.sign_of(0, SLACK) > 0.0 => Touch::Open,
             Phase::Apart => touching(&contact),
             // the impact of another contact has opened it

@@ -23,7 +23,7 @@ use field::{Interval, Rational};
 use model::equations::vanishes;
 use model::{Model, Trace};
 use std::f64::consts::PI;
-use symbolic::{Sym, Tape, substitute_all};
+use symbolic::{Dimension, Sym, Tape, substitute_all};
 
 /// An unknown of the search: a coordinate, or the constant speed of a cyclic one.
 #[derive(Clone, Debug, PartialEq)]
@@ -183,7 +183,10 @@ impl SteadyEquations {
             } else {
                 state[n + k] = 0.0;
             }
-            let is_circle = near.is_none() && !is_cyclic[k] && all.iter().all(|row| is_periodic(*row, symbol));
+            // a length in the argument of a sine has a range of its own
+            let is_angle = model.coordinates.get(k).is_none_or(|own| own.dimension == Dimension::none());
+            let is_circle =
+                near.is_none() && is_angle && !is_cyclic[k] && all.iter().all(|row| is_periodic(*row, symbol));
             let beside = near.filter(|_| is_sought).map(|state| Range::about(state[place]));
             match asked.range(&name).or(beside) {
                 Some(range) if range.is_point() => {
@@ -261,8 +264,13 @@ impl SteadyEquations {
         // an equation that holds at the given values may fail at others
         let is_lost = |(before, after): (&Sym, &Sym)| *before != Sym::ZERO && *after == Sym::ZERO;
         let keeps_all = !asking_all.iter().zip(residuals.iter().chain(&zeros_put)).any(is_lost);
+        let switches =
+            |k: usize| rows.conditions.iter().any(|condition| condition.symbols_of().contains(&trace.speeds[k]));
         let is_free = |&k: &usize| {
-            is_cyclic[k] && !is_determined(k) && !unknowns.iter().any(|unknown: &Unknown| unknown.place == n + k)
+            !switches(k)
+                && is_cyclic[k]
+                && !is_determined(k)
+                && !unknowns.iter().any(|unknown: &Unknown| unknown.place == n + k)
         };
         let free_speeds =
             (0..n).filter(is_free).filter(|_| keeps_all && near.is_none()).map(|k| names[n + k].clone()).collect();

@@ -61,6 +61,10 @@ impl FrictionLaw {
             (0..conditions).filter(held).filter(|&k| rest.letters.contains(&rows.condition_letters[k])).collect();
         let of_contacts =
             rows.contacts.iter().enumerate().any(|(k, own)| own.friction.is_some() && held(&(conditions + k)));
+        // a contact that bounces may gain energy from the other forces in every flight
+        let bounces = rows.contacts.iter().enumerate().any(|(k, own)| {
+            own.bounces && matches!(cases[conditions + k], Case::Between | Case::Forward | Case::Backward)
+        });
         let share = |k: &usize| rest.letters.iter().position(|letter| *letter == rows.condition_letters[*k]);
         let shares: Vec<usize> = own.iter().filter_map(share).collect();
         if shares.is_empty() && !of_contacts {
@@ -71,7 +75,9 @@ impl FrictionLaw {
             own.iter().map(|&k| law((rows.conditions[k], rows.condition_letters[k]), &jumping, rest, put)).collect();
         let gradients = rest.multipliers.iter().flat_map(|&by| rest.residuals.iter().map(move |row| row.diff(by)));
         let gradients = put(&gradients.collect::<Vec<_>>());
-        let tape = laws.and_then(|laws| Tape::record(rest.letters, &[laws.concat(), gradients].concat()).ok());
+        let tape = laws
+            .filter(|_| !bounces)
+            .and_then(|laws| Tape::record(rest.letters, &[laws.concat(), gradients].concat()).ok());
         Some(FrictionLaw { shares, tape, speeds: rest.speeds.len(), of_contacts })
     }
 

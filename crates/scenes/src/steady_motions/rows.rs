@@ -58,6 +58,8 @@ pub(super) struct Touching {
     pub friction: Option<Sym>,
     /// Whether the contact may open.
     pub is_one_sided: bool,
+    /// Whether an impact may leave a velocity along the normal.
+    pub bounces: bool,
     /// The sliding velocity along each tangent.
     pub slides: Vec<Sym>,
 }
@@ -99,6 +101,7 @@ impl Rows {
             reactions: (0..contact.reactions.len()).map(|component| trace.reaction(place, component)).collect(),
             friction: contact.friction.map(|friction| put(&[trace.scalar(friction)])[0]).filter(|own| !vanishes(*own)),
             is_one_sided: contact.sides == Sides::One,
+            bounces: contact.restitution.is_some_and(|restitution| !vanishes(put(&[trace.scalar(restitution)])[0])),
             slides: put(&contact.slides.iter().map(|&slide| trace.scalar(slide)).collect::<Vec<_>>()),
         };
         let contacts: Vec<Touching> = model.contacts.iter().enumerate().map(touching).collect();

@@ -4,7 +4,7 @@ use super::super::jet::Jet;
 use super::super::mode::{Case, Mode, Phase};
 use super::impact_law::NotStruck;
 use super::letters::Quantity;
-use super::simultaneous_impacts::{Partner, impulses};
+use super::simultaneous_impacts::{Partner, Struck, impulses};
 use super::{Expansions, Instant, Kind};
 use field::DoubleDouble;
 use integrators::Real;
@@ -13,6 +13,16 @@ use num_traits::One;
 
 /// Contacts that close within this part of the time of the run close at once: which of them would be the first is rounding.
 const AT_ONCE: f64 = 1e-9;
+
+/// A state after an impact of several contacts.
+pub(in super::super) struct AfterImpact {
+    pub state: Vec<f64>,
+    /// Contacts in touch that the impact opens.
+    pub opened: Vec<usize>,
+    /// Contacts that are in touch, with a gap' of zero up to rounding, and those of them that do not slide.
+    pub stay: Vec<usize>,
+    pub stick: Vec<usize>,
+}
 
 /// The components of an impulse in a plane.
 const IN_PLANE: usize = 2;
@@ -23,7 +33,7 @@ impl Expansions {
         self.kinds[contact].law == Restitution::Moreau
     }
 
-    /// The speeds after several contacts have closed or are in touch, and those in touch that the impact opens.
+    /// The state after several contacts have closed or are in touch.
     ///
     /// # Errors
     /// The impulses are not determined, or the contacts have other laws.
@@ -32,7 +42,7 @@ impl Expansions {
         instant: &Instant<'_>,
         (closing, in_touch): (&[usize], &[usize]),
         cases: &[Case],
-    ) -> Result<(Vec<f64>, Vec<usize>), NotStruck> {
+    ) -> Result<AfterImpact, NotStruck> {
         let all = self.letters_in::<Jet<1>>(cases);
         let parts: Vec<Jet<1>> = instant.state.iter().map(|part| Jet::constant(*part, 0.0)).collect();
         let values = self.values(Jet::constant(instant.time, 0.0), &parts, &all, &[]);
@@ -40,7 +50,7 @@ impl Expansions {
         let contacts = [closing, in_touch].concat();
         let found = self.shared_impulses(&values, &contacts)?;
         let mut after = instant.state.to_vec();
-        for (&contact, impulse) in contacts.iter().zip(&found) {
+        for (&contact, Struck { impulse, .. }) in contacts.iter().zip(&found) {
             let letters: [usize; IN_PLANE] = std::array::from_fn(|part| self.reaction([contact, part]));
             for (part, added) in
                 impulse.iter().zip(self.responses(Jet::constant(instant.time, 0.0), &parts, &all, &letters))
@@ -50,11 +60,19 @@ impl Expansions {
         }
         let (others, touched) = (self.contacts(&Instant { state: &after, ..*instant }, cases), closing.len());
         let opens = |(place, &contact): (usize, &usize)| {
-            let is_free = found[touched + place][0] == 0.0 && self.kinds[contact].sides == Sides::One;
+            let is_free = found[touched + place].impulse[0] == 0.0 && self.kinds[contact].sides == Sides::One;
             (is_free && others.get(contact).is_some_and(|now| now.gap_rate.sign_of(0, OPENS) > 0.0)).then_some(contact)
         };
         let opened = in_touch.iter().enumerate().filter_map(opens).collect();
-        Ok((after, opened))
+        let of = |is: fn(&Struck<f64>) -> bool| -> Vec<usize> {
+            contacts.iter().zip(&found).filter(|(_, struck)| is(struck)).map(|(contact, _)| *contact).collect()
+        };
+        Ok(AfterImpact {
+            stay: of(|struck| struck.stays),
+            stick: of(|struck| struck.stays && struck.sticks),
+            opened,
+            state: after,
+        })
     }
 
     /// A state after such an impact in double-double; none if the law does not determine it.
@@ -67,8 +85,8 @@ impl Expansions {
         let all = self.letters_in::<DoubleDouble>(cases);
         let values = self.exact_values(time, state, &all);
         let mut after = state.to_vec();
-        for (&contact, impulse) in contacts.iter().zip(self.shared_impulses(&values, contacts).ok()?) {
-            for (part, size) in impulse.into_iter().enumerate() {
+        for (&contact, struck) in contacts.iter().zip(self.shared_impulses(&values, contacts).ok()?) {
+            for (part, size) in struck.impulse.into_iter().enumerate() {
                 let mut one = all.clone();
                 one[self.reaction([contact, part])] = DoubleDouble::one();
                 let moved = self.exact_values(time, state, &one);
@@ -98,7 +116,7 @@ impl Expansions {
         [closing, others.filter(|other| mode.phases[*other] != Phase::Apart).collect()]
     }
 
-    fn shared_impulses<S: Real>(&self, values: &[S], contacts: &[usize]) -> Result<Vec<[S; IN_PLANE]>, NotStruck> {
+    fn shared_impulses<S: Real>(&self, values: &[S], contacts: &[usize]) -> Result<Vec<Struck<S>>, NotStruck> {
         let takes_part = |contact: &usize| {
             let Kind { law, is_guide, is_one_way, is_in_space, is_rough, .. } = self.kinds[*contact];
             // a guide without friction has no impulse of its own, since its coordinates keep the body in it
@@ -127,7 +145,7 @@ impl Expansions {
         };
         let partners: Vec<Partner<S>> = with_impulse.iter().map(partner).collect();
         let mut found = impulses(&partners, &responses)?.into_iter();
-        let none = [S::zero(); IN_PLANE];
+        let none = Struck { impulse: [S::zero(); IN_PLANE], stays: false, sticks: false };
         let of = |&contact: &usize| if self.kinds[contact].is_guide { none } else { found.next().unwrap_or(none) };
         Ok(contacts.iter().map(of).collect())
     }

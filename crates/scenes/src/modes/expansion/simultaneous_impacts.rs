@@ -65,11 +65,21 @@ impl<S: Real> Partner<S> {
     }
 }
 
-/// N and T of each contact; `responses` has the changes of gap' and v of each, by unit impulses N and T of each.
+/// N and T of a contact, and what is zero after the impact, although rounding leaves a rest of it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Struck<S> {
+    pub impulse: [S; 2],
+    /// gap'.
+    pub stays: bool,
+    /// v.
+    pub sticks: bool,
+}
+
+/// The impulses; `responses` has the changes of gap' and v of each, by unit impulses N and T of each.
 ///
 /// # Errors
 /// The law does not determine the velocities, or the energy would grow.
-pub(super) fn impulses<S: Real>(partners: &[Partner<S>], responses: &[Vec<S>]) -> Result<Vec<[S; 2]>, NotStruck> {
+pub(super) fn impulses<S: Real>(partners: &[Partner<S>], responses: &[Vec<S>]) -> Result<Vec<Struck<S>>, NotStruck> {
     if partners.iter().any(|partner| !(0.0..=1.0).contains(&partner.restitution.approx())) {
         return Err(NotStruck::Restitution);
     }
@@ -106,7 +116,13 @@ pub(super) fn impulses<S: Real>(partners: &[Partner<S>], responses: &[Vec<S>]) -
     if impact.adds_energy(&impulses, &after) {
         return Err(NotStruck::AddsEnergy);
     }
-    Ok(impulses.chunks(2).map(|pair| [pair[0], pair[1]]).collect())
+    let slow = ROUNDING * impact.fastest();
+    let struck = |(pair, (partner, after)): (&[S], (&Partner<S>, &[S]))| Struck {
+        impulse: [pair[0], pair[1]],
+        stays: partner.opening().is_zero() && after[0].approx().abs() <= slow,
+        sticks: after[1].approx().abs() <= slow,
+    };
+    Ok(impulses.chunks(2).zip(partners.iter().zip(after.chunks(2))).map(struck).collect())
 }
 
 struct Impact<'a, S> {
@@ -233,6 +249,10 @@ fn eliminated<S: Real>(mut rows: Vec<Vec<S>>, mut right: Vec<S>) -> Option<Vec<S
 mod tests {
     use super::*;
 
+    fn found_by(partners: &[Partner<f64>], responses: &[Vec<f64>]) -> Result<Vec<[f64; 2]>, NotStruck> {
+        impulses(partners, responses).map(|struck| struck.into_iter().map(|one| one.impulse).collect())
+    }
+
     fn partner(closing: f64, sliding: f64, friction: Option<f64>, restitution: f64) -> Partner<f64> {
         Partner { closing, sliding, friction, restitution, holds: false }
     }
@@ -245,13 +265,13 @@ mod tests {
     #[test]
     fn a_level_rod_bounces_level() {
         let both = [partner(-1.0, 0.0, None, 0.5); 2];
-        let found = impulses(&both, &level_rod()).unwrap();
+        let found = found_by(&both, &level_rod()).unwrap();
         assert!(found.iter().all(|[normal, tangent]| (normal - 0.75).abs() < 1e-14 && *tangent == 0.0), "{found:?}");
     }
 
     #[test]
     fn an_end_that_rests_is_pressed_by_the_other_that_falls() {
-        let found = impulses(&[partner(0.0, 0.0, None, 0.5), partner(-1.0, 0.0, None, 0.0)], &level_rod()).unwrap();
+        let found = found_by(&[partner(0.0, 0.0, None, 0.5), partner(-1.0, 0.0, None, 0.0)], &level_rod()).unwrap();
         // gap' = 0 of both after it
         assert!((found[0][0] - 1.0 / 6.0).abs() < 1e-14 && (found[1][0] - 1.0 / 3.0).abs() < 1e-14, "{found:?}");
     }
@@ -259,12 +279,12 @@ mod tests {
     #[test]
     fn ends_with_friction_stop_together_and_share_the_impulse_in_any_way() {
         let both = [partner(-1.0, 0.1, Some(0.5), 0.0); 2];
-        let found = impulses(&both, &level_rod()).unwrap();
+        let found = found_by(&both, &level_rod()).unwrap();
         let whole: f64 = found.iter().map(|[_, tangent]| tangent).sum();
         assert!((whole + 0.1).abs() < 1e-14, "{found:?}");
         // beyond the cone both slide on
         let both = [partner(-1.0, 1.0, Some(0.5), 0.0); 2];
-        let found = impulses(&both, &level_rod()).unwrap();
+        let found = found_by(&both, &level_rod()).unwrap();
         assert!(found.iter().all(|[normal, tangent]| (tangent + 0.5 * normal).abs() < 1e-14), "{found:?}");
     }
 
@@ -277,14 +297,14 @@ mod tests {
             vec![0.5, 0.0, 1.5, 0.0],
             vec![0.0, 1.0, 0.0, 1.0],
         ];
-        let found = impulses(&[partner(0.0, 0.0, None, 0.0), partner(-1.0, 0.0, None, 0.0)], &short).unwrap();
+        let found = found_by(&[partner(0.0, 0.0, None, 0.0), partner(-1.0, 0.0, None, 0.0)], &short).unwrap();
         assert!(found[0][0] == 0.0 && (found[1][0] - 1.0 / 1.5).abs() < 1e-14, "{found:?}");
     }
 
     #[test]
     fn one_contact_has_newtons_law() {
         let responses = vec![vec![2.0, -1.0], vec![-1.0, 2.0]];
-        let found = impulses(&[partner(-1.0, 0.4, Some(0.3), 0.5)], &responses).unwrap();
+        let found = found_by(&[partner(-1.0, 0.4, Some(0.3), 0.5)], &responses).unwrap();
         let impact = super::super::impact_law::Impact {
             law: model::Restitution::Newton,
             closing: -1.0,

@@ -1,0 +1,77 @@
+//! Divisors that hypotheses hide.
+//!
+//! Constraints and equations of motion give x' = N/D. An expression without D holds wherever the motions with D != 0 are dense; hypotheses
+//! restrict the motions, and may make N zero and leave D free, or make D zero as well. A bead on the circle x^2 + y^2 = R^2 has
+//! x' = -y y'/x; with y' = 0 it rests, except at x = 0.
+
+use crate::consequence::written_divisors;
+use crate::inertia::inertia_determinant;
+use crate::motion::Motion;
+use symbolic::{Identity, Sym, decide, identified, substitute_all};
+
+/// What a proof needs beside its own divisors.
+pub(crate) enum Lost {
+    /// These must not be zero.
+    Divisors(Vec<Sym>),
+    /// The hypotheses make one zero, for a reason.
+    Zero(String),
+}
+
+impl Motion<'_, '_> {
+    /// The divisors of the values in an expression that hypotheses hide.
+    pub fn lost_divisors(&self, expression: Sym) -> Lost {
+        let Some(given) = self.before_hypotheses else { return Lost::Divisors(Vec::new()) };
+        if self.divisors.iter().any(|&divisor| self.is_zero(divisor)) {
+            return Lost::Zero("a divisor of the hypotheses is zero where all of them hold".to_owned());
+        }
+        let (mut now, mut lost) = (expression, Vec::new());
+        let mut by_equations = false;
+        for (place, round) in self.rounds.iter().enumerate().take(given) {
+            let symbols = now.symbols_of();
+            let later =
+                |of: Sym| self.rounds[place + 1..].iter().fold(of, |of, round| substitute_all(&[of], &round.values)[0]);
+            for (_, value) in round.values.iter().filter(|(symbol, _)| symbols.contains(symbol)) {
+                by_equations |= round.by.is_none();
+                let divisors = written_divisors(*value);
+                if divisors.is_empty() {
+                    continue;
+                }
+                let kept = written_divisors(later(*value));
+                for divisor in divisors.into_iter().map(later) {
+                    if self.is_zero(divisor) {
+                        let why = "constraints or equations of motion, solved for what the formula has, divide by zero where the hypotheses hold";
+                        return Lost::Zero(why.to_owned());
+                    }
+                    if divisor.as_constant().is_none() && !kept.contains(&divisor) && !lost.contains(&divisor) {
+                        lost.push(divisor);
+                    }
+                }
+            }
+            now = substitute_all(&[now], &round.values)[0];
+        }
+        if by_equations && self.has_no_inertia() {
+            return Lost::Zero(
+                "where the hypotheses hold, the equations of motion determine no acceleration along some direction"
+                    .to_owned(),
+            );
+        }
+        Lost::Divisors(lost)
+    }
+
+    /// Whether hypotheses make the determinant of the equations for accelerations zero.
+    fn has_no_inertia(&self) -> bool {
+        inertia_determinant(self.trace).is_some_and(|determinant| {
+            let reduced = self.reduced(determinant);
+            reduced != determinant && self.is_zero(determinant)
+        })
+    }
+
+    fn is_zero(&self, expression: Sym) -> bool {
+        let reduced = self.reduced(expression);
+        match identified(&[reduced]) {
+            Identity::Identified { .. } => true,
+            Identity::NotZero if self.hypotheses.statements().is_empty() => false,
+            _ => decide(reduced, &self.hypotheses).is_zero(),
+        }
+    }
+}
