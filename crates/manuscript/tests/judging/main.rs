@@ -14,6 +14,7 @@ mod empty_corrections;
 mod feedback;
 mod functions;
 mod half_turn;
+mod hidden_divisors;
 mod hypotheses;
 mod inequalities;
 mod linearisation;

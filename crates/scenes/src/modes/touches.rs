@@ -26,6 +26,8 @@ const TURNS: &str =
 pub(crate) const NEGATIVE: &str = "a coefficient of friction is negative";
 /// Bouncing ends when all further bounces together take less than this fraction of the time of the run.
 const BOUNCES: f64 = 1e-9;
+/// The same for contacts that share impacts: rounding of their gaps keeps bounces of several in turn from becoming shorter.
+const SHARED_BOUNCES: f64 = 1e-6;
 /// A fall exceeds the previous one by at most this many roundings of the gap.
 const DEEPER: f64 = 8.0;
 
@@ -80,7 +82,7 @@ impl Modes {
             Fall::Passes { .. } => expansions.contacts(&Instant::at(time, state), before),
             _ => Vec::new(),
         };
-        let [mut opened, mut struck, mut stay, mut stick] = [const { Vec::new() }; 4];
+        let [mut opened, mut struck, mut stay, mut stick, mut ended] = [const { Vec::new() }; 5];
         let approaches = |contact: &Touching<1>| contact.gap_rate.sign_of(0, SLACK) < 0.0;
         if let Some(contact) = closing {
             match expansions.kinds[contact].is_one_way {
@@ -136,6 +138,7 @@ impl Modes {
             for &bouncing in &struck {
                 if self.bounces_end(mode, bouncing, time, state)? {
                     sets = Sets::LastBounce;
+                    ended.push(bouncing);
                     closed.phases[bouncing] = Phase::Slips { forwards: true, face: Face::Front };
                 }
             }
@@ -156,7 +159,7 @@ impl Modes {
             Phase::Apart if Some(place) != closing && !struck.contains(&place) => Touch::Open,
             Phase::Apart if expansions.kinds[place].is_one_way => touching(&contact),
             // rounding leaves a rest of what an impact stops
-            _ if stick.contains(&place) => Touch::Rest,
+            _ if stick.contains(&place) && (stay.contains(&place) || ended.contains(&place)) => Touch::Rest,
             // a bounce
             Phase::Apart if stay.contains(&place) => touching(&contact),
             Phase::Apart if contact.gap_rate.sign_of(0, SLACK) > 0.0 => Touch::Open,
@@ -194,7 +197,8 @@ impl Modes {
         // a gap is zero up to its rounding d, which lengthens each fall: the next height e^2 (h + d) is not below h for h = d e^2/(1 - e^2)
         let square = restitution * restitution;
         let lowest = SLACK * gap.doubts[0] * (1.0 + DEEPER * square / (1.0 - square));
-        let is_over = (0.0..BOUNCES * time).contains(&rest) || (0.0..lowest).contains(&height);
+        let part = if expansions.shares_impacts(contact) { SHARED_BOUNCES } else { BOUNCES };
+        let is_over = (0.0..part * time).contains(&rest) || (0.0..lowest).contains(&height);
         Ok(rate > 0.0 && acceleration < 0.0 && restitution < 1.0 && is_over)
     }
 

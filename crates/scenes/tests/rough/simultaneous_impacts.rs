@@ -158,6 +158,21 @@ fn a_box_that_falls_aslant_comes_to_rest_on_its_face() {
     }
 }
 
+/// Friction that would hold any push: both corners stick at rest, and rounding of the impact is no slip.
+#[test]
+fn a_box_on_two_rough_corners_comes_to_rest() {
+    for (friction, restitution) in [("0.35", "0"), ("1", "0"), ("3", "0.5"), ("30", "0.5")] {
+        let edits = [
+            ("friction = \"0.3\"", &*format!("friction = \"{friction}\"")),
+            ("restitution = \"0.4\"", &*format!("restitution = \"{restitution}\"")),
+            ("\"x'\" = \"1 m/s\"\n", ""),
+        ];
+        let trajectory = runs(&of_box(&edits), Method::DormandPrince8, 1e-10);
+        assert_eq!(trajectory.stopped(), None, "{friction} {restitution}");
+        assert!((last(&trajectory, "y") - 0.1).abs() < 1e-6, "{friction} {restitution}");
+    }
+}
+
 #[test]
 fn other_laws_name_moreaus() {
     let newton = of_box(&[("impact = \"moreau\"\n", "")]);

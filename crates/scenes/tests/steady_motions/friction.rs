@@ -105,3 +105,32 @@ fn a_negative_coefficient_of_a_contact_is_refused() {
     assert!(refused(&block("-0.5")).is_some_and(|why| why.contains("a coefficient of friction is negative")));
     assert_eq!(refused(&block("0.5")), None);
 }
+
+/// A contact that bounces without loss may gain energy from the drag along its normal in every flight.
+#[test]
+fn friction_beside_a_contact_that_bounces_decides_nothing() {
+    let text = |restitution: &str| {
+        format!(
+            "title = \"A particle on a floor\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"1 kg\"\ng = \"10 m/s^2\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
+             [bodies]\np = {{ centre = \"O + x*N.x + y*N.y\", mass = \"m\" }}\n[[contact]]\nof = \"p\"\nthrough = \"O\"\nnormal = \"N.y\"\nrestitution = \"{restitution}\"\n\
+             [[force]]\non = \"p\"\nis = \"-(1 N/m)*x*N.x - (1 N)*sign(x')*N.x + (20 N s/m)*y'*N.y\"\n[run]\nspan = \"1 s\"\n"
+        )
+    };
+    for (restitution, resists) in [("0", true), ("1", false)] {
+        let ranges = asked(&[("x", -3.0, 3.0), ("y", -3.0, 3.0)], 1_000);
+        let found = SteadyMotions::of_cases(&model(&text(restitution)), &ranges, || true);
+        let found = found.unwrap_or_else(|why| panic!("{why:?}"));
+        let told = format!("{found:?}");
+        assert_eq!(told.contains("Resists"), resists, "{restitution}: {told}");
+    }
+}
+
+/// A wave of the wire is a length, not an angle: every bottom and every top of the range is found.
+#[test]
+fn a_length_in_a_sine_keeps_its_range() {
+    let text = "title = \"A bead on a wave\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"1 kg\"\ng = \"10 m/s^2\"\nA = \"0.1 m\"\nL = \"0.5 m\"\n\
+        [coordinates]\nx = \"m\"\n[bodies]\nb = { centre = \"O + x*N.x + A*sin(x/L)*N.y\", mass = \"m\" }\n[run]\nspan = \"1 s\"\n";
+    let found = super::all(text, &[("x", 0.0, 7.0)]);
+    assert_eq!(found.motions.len(), 4, "{found:?}");
+    assert!(found.motions.iter().all(|own| (0.0..7.0).contains(&own.state[0])), "{found:?}");
+}

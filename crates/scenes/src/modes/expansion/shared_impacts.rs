@@ -19,7 +19,7 @@ pub(in super::super) struct AfterImpact {
     pub state: Vec<f64>,
     /// Contacts in touch that the impact opens.
     pub opened: Vec<usize>,
-    /// Contacts that are in touch, with a gap' of zero up to rounding, and those of them that do not slide.
+    /// Contacts that stay in touch, with a gap' of zero up to rounding, and contacts that do not slide.
     pub stay: Vec<usize>,
     pub stick: Vec<usize>,
 }
@@ -67,12 +67,7 @@ impl Expansions {
         let of = |is: fn(&Struck<f64>) -> bool| -> Vec<usize> {
             contacts.iter().zip(&found).filter(|(_, struck)| is(struck)).map(|(contact, _)| *contact).collect()
         };
-        Ok(AfterImpact {
-            stay: of(|struck| struck.stays),
-            stick: of(|struck| struck.stays && struck.sticks),
-            opened,
-            state: after,
-        })
+        Ok(AfterImpact { stay: of(|struck| struck.stays), stick: of(|struck| struck.sticks), opened, state: after })
     }
 
     /// A state after such an impact in double-double; none if the law does not determine it.
