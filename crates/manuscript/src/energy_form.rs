@@ -13,7 +13,8 @@
 //! Lejeune Dirichlet, J. reine angew. Math. 32 (1846), 85-88; E. J. Routh). Without gyroscopic terms a negative value of the quadratic form gives a
 //! root with a positive real part, so that the motion is unstable (A. M. Lyapunov).
 
-use crate::linear_motion::{LinearMotion, determinant};
+use crate::determinant::determinant;
+use crate::linear_motion::LinearMotion;
 use crate::motion::Motion;
 use model::Trace;
 use symbolic::linear::solve;

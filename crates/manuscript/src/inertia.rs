@@ -1,7 +1,7 @@
 //! The matrix of the equations that are linear in accelerations and reactions. Where it is singular a model has no inertia along some direction, or its
 //! coordinates have a pole.
 
-use crate::linear_motion::determinant;
+use crate::determinant::determinant;
 use model::Trace;
 use model::equations::Equations;
 use symbolic::Sym;

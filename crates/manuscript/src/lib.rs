@@ -60,6 +60,7 @@ mod conditions;
 mod consequence;
 mod constraint_circles;
 mod correction;
+mod determinant;
 mod dimensions;
 mod display;
 mod domains;

@@ -1,5 +1,6 @@
 //! The linear equations about a steady motion: inertia, damping and stiffness of every coordinate, and their characteristic polynomial.
 
+use crate::determinant::determinant;
 use crate::feedback::Feedback;
 use crate::letters::Letters;
 use crate::motion::Motion;
@@ -122,19 +123,4 @@ impl LinearMotion {
         let coefficients = (0..=degree).map(of).collect();
         Ok(Characteristic { root: s, scale: polynomial.denominator(), coefficients, neutral })
     }
-}
-
-/// The determinant, expanded along the first row.
-pub(crate) fn determinant(matrix: &[Vec<Sym>]) -> Sym {
-    let [first, rest @ ..] = matrix else { return Sym::ONE };
-    let mut sum = Sym::ZERO;
-    for (j, &entry) in first.iter().enumerate().filter(|(_, entry)| **entry != Sym::ZERO) {
-        let minor: Vec<Vec<Sym>> = rest
-            .iter()
-            .map(|row| row.iter().enumerate().filter(|(k, _)| *k != j).map(|(_, value)| *value).collect())
-            .collect();
-        let term = entry * determinant(&minor);
-        sum = if j % 2 == 0 { sum + term } else { sum - term };
-    }
-    sum
 }

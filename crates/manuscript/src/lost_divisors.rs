@@ -4,10 +4,9 @@
 //! restrict the motions, and may make N zero and leave D free, or make D zero as well. A bead on the circle x^2 + y^2 = R^2 has
 //! x' = -y y'/x; with y' = 0 it rests, except at x = 0.
 
-use crate::consequence::written_divisors;
 use crate::inertia::inertia_determinant;
 use crate::motion::Motion;
-use symbolic::{Identity, Sym, decide, identified, substitute_all};
+use symbolic::{Hypotheses, Identity, Sym, decide, identified, normal, substitute_all};
 
 /// What a proof needs beside its own divisors.
 pub(crate) enum Lost {
@@ -32,19 +31,18 @@ impl Motion<'_, '_> {
                 |of: Sym| self.rounds[place + 1..].iter().fold(of, |of, round| substitute_all(&[of], &round.values)[0]);
             for (_, value) in round.values.iter().filter(|(symbol, _)| symbols.contains(symbol)) {
                 by_equations |= round.by.is_none();
-                let divisors = written_divisors(*value);
-                if divisors.is_empty() {
+                let below = |of: Sym| normal(of, &Hypotheses::none()).map_or(Sym::ONE, |form| form.denominator());
+                let divisor = later(below(*value));
+                if divisor.as_constant().is_some_and(|value| value.sign() != Some(0)) {
                     continue;
                 }
-                let kept = written_divisors(later(*value));
-                for divisor in divisors.into_iter().map(later) {
-                    if self.is_zero(divisor) {
-                        let why = "constraints or equations of motion, solved for what the formula has, divide by zero where the hypotheses hold";
-                        return Lost::Zero(why.to_owned());
-                    }
-                    if divisor.as_constant().is_none() && !kept.contains(&divisor) && !lost.contains(&divisor) {
-                        lost.push(divisor);
-                    }
+                if self.is_zero(divisor) {
+                    let why = "constraints or equations of motion, solved for what the formula has, divide by zero where the hypotheses hold";
+                    return Lost::Zero(why.to_owned());
+                }
+                let is_kept = below(below(later(*value)) / divisor).as_constant().is_some();
+                if !is_kept && !lost.contains(&divisor) {
+                    lost.push(divisor);
                 }
             }
             now = substitute_all(&[now], &round.values)[0];

@@ -1,7 +1,6 @@
 //! The equations that hold along every motion of a model: accelerations and multipliers by its equations, speeds and positions by its
 //! constraints, and the hypotheses.
 
-use crate::consequence::written_divisors;
 use crate::half_turn::is_half_turn;
 use crate::letters::circle;
 use model::Trace;
@@ -224,7 +223,9 @@ impl<'t, 'm> Motion<'t, 'm> {
         }
         match solution(self.trace, zero, first) {
             Some(Solution { symbol, value, divisor }) => {
-                let below = written_divisors(zero).into_iter().chain([divisor]);
+                // over one denominator: the numerator alone is solved
+                let own = normal(zero, &Hypotheses::none()).map_or(Sym::ONE, |form| form.denominator());
+                let below = [own, divisor].into_iter();
                 for divisor in below.filter(|divisor| divisor.as_constant().is_none()) {
                     if !self.divisors.contains(&divisor) {
                         self.divisors.push(divisor);

@@ -3,9 +3,9 @@
 use crate::claim_text::ClaimText;
 use crate::conditions::{Hypothesis, assume, conditions};
 use crate::consequence::{is_apart, require};
+use crate::determinant::determinant;
 use crate::finding::Finding;
 use crate::letters::Letters;
-use crate::linear_motion::determinant;
 use crate::motion::{Motion, solution};
 use crate::steady_motion::Resting;
 use claims::Condition;
