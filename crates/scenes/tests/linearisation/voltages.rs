@@ -192,7 +192,7 @@ fn currents_that_a_motion_does_not_determine_are_refused_by_name() {
         .replace("\"u\"", "\"(3 V)\"")
         .replace("[[drive]]", "[[torque]]\non = \"arm\"\nis = \"T*N.z\"\n[[drive]]");
     let start = refused("start", &loaded, &[("theta", "sin(t*(3 rad/s))")], &["T"]);
-    assert!(start.contains("the law of `motor.q'` holds its rate and no unknown"), "{start}");
+    assert!(start.contains("the law of `motor.q'` contains its rate and no unknown"), "{start}");
     // a torque that goes with the square of a current does not brake
     let series = changed(
         "series_motor",
