@@ -115,8 +115,8 @@ impl Expansions {
         let takes_part = |contact: &usize| {
             let Kind { law, is_guide, is_one_way, is_in_space, is_rough, .. } = self.kinds[*contact];
             // a guide without friction has no impulse of its own, since its coordinates keep the body in it
-            let is_plain = !is_one_way && !(is_in_space && is_rough) && !(is_guide && is_rough);
-            is_plain && (is_guide || law == Restitution::Moreau)
+            let is_other = is_one_way || is_rough && (is_in_space || is_guide);
+            !is_other && (is_guide || law == Restitution::Moreau)
         };
         if !contacts.iter().all(takes_part) {
             return Err(NotStruck::Together);

@@ -83,7 +83,11 @@ pub(super) fn impulses<S: Real>(partners: &[Partner<S>], responses: &[Vec<S>]) -
     if partners.iter().any(|partner| !(0.0..=1.0).contains(&partner.restitution.approx())) {
         return Err(NotStruck::Restitution);
     }
-    if partners.iter().filter_map(|partner| partner.friction).any(|friction| !(friction >= S::zero())) {
+    if partners
+        .iter()
+        .filter_map(|partner| partner.friction)
+        .any(|friction| friction.approx().is_nan() || friction < S::zero())
+    {
         return Err(NotStruck::Friction);
     }
     let parts: Vec<Vec<Part>> = partners.iter().map(Partner::parts).collect();
@@ -223,7 +227,7 @@ fn eliminated<S: Real>(mut rows: Vec<Vec<S>>, mut right: Vec<S>) -> Option<Vec<S
     for pivot in 0..n {
         let size = |row: usize| rows[row][pivot].approx().abs();
         let row = (pivot..n).max_by(|&a, &b| size(a).total_cmp(&size(b)))?;
-        if !(size(row) > SINGULAR * largest) {
+        if size(row).is_nan() || size(row) <= SINGULAR * largest {
             return None;
         }
         rows.swap(pivot, row);
