@@ -65,7 +65,7 @@ impl<'t, 'm> Linearisation<'t, 'm> {
         Ok(Ok(Linearisation { along, base, inputs, feedback, rates }))
     }
 
-    /// What keeps the letters from being constant on the motion.
+    /// The reason why the letters are not constant on the motion.
     fn residuals(&self, conditions: &[Condition]) -> Residuals {
         let accelerations = self.rates.iter().filter(|rate| self.base.trace.accelerations.contains(rate));
         let values = accelerations.map(|&acceleration| (acceleration, self.along.reduced(acceleration)));

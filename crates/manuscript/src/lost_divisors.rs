@@ -8,7 +8,7 @@ use crate::inertia::inertia_determinant;
 use crate::motion::Motion;
 use symbolic::{Hypotheses, Identity, Sym, decide, identified, normal, substitute_all};
 
-/// What a proof needs beside its own divisors.
+/// The needs of a proof beside its own divisors.
 pub(crate) enum Lost {
     /// These must not be zero.
     Divisors(Vec<Sym>),

@@ -144,7 +144,7 @@ fn rate_there(expression: Sym, rates: &[(Sym, Sym)], trace: &Trace<'_>) -> Optio
     Some(trace.rate_of(expression).substitute(rates))
 }
 
-/// How often the equations of a steady motion are differentiated: positions and speeds may be tied by them.
+/// The number of times that the equations of a steady motion are differentiated: positions and speeds may be tied by them.
 const MOST_RATES: usize = 2;
 
 /// The steady motion with the rates of its equations, which vanish too since the equations hold at all times; none where further rates were needed.

@@ -34,7 +34,7 @@ fn primed_key(line: &str) -> Option<&str> {
     })
 }
 
-/// What stands before the first `=` without quotes, where it has characters that need them.
+/// The text before the first `=` without quotes, where it has characters that need them.
 fn unquoted_key(line: &str) -> Option<&str> {
     let key = line.split_once('=')?.0.trim();
     let is_plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.' | ' ');

@@ -1,6 +1,6 @@
 //! Values along a run that its mode determines, for sketches.
 //!
-//! Of each switch 1 or 0, and between them where a condition stays at zero, as of dry friction that sticks; then of each contact the three
+//! For each switch 1 or 0, and between them where a condition stays at zero, as of dry friction that sticks; then of each contact the three
 //! components of its friction on the body that touches, in the axes of the ground, and its normal reaction. A value is no number where no
 //! law determines it.
 

@@ -28,7 +28,7 @@ const MOST_UNKNOWNS: usize = 6;
 /// Larger denominators are no coefficients of an identity.
 const LARGEST: u16 = 10_000;
 
-/// So many points are tried for each one with values that is needed.
+/// The number of points that are tried for each one with values that is needed.
 const MOST_POINTS: usize = 16;
 
 /// Iterations of a singular value decomposition.
