@@ -340,13 +340,14 @@ impl NativeModel {
                 if interrupted.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             });
             let told = scene.told(&choice, &trajectory);
-            let steps = problem.check_by_step_halving(&choice, &trajectory, || match Python::attach(|py| py.check_signals()) {
-                Ok(()) => ControlFlow::Continue(()),
-                Err(error) => {
-                    interrupted = Some(error);
-                    ControlFlow::Break(())
-                }
-            });
+            let steps =
+                problem.check_by_step_halving(&choice, &trajectory, || match Python::attach(|py| py.check_signals()) {
+                    Ok(()) => ControlFlow::Continue(()),
+                    Err(error) => {
+                        interrupted = Some(error);
+                        ControlFlow::Break(())
+                    }
+                });
             (trajectory, told, steps)
         });
         if let Some(interrupted) = interrupted {

@@ -8,7 +8,7 @@ use dalembert::commands::{
     Charted, ChosenModel, SteadyMotionsResult, charted, chosen_model, finding_object, steady_motions, unjudged_object,
 };
 use dalembert::manuscript::{Finding, PaperText};
-use dalembert::scenes::steady_motions::{SteadySearch, Range};
+use dalembert::scenes::steady_motions::{Range, SteadySearch};
 use dalembert::scenes::{Given, SystemText, parse_ensemble_with};
 use dalembert::simulation::Run;
 use dalembert::simulation::ensemble::{EnsembleScene, Row};

@@ -1,6 +1,6 @@
 //! A run, handed over to Python.
 
-use dalembert::integrators::{StepHalvingCheck as StepHalving, Lost};
+use dalembert::integrators::{Lost, StepHalvingCheck as StepHalving};
 use dalembert::simulation::events::Passage;
 use dalembert::simulation::{RunFailure, RunNotes, Trajectory};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
