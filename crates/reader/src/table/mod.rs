@@ -198,6 +198,11 @@ impl<'a> Table<'a> {
         self.entries?.get(key).map(Spanned::span)
     }
 
+    /// Whether a key is one that its reader has asked for.
+    pub fn is_known(&self, key: &str) -> bool {
+        self.asked.iter().any(|asked| asked == key)
+    }
+
     /// Whether a key holds a table.
     pub fn is_table(&self, key: &str) -> bool {
         matches!(self.entries.and_then(|entries| entries.get(key)).map(Spanned::get_ref), Some(DeValue::Table(_)))

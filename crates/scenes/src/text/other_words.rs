@@ -32,11 +32,11 @@ const WORDS: [(&[&str], &str); 9] = [
     (&["simulation", "sim", "solver", "settings", "integrator"], "[run]"),
 ];
 
-/// Reports each of these tables with its place in the file.
+/// Reports each of these tables with its place in the file, unless a named system has read it as its own.
 pub(super) fn report(top: &mut Table<'_>) {
     for (words, accepted) in WORDS {
         for word in words {
-            if let Some(span) = top.place_of(word) {
+            if let Some(span) = top.place_of(word).filter(|_| !top.is_known(word)) {
                 top.known(&[word]);
                 let issue = Issue::at(span, format!("unknown key `{word}`"), "another word stands for this");
                 top.report(issue.accepted(accepted));

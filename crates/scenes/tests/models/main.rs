@@ -5,6 +5,7 @@ mod conformity;
 mod foreign;
 mod formulations;
 mod knowledge;
+mod named_systems;
 mod outputs;
 mod poles;
 mod power_balance;
