@@ -18,11 +18,11 @@ use std::str::FromStr;
 /// Without a command the report is made: every paper's statements are judged, every scene is run and charted, and all of it is
 /// written into one self-contained page.
 ///
-/// Exit codes: 0 all is well; 1 a run, or every member of an ensemble, stopped before its end, or the time was over; 2 the input is
-/// not acceptable; 130 Ctrl-C ended it. Where the time is over, or at Ctrl-C, `run`, `ensemble`, `chart` and `reference` keep what
-/// there is; a second Ctrl-C ends them at once.
+/// Exit codes: 0 all is well; 1 a run, or every member of an ensemble, stopped before its end, or the time limit was reached; 2 the input
+/// is not acceptable; 130 Ctrl-C ended it. At the time limit, or at Ctrl-C, `run`, `ensemble`, `chart` and `reference` keep their results
+/// so far; a second Ctrl-C ends them at once.
 ///
-/// Output files are written atomically. The end of the name says the form: .csv, .npz, .svg, .html, .reference or .fmu. Missing folders
+/// Output files are written atomically. The extension determines the format: .csv, .npz, .svg, .html, .reference or .fmu. Missing folders
 /// are made. An existing file is replaced only if the command wrote it, or with --force; a file that the command reads is never
 /// replaced.
 #[derive(Debug, Parser)]
@@ -89,53 +89,54 @@ pub enum Command {
     Run(run::Args),
     /// Measures every method on a scene: speed against accuracy
     Chart(chart::Args),
-    /// The smallest model, and the cheapest method for it, that meet a tolerance in the outputs that matter
+    /// Finds the smallest model and the cheapest method that give the outputs of a scene to a tolerance
     Choose(choose::Args),
     /// Computes a reference solution of a scene, to the digits on which two methods agree, and keeps it in a file
     Reference(reference::Args),
-    /// Runs the members of an ensemble, whose table `ensemble` in the scene says what varies; a run that was killed is continued
+    /// Runs a scene many times; the table [ensemble] of the scene names the values that vary. Started again, it continues
     Ensemble(ensemble::Args),
     /// Every claim of the papers with its verdict
     Ledger(ledger::Args),
-    /// Every claim of a paper that is a file, judged on the model that the file gives: what is printed, how it was read, its verdict
+    /// Judges every claim of a paper's file: prints each formula, how it was read, and whether it is true of the paper's model
     #[command(after_long_help = ledger::paper_file::HELP)]
     Judge(ledger::paper_file::Args),
-    /// Changes of a system, of a paper or of the reviewed pages: which term of which equation, its meaning, which claims and runs moved
+    /// Compares two versions of a system, of a paper or of snapshots: changed terms of equations, changed verdicts and changed runs
     Review(review::Args),
     /// Equations of motion by a chosen principle
     Derive(derive::Args),
     /// A sketch of a system, drawn from its model: bodies, joints, springs, surfaces; still, or moving as a run does
     Draw(draw::Args),
-    /// A system that is written in its file, for other programs: a unit of FMI 3.0 or 2.0, a Modelica model, code that runs
+    /// Writes a system with [coordinates] for other programs: a unit of FMI 3.0 or 2.0, a Modelica model, code
     #[command(after_long_help = export::HELP)]
     Export(export::Args),
-    /// Whether every principle gives the same equations of motion, for a system that is written in its file
+    /// Proves that every principle gives the same equations of motion, for a system with [coordinates]
     Prove(prove::Args),
-    /// Linear equations about a point or along a run, for a system that is written in its file: A, B, C, D, eigenvalues, stability
+    /// Linear equations of a system with [coordinates] about a point or along a run: A, B, C, D, eigenvalues, stability
     #[command(alias = "linearize")]
     Linearise(linearise::Args),
     /// A page in the browser that follows a file while it is written: equations, verdicts, the run, sliders, the claims of a paper
     Watch(watch::Args),
-    /// The forces under which a system that is written in its file moves as prescribed
+    /// The forces under which a system with [coordinates] moves as prescribed
     Inverse(inverse::Args),
-    /// The optimal regulator of a system that is written in its file, by Riccati's equation, and its run on the nonlinear model
+    /// The optimal regulator of a system with [coordinates], by Riccati's equation, and its run on the nonlinear model
     Regulate(regulate::Args),
     /// The mass properties of a scene's bodies: both inertia tensors, principal axes, centre of mass, weight
     Bodies(bodies::Args),
-    /// All steady motions of a system in a box, equilibria and those with constant speeds, none missing, and whether each is stable
+    /// All steady motions of a system within given ranges, each with its stability: equilibria, and motions with constant speeds
     Stationary(stationary::Args),
     /// The step sizes for which each method preserves the stability or instability of a steady motion
     #[command(alias = "phantom")]
     NumericalStability(numerical_stability::Args),
-    /// A synchronous motor under load: pull-out and pull-in torque, motions between them, and the starts that synchronise
+    /// A synchronous motor under load: pull-out and pull-in torque, its motions at loads between the two, the starts from which it synchronises
     Motor(motor::Args),
-    /// Checks the properties that every motor must have, each with a verdict: power, passivity, frames, housing, rest, stiffness, dimensions
+    /// Checks physical laws that every motor must obey, each with a verdict: power balance, passivity, independence of the frame, reaction on the
+    /// housing, rest, stiffness, units
     Conform(conform::Args),
-    /// Writes a new motor: its file, its line in the list, a scene and a test; or a scene with its laws as text
+    /// Writes a new motor: its file, its entry in the list of motors, a scene and a test; or a scene with its laws as text
     New(new::Args),
-    /// Every consistent regime of a scene with rough contacts at its start, with all margins
+    /// Every possible state of the contacts of a scene at its start (sticking, sliding, separation), with the distance of each from its limit
     Regimes(regimes::Args),
-    /// The catalogue of failures of methods: thresholds by theory and by runs, methods that survive, advice
+    /// Cases in which methods fail: the limit of each by theory and by runs, methods that do not fail, advice
     Failures(failures::Args),
     /// Lists the scenes of a folder, each with its title
     Scenes(scenes::Args),

@@ -33,7 +33,7 @@ pub struct Args {
     /// The scene, a TOML file
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
-    /// Draws the chart: one picture as .svg, or a page with both as .html; or writes every run as a table, .csv
+    /// Draws the chart: error against evaluations as .svg, with error against time in addition as .html; or writes every run as a table, .csv
     #[arg(long, value_name = "FILE.svg|FILE.html|FILE.csv")]
     pub out: Option<PathBuf>,
     /// Replaces the file of --out even where `chart` did not write what stands there
@@ -42,13 +42,13 @@ pub struct Args {
     /// Output format: text is for reading, JSON has one object for every run
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
-    /// The unit in which the work of a picture is counted; without it evaluations
+    /// The unit of the horizontal axis; the default is evaluations
     #[arg(long, value_enum, requires = "out")]
     pub x: Option<Axis>,
     /// Another machine, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,
-    /// The equations in the axes of A (first) or of A* (second)
+    /// For gyrostats: the equations in the principal axes of A (first) or of A* (second)
     #[arg(long)]
     pub form: Option<Axes>,
 }

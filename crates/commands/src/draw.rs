@@ -26,8 +26,8 @@ pub struct Args {
     /// Replaces the file of --out even where `draw` did not write what stands there
     #[arg(long, requires = "out")]
     pub force: bool,
-    /// The motion of a run, as a picture that moves without a script, again and again: the whole run, or as much from its start as 300
-    /// pictures follow smoothly
+    /// The motion of a run as an animated picture in a loop, without a script: the whole run, or its beginning if the whole needs more than
+    /// 300 pictures
     #[arg(long, conflicts_with = "time")]
     pub animate: bool,
     /// The part of the run that --animate shows, in seconds

@@ -15,9 +15,9 @@ const COMPILER: &str = "cc";
 pub const HELP: &str = "\
 A unit of FMI 3.0, or of FMI 2.0, is for model exchange and for co-simulation. Its parameters can be changed, its inputs are those of the file that have no
 value, its events are those of the file and the conditions of `if`, `sign`, `abs`, `min`, `max` and `table`; it has directional derivatives.
-It holds its sources, and a binary for this platform where the C compiler `cc` is found.
+The unit contains its sources, and a binary for this platform if the C compiler `cc` is found.
 
-Left to `run`, and refused with the line of the file: contacts, diodes, laws that are implicit; by --fmu and --modelica dry friction too, which
+Not exported, with an error at the line of the file: contacts, diodes, laws that are implicit; by --fmu and --modelica dry friction too, which
 may stick.";
 
 /// Arguments of `export`.

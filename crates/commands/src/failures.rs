@@ -18,7 +18,7 @@ pub struct Args {
     /// Entries whose name contains this, such as windings or pull-out; or a scene of your own with the table [failure]
     #[arg(default_value = "", value_name = "NAME|SCENE.toml")]
     pub name: String,
-    /// Where the scene files are; those in `failures` there that hold the table [failure] are measured too
+    /// The folder of scene files; those in its subfolder `failures` with a table [failure] are measured too
     #[arg(long, value_name = "FOLDER", default_value = "scenes")]
     pub scenes: PathBuf,
     /// Output format

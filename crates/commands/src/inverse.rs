@@ -18,7 +18,7 @@ pub struct Args {
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
     /// A coordinate as an expression of the time and of parameters, such as "theta = 0.5*sin(w*t)"; a free frame by turns, such as
-    /// "F = w*t about z, then (10 deg) about x"; once for each that the constraints leave open. A current, "motor.i_f = (2 A)" or "id = 0",
+    /// "F = w*t about z, then (10 deg) about x"; once for each degree of freedom. A current, "motor.i_f = (2 A)" or "id = 0",
     /// where the motion leaves it open
     #[arg(long = "motion", value_name = "Q = EXPRESSION", required = true, value_parser = motion)]
     pub motions: Vec<(String, String)>,
@@ -28,7 +28,7 @@ pub struct Args {
     /// The last instant, in seconds
     #[arg(long, value_name = "S", default_value = "1", value_parser = positive)]
     pub span: f64,
-    /// Instants beside the first
+    /// Number of instants after the first
     #[arg(long, value_name = "N", default_value = "10", value_parser = whole::<u32>(1..=1_000_000))]
     pub samples: u32,
     /// Output format of the table

@@ -14,7 +14,7 @@ pub struct Args {
     /// A file with `[coordinates]`; values of parameters are not needed
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
-    /// Tests a known mistake in a derivation instead: whether it is refuted, and the terms that it loses
+    /// Derives the equations with a known mistake instead, and prints the terms that are then missing
     #[arg(long, value_enum)]
     pub mistake: Option<MistakeName>,
     #[arg(long, value_enum, default_value_t)]

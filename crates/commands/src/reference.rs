@@ -27,7 +27,7 @@ pub struct Args {
     /// Replaces the file even where `reference` did not write what stands there
     #[arg(long)]
     pub force: bool,
-    /// An earlier end than that of the scene, s, for a scene whose motion ends
+    /// The end in seconds, earlier than that of the scene, for a scene whose motion ends
     #[arg(long, value_name = "T")]
     pub until: Option<f64>,
 }

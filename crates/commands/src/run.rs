@@ -29,18 +29,20 @@ pub struct Args {
     /// Method of integration, such as dormand_prince_8 or runge_kutta_4:20000
     #[arg(long, value_parser = method)]
     pub method: Option<Method>,
-    /// Error allowed in a step, relative, and absolute in SI units
+    /// Allowed error of a step: relative to the state, plus the same number in SI units
     #[arg(long = "tol", value_name = "T", value_parser = tolerance, allow_negative_numbers = true)]
     pub tolerance: Option<f64>,
-    /// Another machine, made of the scene's data, or a reduced model, as `choose` names it: for a system that is written in its file
-    /// "without P", "rigid P", "quasi-steady X", "fixed X", "unfollowed X", with names of parameters P and of states X
+    /// Another machine, made of the scene's data, or a reduced model, as `choose` names it: for a system with [coordinates]
+    /// "without P", "rigid P", "quasi-steady X", "fixed X", "unfollowed X", with a parameter P or a state X; the handbook's chapter on smaller
+    /// models explains them
     #[arg(long)]
     pub model: Option<String>,
-    /// The equations in the axes of A (first) or of A* (second); results are in the axes of the data either way
+    /// For gyrostats: the equations in the principal axes of the inertia tensor A, without the rotor's inertia (first), or A*, with it
+    /// (second); results are in the axes of the data
     #[arg(long)]
     pub form: Option<Axes>,
     /// Writes the trajectory as a table, or as NumPy arrays, with the scene, its hash, the method and the tolerance. Each column has its unit:
-    /// time, states, the rotor's speed; for a system that is written in its file time, states, outputs, energies, work
+    /// time, states, the rotor's speed; for a system with [coordinates] time, states, outputs, energies, work
     #[arg(long, value_name = "FILE.csv|FILE.npz")]
     pub out: Option<PathBuf>,
     /// Writes the transition matrix as a table: a row for each state at the end, a column for each at the start
@@ -57,7 +59,7 @@ pub struct Args {
     /// defined
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
-    /// Instants of the trajectory beside its start
+    /// Number of instants of the trajectory after the start; the default is `samples` of the scene
     #[arg(long, value_name = "N", value_parser = whole::<u32>(1..=1_000_000))]
     pub samples: Option<u32>,
 }

@@ -84,11 +84,7 @@ impl Summary<'_> {
         line("model", scene.model().to_owned());
         line("method", format!("{}, tolerance {:e}{form}", choice.method, choice.tolerance));
         if !completed.is_empty() {
-            let value = |(name, value): &(String, f64)| {
-                let unit = self.scene.unit(name);
-                let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
-                format!("{name} = {}{unit}", readable(*value))
-            };
+            let value = |(name, value): &(String, f64)| format!("{name} = {}", self.measured(name, *value));
             line("start", format!("completed: {}", completed.iter().map(value).collect::<Vec<_>>().join(", ")));
         }
         line("work", outcome.work.to_string());
@@ -112,17 +108,17 @@ impl Summary<'_> {
             line("remedy", failure.remedy.clone());
         }
         for (name, value) in trajectory.names.iter().zip(&trajectory.last).filter(|(name, _)| self.shown(name)) {
-            line(&format!("  {name}"), readable(*value));
+            line(&format!("  {name}"), self.measured(name, *value));
         }
         for deviation in &outcome.deviations {
             let kept = match trajectory.lost() {
                 _ if !deviation.largest.is_finite() => format!("without a value at t = {} s", deviation.at),
                 Some((own, Lost { at, size })) if own.name == deviation.name => format!(
-                    "lost at t = {at:.9} s, where its change passed a hundredth of its size, {size:.1e}; in all it changed by {:.1e}. \
+                    "lost at t = {at:.9} s, where its change passed a hundredth of its size, {size:.1e}; in all it changed by at most {:.1e}. \
                      From there on the numbers are no motion of this system; a finer tolerance keeps it, or shows where the law ends",
                     deviation.largest
                 ),
-                _ => format!("kept to {:.1e}", deviation.largest),
+                _ => format!("changed by at most {:.1e}", deviation.largest),
             };
             line(&deviation.name, format!("{}, {kept}", readable(deviation.first)));
         }
@@ -135,6 +131,12 @@ impl Summary<'_> {
             line("undefined", format!("{}: the law gives no number there", undefined.join(", ")));
         }
         text
+    }
+
+    /// A value with its unit, if it has one.
+    fn measured(&self, name: &str, value: f64) -> String {
+        let unit = self.scene.unit(name);
+        if unit == "1" || !value.is_finite() { readable(value) } else { format!("{} {unit}", readable(value)) }
     }
 
     /// Whether a state is one of the scene's outputs; every state is where the scene names none.

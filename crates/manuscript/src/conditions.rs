@@ -72,7 +72,9 @@ fn hypothesis(text: &Passage, letters: &Letters<'_, '_>) -> Result<Hypothesis, I
         return Err(Issue::at(text.span.clone(), "an equivalence is no hypothesis", "here").accepted(accepted));
     };
     let ([left, right], [relation]) = (&sides[..], &relations[..]) else {
-        return Err(Issue::at(text.span.clone(), "a hypothesis has two sides", "here").accepted(accepted));
+        return Err(
+            Issue::at(text.span.clone(), "a hypothesis must have two sides", "this one has not").accepted(accepted)
+        );
     };
     let ((left_is, left_own), (right_is, right_own)) = (scalar(text, left, letters)?, scalar(text, right, letters)?);
     let told = (

@@ -149,7 +149,7 @@ fn of_one_or_two(columns: &[Vec<Rational>], target: &[Rational]) -> Option<Vec<R
     })
 }
 
-/// A polynomial in leaves by its exponents; none if it is too long, or not a polynomial.
+/// The terms of a polynomial in `leaves`: exponents and coefficient; `None` if it has too many terms, or is no polynomial.
 fn terms(polynomial: Sym, leaves: &[Sym]) -> Option<Terms> {
     let found = coefficients(polynomial, leaves).ok().filter(|found| found.len() <= MOST_TERMS)?;
     let number = |value: Sym| normal(value, &Hypotheses::none()).ok()?.as_constant();

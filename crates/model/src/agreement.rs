@@ -59,7 +59,7 @@ impl Agreement {
 fn of_start(vanishing: Option<&[String]>) -> String {
     match vanishing {
         None => String::new(),
-        Some([]) => " (at the start none of them does)".to_owned(),
+        Some([]) => " (true at the start)".to_owned(),
         Some(vanishing) => format!(" (at the start {} vanishes)", vanishing.join(" and ")),
     }
 }
@@ -322,7 +322,7 @@ mod tests {
             let none =
                 compared(&pairs, MOST_EXPANDED, |_| (), |_| None, |divisor| Some(divisor.to_string())).to_string();
             assert!(none.starts_with("proved") && !none.contains("at the start"), "{none}");
-            assert!(at(2.0, 3.0).ends_with(" (at the start none of them does)"), "{}", at(2.0, 3.0));
+            assert!(at(2.0, 3.0).ends_with(" (true at the start)"), "{}", at(2.0, 3.0));
             assert!(at(0.0, 3.0).ends_with(" (at the start x vanishes)"), "{}", at(0.0, 3.0));
         });
     }

@@ -43,7 +43,9 @@ impl Pairs {
             }
         }
         let charge = Dimension::current() * Dimension::time();
-        for force in &model.generalised {
+        // an impulse of a reaction is a coordinate of the program's own
+        let is_impulse = |along: &Along| matches!(along, Along::Speed(place) if model.impulses.contains(place));
+        for force in model.generalised.iter().filter(|force| !is_impulse(&force.along)) {
             let coordinate = match force.along {
                 Along::Speed(place) => model.coordinates.get(place),
                 _ => None,

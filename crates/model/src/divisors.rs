@@ -7,7 +7,7 @@ use crate::real_points::value_at_point;
 use crate::{FrameId, ScalarId};
 use symbolic::Sym;
 
-/// Characters of the longest divisor that is written out.
+/// A divisor is printed in full up to this number of characters.
 const MOST_READ: usize = 200;
 
 /// The number of points at which a divisor must be one multiple of a length, and the digits of the agreement.

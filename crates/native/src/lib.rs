@@ -41,8 +41,7 @@ use symbolic::Tape;
 type Entry = unsafe extern "C" fn(*const f64, f64, *mut f64, *const f64, *mut f64);
 
 thread_local! {
-    /// The room in which the pieces of a long program pass on their numbers; allocated once for the largest that a
-    /// thread runs.
+    /// The buffer of numbers that the parts of a long program pass on; each thread has one, as large as its largest program needs.
     static ROOM: RefCell<Vec<f64>> = const { RefCell::new(Vec::new()) };
 }
 

@@ -140,8 +140,8 @@ fn opening<F: Family>(top: &mut Table<'_>) -> Option<Opening> {
     let description = top.optional_text("description", "what happens and why it is hard");
     top.read_allowed();
     if let (Some(span), false) = (top.place_of(MODEL), top.has("system")) {
-        let title = "this command does not read a system that is written in its file";
-        let issue = Issue::at(span, title, "the system's own coordinates");
+        let title = "this command reads only scenes of the built-in systems";
+        let issue = Issue::at(span, title, "this file has coordinates of its own");
         let accepted = "`derive`, `prove`, `conform`, `linearise`, `inverse`, `regulate`, `regimes`, `stationary`, `numerical-stability`, `run`, `ensemble`, `chart`, `choose` and `reference` read it";
         top.report(issue.accepted(accepted));
         top.known_all();

@@ -94,13 +94,18 @@ fn judged(model: &Model, numbers: &[Option<f64>]) -> Vec<Issue> {
             let label = format!("it is {} kg m^2", shown(moment));
             report(&body.inertia_at, title, label, "moments of inertia that are zero or positive");
         } else if let Some([a, b, c]) = principal(&inertia).filter(|moments| !is_possible(*moments)) {
-            let title = format!("no body has the moments of inertia of `{}`", body.name);
+            let title = format!("the moments of inertia of `{}` are impossible", body.name);
             let about = match inertia[3..].iter().any(Option::is_some) {
                 true => "about its principal axes they are",
                 false => "they are",
             };
             let label = format!("{about} {}, {} and {} kg m^2", shown(a), shown(b), shown(c));
-            report(&body.inertia_at, title, label, "none is negative, and none is larger than the two others together");
+            report(
+                &body.inertia_at,
+                title,
+                label,
+                "three moments of which none is larger than the sum of the two others",
+            );
         }
     }
     issues

@@ -11,6 +11,7 @@ use crate::compiled_system::{CompiledSystem, NotCompiled};
 use crate::modes::{Case, Mode};
 use crate::motion_matrix::MotionMatrix;
 use crate::structural_index::differentiations;
+use crate::zero_divisor;
 use integrators::Ode;
 use model::{Coordinate, Model, Parameter, Trace, UnsolvedLaw};
 use reader::Issue;
@@ -28,6 +29,10 @@ pub fn missing(model: &Model, system: &CompiledSystem, start: &[f64]) -> Option<
     let matrix = MotionMatrix::of(model, &system.mode)?;
     let terms = matrix.at(0.0, start)?;
     let moved = |speed: usize| moved(model, speed);
+    let has_no_value = without_value(&terms.matrix).is_some() || without_value(&terms.right[..n]).is_some();
+    if has_no_value && let Some(issue) = zero_divisor::found(model) {
+        return Some(issue);
+    }
     if let Some(place) = without_value(&terms.matrix) {
         let (name, at) = moved((place % terms.size).min(n - 1));
         let title = format!("the inertia of `{name}` has no value at the start");
@@ -53,9 +58,9 @@ pub fn missing(model: &Model, system: &CompiledSystem, start: &[f64]) -> Option<
         return Some(resisted_by_nothing(model, &direction));
     }
     let title = format!("the acceleration of `{name}` is not determined at the start");
-    let issue = Issue::at(at, title, "in this position nothing with inertia moves with it");
+    let issue = Issue::at(at, title, "in this position no mass moves when it changes");
     Some(issue.accepted(
-        "another start, or other coordinates: spherical angles have no azimuth at the pole, three turns none where the first axis meets the third",
+        "another start, or other coordinates: spherical angles are not defined at the pole, three angles of rotation are not where their first and third axes coincide",
     ))
 }
 

@@ -168,7 +168,7 @@ fn are_gradient(trace: &Trace<'_>, power: Sym, loads: &[Sym]) -> bool {
         && (0..n).all(|i| (0..i).all(|j| vanishes(loads[i].diff(q[j]) - loads[j].diff(q[i]))))
 }
 
-/// Conserved cyclic momenta, and the places of their coordinates.
+/// Conserved momenta of cyclic coordinates, and the places of these coordinates among so many states.
 fn momenta(model: &Model, states: usize) -> (Vec<Integral>, Vec<usize>) {
     let kept = apart(|| {
         let trace = Trace::of(model);

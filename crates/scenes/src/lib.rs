@@ -80,6 +80,7 @@ mod structural_index;
 mod system_text;
 pub mod text;
 mod warnings;
+mod zero_divisor;
 
 /// Brings a [`NamedSystem`], found wherever the crate is linked.
 pub use inventory::submit;

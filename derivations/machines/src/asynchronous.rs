@@ -11,7 +11,7 @@ reader::quantities! {
         field_speed: "rad/s",
         /// slope of the torque against slip
         k: "N m s" in friction,
-        /// viscous friction in the bearings
+        /// coefficient of viscous friction in the bearings
         f: "N m s" in friction,
     }
 }

@@ -16,7 +16,7 @@ reader::quantities! {
         inductance: "H" > 0,
         /// resistance of armature and brushes
         resistance: "ohm" in resistance,
-        /// viscous friction in the bearings
+        /// coefficient of viscous friction in the bearings
         f: "N m s" in friction,
     }
 }

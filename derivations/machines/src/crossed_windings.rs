@@ -16,7 +16,7 @@ reader::quantities! {
         inductance: "H" > 0,
         /// resistance of a winding
         resistance: "ohm" in resistance,
-        /// viscous friction in the bearings
+        /// coefficient of viscous friction in the bearings
         f: "N m s" in friction,
     }
 }

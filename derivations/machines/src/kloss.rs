@@ -14,7 +14,7 @@ reader::quantities! {
         pull_out: "N m",
         /// slip ratio at the pull-out torque
         pull_out_slip: "1" > 0,
-        /// viscous friction in the bearings
+        /// coefficient of viscous friction in the bearings
         f: "N m s" in friction,
     }
 }

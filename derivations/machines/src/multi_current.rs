@@ -23,9 +23,9 @@ reader::quantities! {
         l2: "H" > 0,
         /// resistance of a bar's circuit
         r2: "ohm" in resistance,
-        /// damping proportional to the slip
+        /// coefficient of damping proportional to the slip
         mu: "N m s" in friction,
-        /// viscous friction in the bearings
+        /// coefficient of viscous friction in the bearings
         f: "N m s" in friction,
     }
 }

@@ -19,7 +19,7 @@ reader::quantities! {
         across: "H" > 0,
         /// resistance of a phase
         resistance: "ohm" in resistance,
-        /// viscous friction in the bearings
+        /// coefficient of viscous friction in the bearings
         f: "N m s" in friction,
     }
 }

@@ -11,7 +11,7 @@ reader::quantities! {
         field_speed: "rad/s",
         /// greatest torque of the field on the rotor
         b0: "N m",
-        /// viscous friction in the bearings
+        /// coefficient of viscous friction in the bearings
         f: "N m s" in friction,
     }
 }

@@ -83,7 +83,7 @@ pub fn zeros(
     found
 }
 
-/// The part of a box that is still open.
+/// The part of a box that is not decided yet.
 enum Left {
     One(Vec<Interval>),
     /// The parts by the sign of a determined unknown.

@@ -67,7 +67,7 @@ impl Conic {
         zeros
     }
 
-    /// y^2 times the positive third number.
+    /// The polynomial in x that equals y^2 times the third number of the conic, which is positive.
     fn squared(&self) -> Polynomial {
         let [first, second, _] = &*self.square;
         Polynomial::new(vec![first.clone(), Number::zero(), -second])

@@ -189,7 +189,7 @@ impl Areas {
     }
 }
 
-/// Draws a dot, full or empty by its kind.
+/// Draws a dot at a place in px: filled for an even number of a kind, hollow for an odd one.
 fn dot(drawing: &mut Drawing, number: usize, at: (f64, f64)) {
     drawing.circle(at, 1.4, if number.is_multiple_of(2) { "spot" } else { "spot hollow" });
 }

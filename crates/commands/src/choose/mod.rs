@@ -33,7 +33,7 @@ pub struct Args {
     /// [run] names none. The answer says which were taken
     #[arg(long, value_name = "A,B", value_delimiter = ',')]
     pub outputs: Vec<String>,
-    /// The model that is taken for exact: another machine, made of the scene's data
+    /// The model to compare with: another machine, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,
     /// Draws error against the cost of every model
@@ -43,10 +43,10 @@ pub struct Args {
     #[arg(long, requires = "out")]
     pub force: bool,
     /// Also measures times, side by side for three seconds, and looks for segments of the run on which a reduced model of a motor
-    /// serves; the choice itself rests on counted work in any case
+    /// is accurate enough; the choice itself always uses counted work
     #[arg(long)]
     pub times: bool,
-    /// Output format of the receipt; JSON has null where a number is not defined
+    /// Output format of the result; JSON has null where a number is not defined
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }

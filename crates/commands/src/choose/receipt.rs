@@ -127,7 +127,7 @@ fn decided(receipt: &Receipt) -> String {
     let pays = match receipt.pays_from() {
         Some(1) => "it has paid with the first run".to_owned(),
         Some(run) => format!("it has paid from run {run} on"),
-        None => "nothing is saved, and it does not pay".to_owned(),
+        None => "this choice saves no work".to_owned(),
     };
     format!("deciding took {} evaluations{worth}: {pays}", receipt.deciding)
 }

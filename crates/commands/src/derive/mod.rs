@@ -28,7 +28,7 @@ pub struct Args {
     /// Format of the equations; for a scene, text, LaTeX and MathML show its motor, the other formats its rates and Jacobian
     #[arg(long, value_enum)]
     pub format: Option<Equations>,
-    /// For a scene's code: the equations in the axes of A (first) or of A* (second); without it the first
+    /// For the code of a gyrostat: the equations in the principal axes of A (first) or of A* (second); the default is the first
     #[arg(long)]
     pub form: Option<Axes>,
     /// For a file with `[coordinates]`: first the angular velocity of every frame, the position, velocity and acceleration of every point,
@@ -45,7 +45,7 @@ pub enum PrincipleName {
     Appell,
     /// Boltzmann and Hamel, in quasi-velocities
     Hamel,
-    /// Lagrange of the second kind; with multipliers of the constraints (first kind) where a file has these
+    /// Lagrange of the second kind; with multipliers (first kind) if the file has constraints
     #[value(alias = "lagrange-1", alias = "lagrange-2")]
     Lagrange,
     /// Lagrange and Maxwell, for motors
@@ -61,7 +61,7 @@ pub enum PrincipleName {
     Hamilton,
     /// Maggi: Lagrange's equations along the quasi-velocities of the file, or along independent rates
     Maggi,
-    /// Shulgin: the kinetic energy knows the constraints, along independent rates
+    /// Shulgin: the constraints are inserted into the kinetic energy, with correcting terms, along independent rates
     Shulgin,
 }
 

@@ -23,7 +23,8 @@ pub struct Args {
     /// The scene with a table `ensemble`, such as `scenes/ensembles/spread.toml` or `scenes/models/double_pendulum.toml`
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
-    /// The table of results, a row for each member; a table of this ensemble is continued. The default is the scene's name, here
+    /// The table of results, a row for each member; a table of this ensemble is continued. The default is the scene's name, in the
+    /// current folder
     #[arg(long, value_name = "FILE.csv")]
     pub out: Option<PathBuf>,
     /// Replaces another file, or a table of another ensemble
@@ -32,7 +33,7 @@ pub struct Args {
     /// The number of threads; the default is the number of processors. The results do not depend on it
     #[arg(long, value_name = "N", value_parser = whole::<u16>(1..=1024))]
     pub threads: Option<u16>,
-    /// Part I of N: a contiguous range of members, with the rows that a run of all members gives. Without --out its table is NAME.I-of-N.csv
+    /// Part I of N: a contiguous range of members, whose rows are identical to those of a complete run. Without --out its table is NAME.I-of-N.csv
     #[arg(long, value_name = "I/N", conflicts_with_all = ["merge", "missing"])]
     pub part: Option<Part>,
     /// Joins these tables into one table of all members, as a run of all members would have written it

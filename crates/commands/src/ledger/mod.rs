@@ -24,7 +24,7 @@ pub struct Args {
     /// Claims with this verdict only: refuted, undefined, undecided, proved, enclosed, tested, definition, open
     #[arg(long)]
     pub verdict: Option<String>,
-    /// Text is a page as the tests lock it; JSON has one object a claim: id, paper, equation, verdict, statement,
+    /// Text is a page as the tests compare it; JSON has one object a claim: id, paper, equation, verdict, statement,
     /// formulas, requires, why, reading, note, counterexample, correction
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,

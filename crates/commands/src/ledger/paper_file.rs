@@ -40,7 +40,7 @@ pub struct Args {
     /// Replaces the file of --page or --certificates even where `judge` did not write what stands there
     #[arg(long, requires = "written")]
     pub force: bool,
-    /// Prints only the number of verdicts that the file expects; each other verdict is an error, and the exit code is then 1
+    /// Prints only how many verdicts are equal to `expect`; each other verdict is an error, and the exit code is then 1
     #[arg(long)]
     pub test: bool,
 }
@@ -66,17 +66,17 @@ pub const HELP: &str = r#"A paper's file:
   given = ['m > 0']              # hypotheses; may be left out
   expect = "proved"              # for --test; may be left out
 
-Rates of declared letters are known: \dot{\theta}, \ddot{\theta}. A display on several lines is a claim for each of its formulas. A formula
+Rates of declared letters are known: \dot{\theta}, \ddot{\theta}. Each line of a display on several lines is one claim. A formula
 with two readings is refused at its place, with the spellings that have one.
 
-Where a claim is refuted, the smallest edits of its formula that make it true are told, each one proved.
+Where a claim is refuted, the smallest edits of its formula that make it true are printed, each one proved.
 
 Exit codes:
 
     0  every claim was judged, each verdict is the one that the file expects (`expect`; without
-       it any verdict counts as expected), and there is no objection
+       it any verdict counts as expected), and there is no warning such as mixed dimensions
     1  a verdict is not the expected one, or there is an objection, such as mixed dimensions; or
-       the time was over before every claim had its verdict
+       the time limit was reached before every claim had its verdict
     2  the file cannot be read, or the formula or the hypotheses of a claim cannot: its other
        claims are judged and printed all the same
   130  interrupted by Ctrl-C; the claims that were judged until then are printed"#;

@@ -32,7 +32,7 @@ pub struct Args {
     /// Instants of the run in seconds, up to its end, instead of a point: 0,0.5,2
     #[arg(long, value_name = "T,T", value_delimiter = ',', value_parser = instant, allow_negative_numbers = true, conflicts_with = "about")]
     pub times: Vec<f64>,
-    /// The period of the motion from the start of the file, in seconds: its Floquet multipliers instead of linear equations
+    /// The period, in seconds, of the motion from the start of the file: prints the Floquet multipliers of this period instead of A, B, C, D
     #[arg(long, value_name = "T", value_parser = period, allow_negative_numbers = true, conflicts_with_all = ["about", "times", "inputs"])]
     pub period: Option<f64>,
     /// A parameter along which stability changes: exact boundaries by Routh's criterion. With a range, NAME=FROM..TO, of a parameter or of a
@@ -45,8 +45,8 @@ pub struct Args {
     /// A parameter that is taken as an input, in addition to the inputs of the file; may be repeated
     #[arg(long = "input", value_name = "NAME")]
     pub inputs: Vec<String>,
-    /// Format of the matrices; CSV has a row for each entry, in the unit of its row, per second in A and B, over that of its
-    /// column
+    /// Format of the matrices; CSV has a line for each entry: time, matrix, row, column, value. The unit of an entry is that of its row over
+    /// that of its column, and per second in A and B
     #[arg(long, value_enum, default_value_t)]
     pub format: Form,
 }
@@ -62,7 +62,7 @@ impl Args {
 /// The point of linearisation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum About {
-    /// As the file gives it, completed so that constraints hold
+    /// The start of the file; values that it leaves out follow from the constraints
     #[default]
     Start,
     /// An equilibrium, found from the coordinates at the start; speeds in the file are ignored

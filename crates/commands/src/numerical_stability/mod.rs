@@ -43,10 +43,11 @@ pub struct Args {
     /// For --drift: equal steps in a period; several with commas
     #[arg(long, value_name = "N,N", value_delimiter = ',', default_values_t = [20, 100], value_parser = whole::<u32>(1..=1_000_000), requires = "drift")]
     pub steps: Vec<u32>,
-    /// For --drift: the number of periods of each run; the default is two million steps, and at most a million periods
+    /// For --drift: the number of periods of each run; the default is as many periods as two million steps make, at most a million
     #[arg(long, value_name = "N", value_parser = whole::<u32>(2..=1_000_000), requires = "drift")]
     pub periods: Option<u32>,
-    /// For --drift: a method with constant steps, such as implicit_midpoint; may be repeated. The default is the four classical ones
+    /// For --drift: a method with constant steps, such as implicit_midpoint; may be repeated. The default is euler, runge_kutta_4,
+    /// implicit_midpoint and backward_euler
     #[arg(long, value_name = "METHOD", value_parser = constant, requires = "drift")]
     pub method: Vec<Method>,
     /// Output format; JSON is one object: scene, model, omega0, motions

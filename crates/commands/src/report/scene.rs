@@ -149,7 +149,7 @@ fn facts(scene: &dyn IvpScene, run: &Trajectory) -> Vec<(String, String)> {
     );
     for deviation in &run.outcome.deviations {
         let kept = match deviation.largest.is_finite() {
-            true => format!("kept to {}", significant(deviation.largest, 2)),
+            true => format!("changed by at most {}", significant(deviation.largest, 2)),
             false => format!("without a value at {} s", significant(deviation.at, 6)),
         };
         facts.push((deviation.name.replace('_', " "), kept));

@@ -24,8 +24,8 @@ pub struct Args {
     /// reviewed pages
     #[arg(value_name = "SCENE.toml|PAPER.toml")]
     pub file: Option<PathBuf>,
-    /// The commit to compare with, or another file in the place of FILE; pages that wait for a review, `.snap.new`, are compared with
-    /// the accepted ones
+    /// The commit of git to compare with, or a file; without a scene or paper, new snapshots (`.snap.new`) are compared with the accepted
+    /// ones
     #[arg(long, value_name = "COMMIT|FILE", default_value = "HEAD")]
     pub against: String,
     /// The range of a coordinate in which steady motions of a system are compared, in SI units; angles need none

@@ -90,7 +90,7 @@ pub fn series(atlas: &Atlas) -> Vec<Series<'_>> {
     all
 }
 
-/// The name of a motor's model for a reader, with its relation to the scene's own.
+/// The name of a motor's model for a reader, and whether it is approximate.
 pub fn model(way: &Configuration) -> String {
     let name = way.model.replace('_', " ");
     match way.standing {

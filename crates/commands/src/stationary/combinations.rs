@@ -10,7 +10,7 @@ use model::Model;
 use reader::Issue;
 use std::path::Path;
 
-/// Steady motions by parts.
+/// Steady motions of each combination of states of contacts and conditions.
 pub struct Combinations {
     pub title: String,
     /// The number of parts that were searched.

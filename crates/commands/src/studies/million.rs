@@ -18,7 +18,10 @@ struct Kept {
     samples: Vec<[Option<f64>; 6]>,
 }
 
-/// The runs, or the reason for which there are none.
+/// The kept runs over a million revolutions, read from the folder beside `scenes`.
+///
+/// # Errors
+/// The sentence that stands in the place of the runs: no file, or one of another version.
 pub fn courses(scenes: &Path) -> Result<Vec<MethodRun>, String> {
     let path = scenes.parent().unwrap_or(Path::new("")).join(FILE);
     let text = std::fs::read_to_string(path).map_err(|_| format!("A million revolutions: {COMMAND} writes {FILE}."))?;

@@ -56,8 +56,8 @@ impl NumericalStability {
 const KINDS: [&str; 6] = [
     "correct",
     "damps an undamped mode",
-    "HIDES GROWTH",
-    "invents growth",
+    "decays although the motion grows",
+    "grows although the motion does not",
     "wrong in some mode",
     "no such step, or no motion found",
 ];

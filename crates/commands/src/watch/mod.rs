@@ -31,7 +31,7 @@ pub struct Args {
     /// A scene, or a paper with [[claim]], that is shown as it is saved: equations, verdicts, the run, errors where the text is wrong
     #[arg(value_name = "SCENE.toml|PAPER.toml")]
     pub file: PathBuf,
-    /// The port of the page on 127.0.0.1; without it one that is free
+    /// The port of the page on 127.0.0.1; the default is a free port
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..), conflicts_with = "save")]
     pub port: Option<u16>,
     /// Seconds that each part of the page may take: equations, verdicts, the run, claims

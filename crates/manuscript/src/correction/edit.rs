@@ -51,7 +51,7 @@ impl Edit {
         places(self).iter().all(|one| places(other).iter().all(|other| apart(one, other)))
     }
 
-    /// The edited formula, and the place of the edit in it.
+    /// The edited formula, and the range of the edit in it, in bytes.
     pub fn applied(&self, formula: &str) -> (String, Range<usize>) {
         let (before, behind) = (&formula[..self.span.start], &formula[self.span.end..]);
         // a command would be joined with the letter after it

@@ -84,8 +84,16 @@ pub(super) fn judged(
     found
 }
 
+/// Numbers of degrees of freedom.
+pub(super) struct Freedom {
+    pub theirs: usize,
+    /// Equations of theirs that may be constraints, and take away one each.
+    pub open: usize,
+    pub ours: usize,
+}
+
 /// The verdict on all equations.
-pub(super) fn whole(found: &[PeerEquation], determined: bool, [theirs, ours]: [usize; 2]) -> (Verdict, String) {
+pub(super) fn whole(found: &[PeerEquation], determined: bool, freedom: Freedom) -> (Verdict, String) {
     let with = |verdict: Verdict| {
         found.iter().filter(|one| one.verdict == verdict).map(|one| one.name.as_str()).collect::<Vec<_>>()
     };
@@ -105,6 +113,15 @@ pub(super) fn whole(found: &[PeerEquation], determined: bool, [theirs, ours]: [u
     }
     if !open.is_empty() {
         return (Verdict::Undecided, format!("not decided: {}", open.join(", ")));
+    }
+    let Freedom { theirs, open, ours } = freedom;
+    if theirs > ours && theirs - open.min(theirs) <= ours {
+        let why = format!(
+            "each of the equations holds along every motion of the model, but it was not decided which of them are constraints: they have up to {} of freedom, and the model {}",
+            plural(theirs),
+            plural(ours)
+        );
+        return (Verdict::Undecided, why);
     }
     if theirs != ours {
         return (

@@ -12,17 +12,18 @@ mod reading;
 pub use differences::TermDifference;
 pub use finding::{PeerEquation, PeerFinding};
 
+use crate::equation::{Outcome, vanishes};
 use crate::motion::Motion;
 use crate::verdict::allowed;
 use claims::Verdict;
 use differences::Projected;
-use finding::{divisors, judged, untold, whole};
+use finding::{Freedom, divisors, judged, untold, whole};
 use model::equations::{Characteristics, constraints_of, generic_rank};
 use model::{Entry, Text, Trace};
 use rates::{PeerRates, without_multipliers};
 use reader::SceneError;
 use scenes::SystemText;
-use symbolic::{Sym, decide};
+use symbolic::Sym;
 
 /// Equations of motion as texts in the language of models, without units.
 #[derive(Clone, Debug, Default)]
@@ -117,16 +118,18 @@ impl PeerEquations {
             return Err((untold(trace, &free, &slopes), "coordinates that determine the motion of the model"));
         }
         let rows: Vec<Sym> = rates.equations.iter().map(|row| row.substitute(&rates.values)).collect();
-        let vanishes_there = |row: Sym| {
-            let row = held.reduced(row);
-            row == Sym::ZERO || (generic_rank(&[vec![row]]) == 0 && decide(row, &held.hypotheses).is_zero())
+        let without_multipliers_in = |row: Sym| rates.multipliers.iter().all(|z| !row.symbols_of().contains(z));
+        let is_constraint = |row: Sym| {
+            let reduced = held.reduced(row);
+            let vanishes_there = || matches!(vanishes(&held, row, &[]), Outcome::Zero(_) | Outcome::Identified(_));
+            reduced == Sym::ZERO || (generic_rank(&[vec![reduced]]) == 0 && vanishes_there())
         };
-        let is_constraint: Vec<bool> = rows
-            .iter()
-            .map(|&row| rates.multipliers.iter().all(|z| !row.symbols_of().contains(z)) && vanishes_there(row))
-            .collect();
-        let theirs =
-            rates.accelerations.len() - is_constraint.iter().filter(|is| **is).count().min(rates.accelerations.len());
+        let (differentiated, others): (Vec<Sym>, Vec<Sym>) =
+            rows.iter().filter(|row| without_multipliers_in(**row)).partition(|row| is_constraint(**row));
+        let theirs = rates.accelerations.len().saturating_sub(differentiated.len());
+        // a row that was not decided may be a constraint as well
+        let is_open = |row: &Sym| !matches!(vanishes(&held, *row, &[]), Outcome::NonZero(_));
+        let open = if theirs > freedom { others.iter().filter(|row| is_open(row)).count() } else { 0 };
         let projected = Projected { trace, held: &held, free: &free, slopes: &slopes };
 
         let mut requires: Vec<Sym> = along.divisors.clone();
@@ -166,7 +169,7 @@ impl PeerEquations {
             found.push(judged(names[place].clone(), zero, [motion, &along], is, terms, &mut requires));
         }
         let used: Vec<&str> = used.iter().map(|&place| names[place].as_str()).collect();
-        let (verdict, mut sentence) = whole(&found, determined, [theirs, freedom]);
+        let (verdict, mut sentence) = whole(&found, determined, Freedom { theirs, open, ours: freedom });
         if matches!(verdict, Verdict::Proved | Verdict::Identified) {
             sentence += &format!("; {}", allowed(trace, true));
         }

@@ -21,7 +21,7 @@ pub struct Extended<S, const N: usize, const C: usize> {
     pub velocity: [S; N],
     /// M^-1 F
     pub free: [S; N],
-    /// M^-1 J^T, one row for each constraint
+    /// (M^-1 J^T)^T: a row of N numbers for each of C constraints
     pub pushes: [[S; N]; C],
     /// f and f'
     pub violation: Violation<S, C>,

@@ -9,7 +9,7 @@ use super::dry::Pairs;
 use super::{Dry, Form, Mode, Ordered, Touch, conditions, equations};
 use std::cmp::Ordering;
 
-/// The reactions that a regime admits.
+/// Whether reactions exist with which a regime obeys the laws of contact, and which.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reactions<S, const K: usize> {
     /// The regime is inconsistent.
@@ -25,7 +25,7 @@ pub enum Reactions<S, const K: usize> {
     Continuum(Pairs<S, K>),
 }
 
-/// The reactions that a regime admits.
+/// Whether reactions exist with which a regime obeys the laws of contact, and which.
 pub fn reactions<S: Ordered, const K: usize>(
     dry: &Dry<S, K>,
     touches: &[Touch; K],

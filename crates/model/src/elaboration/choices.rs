@@ -102,7 +102,7 @@ impl Elaborator<'_> {
         };
         let (pairs, rest) = points.as_chunks::<2>();
         if pairs.len() < 2 || !rest.is_empty() {
-            return wrong("a table has pairs of numbers");
+            return wrong("a table must have at least two pairs of numbers");
         }
         let mut knots: Vec<[ScalarId; 2]> = Vec::new();
         for [x, y] in pairs {
@@ -115,7 +115,7 @@ impl Elaborator<'_> {
         }
         let numbers = knots.iter().filter_map(|[x, _]| self.number_of(*x)).collect::<Vec<f64>>();
         if numbers.windows(2).any(|pair| pair[0] >= pair[1]) {
-            return wrong("the places of a table ascend");
+            return wrong("the places x1, x2, ... of a table must increase");
         }
         let along = self.dimension_of(at.0);
         // max(x - place, 0) for each place of the table

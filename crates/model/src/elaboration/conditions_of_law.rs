@@ -33,7 +33,8 @@ pub(super) fn keep_those_of_law(model: &mut Model) {
     model.switch_units.retain(|_| kept.next() == Some(&true));
 }
 
-/// The parts that the motion depends on: bodies, frames and points, forces, constraints, contacts, events, quasi-velocities.
+/// Whether the motion depends on each part of the arena: through bodies, frames and points, forces, constraints, contacts, events or
+/// quasi-velocities.
 fn parts_of_law(model: &Model) -> Vec<bool> {
     let mut open: Vec<usize> = Vec::new();
     let scalars = |ids: &[ScalarId], open: &mut Vec<usize>| open.extend(ids.iter().map(|id| id.0));

@@ -55,8 +55,8 @@ impl Elaborator<'_> {
                 "both" => Direction::Both,
                 _ => {
                     let accepted = "\"up\", \"down\" or \"both\"";
-                    let title = "an expression passes zero in a direction";
-                    return Err(Box::new(Fault::at(word.span(), title, "no direction", accepted)));
+                    let title = format!("`{}` is not a direction in which an expression passes zero", word.text.trim());
+                    return Err(Box::new(Fault::at(word.span(), title, "this one", accepted)));
                 }
             },
         };

@@ -290,7 +290,7 @@ impl<'s> Elaborator<'s> {
         match (self.dimension_of(part), needed) {
             (Some(found), Some(needed)) if found != needed => Err(Box::new(Fault::at(
                 span.clone(),
-                format!("{what} has the dimension {needed}"),
+                format!("{what} must have the dimension {needed}"),
                 format!("this has the dimension {found}"),
                 format!("an expression of the dimension {needed}"),
             ))),

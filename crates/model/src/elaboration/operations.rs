@@ -15,9 +15,9 @@ impl Elaborator<'_> {
         match (self.dimension_of(a), self.dimension_of(b)) {
             (Some(left), Some(right)) if left != right => Err(Box::new(Fault::at(
                 span.clone(),
-                "the two sides have different dimensions",
-                format!("{left} and {right}"),
-                "terms of one dimension are added; a number with a unit stands in parentheses: (20 mm)",
+                "terms of different dimensions cannot be added or compared",
+                format!("{left} on the left, {right} on the right"),
+                "two terms of the same dimension; a number with a unit stands in parentheses: (20 mm)",
             ))),
             (left, right) => Ok(left.or(right)),
         }

@@ -101,7 +101,7 @@ pub(super) fn ordered(source: &Source, faults: &mut Vec<Fault>, broken: &mut FxH
     order
 }
 
-/// Leaves out and reports definitions with a name that another one has. Elsewhere such a name is ambiguous.
+/// Removes and reports definitions whose name another definition has already.
 fn without_second<'s>(
     source: &'s Source,
     all: &mut Vec<(Definition, &'s Text, Vec<&'s Text>)>,
@@ -123,7 +123,12 @@ fn circular<'a>(circle: &[usize], name: impl Fn(usize) -> &'a Text) -> Fault {
     let names: Vec<&str> = circle.iter().chain(circle.first()).map(|at| name(*at).text.as_str()).collect();
     let first = name(circle[0]);
     let title = format!("`{}` is defined by itself", first.text);
-    Fault::at(first.span(), title, names.join(" needs "), "definitions in any order, none of which needs itself")
+    Fault::at(
+        first.span(),
+        title,
+        names.join(" is defined by "),
+        "definitions in any order, none of which contains itself",
+    )
 }
 
 /// Every name in a text of a definition.

@@ -10,12 +10,12 @@ pub(super) fn unused(source: &Source) -> Vec<Fault> {
     let used: FxHashSet<&str> = texts(source).into_iter().flat_map(|text| words(&text.text)).collect();
     let is_unused = |entry: &&Entry| !used.contains(entry.name.text.as_str());
     let warning = |entry: &Entry| {
-        let title = format!("nothing uses the parameter `{}`", entry.name.text);
+        let title = format!("the parameter `{}` is not used", entry.name.text);
         Fault::at(
             entry.name.span(),
             title,
-            "its name stands in no expression",
-            "an expression that holds it, or no parameter",
+            "no expression of the file contains it",
+            "an expression that contains it; or remove the parameter",
         )
     };
     source.parameters.iter().filter(is_unused).map(warning).collect()
@@ -31,7 +31,7 @@ pub(super) fn name_bare_parameters(source: &Source, faults: &mut [Fault]) {
         let is_bare = |entry: &&Entry| units::quantity::finite(entry.value.text.trim()).is_ok();
         let named = |entry: &&Entry| words(part).any(|word| word == entry.name.text);
         let Some(Entry { name, value }) = source.parameters.iter().filter(is_bare).find(named) else { continue };
-        let needed = fault.title.rsplit_once(" has the dimension ").map(|(_, dimension)| dimension);
+        let needed = fault.title.rsplit_once(" must have the dimension ").map(|(_, dimension)| dimension);
         let unit = needed.filter(|_| part.trim() == name.text).unwrap_or("kg");
         let (name, value) = (&name.text, value.text.trim());
         fault.accepted = format!(

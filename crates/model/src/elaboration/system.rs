@@ -279,7 +279,8 @@ impl Elaborator<'_> {
         let parent = self.frame(&text.slice(0..parent.len()))?;
         let angle_text = text.slice(angle_start..angle_start + angle.len());
         let Some(axis) = ["x", "y", "z"].iter().position(|name| *name == axis.trim()) else {
-            return Err(wrong("a frame turns about x, y or z of its parent", "another axis"));
+            let title = format!("`{}` is not an axis of the frame's parent", axis.trim());
+            return Err(wrong(&title, "x, y or z is accepted"));
         };
         let angle = self.scalar_value(&angle_text, "the angle of a turn", Some(Dimension::none()))?;
         self.judge_angle_text(&angle_text);

@@ -182,8 +182,8 @@ fn inertia(trace: &Trace<'_>, link: &Link) -> Load {
     load
 }
 
-/// The power of every reaction where it acts, per speed and multiplier, beside the derivative of its constraint's rate; `None` where
-/// a constraint has no reaction of its own.
+/// Pairs of the power of a reaction where it acts, per speed and multiplier, and the derivative of its constraint's rate by that speed, which
+/// is equal to it; `None` if a constraint has no reaction of its own.
 pub(crate) fn powers_of_reactions(trace: &Trace<'_>) -> Option<Vec<(Sym, Sym)>> {
     let wrenches = reactions(trace);
     let mut pairs = Vec::new();

@@ -55,7 +55,7 @@ pub struct QuasiVelocities<'t, 'm> {
     across: Vec<Vec<Sym>>,
     /// Constraints that hold.
     pub met: Vec<Equation>,
-    /// Constraints that are led to zero.
+    /// Programmed constraints: their violation decays with the given gains.
     pub programmed: Vec<Equation>,
     /// The independent ones among the constraints that hold, by their places.
     independent: Vec<usize>,

@@ -73,7 +73,7 @@ pub fn mistaken(trace: &Trace<'_>, mistake: Mistake) -> Result<Mistaken, NotAppl
 fn constraints_in_energy(trace: &Trace<'_>) -> Result<(Mistaken, &'static str), NotApplicable> {
     let constraints = constraints_of(trace);
     if constraints.iter().all(|constraint| constraint.level == Level::Position) {
-        return Err(NotApplicable("no constraint of the system speaks of speeds".to_owned()));
+        return Err(NotApplicable("the system has no constraint that contains speeds".to_owned()));
     }
     let characteristics = trace.characteristics();
     let motion = linear(&constraints, characteristics.motion(trace, &constraints))?;

@@ -10,6 +10,7 @@ mod contacts;
 mod free_frame;
 mod judgement;
 mod motion;
+mod parameter_divisors;
 mod rotation;
 mod vector;
 

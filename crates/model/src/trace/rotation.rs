@@ -3,7 +3,7 @@
 use field::{Circle, Scalar};
 use symbolic::Sym;
 
-/// The turn of a frame.
+/// The rotation of a frame relative to its parent.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Rotation {
     /// About an axis that both frames share.

@@ -20,6 +20,8 @@ __all__ = ["Check", "CheckedEquation", "check"]
 _LONG = 200
 # longer ones are not printed
 _PRINTED = 2000
+# characters of a divisor that is printed
+_READABLE = 300
 # characters of a text of the language
 _LONGEST_TEXT = 10_000
 
@@ -93,7 +95,7 @@ class Check:
     def __repr__(self) -> str:
         lines = [f"{self.verdict}: {self.sentence}"] + [str(one) for one in self.equations]
         if self.requires:
-            lines.append("where " + ", ".join(self.requires))
+            lines.append("where " + _readable(self.requires, self.requires))
         return "\n".join(lines)
 
     def _repr_html_(self) -> str:
@@ -108,9 +110,16 @@ class Check:
             if one.point:
                 ground += "<br><small>at " + escape(", ".join(f"{name} = {value}" for name, value in one.point.items())) + "</small>"
             rows.append([f"{escape(one.name)}<br>{formula(one.printed + ' = 0')}", (one.verdict, COLOURS.get(one.verdict)), ground])
-        where = "<br>where " + ", ".join(map(formula, self._requires_latex)) if self.requires else ""
+        where = "<br>where " + _readable(self.requires, list(map(formula, self._requires_latex))) if self.requires else ""
         colour = COLOURS.get(self.verdict, "#656d76")
         return f'<b style="color:{colour}">{escape(self.verdict)}</b>: {escape(self.sentence)}{where}' + table(["equation", "verdict", "ground"], rows)
+
+
+def _readable(texts: list[str], shown: list[str]) -> str:
+    """Conditions on divisors, the long ones by their number."""
+    short = [one for text, one in zip(texts, shown) if len(text) <= _READABLE]
+    longer = len(texts) - len(short)
+    return ", ".join(short + ([f"and {longer} longer divisor{'s are' if longer > 1 else ' is'} not zero (`requires`)"] if longer else []))
 
 
 def _formula(side: tuple[str, str] | None) -> str:

@@ -138,7 +138,7 @@ class Trajectory(TimedColumns):
         facts += [(name, f"at most {numpy.abs(values).max():.1e}") for name, values in self.checks.items() if name.startswith("residual") and len(values)]
         if self.undefined:
             facts.append(("undefined", ", ".join(self.undefined)))
-        facts += [(name, f"{first:.9g}, kept to {change:.1e}") for name, (first, change) in self.invariants.items()]
+        facts += [(name, f"{first:.9g}, changed by at most {change:.1e}") for name, (first, change) in self.invariants.items()]
         return facts
 
     def __reduce__(self):

@@ -88,7 +88,7 @@ fn inertia(model: &Model) -> PropertyVerdict {
     match impossible_inductances(model, &start) {
         Some(issue) => PropertyVerdict::Fails(issue.title),
         None => PropertyVerdict::Tested(
-            "masses, moments of inertia and inductances are those of bodies and windings".to_owned(),
+            "masses, moments of inertia and inductances are physically possible".to_owned(),
         ),
     }
 }

@@ -15,7 +15,9 @@ pub(super) fn refused(model: &Model) -> Option<Issue> {
     }
     if let Some(contact) = model.contacts.first() {
         let kind = if contact.one_way.is_some() { "a diode or a freewheel" } else { "a contact" };
-        let title = format!("{kind} is left to `run`: its reaction follows from cases that no explicit equations hold");
+        let title = format!(
+            "a system with {kind} cannot be exported: its reaction follows from cases, not from explicit equations"
+        );
         let accepted = "a smooth law of its own, such as a spring with a damper; a contact that stays in touch may be a constraint";
         return Some(Issue::at(contact.at.clone(), title, "this one").accepted(accepted));
     }

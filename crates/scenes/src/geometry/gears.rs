@@ -4,7 +4,7 @@ use super::Geometry;
 use super::figure::{Figure, Symbolic};
 use model::geometry::{Gear, GearTurn};
 
-/// Parts of a distance that differ by less are one.
+/// Two fractions of a distance that differ by less count as equal.
 const SAME: f64 = 1e-7;
 /// The radius of the larger pulley of a belt, as a part of the distance of the centres: the model tells the ratio alone.
 const PULLEY: f64 = 0.3;

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 /// The least solution, with the directions that the equations leave.
 pub(super) struct Scaled {
     pub solution: DVector<f64>,
-    /// Over scaled unknowns, rows.
+    /// A basis of the kernel: one row for each vector, one column for each scaled unknown.
     kernel: DMatrix<f64>,
 }
 

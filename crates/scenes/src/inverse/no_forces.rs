@@ -130,7 +130,7 @@ impl fmt::Display for NoForces {
             ),
             Self::Underactuated { rank, equations, time } => write!(
                 f,
-                "at t = {time} s the unknowns and reactions reach {rank} of {equations} equations (the rank): underactuated; \
+                "at t = {time} s the system is underactuated: {rank} of {equations} equations can be satisfied by the unknowns and reactions; \
                  more unknowns are needed"
             ),
             Self::NotUnique { rank, unknowns, time } => write!(
@@ -186,7 +186,7 @@ impl NoForces {
                 "--motion for a current in addition, such as --motion \"id = 0\" or --motion \"motor.i_f = (2 A)\"",
             ),
             Self::Idle { unknown, .. } => {
-                (of_name(unknown), "an unknown that has power on the motion at every instant")
+                (of_name(unknown), "an unknown force that acts on the prescribed motion at every instant")
             }
             Self::Underactuated { .. } => (0..0, "as many --unknown forces as the motion has degrees of freedom"),
             Self::NotUnique { .. } => (0..0, "fewer --unknown forces, or constraints that are independent"),

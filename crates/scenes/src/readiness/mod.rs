@@ -12,6 +12,7 @@ use crate::modes::{Modes, Refused};
 use crate::refused_start::not_started;
 use crate::row_units::measured;
 use crate::start::{Completed, complete_algebraic_speeds, consistent, with_algebraic_speeds};
+use crate::zero_divisor;
 use model::equations::{constraints_of, dependent_everywhere};
 use model::{Fault, Implied, Model, StartSpeed, StartValue, Trace, titles};
 use reader::Issue;
@@ -37,6 +38,18 @@ pub fn without_law(model: &Model, reason: &NotCompiled, what: &str) -> Issue {
         && let Some(issue) = massless(model)
     {
         return issue;
+    }
+    if matches!(reason, NotCompiled::Undefined { .. }) {
+        if let Some(issue) = zero_divisor::found(model) {
+            return issue;
+        }
+        if let Some(redundant) = model.implied.first() {
+            let title =
+                format!("{what}: its law contains reactions, and {} follows from other constraints", redundant.title);
+            let at = model.constraints.get(redundant.of[0]).map_or(0..0, |constraint| constraint.at.clone());
+            let issue = Issue::at(at, title, "the reactions of these constraints are not determined");
+            return issue.accepted("the system without this constraint: its motion is the same");
+        }
     }
     let (place, label, accepted) = place_of(model, reason);
     Issue::at(place, format!("{what}: {reason}"), label).accepted(accepted)

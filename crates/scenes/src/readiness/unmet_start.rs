@@ -3,6 +3,7 @@
 use super::refused;
 use crate::row_units::measured;
 use crate::start::{Open, Unmet};
+use crate::zero_divisor;
 use model::Model;
 use model::equations::Level;
 use reader::Issue;
@@ -10,7 +11,10 @@ use reader::Issue;
 /// The fault of a start that violates a condition, at its place.
 pub(crate) fn unmet_at(model: &Model, unmet: Unmet) -> Issue {
     match unmet {
-        Unmet::Open(open) => inconsistent(model, &open),
+        Unmet::Open(open) => match open.residual {
+            None => zero_divisor::found(model).unwrap_or_else(|| inconsistent(model, &open)),
+            Some(_) => inconsistent(model, &open),
+        },
         Unmet::Redundant { at, name } => {
             let title = format!("{name} depends on other constraints at the start");
             let issue = Issue::at(
@@ -51,17 +55,19 @@ pub(crate) fn unmet_at(model: &Model, unmet: Unmet) -> Issue {
                     "another position, or fewer quasi-velocities in [start]: here the constraints and the others determine it"
                 }
                 false => {
-                    "another position: three turns have one axis less where the first meets the third, spherical angles none at the \
-                     pole; or a frame that turns freely, F = \"N free\""
+                    "another position: three angles of rotation are not defined where their first and third axes coincide, and \
+                     spherical angles are not at the pole; or a frame that turns freely, F = \"N free\""
                 }
             })
         }
         Unmet::Gains { at, level, found } => {
             let (kind, accepted) = match level {
-                Level::Position => ("positions has two gains", "gains = [\"2*a\", \"b^2\"]: f'' + 2 a f' + b^2 f = 0"),
-                Level::Speed => ("speeds has one gain", "gains = [\"a\"]: f' + a f = 0"),
+                Level::Position => {
+                    ("positions needs two gains", "gains = [\"2*a\", \"b^2\"]: f'' + 2 a f' + b^2 f = 0")
+                }
+                Level::Speed => ("speeds needs one gain", "gains = [\"a\"]: f' + a f = 0"),
             };
-            let label = if found == 1 { "one stands here".to_owned() } else { format!("{found} stand here") };
+            let label = if found == 1 { "one is given".to_owned() } else { format!("{found} are given") };
             Issue::at(at, format!("a programmed constraint of {kind}"), label).accepted(accepted)
         }
         Unmet::Piecewise(at) => {
@@ -86,7 +92,7 @@ pub(crate) fn unmet_at(model: &Model, unmet: Unmet) -> Issue {
                 format!("constraint{number}{}", name.map_or_else(String::new, |name| format!(" `{name}`")))
             });
             let [_, at] = at;
-            let label = format!("it leaves {}, and not zero, wherever {one} holds", measured(residual, &unit));
+            let label = format!("its value is {}, not zero, wherever {one} holds", measured(residual, &unit));
             let issue = Issue::at(at, format!("{other} contradicts {one}"), label);
             issue.accepted("constraints that some position meets together: leave one of the two out, or mend it")
         }
@@ -97,13 +103,15 @@ pub(crate) fn unmet_at(model: &Model, unmet: Unmet) -> Issue {
 /// The fault of a constraint that the start violates.
 fn inconsistent(model: &Model, Open { at, name, residual, unit, is_rate, moved, given, level }: &Open) -> Issue {
     let list = |names: &[String]| names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
-    let rate = if *is_rate { "its rate is " } else { "" };
+    let rate = if *is_rate { "its rate is" } else { "its value is" };
     if let [first, ..] = moved.as_slice() {
         let title = format!("{name} was not met from this start");
         let moved = list(moved);
         let label = match residual {
-            Some(residual) => format!("moving {moved} left {}, and not zero", measured(*residual, unit)),
-            None => format!("moving {moved} led to where it has no value"),
+            Some(residual) => {
+                format!("its value is {} after {moved} was adjusted, not zero", measured(*residual, unit))
+            }
+            None => format!("it has no value where the adjustment of {moved} ended"),
         };
         let fixed = given_speeds(model);
         let accepted = match (level, fixed.as_slice()) {
@@ -130,8 +138,8 @@ fn inconsistent(model: &Model, Open { at, name, residual, unit, is_rate, moved, 
         return Issue::at(at.clone(), title, label).accepted(accepted);
     }
     let label = match residual {
-        Some(residual) => format!("{rate}{} by {what} that [start] gives, and not zero", measured(*residual, unit)),
-        None => format!("it has no value by {what} that [start] gives"),
+        Some(residual) => format!("{rate} {} with {what} in [start], not zero", measured(*residual, unit)),
+        None => format!("it has no value with {what} in [start]"),
     };
     Issue::at(at.clone(), title, label).accepted(
         "values in [start] that agree; one that is left out, or written as \"guess 0.3 rad\", is completed so that constraints hold",

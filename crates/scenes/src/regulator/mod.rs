@@ -268,20 +268,18 @@ impl<'a> Task<'a> {
         if let Controllability::Modes(modes) = &controllability
             && let Some(mode) = modes.iter().find(|mode| mode.re >= -STABLE * stage.a.norm())
         {
-            let title = format!(
-                "no input reaches the variation with the eigenvalue {}, which does not die away by itself",
-                shown(*mode)
-            );
-            return Err(self.refused(title, "an input that moves it; a `horizon`, which asks for no stability"));
+            let title =
+                format!("the mode with the eigenvalue {} does not decay, and no input influences it", shown(*mode));
+            return Err(self.refused(title, "an input that influences the mode; or a `horizon`: a regulator for a limited time need not make the motion stable"));
         }
         let found = stage.lasting().and_then(|value| Some((stage.residual(&value)?, stage.gains(&value)?, value)));
         if let Some((rest, ..)) = &found
             && (rest.is_nan() || *rest > LASTS)
         {
             let title = format!(
-                "Riccati's equation is solved to {rest:.0e} of its largest part alone: double precision does not do"
+                "Riccati's equation is solved only to {rest:.0e} of its largest term, which is the limit of double precision"
             );
-            return Err(self.refused(title, "fewer states, or weights that are closer together; or a `horizon`"));
+            return Err(self.refused(title, "fewer states, or weights of more similar size; or a `horizon`"));
         }
         let is_stable = |gains: &DMatrix<f64>| {
             let closed = integrators::eigenvalues(&(&stage.a - &stage.b * gains));
@@ -292,8 +290,8 @@ impl<'a> Task<'a> {
                 Ok(Found { gains: Gains::Lasting(gains), value, residual, controllability, states })
             }
             None => Err(self.refused(
-                "Riccati's equation has no solution with which every variation dies away".to_owned(),
-                "a cost that grows with every variation that does not die away by itself; or a `horizon`",
+                "Riccati's equation has no solution that makes the motion stable".to_owned(),
+                "a cost that contains every mode that does not decay by itself; or a `horizon`",
             )),
         }
     }

@@ -15,7 +15,7 @@ const PART: f64 = 0.004;
 /// Parts of the longest way.
 const MOST_PARTS: f64 = 1_000.0;
 
-/// Ways along constraints of speeds.
+/// Paths of positions along which constraints of speeds hold: on one leaf of the foliation that integrable constraints make.
 pub(crate) struct Leaf<'m> {
     model: &'m Model,
     constraints: Constraints,

@@ -47,7 +47,7 @@ pub(super) struct SteadyEquations {
     pub cyclic: Vec<String>,
     /// Those of them that occur at other values of the parameters.
     pub cyclic_by_values: Vec<String>,
-    /// Their places.
+    /// The places of these cyclic coordinates among the coordinates.
     pub cyclic_places: Vec<usize>,
     /// Cyclic coordinates with conserved momenta.
     pub kept_momenta: Vec<(usize, String)>,

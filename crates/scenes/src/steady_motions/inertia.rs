@@ -1,8 +1,8 @@
 //! Inertia at a steady motion: whether the kinetic energy is positive in every direction that constraints allow.
 //!
 //! The kinetic energy of a system of bodies is positive in every direction of motion. Where the mass matrix is singular nevertheless, as at
-//! the pole of spherical angles, two positions of the coordinates are one position of the system: the equations hold there without force,
-//! and neither equilibrium nor stability follows from them.
+//! the pole of spherical angles, two positions of the coordinates are one position of the system: the equations of motion hold there for any
+//! force, and neither equilibrium nor stability follows from them.
 
 use super::definiteness::signs;
 use super::equations::SteadyEquations;

@@ -27,7 +27,7 @@ pub(super) struct Expressions {
 pub(super) struct Tapes {
     /// Residuals by unknowns, then multipliers.
     pub values: Tape,
-    /// Their derivatives, row after row.
+    /// Derivatives of the side conditions by the unknowns, row after row.
     pub slopes: Tape,
     /// J^T, row after row, then -h, by unknowns alone.
     pub loads: Tape,
@@ -37,7 +37,7 @@ pub(super) struct Tapes {
     pub implied: Tape,
     /// Conditions.
     pub sides: Tape,
-    /// Their derivatives, row after row.
+    /// Derivatives of the side conditions by the unknowns, row after row.
     pub side_slopes: Tape,
     /// Conditions less their margins, which are further inputs.
     pub margins: Tape,

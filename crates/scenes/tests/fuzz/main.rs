@@ -116,7 +116,7 @@ impl Drawn {
     }
 }
 
-/// A place between two letters.
+/// A random offset in bytes at the boundary of a character.
 fn place(text: &str, drawn: &mut Drawn) -> usize {
     let mut at = drawn.below(text.len() + 1);
     while !text.is_char_boundary(at) {

@@ -113,7 +113,7 @@ fn equal_blocks_stop_together() {
     }
 }
 
-/// More blocks than have all their cases tried: nine stop at one instant.
+/// Nine blocks stop at one instant: they have more cases than the search enumerates.
 #[test]
 fn many_blocks_stop_together() {
     let names = ["a", "b", "c", "d", "e", "f", "i", "j", "k"];

@@ -152,7 +152,7 @@ fn in_words(needed: &[&str], choices: &[Vec<&str>]) -> Option<String> {
 fn row(root: &Value, key: &str, schema: &Value, path: &[Step], needed: &[&str], choices: &[Vec<&str>]) -> Row {
     let otherwise = match () {
         () if needed.contains(&key) => "needed",
-        () if choices.iter().any(|choice| choice.contains(&key)) => "see above",
+        () if choices.iter().any(|choice| choice.contains(&key)) => "one of the choices above",
         () => "none",
     };
     let example = match table(root, schema) {
@@ -188,7 +188,7 @@ fn described(schema: &Value, absent: String, key: Option<String>, example: Cell)
     Row { key, meaning: schema["description"].as_str().unwrap_or_default().to_owned(), unit, absent, example }
 }
 
-/// The lines of the first example that holds a key; of a table whose names the file chooses those of all.
+/// The lines of the first example that holds a key; for a table with free names, the lines of all examples.
 fn lines(root: &Value, path: &[Step], key: Option<&str>) -> Vec<String> {
     let tables = examples(root, path);
     let entries = tables.iter().filter_map(|table| table.as_object());

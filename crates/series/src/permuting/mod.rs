@@ -1,4 +1,4 @@
-//! Taking numbers by permutations of registers of eight, where the processor has them.
+//! Gathers numbers by permutations of registers of eight `f64`, if the processor has these instructions.
 
 mod doubled;
 

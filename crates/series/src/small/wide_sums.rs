@@ -13,7 +13,7 @@ use crate::stored::Stored;
 /// Pairs of registers: two of quantities, two of products.
 const PAIRS: usize = 4;
 
-/// A term of each row.
+/// One term of each of eight rows: their factors, and the permutation that takes the numbers which they multiply.
 #[derive(Clone, Debug)]
 struct Turn<S: Fused> {
     weights: Wide<S>,

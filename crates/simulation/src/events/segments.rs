@@ -35,10 +35,10 @@ pub struct Passage {
 
 /// A system whose law, or state, changes at events.
 pub trait Switching: Send + Sync {
-    /// The law that holds from the start on; the state may be changed by an event there.
+    /// The law that holds from `time` on, in s; an event there may change the state.
     ///
     /// # Errors
-    /// Why the motion is not determined.
+    /// The reason for which the motion is not determined.
     fn begin(&self, time: f64, state: &mut [f64]) -> Result<Segment, &'static str>;
 
     /// The law after an event, and its state; none where the motion ends with the event.

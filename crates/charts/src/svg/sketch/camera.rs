@@ -35,7 +35,7 @@ pub(super) struct Camera {
 
 /// The largest size of the mechanism, to the right and down, in pixels.
 const ROOM: (f64, f64) = (WIDTH - 130.0, 300.0);
-/// The fraction of this size for pictures that are not to scale.
+/// The fraction of the room for the system that a picture without a scale fills.
 const SCHEMATIC: f64 = 0.55;
 /// The margin above and below.
 const MARGIN: f64 = 48.0;

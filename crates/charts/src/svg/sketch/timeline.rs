@@ -16,7 +16,7 @@ pub(super) struct Timeline {
     slowed: f64,
     /// The factor by which the animation is faster than the motion.
     quickened: f64,
-    /// The attribute with the times of instants that are not even, as parts of the whole; else empty.
+    /// The attribute `keyTimes` of unevenly spaced instants, as fractions of the duration; empty for even ones.
     key_times: String,
 }
 

@@ -41,7 +41,8 @@ impl Stamp {
     }
 }
 
-/// The content, where it may be another one than before: a clock may tick slower than files are saved.
+/// The content of the file if it may have changed since `stamp`, else `None`. A file that was saved just before may be saved again within one
+/// tick of the clock, with the same stamp.
 fn read_again(path: &Path, stamp: &mut Option<Stamp>) -> Option<Content> {
     let now = Stamp::of(path);
     if now.is_some() && now == *stamp && !now.is_some_and(|stamp| stamp.is_young()) {

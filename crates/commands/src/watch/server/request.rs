@@ -50,7 +50,10 @@ impl From<io::Error> for Refusal {
 }
 
 impl Request {
-    /// Reads a request.
+    /// Reads a request of limited length within a limited time.
+    ///
+    /// # Errors
+    /// The answer that refuses it.
     pub fn read(stream: &TcpStream) -> Result<Self, Refusal> {
         let end = Instant::now() + PATIENCE;
         let mut bytes = Vec::new();

@@ -23,7 +23,7 @@ struct Coefficients {
     a: [[f64; 4]; 5],
     /// C_ij.
     c: [[f64; 5]; 6],
-    /// a_i, the times of the stages.
+    /// a_i, the times of the stages in units of the step.
     times: [f64; 6],
     /// d_i, the share of df/dt.
     drift: [f64; 6],

@@ -20,7 +20,7 @@ use std::sync::Arc;
 #[derive(Clone)]
 pub(super) struct Special {
     eigenvalue: usize,
-    /// (c, g)
+    /// Polynomials c, of the spin, and g, of the weight, along u; the angular velocity is -g/c.
     speed: [Polynomial; 2],
     along: Vector<Polynomial>,
     centre: Vector<Polynomial>,

@@ -138,7 +138,7 @@ pub(super) struct Expansion<const N: usize> {
     pub parts: Vec<Jet<N>>,
     pub contacts: Vec<Touching<N>>,
     pub events: Vec<Jet<N>>,
-    /// Slopes of the rates of conditions by switches, with the reactions that follow.
+    /// Derivatives of the rates of conditions by the values of switches, including the reactions that follow from these.
     pub slopes: Slopes<N>,
     /// Constraints that the mode hides: of positions, or of speeds with inertia.
     pub hidden: Vec<Jet<N>>,

@@ -50,7 +50,7 @@ impl<const N: usize> Jet<N> {
         self.doubts[order + 1] = rate.doubts[order] * per + ROUNDING * self.terms[order + 1].abs();
     }
 
-    /// Whether every term is rounding compared with those of another quantity.
+    /// Whether every term is smaller than its own rounding error, or than four units of rounding of the other's term.
     pub fn is_beside(&self, other: &Self) -> bool {
         let own = self.terms.iter().zip(&self.doubts).zip(&other.terms);
         own.into_iter().all(|((term, doubt), other)| term.abs() <= doubt.max(4.0 * ROUNDING * other.abs()))

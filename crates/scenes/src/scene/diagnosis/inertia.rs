@@ -34,8 +34,11 @@ const RANK: f64 = 1e-9;
 /// Parts of a direction from which on a speed is named.
 const NAMED: f64 = 0.1;
 
-/// The part of a unit by which a coordinate is moved, to see which makes the place singular.
+/// The part of a unit by which a coordinate is moved, or of the span the time, to see which makes the place singular.
 const ASIDE: f64 = 0.05;
+
+/// An eigenvalue that vanishes at a place is so many times as large aside of it; one that is small beside a motion that grows is not.
+const RISE: f64 = 20.0;
 
 /// The place of a run at which an eigenvalue is least, where it is singular there.
 pub(super) fn singular(run: &Samples<'_>) -> Option<RunFailure> {
@@ -63,8 +66,10 @@ pub(super) fn singular(run: &Samples<'_>) -> Option<RunFailure> {
     let (time, state, least) = first_below(run, &look, &seen, part * usual)?;
     let (_, direction) = look.least(time, &state)?;
     let names: Vec<String> = named(model, &direction);
-    let place =
-        look.cause(time, &state).map_or_else(String::new, |place| format!(" at {}", run.told(place, state[place])));
+    let place = match look.cause(time, &state, run.scene.run.span, least)? {
+        Cause::Coordinate(place) => format!(" at {}", run.told(place, state[place])),
+        Cause::Time => String::new(),
+    };
     let is_of_bodies = model.energies.kinetic.is_none() && apart(|| has_constant_masses(model));
     let smaller = format!("the least eigenvalue of the mass matrix is {:.1e} of its usual size", least / usual);
     let (together, moves) = if names.len() > 1 { (" together", "move") } else { ("", "moves") };
@@ -193,15 +198,23 @@ impl<'a> Look<'a> {
         Some((value, (left * eigenvectors.column(least)).iter().copied().collect()))
     }
 
-    /// The coordinate that leads away from the singular place soonest.
-    fn cause(&self, time: f64, state: &[f64]) -> Option<usize> {
+    /// What leads away from the singular place soonest; none where the eigenvalue stays as it is all around.
+    fn cause(&self, time: f64, state: &[f64], span: f64, least: f64) -> Option<Cause> {
+        let at = |time: f64, state: &[f64]| self.least(time, state).map_or(0.0, |(least, _)| least);
         let moved = |place: usize| {
             let mut moved = state.to_vec();
             moved[place] += ASIDE * moved[place].abs().max(1.0);
-            self.least(time, &moved).map_or(0.0, |(least, _)| least)
+            (Cause::Coordinate(place), at(time, &moved))
         };
-        (0..self.model.positions()).max_by(|a, b| moved(*a).total_cmp(&moved(*b)))
+        let by_time = [-ASIDE, ASIDE].map(|part| (Cause::Time, at(time + part * span, state)));
+        let all = by_time.into_iter().chain((0..self.model.positions()).map(moved));
+        all.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, risen)| *risen >= RISE * least).map(|(cause, _)| cause)
     }
+}
+
+enum Cause {
+    Coordinate(usize),
+    Time,
 }
 
 /// A basis of the directions that rows leave free, its columns.

@@ -132,7 +132,7 @@ fn eigenvalues(motion: &SteadyMotion) -> Vec<[f64; 2]> {
     }
 }
 
-/// The size of the largest eigenvalue of all motions, where some are known and not zero.
+/// The size of the largest eigenvalue of all motions, 1/s; `None` if no eigenvalue is known, or all are zero.
 pub(super) fn largest_eigenvalue(found: &SteadyMotions) -> Option<f64> {
     let sizes = found.motions.iter().flat_map(eigenvalues).map(|[re, im]| re.hypot(im));
     Some(sizes.fold(0.0, f64::max)).filter(|size| *size > 0.0)

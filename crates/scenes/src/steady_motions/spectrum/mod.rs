@@ -90,7 +90,7 @@ impl fmt::Display for NotEnclosed {
             Self::Feedback => write!(f, "inputs that depend on the state are held at their values"),
             Self::NotExact => write!(
                 f,
-                "exact boundaries need a motion that is one at every value of the parameter, at decimals, and derivatives there that are fractions"
+                "exact boundaries need a steady motion at the same decimal numbers for every value of the parameter, with rational derivatives there"
             ),
             Self::Opposite => write!(
                 f,

@@ -1,4 +1,4 @@
-//! The sums of a differential, for several directions at once.
+//! Sums in the evaluation of a directional derivative, for several directions at once.
 
 use super::block::{Block, LANES};
 use pulp::{Simd, WithSimd};

@@ -1,11 +1,12 @@
 //! Bounds of degrees and coefficients, operation by operation.
 
+use super::denominators::{Denominator, Denominators};
 use super::program::{Part, Program};
 use crate::graph::Node;
 use dashu_int::UBig;
 use dashu_int::ops::{BitTest, UnsignedAbs};
 use field::Rational;
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Bounds of the numerator over the common denominator, in the random numbers.
 pub(super) struct Bounds {
@@ -27,17 +28,17 @@ pub(super) struct Bounded {
 #[derive(Clone, Copy)]
 struct Quotient {
     above: Polynomial,
-    below: Polynomial,
+    below: Denominator,
 }
 
 #[derive(Clone, Copy)]
-struct Polynomial {
-    degree: f64,
-    bits: f64,
+pub(super) struct Polynomial {
+    pub degree: f64,
+    pub bits: f64,
 }
 
 impl Polynomial {
-    fn times(self, other: Self) -> Self {
+    pub fn times(self, other: Self) -> Self {
         Polynomial { degree: self.degree + other.degree, bits: self.bits + other.bits }
     }
 
@@ -54,7 +55,11 @@ pub(super) fn bounds(program: &Program) -> Bounds {
     let mut known: Vec<Quotient> = Vec::with_capacity(program.parts.len());
     let (mut angles, mut arguments) = (FxHashSet::default(), FxHashSet::default());
     let constant = |bits: f64| Polynomial { degree: 0.0, bits };
-    let generator = Quotient { above: Polynomial { degree: 1.0, bits: 0.0 }, below: constant(0.0) };
+    let (mut all, one) = Denominators::new();
+    let generator = Quotient { above: Polynomial { degree: 1.0, bits: 0.0 }, below: one };
+    // numbers below fractions, and parts that something is divided by
+    let mut numbers: FxHashMap<UBig, Denominator> = FxHashMap::default();
+    let mut divisors: FxHashMap<usize, Denominator> = FxHashMap::default();
     for &Part { is, node, arguments: [a, b] } in &program.parts {
         let of = |place: usize| known[place];
         match node {
@@ -65,10 +70,18 @@ pub(super) fn bounds(program: &Program) -> Bounds {
         let value = match node {
             Node::Constant(_) => {
                 let bits = |n: &UBig| constant(n.bit_len() as f64);
-                let big = is.as_constant().and_then(Rational::to_big);
-                let sizes = big.map(|big| (bits(&big.numerator().unsigned_abs()), bits(big.denominator())));
-                let (above, below) = sizes.unwrap_or((constant(f64::INFINITY), constant(0.0)));
-                Quotient { above, below }
+                match is.as_constant().and_then(Rational::to_big) {
+                    Some(big) if big.denominator().is_one() => {
+                        Quotient { above: bits(&big.numerator().unsigned_abs()), below: one }
+                    }
+                    Some(big) => {
+                        let below = big.denominator();
+                        let divisor = || all.divisor(bits(below));
+                        let below = *numbers.entry(below.clone()).or_insert_with(divisor);
+                        Quotient { above: bits(&big.numerator().unsigned_abs()), below }
+                    }
+                    None => Quotient { above: constant(f64::INFINITY), below: one },
+                }
             }
             Node::Symbol(_) | Node::Elementary(..) | Node::Function(..) => generator,
             // no larger than its square
@@ -81,36 +94,50 @@ pub(super) fn bounds(program: &Program) -> Bounds {
                 generator
             }
             Node::Sum(..) | Node::Difference(..) => {
-                let (a, b) = (of(a), of(b));
-                Quotient { above: a.above.times(b.below).plus(b.above.times(a.below)), below: a.below.times(b.below) }
+                let [a, b] = [of(a), of(b)];
+                let mut brought = |each: Quotient, other: Quotient| {
+                    let missing = all.excess(other.below, each.below);
+                    each.above.times(all.bound(missing))
+                };
+                Quotient { above: brought(a, b).plus(brought(b, a)), below: all.multiple(a.below, b.below) }
             }
             Node::Product(..) => {
-                Quotient { above: of(a).above.times(of(b).above), below: of(a).below.times(of(b).below) }
+                let [a, b] = [of(a), of(b)];
+                Quotient { above: a.above.times(b.above), below: all.product(a.below, b.below) }
             }
             Node::Quotient(..) => {
-                Quotient { above: of(a).above.times(of(b).below), below: of(a).below.times(of(b).above) }
+                let divisor = *divisors.entry(b).or_insert_with(|| all.divisor(known[b].above));
+                let [a, b] = [of(a), of(b)];
+                // the denominators of both cancel
+                let [above, below] = [all.excess(b.below, a.below), all.excess(a.below, b.below)];
+                Quotient { above: a.above.times(all.bound(above)), below: all.product(below, divisor) }
             }
             Node::Negation(_) => of(a),
-            Node::Power(_, n) => Quotient { above: of(a).above.power(n), below: of(a).below.power(n) },
+            Node::Power(_, n) => Quotient { above: of(a).above.power(n), below: all.power(of(a).below, n) },
         };
         known.push(value);
     }
-    let all = || program.results.iter().map(|&place| known[place]);
-    let degree = all().map(|each| each.above.degree.max(each.below.degree)).fold(1.0, f64::max);
-    let bits = all().map(|each| each.above.bits.max(each.below.bits)).fold(1.0, f64::max);
+    let sizes = |place: &usize| {
+        let Quotient { above, below } = known[*place];
+        [above, all.bound(below)]
+    };
+    let most = |places: &mut dyn Iterator<Item = &usize>, size: fn(Polynomial) -> f64| {
+        places.flat_map(sizes).map(size).fold(1.0, f64::max)
+    };
+    let results = || program.results.iter();
+    let (degree, bits) = (most(&mut results(), |part| part.degree), most(&mut results(), |part| part.bits));
     // a cosine is (1 - t^2)/(1 + t^2): each angle brings its denominator to a power of at most the degree
     let by_angles = |degree: f64, bits: f64| {
         let angles = angles.len() as f64 + 1.0;
         (2.0 * degree * angles, bits + degree * angles)
     };
     arguments.extend(&angles);
-    let most = |size: fn(Polynomial) -> f64| {
-        let sizes = arguments.iter().map(|&argument| known[argument]);
-        sizes.map(|each| size(each.above).max(size(each.below))).fold(1.0, f64::max)
-    };
     let pairs = arguments.len() as f64 * (arguments.len() as f64 - 1.0) / 2.0;
     // one argument over its denominator less another
-    let (of_pair, bits_of_pair) = by_angles(2.0 * most(|part| part.degree), 2.0 * most(|part| part.bits) + 1.0);
+    let (of_pair, bits_of_pair) = by_angles(
+        2.0 * most(&mut arguments.iter(), |part| part.degree),
+        2.0 * most(&mut arguments.iter(), |part| part.bits) + 1.0,
+    );
     let mistaken = (pairs > 0.0).then_some(Bounded { degree: of_pair, bits: bits_of_pair, pairs });
     let (degree, bits) = by_angles(degree, bits);
     Bounds { degree, bits, mistaken }

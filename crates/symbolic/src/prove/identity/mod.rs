@@ -14,6 +14,7 @@
 //! is expanded: the cost is one operation for each node and point.
 
 mod bounds;
+mod denominators;
 mod point;
 mod prime_field;
 mod program;
@@ -21,7 +22,7 @@ mod program;
 use crate::Sym;
 use crate::graph::Node;
 use bounds::{Bounded, Bounds, bounds};
-use point::{angles_are_independent, values};
+use point::{angles_are_independent, different_roots, values};
 use prime_field::{Field, Random};
 use program::{Part, Program};
 
@@ -73,7 +74,7 @@ impl IdentityTest {
     /// Counts operations and bounds degrees.
     pub fn of(expressions: &[Sym]) -> Self {
         let program = Program::of(expressions);
-        let roots = program.parts.iter().filter(|part| matches!(part.node, Node::Root(_))).count();
+        let roots = different_roots(&program);
         let taken = if roots <= MOST_ROOTS { roots } else { 0 };
         let Bounds { degree, bits, mistaken } = bounds(&program);
         let chance = |degree: f64, bits: f64| (degree.log2() - BITS).exp2() + (bits / BITS) * (-PRIMES).exp2();
@@ -215,6 +216,32 @@ mod tests {
         // a root of a square has one of two signs
         assert!(matches!(identified(&[(x * x).sqrt() - x]), Identity::Untested(_)));
         assert_eq!(identified(&[(x * x).sqrt() - y]), Identity::NotZero);
+    }
+
+    #[test]
+    fn roots_of_equal_arguments_are_one() {
+        let [x, y] = symbols(["x", "y"]);
+        let (one, other) = (((x + y) * (x + y)).sqrt(), (x * x + (x + x + y) * y).sqrt());
+        assert!(matches!(identified(&[one - other]), Identity::Identified { .. }));
+        assert_eq!(identified(&[one - (x * x + y).sqrt()]), Identity::NotZero);
+        // as many as are different are taken in the field
+        let many: Vec<Sym> = (1..9).map(|k| (x * Sym::int(k) - x * Sym::int(k - 1) + y).sqrt()).collect();
+        let differences: Vec<Sym> = many.windows(2).map(|pair| pair[0] * pair[0] - pair[1] * pair[0]).collect();
+        assert!(matches!(identified(&differences), Identity::Identified { .. }));
+    }
+
+    #[test]
+    fn a_divisor_that_terms_share_is_counted_once() {
+        let [x, y, z] = symbols(["x", "y", "z"]);
+        let divisor = x * y + z;
+        let sum = (1..50).fold(Sym::ZERO, |sum, k| sum + (x + Sym::int(k)) / divisor * (y / divisor));
+        assert!(IdentityTest::of(&[sum]).degree() < 10.0, "{}", IdentityTest::of(&[sum]).degree());
+        // numbers too: the halves of a sum have one denominator
+        let halves = (1..2000).fold(x, |sum, k| (sum + y * Sym::int(k)) * Sym::ratio(1, 2) + z);
+        assert!(IdentityTest::of(&[halves]).points().is_some());
+        // elimination of twelve unknowns from a band of equations
+        let pivot = (0..12).fold(x, |pivot, k| x + y / (pivot + Sym::int(k)));
+        assert!(matches!(identified(&[pivot - pivot * (z / z)]), Identity::Identified { .. }));
     }
 
     #[test]

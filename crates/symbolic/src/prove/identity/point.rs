@@ -6,12 +6,12 @@ use super::program::{Part, Program};
 use crate::Sym;
 use crate::graph::{Name, Node};
 use field::Elementary;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// The values at a random point; `None` where a denominator vanishes. Roots have these signs, one bit each, or are taken as
 /// functions.
 pub(super) fn values(program: &Program, field: &Field, random: &mut Random, signs: Option<u32>) -> Option<Vec<u64>> {
-    let mut roots = 0;
+    let mut roots: FxHashMap<u64, u64> = FxHashMap::default();
     let mut values: Vec<u64> = Vec::with_capacity(program.parts.len());
     let mut circle: FxHashMap<u64, (u64, u64)> = FxHashMap::default();
     let mut functions: FxHashMap<(Opaque, u64, u64), u64> = FxHashMap::default();
@@ -30,12 +30,16 @@ pub(super) fn values(program: &Program, field: &Field, random: &mut Random, sign
         let [a, b] = arguments.map(|place| values.get(place).copied().unwrap_or(0));
         let value = match node {
             Node::Constant(_) => field.reduced(is.as_constant()?)?,
-            Node::Root(_) if signs.is_some() => {
-                let root = field.root(a)?;
-                let is_other = signs.is_some_and(|signs| signs >> roots & 1 == 1);
-                roots += 1;
-                if is_other { field.minus(0, root) } else { root }
-            }
+            Node::Root(_) if let Some(signs) = signs => match roots.get(&a) {
+                Some(&known) => known,
+                None => {
+                    let root = field.root(a)?;
+                    let is_other = signs >> roots.len() & 1 == 1;
+                    let root = if is_other { field.minus(0, root) } else { root };
+                    roots.insert(a, root);
+                    root
+                }
+            },
             Node::Symbol(_) => random.below(field.0),
             Node::Root(_) => *functions.entry((Opaque::Root, a, 0)).or_insert_with(|| random.below(field.0)),
             Node::Elementary(which, ..) => {
@@ -58,6 +62,26 @@ pub(super) fn values(program: &Program, field: &Field, random: &mut Random, sign
         values.push(value);
     }
     Some(values)
+}
+
+/// The number of roots whose arguments differ.
+pub(super) fn different_roots(program: &Program) -> usize {
+    let arguments: Vec<usize> =
+        program.parts.iter().filter(|part| matches!(part.node, Node::Root(_))).map(|part| part.arguments[0]).collect();
+    if arguments.len() < 2 {
+        return arguments.len();
+    }
+    let mut random = Random(0x9e37_79b9_7f4a_7c15);
+    let drawn = (0..MOST_IN_VAIN).find_map(|_| {
+        let field = Field(random.prime(false));
+        let drawn = values(program, &field, &mut random, None);
+        random.next();
+        drawn
+    });
+    match drawn {
+        Some(values) => arguments.iter().map(|&place| values[place]).collect::<FxHashSet<u64>>().len(),
+        None => arguments.len(),
+    }
 }
 
 /// A function whose values are taken as independent of its argument.
