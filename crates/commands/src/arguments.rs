@@ -125,7 +125,6 @@ pub enum Command {
     /// All steady motions of a system within given ranges, each with its stability: equilibria, and motions with constant speeds
     Stationary(stationary::Args),
     /// The step sizes for which each method preserves the stability or instability of a steady motion
-    #[command(alias = "phantom")]
     NumericalStability(numerical_stability::Args),
     /// A synchronous motor under load: pull-out and pull-in torque, its motions at loads between the two, the starts from which it synchronises
     Motor(motor::Args),

@@ -104,7 +104,7 @@ pub struct ForceTable {
 /// # Errors
 /// All that is wrong with the system and with the motions, and the reason for which there are no forces.
 pub fn forces_along(text: &SystemText, wanted: &Wanted<'_>) -> Result<ForceTable, SceneError> {
-    let (model, prescribed) = parse_prescribed(text, wanted.motions, wanted.called)?;
+    let (model, prescribed) = parse_prescribed(text, wanted.motions, wanted.unknowns, wanted.called)?;
     let mut unknowns: Vec<String> = Vec::new();
     for name in wanted.unknowns {
         if !unknowns.contains(name) {

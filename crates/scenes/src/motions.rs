@@ -38,16 +38,18 @@ pub fn read_prescribed(
     path: &Path,
     motions: &[(String, String)],
 ) -> Result<(Model, Vec<PrescribedMotion>), SceneError> {
-    parse_prescribed(&SystemText::read(path)?, motions, "--motion")
+    parse_prescribed(&SystemText::read(path)?, motions, &[], "--motion")
 }
 
-/// The system of a text, with its values, and prescribed motions, which messages call by the last argument.
+/// The system of a text, with its values, and prescribed motions, which messages call by the last argument. The motions may not depend on
+/// parameters and inputs that are sought.
 ///
 /// # Errors
 /// All that is wrong with the system, and with the motions.
 pub fn parse_prescribed(
     system: &SystemText,
     motions: &[(String, String)],
+    sought: &[String],
     called: &str,
 ) -> Result<(Model, Vec<PrescribedMotion>), SceneError> {
     let SystemText { name: file, text, .. } = system;
@@ -60,7 +62,15 @@ pub fn parse_prescribed(
         let mut all: Vec<Written<'_>> = Vec::new();
         for (place, (name, is)) in motions.iter().enumerate() {
             let is_again = motions[..place].iter().any(|(known, _)| known == name);
-            let found = if is_again { Err(("it is prescribed twice", known(&own))) } else { written(&own, name, is) };
+            let unknown = sought.iter().find(|unknown| words(is).any(|word| word == unknown.as_str()));
+            let found = match unknown {
+                _ if is_again => Err(("it is prescribed twice", known(&own))),
+                Some(unknown) => Err((
+                    "it depends on a quantity that is sought",
+                    format!("an expression of t and of parameters other than `{unknown}`"),
+                )),
+                None => written(&own, name, is),
+            };
             match found {
                 Ok(motion) => all.push(motion),
                 Err((label, accepted)) => {
@@ -194,6 +204,11 @@ fn currents(own: &Model) -> Vec<String> {
     let quasi = own.quasi_velocities.iter().filter(|one| one.dimension == Dimension::current());
     let of_drive = own.currents.iter().map(|(name, _)| name.clone());
     of_drive.chain(quasi.map(|one| one.name.clone())).chain(rates).collect()
+}
+
+/// The names in a text.
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|c: char| !(c.is_alphanumeric() || c == '_'))
 }
 
 /// The quantities that may be prescribed.

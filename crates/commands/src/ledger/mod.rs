@@ -21,7 +21,7 @@ pub struct Args {
     /// Claims whose id contains this, such as konosevich2022/eq5.3 or statement3; those whose id begins with it come first
     #[arg(default_value = "")]
     pub filter: String,
-    /// Claims with this verdict only: refuted, undefined, undecided, proved, enclosed, tested, definition, open
+    /// Claims with this verdict only: refuted, undefined, undecided, proved, identified, enclosed, tested, definition, open
     #[arg(long)]
     pub verdict: Option<String>,
     /// Text is a page as the tests compare it; JSON has one object a claim: id, paper, equation, verdict, statement,

@@ -4,6 +4,8 @@ mod earlier_text;
 mod pages;
 mod paper;
 mod renamed_coordinates;
+mod run;
+mod steady_motions;
 mod system;
 mod tables;
 

@@ -1,37 +1,25 @@
-//! Changes of a system in its file: terms of equations, with the principles that show them, steady motions, and columns of its run.
+//! Changes of a system in its file: terms of equations, with the principles that show them; steady motions and runs beside them.
 
 use super::renamed_coordinates::{Renamed, candidates, with_new_names};
-use crate::clock;
-use crate::exit::{Exit, warn};
-use crate::stationary::refusals::refused;
-use crate::stationary::steady_box::Found;
-use crate::stationary::verdict::verdict;
+use super::{run, steady_motions};
+use crate::exit::Exit;
+use ::scenes::SystemText;
 use ::scenes::derivation::{NamedPrinciple, derived};
-use ::scenes::steady_motions::{Range, SteadyMotions, SteadySearch};
-use ::scenes::{ModelScene, SystemText, Task};
+use ::scenes::steady_motions::Range;
 use claims::review::compare;
 use model::{MatrixForm, Model};
-use simulation::{Axes, Choice, IvpScene, Trajectory};
 use std::collections::BTreeMap;
-use std::path::Path;
 use symbolic::{Dimension, Sym};
 
 /// Changes, grouped under titles.
 pub(super) type Changes = Vec<(String, Vec<String>)>;
 
-/// Differences of a run below this part of a column's size are rounding.
-const ROUNDING: f64 = 1e-9;
-
 /// All changes between two texts.
 pub(super) fn changes(texts: [SystemText; 2], ranges: &[(String, Range)]) -> Result<Changes, Exit> {
     let renamed = renamed(&texts)?;
     let mut all = of_equations(&texts)?;
-    let [old, new] = [texts[0].model(Task::Vary)?, texts[1].model(Task::Vary)?];
-    let asked = SteadySearch { ranges: ranges.to_vec(), boxes: MOST_BOXES, ..SteadySearch::default() };
-    all.push(("steady motions".to_owned(), steady_motions(&texts[1].name, [old, new], &asked, &renamed)));
-    let [old, new] =
-        [ModelScene::parse(&texts[0].name, &texts[0].text)?, ModelScene::parse(&texts[1].name, &texts[1].text)?];
-    all.push(("run".to_owned(), run([&old, &new], &renamed)));
+    all.push(("steady motions".to_owned(), steady_motions::changes(&texts, ranges, &renamed)));
+    all.push(("run".to_owned(), run::changes(&texts, &renamed)));
     Ok(all)
 }
 
@@ -66,9 +54,6 @@ fn renamed(texts: &[SystemText; 2]) -> Result<Renamed, Exit> {
     };
     Ok(if renamed.iter().all(is_same) { renamed } else { Vec::new() })
 }
-
-/// The largest number of boxes in a search for steady motions.
-const MOST_BOXES: usize = 50_000;
 
 /// Parameters with another value.
 fn parameters(models: [&Model; 2]) -> Vec<String> {
@@ -159,106 +144,4 @@ fn dimensions(models: [&Model; 2]) -> BTreeMap<String, Dimension> {
         }
     }
     all
-}
-
-/// Steady motions that were added or removed, moved, or have another stability.
-fn steady_motions(name: &str, models: [Model; 2], asked: &SteadySearch, renamed: &Renamed) -> Vec<String> {
-    let found = models.map(|mut model| {
-        model.close_inputs();
-        match SteadyMotions::of(&model, asked, clock::has_time) {
-            Ok(motions) => Ok(Found { title: String::new(), model, motions }),
-            Err(why) => Err(refused(Path::new(name), (&model, None), why)),
-        }
-    });
-    let [Ok(old), Ok(new)] = &found else {
-        if let Some(Exit::Refused(why)) = found.into_iter().find_map(Result::err) {
-            warn(&format!("warning: steady motions are not compared: {why}"));
-        }
-        return Vec::new();
-    };
-    let open = [old, new].into_iter().filter(|found| !found.motions.is_complete());
-    let mut warnings: Vec<String> = open
-        .map(|found| {
-            let count = found.motions.undecided.len();
-            format!("warning: {name}: the search for steady motions leaves {count} boxes undecided")
-        })
-        .collect();
-    // both texts may give the same warning
-    warnings.dedup();
-    warnings.iter().for_each(|warning| warn(warning));
-    let told = |found: &Found| -> Vec<String> {
-        let each = found.motions.motions.iter();
-        each.map(|motion| format!("{}: {}", found.values(&motion.enclosure), verdict(motion, &found.motions.cyclic).0))
-            .collect()
-    };
-    let old: Vec<String> = told(old).iter().map(|one| with_new_names(one, renamed)).collect();
-    let new = told(new);
-    let without = |these: &[String], those: &[String]| -> Vec<String> {
-        these.iter().filter(|one| !those.contains(one)).cloned().collect()
-    };
-    let (gone, come) = (without(&old, &new), without(&new, &old));
-    match gone.len() == come.len() {
-        true => gone.iter().zip(&come).map(|(old, new)| format!("{old} before; {new} now")).collect(),
-        false => {
-            let gone = gone.iter().map(|old| format!("gone: {old}"));
-            gone.chain(come.iter().map(|new| format!("new: {new}"))).collect()
-        }
-    }
-}
-
-/// Columns of the run whose values differ.
-fn run(scenes: [&ModelScene; 2], renamed: &Renamed) -> Vec<String> {
-    let [old, new] = scenes.map(|scene| {
-        let own = scene.run().choice();
-        let choice = Choice { allowed: clock::left(), ..own };
-        scene.problem(Axes::default()).simulate_while(&choice, |_| clock::goes_on())
-    });
-    let mut told = Vec::new();
-    let outcomes =
-        [&old, &new].map(|one| one.outcome.failure().map_or("reaches its end".to_owned(), |why| why.to_string()));
-    if outcomes[0] != outcomes[1] {
-        told.push(format!("{} before; {} now", outcomes[0], outcomes[1]));
-    }
-    let is_alike = old.times == new.times;
-    let names: Vec<String> = old.names.iter().map(|name| with_new_names(name, renamed)).collect();
-    for (column, name) in new.names.iter().enumerate() {
-        let unit = scenes[1].unit(name);
-        let Some(before) = names.iter().position(|own| own == name) else {
-            told.push(format!("{name}: a new column, {} {unit} at the end", last(&new, column)));
-            continue;
-        };
-        let [first, second] = [last(&old, before), last(&new, column)];
-        let size = [&old.rows, &new.rows]
-            .into_iter()
-            .flatten()
-            .fold(0.0, |most: f64, row| most.max(row.get(column).map_or(0.0, |value| value.abs())));
-        let pairs = old.rows.iter().zip(&new.rows).zip(&new.times);
-        let largest = pairs
-            .filter(|_| is_alike)
-            .map(|((old, new), time)| ((new[column] - old[before]).abs(), *time))
-            .max_by(|a, b| a.0.total_cmp(&b.0));
-        let most = largest.map_or((first - second).abs(), |(most, _)| most);
-        if most <= ROUNDING * size {
-            continue;
-        }
-        let where_most =
-            largest.map_or_else(String::new, |(most, time)| format!("; {most:.3e} {unit} apart at t = {time} s"));
-        told.push(format!(
-            "{name}: {} {unit} before, {} {unit} now at the end{where_most}",
-            short(first),
-            short(second)
-        ));
-    }
-    let gone = names.iter().filter(|name| !new.names.contains(name));
-    told.extend(gone.map(|name| format!("{name}: no longer a column")));
-    told
-}
-
-/// A number with nine digits.
-fn short(value: f64) -> String {
-    if value != 0.0 && !(1e-4..1e9).contains(&value.abs()) { format!("{value:.8e}") } else { format!("{value:.9}") }
-}
-
-fn last(trajectory: &Trajectory, column: usize) -> f64 {
-    trajectory.last.get(column).copied().unwrap_or(f64::NAN)
 }

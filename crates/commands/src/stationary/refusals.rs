@@ -23,7 +23,7 @@ pub(super) fn unsought(path: &Path, issue: Issue) -> Exit {
 }
 
 /// The reason, with its place in the text where it has one.
-pub(super) fn reason(model: &Model, source: Option<&Source>, why: NoSteadyMotions) -> Issue {
+pub fn reason(model: &Model, source: Option<&Source>, why: NoSteadyMotions) -> Issue {
     let told = |why: String| Issue { span: None, title: why, label: String::new(), help: None };
     match why {
         NoSteadyMotions::At { values, why } => {

@@ -80,7 +80,7 @@ pub struct AlongFound {
 pub type SoughtSystem = (String, Model, Source);
 
 /// Reads the system of a text, prepared for the search.
-pub(super) fn sought(text: &SystemText) -> Result<SoughtSystem, SceneError> {
+pub fn sought(text: &SystemText) -> Result<SoughtSystem, SceneError> {
     let (title, model, source) = parse_with_source(&text.name, &text.text, Task::Vary)?;
     let mut model = text.with_its_values(model)?;
     model.close_inputs();

@@ -91,8 +91,10 @@ impl PeerEquations {
         let free = Characteristics::of(trace, &constraints);
         let unknowns = [&rates.accelerations[..], &rates.multipliers].concat();
         // the matrix of their accelerations and multipliers, on the constraints
-        let matrix: Vec<Vec<Sym>> =
-            rates.equations.iter().map(|&row| unknowns.iter().map(|&z| held.reduced(row.diff(z))).collect()).collect();
+        let by =
+            |row: Sym, unknowns: &[Sym]| -> Vec<Sym> { unknowns.iter().map(|&z| held.reduced(row.diff(z))).collect() };
+        let rank = |rows: Vec<Vec<Sym>>| if rows.iter().all(Vec::is_empty) { 0 } else { generic_rank(&rows) };
+        let matrix: Vec<Vec<Sym>> = rates.equations.iter().map(|&row| by(row, &unknowns)).collect();
         let is_linear = |entry: &Sym| entry.symbols_of().iter().all(|symbol| !unknowns.contains(symbol));
         if !matrix.iter().flatten().all(is_linear) {
             return Err((
@@ -100,7 +102,9 @@ impl PeerEquations {
                 "equations that are linear in accelerations and multipliers",
             ));
         }
-        let determined = matrix.len() == unknowns.len() && generic_rank(&matrix) == unknowns.len();
+        // a constraint that stands twice leaves its multipliers open, and no acceleration
+        let of_multipliers = rates.equations.iter().map(|&row| by(row, &rates.multipliers)).collect();
+        let determined = rank(matrix) - rank(of_multipliers) == rates.accelerations.len();
         // the model's independent speeds by theirs
         let directions = free.directions(trace.speeds.len());
         let by_direction = |speed: Sym| -> Vec<Sym> {
@@ -126,7 +130,8 @@ impl PeerEquations {
         };
         let (differentiated, others): (Vec<Sym>, Vec<Sym>) =
             rows.iter().filter(|row| without_multipliers_in(**row)).partition(|row| is_constraint(**row));
-        let theirs = rates.accelerations.len().saturating_sub(differentiated.len());
+        let held_by = rank(differentiated.iter().map(|row| by(*row, &rates.accelerations)).collect());
+        let theirs = rates.accelerations.len().saturating_sub(held_by);
         // a row that was not decided may be a constraint as well
         let is_open = |row: &Sym| !matches!(vanishes(&held, *row, &[]), Outcome::NonZero(_));
         let open = if theirs > freedom { others.iter().filter(|row| is_open(row)).count() } else { 0 };

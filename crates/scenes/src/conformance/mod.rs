@@ -87,8 +87,8 @@ fn inertia(model: &Model) -> PropertyVerdict {
     };
     match impossible_inductances(model, &start) {
         Some(issue) => PropertyVerdict::Fails(issue.title),
-        None => PropertyVerdict::Tested(
-            "masses, moments of inertia and inductances are physically possible".to_owned(),
-        ),
+        None => {
+            PropertyVerdict::Tested("masses, moments of inertia and inductances are physically possible".to_owned())
+        }
     }
 }

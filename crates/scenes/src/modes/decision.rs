@@ -393,6 +393,6 @@ pub(super) fn beyond(value: f64, case: Case) -> f64 {
 }
 
 /// Whether two motions differ beyond rounding.
-fn differ<const N: usize>(a: &Expansion<N>, b: &Expansion<N>, slack: f64) -> bool {
+pub(super) fn differ<const N: usize>(a: &Expansion<N>, b: &Expansion<N>, slack: f64) -> bool {
     a.rates.iter().zip(&b.rates).any(|(a, b)| (*a - *b).sign(slack) != 0.0)
 }

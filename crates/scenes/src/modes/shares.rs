@@ -4,7 +4,7 @@
 //! s = 1/2 + B^T l, cut at 0 and 1, which is a convex problem with one solution (see the parts of an expansion). Criss-cross pivots
 //! find the switches at their limits.
 
-use super::decision::{TERMS, rests};
+use super::decision::{TERMS, differ, rests};
 use super::expansion::{Expansion, Expansions, Instant, Slopes};
 use super::mode::{Case, Mode};
 use super::pivots::{Implied, replaced};
@@ -33,6 +33,10 @@ pub(super) fn shares(
             match Implied::of(slopes, &expansions.held(&mode), switch) {
                 // a blocking diode keeps the condition at zero by its own voltage in this case
                 Some(implied) if expansions.has_algebraic() && implied.terms().next().is_none() => {}
+                // a condition of positions that stays at zero in one of its cases: the other case would move it
+                Some(implied)
+                    if implied.terms().next().is_none()
+                        && moves(expansions, instant, (&mode, expansion), switch, slack) => {}
                 Some(_) => shared.push(switch),
                 None => mode.cases[switch] = Case::Held,
             }
@@ -66,6 +70,20 @@ pub(super) fn shares(
         mode.cases[switch] = to;
     }
     None
+}
+
+/// Whether the motion is another one with a share of the forces of a condition.
+fn moves(
+    expansions: &Expansions,
+    instant: &Instant<'_>,
+    (mode, expansion): (&Mode, &Expansion<TERMS>),
+    switch: usize,
+    slack: f64,
+) -> bool {
+    let mut mode = mode.clone();
+    mode.cases[switch] = Case::Shared;
+    expansions.mirror(&mut mode);
+    expansions.at::<TERMS>(instant, &mode).is_none_or(|shared| differ(&shared, expansion, slack))
 }
 
 /// The condition that is held instead of another one whose switch stays at a bound: a shared condition, or one whose switch leaves its own

@@ -75,3 +75,19 @@ fn an_event_that_bends_more_than_the_motion_is_not_stepped_over() {
         close(run.outcome.time, std::f64::consts::FRAC_PI_2, 1e-9);
     }
 }
+
+/// At x = 0 the law without a force holds: an average of both cases would push the body away.
+#[test]
+fn a_body_that_rests_where_a_force_ends_stays_there() {
+    for law in ["if(x >= (0 m), (0 N), (3 N))", "if(x < (0 m), (3 N), (0 N))", "if(x >= (0 m), (-1 N), (0 N))"] {
+        let text = format!(
+            "title = \"a force that ends at x = 0\"\n[parameters]\nm = \"1 kg\"\n[coordinates]\nx = \"m\"\n\
+             [bodies.b]\ncentre = \"O + x*N.x\"\nmass = \"m\"\n[[force]]\non = \"b\"\nis = \"{law}*N.x\"\n[run]\nspan = \"1 s\"\n"
+        );
+        for method in METHODS {
+            let trajectory = runs(&text, method);
+            assert_eq!(trajectory.stopped(), None, "{law}, {method:?}");
+            assert_eq!(&trajectory.last[..2], [0.0, 0.0], "{law}, {method:?}");
+        }
+    }
+}

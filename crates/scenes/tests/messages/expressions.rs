@@ -17,10 +17,10 @@ fn unknown_letters_are_named_with_what_was_probably_meant() {
 
 #[test]
 fn dimensions_are_checked_where_they_meet() {
-    one(&[("\"l*sin(theta)\"", "\"l + m\"")], &["different dimensions", "m and kg"]);
-    one(&[("\"l*sin(theta)\"", "\"l*sin(l)\"")], &["an angle has the dimension 1", "this has the dimension m"]);
-    one(&[("\"(0.1 N)*N.x\"", "\"(0.1 kg)*N.x\"")], &["the force on a point has the dimension kg m s^-2"]);
-    one(&[("mass = \"m\"", "mass = \"l\"")], &["the mass has the dimension kg"]);
+    one(&[("\"l*sin(theta)\"", "\"l + m\"")], &["different dimensions", "m on the left, kg on the right"]);
+    one(&[("\"l*sin(theta)\"", "\"l*sin(l)\"")], &["an angle must have the dimension 1", "this has the dimension m"]);
+    one(&[("\"(0.1 N)*N.x\"", "\"(0.1 kg)*N.x\"")], &["the force on a point must have the dimension kg m s^-2"]);
+    one(&[("mass = \"m\"", "mass = \"l\"")], &["the mass must have the dimension kg"]);
     one(&[("m = \"2 kg\"", "m = 2")], &["`m = 2` in [parameters] has no unit; with one it is written m = \"2 kg\""]);
     one(&[("l = \"0.5 m\"", "l = 0.5"), ("\"reach\"", "\"1\"")], &["`l = 0.5` in [parameters] has no unit"]);
     one(&[("theta = \"0.3 rad\"", "theta = \"0.3 m\"")], &["the start of `theta`", "this has the dimension m"]);
@@ -39,7 +39,7 @@ fn kinds_are_checked_where_they_meet() {
 #[test]
 fn a_circle_of_definitions_is_told_once() {
     let circle = [("reach = \"l*sin(theta)\"", "reach = \"2*other\"\nother = \"reach/2\"")];
-    one(&circle, &["`reach` is defined by itself", "reach needs other needs reach"]);
+    one(&circle, &["`reach` is defined by itself", "reach is defined by other is defined by reach"]);
     one(&[("P = \"O - l*A.y\"", "P = \"P - l*A.y\"")], &["`P` is defined by itself"]);
 }
 

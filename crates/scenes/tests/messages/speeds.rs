@@ -29,7 +29,7 @@ fn a_position_to_which_quasi_velocities_do_not_belong_is_told_as_one() {
     let locked = [
         "the value of `q` in [start] cannot hold in this position",
         "no rates of coordinates give it here; in neighbouring positions some do",
-        "three turns have one axis less where the first meets the third",
+        "three angles of rotation are not defined where their first and third axes coincide",
     ];
     told(&gimbal("p = \"0.1 rad/s\"\nq = \"1.5 rad/s\"\nr = \"0.05 rad/s\""), &locked);
     told(&gimbal("p = \"0.1 rad/s\"\nq = \"1.5 rad/s\"\nphi = \"0.4 rad\""), &locked);
@@ -71,7 +71,7 @@ fn speeds_that_leave_no_motion_are_named() {
     with("x'*cos(theta) + y'*sin(theta)", "theta = \"45 deg\"\nv = \"1 m/s\"", &across);
     let three = [
         "constraint 1 `slot` was not met from this start",
-        "moving `y'`",
+        "adjusted",
         "fewer or other speeds in [start], which gives `x'`, `v`",
     ];
     with("x'*cos(theta) + y'*sin(theta)", "theta = \"0.3 rad\"\n\"x'\" = \"2 m/s\"\nv = \"1 m/s\"", &three);

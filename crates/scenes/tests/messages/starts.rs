@@ -40,7 +40,7 @@ fn what_cannot_run_says_why() {
     );
     one(
         &[("[outputs]", "[[constraint]]\nzero = \"theta - 0.4\"\n\n[outputs]")],
-        &["constraint 1 does not hold at the start", "-0.1 by the coordinates"],
+        &["constraint 1 does not hold at the start", "-0.1 with the coordinates"],
     );
 }
 
@@ -54,8 +54,8 @@ fn a_start_without_a_motion_names_what_stops_it() {
         &guessed,
         &[
             "constraint 1 `high` was not met from this start",
-            "left -0.6386726 m",
-            "moving `theta` left",
+            "is -0.6386726 m after",
+            "after `theta` was adjusted, not zero",
             "theta = \"guess ...\"",
         ],
     );
@@ -66,7 +66,10 @@ fn a_start_without_a_motion_names_what_stops_it() {
         ("N turned theta about z", "B turned theta about x\"\nB = \"N turned phi about y"),
         ("theta = \"0.3 rad\"", "theta = \"0 rad\""),
     ];
-    one(&pole, &["the acceleration of `phi` is not determined at the start", "no azimuth at the pole"]);
+    one(
+        &pole,
+        &["the acceleration of `phi` is not determined at the start", "spherical angles are not defined at the pole"],
+    );
     one(&[("\"(0.1 N)*N.x\"", "\"(0.1 N)*ln(theta - 1)*N.x\"")], &["the forces on `theta` have no value at the start"]);
 }
 
@@ -130,15 +133,15 @@ fn a_constraint_whose_gradient_vanishes_wherever_it_holds_is_refused() {
 fn residuals_have_units_and_rates_are_told_as_rates() {
     let level = "[[constraint]]\nname = \"level\"\nzero = \"(P - O) . N.x\"\n\n[outputs]";
     let place = "constraint 1 `level` does not hold at the start";
-    one(&[("[outputs]", level)], &[place, "0.1477601 m by the coordinates that [start] gives"]);
+    one(&[("[outputs]", level)], &[place, "0.1477601 m with the coordinates in [start]"]);
     let turning = "theta = \"0 rad\"\n\"theta'\" = \"2 rad/s\"";
-    one(&[("[outputs]", level), ("theta = \"0.3 rad\"", turning)], &[place, "its rate is 1 m/s by the speeds"]);
+    one(&[("[outputs]", level), ("theta = \"0.3 rad\"", turning)], &[place, "its rate is 1 m/s with the speeds"]);
 }
 
 #[test]
 fn gains_that_are_too_few_are_told_where_they_stand() {
     let led = "[[constraint]]\nzero = \"theta - 0.4\"\nprogrammed = { gains = [\"(1 1/s)\"] }\n\n[outputs]";
-    one(&[("[outputs]", led)], &["a programmed constraint of positions has two gains", ":31:26", "one stands here"]);
+    one(&[("[outputs]", led)], &["a programmed constraint of positions needs two gains", ":31:26", "one is given"]);
 }
 
 #[test]
@@ -149,7 +152,8 @@ fn constraints_that_contradict_each_other_are_both_named() {
     let found = |one_zero: &str, other: &str, parts: &[&str]| {
         one(&[("[outputs]", &two(one_zero, other)), ("theta = \"0.3 rad\"", "theta = \"guess 0.3 rad\"")], parts)
     };
-    let both = ["constraint 2 contradicts constraint 1 `low`", "leaves -0.1,", "zero = \"2*theta - 0.1\""];
+    let both =
+        ["constraint 2 contradicts constraint 1 `low`", "its value is -0.1, not zero", "zero = \"2*theta - 0.1\""];
     found("theta", "2*theta - 0.1", &both);
     found("sin(theta)", "3*sin(theta) + 1", &["constraint 2 contradicts constraint 1 `low`"]);
     // out of reach of each other, by no identity
@@ -216,5 +220,8 @@ fn a_guess_of_a_free_frame_is_shown_as_turns() {
         ),
         ("[outputs]", "[[constraint]]\nname = \"far\"\nzero = \"B.x . N.y - 2\"\n\n[outputs]"),
     ];
-    one(&edits, &["was not met from this start", "moving `B` left", "such as B = \"guess 20 deg about z\""]);
+    one(
+        &edits,
+        &["was not met from this start", "after `B` was adjusted, not zero", "such as B = \"guess 20 deg about z\""],
+    );
 }

@@ -62,25 +62,25 @@ fn conditions_events_and_inputs_are_checked_where_they_stand() {
     told("if(theta > 0, l)", &["`if` has 3 arguments", "2 stand here"]);
     told("if(theta, l, 2*l)", &["`if` begins with a condition"]);
     told("l*cos(theta > 0)", &["`cos` has no such argument"]);
-    told("if(theta > l, l, 2*l)", &["different dimensions", "1 and m"]);
-    told("if(theta > 0, l, m)", &["different dimensions", "m and kg"]);
-    told("l*exp(l)", &["the argument of `exp` has the dimension 1"]);
+    told("if(theta > l, l, 2*l)", &["different dimensions", "1 on the left, m on the right"]);
+    told("if(theta > 0, l, m)", &["different dimensions", "m on the left, kg on the right"]);
+    told("l*exp(l)", &["the argument of `exp` must have the dimension 1"]);
     told("l*atan2(l, m)", &["different dimensions"]);
-    told("l*table(theta, 0, 1, 0, 2)", &["the places of a table ascend"]);
-    told("l*table(theta, 0, 1, 2)", &["a table has pairs of numbers"]);
+    told("l*table(theta, 0, 1, 0, 2)", &["the places x1, x2, ... of a table must increase"]);
+    told("l*table(theta, 0, 1, 2)", &["a table must have at least two pairs of numbers"]);
     let event = |keys: &str| format!("[[event]]\n{keys}\n\n[outputs]");
     let of = |keys: &str, parts: &[&str]| one(&[("[outputs]", &event(keys))], parts);
     of("when = \"theta\"", &["this event changes nothing"]);
     of("when = \"theta\"\ndirection = \"left\"\nend = true", &["no direction"]);
     of("when = \"theta\"\nset = { \"theta''\" = \"0\" }", &["no coordinate is called `theta''`"]);
-    of("when = \"theta\"\nset = { \"theta'\" = \"l\" }", &["has the dimension s^-1"]);
+    of("when = \"theta\"\nset = { \"theta'\" = \"l\" }", &["must have the dimension s^-1"]);
     of("when = \"theta\"\nend = \"yes\"", &["`end` has the wrong type", "true or false"]);
     let input = |keys: &str, parts: &[&str]| one(&[("[outputs]", &format!("[inputs]\n{keys}\n\n[outputs]"))], parts);
     input("u = \"N\"", &["the input `u` has no value"]);
-    input("u = { unit = \"N\", value = \"l\" }", &["the input `u` has the dimension kg m s^-2"]);
+    input("u = { unit = \"N\", value = \"l\" }", &["the input `u` must have the dimension kg m s^-2"]);
     input("u = { value = \"l\" }", &["`unit` is missing"]);
     let led = "[[constraint]]\nzero = \"theta - 0.4\"\nprogrammed = { gains = [\"(1 1/s)\"] }\n\n[outputs]";
-    one(&[("[outputs]", led)], &["a programmed constraint of positions has two gains"]);
+    one(&[("[outputs]", led)], &["a programmed constraint of positions needs two gains"]);
 }
 
 #[test]
@@ -131,7 +131,7 @@ fn bodies_that_cannot_exist_are_refused() {
     let solid = "frame = \"A\"\ninertia = { principal = [\"1 kg m^2\", \"1 kg m^2\", \"3 kg m^2\"] }\nmass = \"m\"";
     one(
         &[("mass = \"m\"", &solid.replace("1 kg m^2", "(1 kg m^2)").replace("\"3 kg m^2\"", "\"(3 kg m^2)\""))],
-        &["no body has the moments of inertia of `bob`"],
+        &["the moments of inertia of `bob` are impossible"],
     );
 }
 
@@ -172,7 +172,7 @@ fn products_of_inertia_leave_principal_moments_that_a_body_can_have() {
         format!("frame = \"A\"\ninertia = {{ {moments}, {products} }}\nmass = \"m\"")
     };
     let refused = |products: &str, told: &str| {
-        one(&[("mass = \"m\"", &solid(products))], &["no body has the moments of inertia of `bob`", told]);
+        one(&[("mass = \"m\"", &solid(products))], &["the moments of inertia of `bob` are impossible", told]);
     };
     refused("xy = \"(2 kg m^2)\"", "about its principal axes they are -1, 1 and 3 kg m^2");
     refused("xy = \"(0.9 kg m^2)\"", "about its principal axes they are 0.1, 1 and 1.9 kg m^2");

@@ -90,7 +90,7 @@ fn an_inertia_by_the_motion_has_the_law_of_a_solid_body_and_a_warning() {
 fn a_parameter_that_nothing_uses_is_a_warning() {
     let found = warnings(&[("m = \"2 kg\"", "m = \"2 kg\"\nidle = \"1 m\"")]);
     assert_eq!(found.len(), 1, "{found:?}");
-    assert!(found[0].0 == "idle" && found[0].1.contains("nothing uses the parameter `idle`"), "{found:?}");
+    assert!(found[0].0 == "idle" && found[0].1.contains("the parameter `idle` is not used"), "{found:?}");
     let used = [("m = \"2 kg\"", "m = \"2 kg\"\nidle = \"1 m\""), ("\"reach\"", "\"reach - idle\"")];
     assert_eq!(warnings(&used), Vec::new());
 }

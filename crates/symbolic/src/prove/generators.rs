@@ -10,7 +10,7 @@ use crate::Sym;
 use crate::analytic::{circle_in_steps, least_common_multiple, linear_terms, small_quotient};
 use crate::graph::Node;
 use crate::print::natural_key;
-use field::Analytic;
+use field::{Analytic, Elementary};
 use num_traits::One;
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -107,6 +107,14 @@ fn rewrite(expression: Sym, aliases: &FxHashMap<Sym, Sym>, generator: &impl Fn(S
         new.insert(each, value);
     }
     new[&expression]
+}
+
+/// The cosine x/r or the sine y/r of atan2(y, x), with r = sqrt(x^2 + y^2).
+fn of_direction(leaf: Sym) -> Option<Sym> {
+    let (Node::Cos(angle) | Node::Sin(angle)) = leaf.node() else { return None };
+    let Node::Elementary(Elementary::Atan2, y, x) = angle.node() else { return None };
+    let along = if matches!(leaf.node(), Node::Cos(_)) { x } else { y };
+    Some(along / (x * x + y * y).sqrt())
 }
 
 struct Gathering<'a> {
@@ -214,6 +222,12 @@ impl<'a> Gathering<'a> {
         });
         let expression = if matches!(each.node(), Node::Cos(_)) { point.cos } else { point.sin };
         for leaf in Sym::ascending_to_leaves(&[expression]) {
+            if let Some(algebraic) = of_direction(leaf) {
+                if self.aliases.insert(leaf, algebraic).is_none() {
+                    self.visit(&[algebraic])?;
+                }
+                continue;
+            }
             if let Node::Sin(canonical) | Node::Cos(canonical) = leaf.node()
                 && self.found.insert(leaf)
                 && matches!(leaf.node(), Node::Sin(_))

@@ -6,7 +6,7 @@ use super::normal::normal_form;
 use crate::Sym;
 use crate::analytic::linear_terms;
 use crate::graph::{Name, Node};
-use field::{Analytic, Rational, Scalar};
+use field::{Analytic, Elementary, Rational, Scalar};
 use num_traits::{One, Zero};
 use rustc_hash::FxHashMap;
 use std::fmt;
@@ -62,11 +62,16 @@ fn angles_are_free(generators: &Generators) -> bool {
     generators.leaves.iter().all(|leaf| match leaf.node() {
         // its values and those of its argument depend on each other
         Node::Elementary(..) => false,
-        Node::Cos(angle) | Node::Sin(angle) => linear_terms(angle)
-            .into_iter()
-            .all(|(term, _)| term != Sym::ONE && *steps.entry(term).or_insert(angle) == angle),
+        Node::Cos(angle) | Node::Sin(angle) => linear_terms(angle).into_iter().all(|(term, _)| {
+            term != Sym::ONE && !holds_direction(term) && *steps.entry(term).or_insert(angle) == angle
+        }),
         _ => true,
     })
+}
+
+/// Whether an angle holds an atan2, whose sine and cosine depend on its arguments.
+fn holds_direction(angle: Sym) -> bool {
+    Sym::ascending(&[angle]).iter().any(|part| matches!(part.node(), Node::Elementary(Elementary::Atan2, ..)))
 }
 
 /// Small numbers in a fixed order, different for every attempt and growing slowly; positive in the first ones, as most

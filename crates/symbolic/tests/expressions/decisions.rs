@@ -1,7 +1,7 @@
 //! The prover's decisions on identities, on mutated identities, and under hypotheses.
 
 use dalembert_symbolic::{Decision, Hypotheses, Sym, decide, decide_modulo, normal, symbols};
-use field::{Analytic, Scalar};
+use field::{Analytic, Elementary, Scalar};
 use nalgebra::{Matrix3, Matrix4};
 
 fn det3(m: Matrix3<Sym>) -> Sym {
@@ -268,4 +268,27 @@ fn a_computation_without_end_is_given_up() {
     let sum = names.iter().fold(Sym::int(1), |sum, &x| sum + x);
     assert!(matches!(decide(sum.powi(20) - sum, &Hypotheses::none()), Decision::GaveUp(_)));
     assert!(matches!(decide(names[0].powi(1000) - names[1], &Hypotheses::none()), Decision::GaveUp(_)));
+}
+
+#[test]
+fn the_sine_and_cosine_of_a_direction_are_algebraic() {
+    let [x, y, l] = symbols(["x", "y", "l"]);
+    let angle = y.elementary(Elementary::Atan2, x);
+    let point = angle.circle();
+    let length = (x * x + y * y).sqrt();
+    let none = Hypotheses::none();
+    for zero in [
+        point.cos * length - x,
+        point.sin * length - y,
+        (angle + angle).circle().sin - (x * y + x * y) / (x * x + y * y),
+    ] {
+        assert!(decide(zero, &none).is_zero(), "{zero}: {}", decide(zero, &none));
+    }
+    assert!(decide(point.sin - y / (x + length), &none).is_nonzero());
+    // on a circle of radius l
+    let circle = Hypotheses::none().rule(y, 2, l * l - x * x);
+    assert!(decide(point.sin * point.sin - y * y / (l * l), &circle).is_zero());
+    // its half is no function of x and y alone here: nothing is refuted by points that are none
+    let half = (angle * Sym::ratio(1, 2)).circle();
+    assert!(!decide(half.cos * half.cos + half.cos * half.cos - Sym::ONE - x / length, &none).is_nonzero());
 }

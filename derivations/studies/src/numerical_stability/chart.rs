@@ -125,8 +125,8 @@ impl Row {
 pub fn said(stretch: StepInterval) -> &'static str {
     match stretch.judgement {
         Judgement::Correct => "correct",
-        Judgement::Hides => "HIDES GROWTH",
-        Judgement::Invents => "invents growth",
+        Judgement::Hides => "decays although the motion grows",
+        Judgement::Invents => "grows although the motion does not",
         Judgement::Damps => "damps an undamped mode",
         Judgement::Confuses => "wrong in some mode",
     }

@@ -70,7 +70,7 @@ fn a_turning_hoop_is_judged_by_jacobis_integral() {
     assert!(told.contains("2 steady motions, each alone in its box; there are no others"), "{told}");
     assert!(told.contains("(Jacobi's integral) has a strict minimum"), "{told}");
     // the file is read once
-    assert_eq!(warned.matches("nothing uses the parameter `spare`").count(), 1, "{warned}");
+    assert_eq!(warned.matches("the parameter `spare` is not used").count(), 1, "{warned}");
 }
 
 #[test]

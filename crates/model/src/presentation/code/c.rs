@@ -3,9 +3,13 @@
 use super::{Program, assigned, indented};
 use std::fmt::Write;
 
+/// Keywords, and macros of the headers that the code includes, which a name of a structure's member must not be either.
 pub(super) const WORDS: &str = "auto break case char const continue default do double else enum extern float for goto if inline int long \
     register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while _Bool _Complex \
-    _Imaginary asm bool true false nullptr constexpr thread_local typeof alignas alignof static_assert";
+    _Imaginary asm bool true false nullptr constexpr thread_local typeof alignas alignof static_assert NULL EOF errno unix linux i386 \
+    NAN INFINITY HUGE_VAL HUGE_VALF HUGE_VALL FP_NAN FP_INFINITE FP_ZERO FP_SUBNORMAL FP_NORMAL FP_ILOGB0 FP_ILOGBNAN FP_FAST_FMA \
+    MATH_ERRNO MATH_ERREXCEPT math_errhandling signgam M_E M_LOG2E M_LOG10E M_LN2 M_LN10 M_PI M_PI_2 M_PI_4 M_1_PI M_2_PI M_2_SQRTPI \
+    M_SQRT2 M_SQRT1_2";
 
 /// The way in which functions stand in a file.
 #[derive(Clone, Copy)]
