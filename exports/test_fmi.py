@@ -213,3 +213,39 @@ span = "3 s"
     for kind in ["ModelExchange", "CoSimulation"]:
         found = fmpy.simulate_fmu(str(unit), fmi_type=kind, output_interval=0.01, relative_tolerance=1e-9, stop_time=3.0)
         assert abs(found["time"][-1] - np.sqrt(2 / 9.81)) < 0.011, kind
+
+
+TWO_AT_ONCE = """title = "Two events at one instant set one speed"
+[parameters]
+m = "1 kg"
+[coordinates]
+x = "m"
+[bodies.b]
+centre = "O + x*N.x"
+mass = "m"
+[[event]]
+name = "doubles"
+when = "x - (0.5 m)"
+direction = "up"
+set = { "x'" = "2*x'" }
+[[event]]
+name = "adds"
+when = "2*x - (1 m)"
+direction = "up"
+set = { "x'" = "x' + (1 m/s)" }
+[start]
+"x'" = "1 m/s"
+[run]
+span = "1 s"
+"""
+
+
+@pytest.mark.parametrize("kind", ["ModelExchange", "CoSimulation"])
+@pytest.mark.parametrize("fmi", FMI)
+def test_events_of_one_instant_follow_each_other(workbench, kind, fmi):
+    own = workbench.run(TWO_AT_ONCE)
+    # twice the speed, and one more: 3 m/s from x = 0.5 m on
+    assert abs(own["x"][-1] - 2.0) < 1e-9
+    unit = workbench.export(TWO_AT_ONCE, "--fmu", "unit.fmu", "--fmi", fmi)
+    found = simulate(unit, own, kind, 1e-9)
+    assert abs(found["x"][-1] - 2.0) < 1e-6 and abs(found["x'"][-1] - 3.0) < 1e-6

@@ -102,3 +102,31 @@ fn a_claim_that_cannot_be_read_leaves_the_others_reviewed() {
     assert!(faults.contains("V = q"), "{faults}");
     [old, new].iter().for_each(|file| std::fs::remove_file(file).expect("it is there"));
 }
+
+/// A stop is a case of the law: its steady motions are those of `stationary`, and a run that ends early is told.
+#[test]
+fn steady_motions_in_cases_of_a_law_and_the_end_of_a_run_are_compared() {
+    let law = "title = \"A mass at a stop\"\n[coordinates]\nx = \"m\"\n[bodies.b]\ncentre = \"O + x*N.x\"\nmass = \"(1 kg)\"\n[[force]]\non = \"b\"\n\
+        is = \"(-(3 N/m)*x + (2 N/m)*max(0, x - (0.1 m)) + (1 N))*N.x\"\n[[event]]\nwhen = \"x - (2 m)\"\nend = true\n[start]\n\"x'\" = \"0 m/s\"\n[run]\nspan = \"2 s\"\n";
+    let (old, before) = written("review_stop.toml", law);
+    let (new, now) = written("review_stop_now.toml", &law.replace("3 N/m", "4 N/m").replace("0 m/s", "9 m/s"));
+    let output = run(&["review", &now, "--against", &before, "--range", "x=-1..2"]);
+    let told = String::from_utf8_lossy(&output.stdout).into_owned();
+    let warned = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(!warned.contains("not compared"), "{warned}");
+    // x = 0.8 m where 3 x = 2 (x - 0.1) + 1; x = 0.4 m where 4 x = 2 (x - 0.1) + 1
+    assert!(told.contains("x = 0.8 m") && told.contains("x = 0.4 m"), "{told}");
+    assert!(told.contains("the run reaches t = 2 s before; it reaches t = 0.2"), "{told}");
+    [old, new].iter().for_each(|file| std::fs::remove_file(file).expect("it is there"));
+}
+
+#[test]
+fn a_parameter_without_a_value_leaves_the_equations_compared() {
+    let open = CART.replace("k = \"20 N/m\"", "k = \"N/m\"");
+    let (old, before) = written("review_open.toml", &open);
+    let (new, now) = written("review_open_now.toml", &open.replace("-k*x", "k*x"));
+    let output = run(&["review", &now, "--against", &before]);
+    let told = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(told.contains("sign turned: -k*x"), "{told}");
+    [old, new].iter().for_each(|file| std::fs::remove_file(file).expect("it is there"));
+}

@@ -3,7 +3,7 @@
 use super::stored;
 use dalembert_scenes::inverse::inverse;
 use dalembert_scenes::linearisation::VariedEquations;
-use dalembert_scenes::read_prescribed;
+use dalembert_scenes::{SystemText, parse_prescribed, read_prescribed};
 
 #[test]
 fn inverse_dynamics_gives_the_torque_that_runs_the_motion() {
@@ -206,4 +206,24 @@ fn a_free_frame_that_constraints_turn_is_found_from_them() {
         assert!((forces.multipliers[2] * angle.cos() - 0.6).abs() < 1e-8, "{forces:?}");
         assert!((forces.unknowns[0] - 2.0 * 0.2).abs() < 1e-9, "{forces:?}");
     }
+}
+
+/// The value of a sought quantity is not known before the forces are.
+#[test]
+fn a_motion_by_a_quantity_that_is_sought_is_refused() {
+    let text = "title = \"two carts\"\n[parameters]\nk = \"4 N/m\"\n[coordinates]\nx = \"m\"\n[bodies.a]\ncentre = \"O + x*N.x\"\nmass = \"(1 kg)\"\n\
+        [inputs]\nu = \"N\"\n[[force]]\non = \"a\"\nis = \"(u - k*x)*N.x\"\n";
+    let system = SystemText { name: "scene.toml".into(), text: text.into(), values: Vec::new() };
+    let asked = |motion: &str, sought: &str| {
+        let motions = [("x".to_owned(), motion.to_owned())];
+        parse_prescribed(&system, &motions, &[sought.to_owned()], "--motion")
+            .map(|_| ())
+            .map_err(|error| error.to_string())
+    };
+    assert_eq!(asked("(0.1 m/s)*t", "u"), Ok(()));
+    for (motion, sought) in [("(0.1 m)*u/(1 N)", "u"), ("(0.1 m)*k/(1 N/m)", "k")] {
+        let told = asked(motion, sought).expect_err("it is sought");
+        assert!(told.contains("it depends on a quantity that is sought"), "{told}");
+    }
+    assert_eq!(asked("(0.1 m)*k/(1 N/m)", "u"), Ok(()));
 }

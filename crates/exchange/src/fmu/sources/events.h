@@ -82,24 +82,29 @@ static bool any_is_beyond(const Instance *instance, double time, const double *y
 /* the events that have passed set the state, and each indicator has its side after them */
 static fmi3Status pass_events(Instance *instance, bool *sets)
 {
-    double z[INDICATORS + 1], y[STATES];
+    double z[INDICATORS + 1], y[STATES], before_all[STATES];
     bool left[INDICATORS + 1];
-    *sets = false;
+    bool has_set = false;
     indicator_values(instance, instance->time, instance->y, z);
-    memcpy(y, instance->y, sizeof y);
-    for (int i = 0; i < INDICATORS; ++i) {
+    memcpy(before_all, instance->y, sizeof before_all);
+    for (int i = 0; i < INDICATORS; ++i)
         left[i] = is_beyond(instance, z, i) || (z[i] == 0.0 && indicator_trend(instance, i) * instance->side[i] < 0.0);
+    for (int i = CONDITIONS; i < INDICATORS; ++i) {
         const int event = i - CONDITIONS;
-        if (!left[i] || event < 0 || directions[event] == instance->side[i]) continue;
-        /* every event has the state before all of them */
+        if (!left[i] || directions[event] == instance->side[i]) continue;
+        /* events of one instant follow each other; one whose indicator an event before it sends back does not happen */
+        if (has_set && indicator_trend(instance, i) * instance->side[i] >= 0.0) continue;
+        memcpy(y, instance->y, sizeof y);
         set_by_event(event, instance->time, instance->y, speeds(instance), &instance->p, instance->s, y);
+        memcpy(instance->y, y, sizeof y);
+        has_set = true;
+        changed(instance);
         if (ends[event]) {
             instance->ended = true;
             tell(instance, fmi3OK, "at t = %.17g s %s ends the run", instance->time, indicator_names[i]);
         }
     }
-    *sets = memcmp(y, instance->y, sizeof y) != 0;
-    memcpy(instance->y, y, sizeof y);
+    *sets = memcmp(before_all, instance->y, sizeof before_all) != 0;
     changed(instance);
     for (int i = 0; i < INDICATORS; ++i) {
         if (left[i]) instance->counted_from[i] = 0.0;

@@ -181,26 +181,48 @@ pub fn modelica(trace: &Trace<'_>, form: &MatrixForm, name: &str, start: &[f64])
     for (name, value) in outputs.iter().zip(&shown_values) {
         let _ = writeln!(text, "  {name} = {value};");
     }
-    let mut sets = sets.iter();
-    for ((event, set), expression) in trace.model.events.iter().zip(&shown.sets).zip(&events) {
+    text += &when_clauses(trace, (&shown.sets, &sets), &events, &state);
+    let _ = writeln!(text, "end {name};");
+    Ok(text)
+}
+
+/// Events: those that set a common state are branches of one clause, since a state is reinitialised in one clause alone.
+fn when_clauses(
+    trace: &Trace<'_>,
+    (places, values): (&[Vec<(usize, Sym)>], &[String]),
+    expressions: &[String],
+    state: &[String],
+) -> String {
+    let mut values = values.iter();
+    let mut clauses: Vec<(Vec<usize>, String)> = Vec::new();
+    for ((event, set), expression) in trace.model.events.iter().zip(places).zip(expressions) {
         let passes = match event.direction {
             Direction::Up => format!("{expression} > 0"),
             Direction::Down => format!("{expression} < 0"),
             Direction::Both => format!("{{{expression} > 0, {expression} < 0}}"),
         };
-        let _ = writeln!(text, "  when {passes} then");
-        for ((place, _), value) in set.iter().zip(&mut sets) {
-            let _ = writeln!(text, "    reinit({}, {value});", state[*place]);
+        let mut branch = format!("when {passes} then\n");
+        for ((place, _), value) in set.iter().zip(&mut values) {
+            let _ = writeln!(branch, "    reinit({}, {value});", state[*place]);
         }
         if event.ends {
             let told = if event.name.is_empty() { "an event ends the run" } else { &event.name };
-            let _ = writeln!(text, "    terminate({});", quoted(told));
+            let _ = writeln!(branch, "    terminate({});", quoted(told));
         }
-        text += "  end when;\n";
+        let own: Vec<usize> = set.iter().map(|(place, _)| *place).collect();
+        // one clause of all that set a state of this event
+        let (with, without): (Vec<_>, Vec<_>) =
+            clauses.into_iter().partition(|(known, _)| known.iter().any(|place| own.contains(place)));
+        clauses = without;
+        let mut joined = (own, branch);
+        if !with.is_empty() {
+            let branches = with.iter().map(|(_, branch)| branch.as_str()).chain([joined.1.as_str()]);
+            let text = branches.collect::<Vec<_>>().join("  else");
+            joined = (with.iter().flat_map(|(known, _)| known.clone()).chain(joined.0).collect(), text);
+        }
+        clauses.push(joined);
     }
-
-    let _ = writeln!(text, "end {name};");
-    Ok(text)
+    clauses.iter().map(|(_, branches)| format!("  {branches}  end when;\n")).collect()
 }
 
 /// In parentheses where it begins with a sign.
