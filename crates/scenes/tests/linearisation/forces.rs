@@ -30,7 +30,7 @@ fn inverse_dynamics_gives_the_torque_that_runs_the_motion() {
         let (model, prescribed) = read_prescribed(&path, motion).unwrap_or_else(|error| panic!("{error}"));
         inverse(&model, &prescribed, &unknowns, &times).expect_err("it is refused").to_string()
     };
-    assert!(refused(&motion, &[]).contains("2 of 3 equations (the rank): underactuated"));
+    assert!(refused(&motion, &[]).contains("the system is underactuated: 2 of 3 equations"));
     assert!(refused(&motion, &["theta"]).contains("neither a parameter nor an input"));
     assert!(refused(&motion, &["r"]).contains("not linear in `r`"));
     let state = [("theta".to_owned(), "phi".to_owned())];

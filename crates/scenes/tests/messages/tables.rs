@@ -71,7 +71,7 @@ fn conditions_events_and_inputs_are_checked_where_they_stand() {
     let event = |keys: &str| format!("[[event]]\n{keys}\n\n[outputs]");
     let of = |keys: &str, parts: &[&str]| one(&[("[outputs]", &event(keys))], parts);
     of("when = \"theta\"", &["this event changes nothing"]);
-    of("when = \"theta\"\ndirection = \"left\"\nend = true", &["no direction"]);
+    of("when = \"theta\"\ndirection = \"left\"\nend = true", &["`left` is not a direction"]);
     of("when = \"theta\"\nset = { \"theta''\" = \"0\" }", &["no coordinate is called `theta''`"]);
     of("when = \"theta\"\nset = { \"theta'\" = \"l\" }", &["must have the dimension s^-1"]);
     of("when = \"theta\"\nend = \"yes\"", &["`end` has the wrong type", "true or false"]);
