@@ -120,8 +120,12 @@ fn what_no_other_simulator_has_a_law_for_is_refused_at_its_line() {
     let folder = Folder::new("refused");
     for (text, line, why) in [
         (of_repository("models/dry_friction.toml"), None, "as dry friction that sticks"),
-        (of_repository("models/leaning_ladder.toml"), None, "a contact is left to `run`"),
-        (of_repository("models/bridge_rectifier.toml"), None, "a diode or a freewheel is left to `run`"),
+        (of_repository("models/leaning_ladder.toml"), None, "a system with a contact cannot be exported"),
+        (
+            of_repository("models/bridge_rectifier.toml"),
+            None,
+            "a system with a diode or a freewheel cannot be exported",
+        ),
         (sliding("-F*sign(x')", ""), Some("scene.toml:12:"), "as dry friction that sticks"),
         (
             sliding("-F*tanh(x'/v0)", "").replace("\"3 N\"", "\"N\""),

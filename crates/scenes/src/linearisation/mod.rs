@@ -76,6 +76,8 @@ pub enum NotLinear {
     AtCondition { switch: usize },
     /// The coordinates of some speeds have no inertia, so that they do not describe the position.
     SingularCoordinates { speeds: Vec<usize> },
+    /// An output, by its place, has no finite derivative.
+    SteepOutput { output: usize },
     /// A derivative has no finite value.
     NotFinite,
 }
@@ -98,6 +100,7 @@ impl fmt::Display for NotLinear {
             Self::SingularCoordinates { .. } => {
                 write!(f, "the mass matrix is singular: these coordinates do not describe the position")
             }
+            Self::SteepOutput { output } => write!(f, "output {} has no finite derivative", output + 1),
             Self::NotFinite => write!(f, "a derivative of the equations has no finite value"),
         }
     }
@@ -108,8 +111,14 @@ const STEEP: f64 = 1e250;
 impl NotLinear {
     /// At its place in the file, of a point at a time.
     pub fn at(&self, model: &Model, time: f64) -> Issue {
+        if let Self::SteepOutput { output } = self {
+            let name = &model.outputs[*output].name;
+            let title = format!("at t = {time} s the output `{name}` has no finite derivative");
+            let issue = Issue::at(0..0, title, "in this file");
+            return issue.accepted("[outputs] without it, or a point at which none of its conditions is zero");
+        }
         let (place, label, accepted) = match self {
-            Self::Undetermined(_) | Self::NotFinite => (
+            Self::Undetermined(_) | Self::NotFinite | Self::SteepOutput { .. } => (
                 0..0,
                 "in this file",
                 "another point; inertia that resists every coordinate, and constraints that are independent there",
@@ -226,8 +235,12 @@ impl VariedEquations {
             &at.outputs.by_coordinates * &coordinates + &at.outputs.by_speeds * &speeds + shown.columns(0, x_q + x_u);
         let d = &at.outputs.by_inputs + &at.outputs.by_speeds * &driven + shown.columns(x_q + x_u, k);
         // a condition of an output that is zero here has a slope beyond all sizes
-        let is_finite = [&a, &b, &c, &d].iter().all(|matrix| matrix.iter().all(|value| value.abs() < STEEP));
-        match is_finite {
+        let is_steep = |value: &f64| value.is_nan() || value.abs() >= STEEP;
+        let steep = (0..c.nrows()).find(|&row| c.row(row).iter().chain(d.row(row).iter()).any(is_steep));
+        if let Some(output) = steep {
+            return Err(NotLinear::SteepOutput { output });
+        }
+        match !a.iter().chain(b.iter()).any(is_steep) {
             true => {
                 let variations = DMatrix::from_fn(2 * n, x_q + x_u, |row, column| {
                     if row < n { coordinates[(row, column)] } else { speeds[(row - n, column)] }

@@ -98,13 +98,13 @@ fn forces_for_a_motion_are_printed_or_refused_with_the_rank() {
     );
     let twice = printed(&[&motion[..], &["--unknown", "T", "--unknown", "T"]].concat());
     assert_eq!(twice, table);
-    refused(&motion, "2 of 3 equations (the rank): underactuated");
+    refused(&motion, "the system is underactuated: 2 of 3 equations");
     refused(&["inverse", crank, "--motion", "theta"], "a coordinate and an expression of t");
     refused(&["inverse", crank, "--motion", "omega = t/(1 s)"], "no coordinate has this name");
     refused(&["inverse", crank, "--motion", "theta = 2*q"], "a prescribed motion");
     let body = "scenes/models/tumbling_body.toml";
     let free = ["inverse", body, "--motion", "x = (0 m)", "--motion"];
-    refused(&[&free[..], &["F = t*(1 rad/s) about z"]].concat(), "0 of 4 equations (the rank): underactuated");
+    refused(&[&free[..], &["F = t*(1 rad/s) about z"]].concat(), "the system is underactuated: 0 of 4 equations");
     refused(&[&free[..], &["F = t*(1 rad/s)"]].concat(), "turns one after the other");
 }
 
