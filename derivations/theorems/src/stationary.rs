@@ -47,7 +47,7 @@ fn gradient(page: &mut Page, s: &Letters) {
     let slope = tensor * s.nu * s.omega0.powi(2) + share * (s.omega_field * s.omega0) + energies.weight;
     let residual = g.by_momentum(&s.stationary(s.omega_field, Sym::ZERO));
     let tangential = slope.cross(&s.nu);
-    page.claim("gradient", "relative-speed", r"a rotor that keeps its relative speed $\Omega$: the residuals of the carrier's equations of motion, from the mass points, at $\omega^0\nu$ are $\nu\times\operatorname{grad}W$ with $W=T(\omega^0\nu,\Omega)-V(\nu)$, from the energies")
+    page.claim("gradient", "relative-speed", r"for a rotor that keeps its relative speed $\Omega$, the residuals of the carrier's equations of motion, from the mass points, at $\omega^0\nu$ are $\nu\times\operatorname{grad}W$ with $W=T(\omega^0\nu,\Omega)-V(\nu)$, from the energies")
         .under(&s.unit_axis)
         .follows((0..3).map(|i| Equal(-residual[i], tangential[i])));
     let speed = letter("φ̇′");
@@ -56,7 +56,7 @@ fn gradient(page: &mut Page, s: &Letters) {
     let slope = tensor * s.nu * s.omega0.powi(2) + share * (own * s.omega0) + energies.weight;
     let residual = g.by_momentum(&s.stationary(speed, Sym::ZERO));
     let tangential = slope.cross(&s.nu);
-    page.claim("gradient", "own-momentum", r"a free rotor, which keeps $p'=\partial T/\partial\dot\varphi'$ (Routh): the residuals of the carrier's equations of motion at $\omega^0\nu$ are $\nu\times(\omega^{0\,2}M\nu+\omega^0h+\Gamma e)$ with $M=T_{\omega\omega}-T_{\omega\varphi}T_{\varphi\omega}/T_{\varphi\varphi}$, and $h=p'\,T_{\omega\varphi}/T_{\varphi\varphi}$")
+    page.claim("gradient", "own-momentum", r"for a free rotor, which keeps $p'=\partial T/\partial\dot\varphi'$ (Routh), the residuals of the carrier's equations of motion at $\omega^0\nu$ are $\nu\times(\omega^{0\,2}M\nu+\omega^0h+\Gamma e)$ with $M=T_{\omega\omega}-T_{\omega\varphi}T_{\varphi\omega}/T_{\varphi\varphi}$, and $h=p'\,T_{\omega\varphi}/T_{\varphi\varphi}$")
         .under(&s.unit_axis)
         .follows((0..3).map(|i| Equal(-residual[i], tangential[i])));
     let reduced = g.reduced_tensor();
@@ -108,7 +108,7 @@ fn motor(page: &mut Page, s: &Letters) {
     page.claim(
         "motor",
         "branches",
-        r"a synchronous motor has the stationary angles $\gamma^0$ and $\pi-\gamma^0$: its moment without slip is equal at both",
+        r"a synchronous motor has the stationary angles $\gamma^0$ and $\pi-\gamma^0$, since its torque without slip is equal at both",
     )
     .in_words()
     .follows([Equal(torque_and_current_rates(&machine, turned, Sym::ZERO, &[], &mut []), moment)]);
@@ -158,7 +158,7 @@ fn multiplier(page: &mut Page, s: &Letters, m: &Multipliers) {
     let adjugate = mechanics::rotation::adjugate(&symmetric);
     let determinant = mechanics::rotation::determinant(&symmetric);
     let solved = symmetric * (adjugate * b) - b * determinant;
-    page.claim("multiplier", "adjugate", r"for a symmetric $K$ with any components and any $b$: $(K-\lambda)\,\mathrm{adj}(K-\lambda)\,b = \det(K-\lambda)\,b$. Where the determinant is not zero $\nu=-\mathrm{adj}(K-\lambda)b/\det(K-\lambda)$ is the only solution of $(K-\lambda)\nu+b=0$, and $|\nu|=1$ is $|\mathrm{adj}(K-\lambda)b|^2=\det(K-\lambda)^2$")
+    page.claim("multiplier", "adjugate", r"for a symmetric $K$ with any components and any $b$, $(K-\lambda)\,\mathrm{adj}(K-\lambda)\,b = \det(K-\lambda)\,b$. Where the determinant is not zero $\nu=-\mathrm{adj}(K-\lambda)b/\det(K-\lambda)$ is the only solution of $(K-\lambda)\nu+b=0$, and $|\nu|=1$ is $|\mathrm{adj}(K-\lambda)b|^2=\det(K-\lambda)^2$")
         .in_words()
         .follows(solved.iter().map(|&x| Zero(x)));
     let residual = Vector3::from_fn(|i, _| (m.alpha[i] - m.lambda) * m.direction[i] + m.delta[i]);
@@ -199,13 +199,13 @@ fn beyond(page: &mut Page, m: &Multipliers) {
     let at = [(m.delta.z, Sym::ZERO), (m.lambda, m.alpha.z)];
     let direction = Vector3::new(m.direction.x.substitute(&at), m.direction.y.substitute(&at), z);
     let residual = Vector3::from_fn(|i, _| ((m.alpha[i] - m.lambda) * direction[i] + m.delta[i]).substitute(&at));
-    page.claim("beyond", "pair", r"where $\delta$ is orthogonal to an eigenvector of $K$, $\delta_3=0$, and $\lambda=\alpha_3$, $(K-\lambda)\nu+\delta=0$ leaves the component $\nu_3$ free, and $|\nu|=1$ gives $\nu_3=\pm\sqrt{1-\nu_1^2-\nu_2^2}$: a pair, where that is real")
+    page.claim("beyond", "pair", r"where $\delta$ is orthogonal to an eigenvector of $K$, $\delta_3=0$, and $\lambda=\alpha_3$, $(K-\lambda)\nu+\delta=0$ leaves the component $\nu_3$ free. $|\nu|=1$ then gives $\nu_3=\pm\sqrt{1-\nu_1^2-\nu_2^2}$, which is a pair where that is real")
         .in_words()
         .follows(residual.iter().map(|&x| Zero(x)));
     let at = [(m.delta.y, Sym::ZERO), (m.delta.z, Sym::ZERO), (m.alpha.y, m.alpha.z), (m.lambda, m.alpha.z)];
     let direction = Vector3::new(m.direction.x.substitute(&at), letter("ν2"), z);
     let residual = Vector3::from_fn(|i, _| ((m.alpha[i] - m.lambda) * direction[i] + m.delta[i]).substitute(&at));
-    page.claim("beyond", "circle", r"where $\delta$ is orthogonal to the eigenspace of a double eigenvalue $\lambda$ of $K$, $(K-\lambda)\nu+\delta=0$ leaves $\nu_2$ and $\nu_3$ free but for $|\nu|=1$: a circle")
+    page.claim("beyond", "circle", r"where $\delta$ is orthogonal to the eigenspace of a double eigenvalue $\lambda$ of $K$, $(K-\lambda)\nu+\delta=0$ leaves $\nu_2$ and $\nu_3$ free but for $|\nu|=1$, which gives a circle")
         .in_words()
         .follows(residual.iter().map(|&x| Zero(x)));
 }
@@ -234,7 +234,7 @@ fn idle(page: &mut Page, s: &Letters) {
     let tilt = s.a_star.component_mul(&s.nu).cross(&s.nu);
     let volume = s.nu.dot(&s.l.cross(&s.e));
     let (first, second) = (s.e.cross(&s.nu), s.nu.cross(&s.l));
-    page.claim("idle", "principal", r"where $S^*=V^*=0$ but $\Pi^*\ne0$: $t=A^*\nu\times\nu$ is orthogonal to $\nu$, $l$ and $e$, which are independent, so that $t=0$: $\nu$ is a principal direction")
+    page.claim("idle", "principal", r"where $S^*=V^*=0$ but $\Pi^*\ne0$, $t=A^*\nu\times\nu$ is orthogonal to $\nu$, $l$ and $e$, which are independent. Then $t=0$, so that $\nu$ is a principal direction")
         .given([Zero(s.l.dot(&tilt)), Zero(s.e.dot(&tilt)), NonZero(volume)])
         .by_combination((0..3).map(|i| (Zero(tilt[i]), vec![2], vec![(0, first[i]), (1, second[i])])));
     let force = tilt * s.omega0.powi(2)

@@ -55,15 +55,15 @@ fn circuits(page: &mut Page, s: &Letters) {
     let lost = joule_heat(&machine, &currents);
     let friction_power = friction(speed) * speed;
     let supplied = s.omega_field * (moment - friction(speed));
-    page.claim("beyond-power", "balance", r"three bars at any angles, with the circuits' energy $-b_0\cos\gamma + \frac12L_1x^2 + \frac12L_2\sum i_n^2$: $\dot E = \Omega(M - M_2) + \dot\varphi'M_2 - \mu\dot\gamma^2 - R_1x^2 - R_2\sum i_n^2$, the supply of the turning field, friction and heat")
+    page.claim("beyond-power", "balance", r"three bars at any angles, with the circuits' energy $-b_0\cos\gamma + \frac12L_1x^2 + \frac12L_2\sum i_n^2$, have $\dot E = \Omega(M - M_2) + \dot\varphi'M_2 - \mu\dot\gamma^2 - R_1x^2 - R_2\sum i_n^2$. The terms are the supply of the turning field, friction and heat")
         .in_words()
         .follows([Equal(
             moment * speed + stored.slope,
             supplied + friction_power - letter("μ") * s.dgamma.powi(2) - lost,
         )]);
-    page.claim("beyond-power", "falling", r"$W = E - \Omega A'p' + c_0\gamma$ has $\dot W = \dot\gamma\,\Delta M_2(\dot\gamma) - \mu\dot\gamma^2 - R_1x^2 - R_2\sum i_n^2$ with three bars at any angles, since $(A'p')' = M$: where friction is dissipative it never grows")
+    page.claim("beyond-power", "falling", r"$W = E - \Omega A'p' + c_0\gamma$ has $\dot W = \dot\gamma\,\Delta M_2(\dot\gamma) - \mu\dot\gamma^2 - R_1x^2 - R_2\sum i_n^2$ with three bars at any angles, since $(A'p')' = M$. Where friction is dissipative, $W$ never grows")
         .in_words()
-        .note(r"At fixed vertical momentum and fixed $\nu\cdot\nu$ it is a Lyapunov function near a stationary motion where it has a strict minimum; in $\gamma$ this takes $b_0\cos\gamma > 0$, the family $\gamma^{(0)}$.")
+        .note(r"At fixed vertical momentum and fixed $\nu\cdot\nu$, $W$ is a Lyapunov function near a stationary motion where it has a strict minimum. In $\gamma$ this requires $b_0\cos\gamma > 0$, the family $\gamma^{(0)}$.")
         .follows([Equal(
             falling(s, bars),
             s.dgamma * excess_friction(s) - letter("μ") * s.dgamma.powi(2) - lost,
@@ -74,12 +74,12 @@ fn circuits(page: &mut Page, s: &Letters) {
         ("falling-strictly-excitation", r"the excitation's current $x\ne0$", letter("x")),
         ("falling-strictly-bar", r"the bar's current $i_1\ne0$", current(1)),
     ] {
-        page.claim("beyond-power", slug, format!(r"$W = E - \Omega A'p' + c_0\gamma$ falls, $-\dot W > 0$, where {name}: with the secant $\Delta M_2=-\kappa\dot\gamma$ of a strictly decreasing law and one bar at any angle (further bars: beyond-power/bar)"))
+        page.claim("beyond-power", slug, format!(r"$W = E - \Omega A'p' + c_0\gamma$ falls, $-\dot W > 0$, where {name}. The law is strictly decreasing with the secant $\Delta M_2=-\kappa\dot\gamma$, and one bar stands at any angle (further bars: beyond-power/bar)"))
             .given([secant, letter("R1"), letter("R2"), letter("μ")].map(Positive))
             .given([NonZero(moved)])
             .by_signs([Positive(-decreasing(s, falling(s, 1), secant))]);
     }
-    page.claim("beyond-power", "bar", r"a further bar at any angle adds $-R_2i_n^2$ to $\dot W$ and nothing else, here the second and the third: with any number of bars $-\dot W>0$ unless $\dot\gamma$ and all currents vanish")
+    page.claim("beyond-power", "bar", r"a further bar at any angle adds $-R_2i_n^2$ to $\dot W$ and nothing else, here the second and the third. With any number of bars $-\dot W>0$ unless $\dot\gamma$ and all currents vanish")
         .in_words()
         .follows([2, 3].map(|n| Equal(falling(s, n) - falling(s, n - 1), -(letter("R2") * current(n).powi(2)))));
     let potential = -(s.b0 * s.angle().cos);
@@ -106,27 +106,27 @@ fn falling(s: &Letters, bars: u32) -> Sym {
 fn every_machine(page: &mut Page, s: &Letters) {
     let [k, f, pull_out, pull_out_slip] = ["k", "f", "Mk", "sk"].map(letter);
     let field_speed = s.omega_field;
-    balance(page, s, "free-rotor", "free rotor", &FreeRotor::default());
-    balance(page, s, "asynchronous", "asynchronous, linear", &Asynchronous { field_speed, k, f });
-    balance(page, s, "kloss", "asynchronous after Kloss", &Kloss { field_speed, pull_out, pull_out_slip, f });
-    balance(page, s, "synchronous", "synchronous without currents", &Synchronous { field_speed, b0: s.b0, f });
+    balance(page, s, "free-rotor", "a free rotor", &FreeRotor::default());
+    balance(page, s, "asynchronous", "a linear asynchronous motor", &Asynchronous { field_speed, k, f });
+    balance(page, s, "kloss", "an asynchronous motor after Kloss", &Kloss { field_speed, pull_out, pull_out_slip, f });
+    balance(page, s, "synchronous", "a synchronous motor without currents", &Synchronous { field_speed, b0: s.b0, f });
     let windings = EquivalentWindings::new(s.windings(), 3, Circle::zero());
-    balance(page, s, "equivalent-windings", "two equivalent windings", &windings);
-    balance(page, s, "multi-current", "three bars at any angles", &s.motor(3));
+    balance(page, s, "equivalent-windings", "a motor with two equivalent windings", &windings);
+    balance(page, s, "multi-current", "a motor with three bars at any angles", &s.motor(3));
     let [flux, inductance, resistance, voltage] = ["a1", "L1", "R1", "V"].map(letter);
     let crossed = CrossedWindings { field_speed, flux, inductance, resistance, f };
-    balance(page, s, "crossed-windings", "two windings at right angles", &crossed);
+    balance(page, s, "crossed-windings", "a motor with two windings at right angles", &crossed);
     let magnets = Magnets { field_speed, voltage, flux, along: inductance, across: letter("L2"), resistance, f };
     let magnets = PermanentMagnet { magnets, pole_pairs: 2 };
-    balance(page, s, "permanent-magnet", "magnets with two pairs of poles, in Park's axes", &magnets);
+    balance(page, s, "permanent-magnet", "a motor with magnets with two pairs of poles, in Park's axes,", &magnets);
     let brushed = Brushed { voltage, flux, inductance, resistance, f };
-    balance(page, s, "brushed", "brushes on a constant voltage", &brushed);
+    balance(page, s, "brushed", "a motor with brushes on a constant voltage", &brushed);
     let form = SecondForm::new(s.a_star, s.l, s.axial, s.e * s.big_gamma);
     let (dw, reaction) = form.prescribed(s.w, s.nu, field_speed);
     let w = Vector3::from(along(s.w.into(), dw.into()));
     let nu = Vector3::from(along(s.nu.into(), s.nu.cross(&s.w).into()));
     let energy = form.energy(w, nu, Tangent::fixed(field_speed));
-    page.claim("beyond-power", "constant-speed", r"constant speed: along the motion that runs, $\dot E = \Omega M$ with the reaction $M = A'\,l\cdot\dot\omega = (A'p')'$, so that $E - \Omega A'p'$ is conserved")
+    page.claim("beyond-power", "constant-speed", r"at constant rotor speed $\dot E = \Omega M$ along the motion that the program integrates, with the reaction $M = A'\,l\cdot\dot\omega = (A'p')'$, so that $E - \Omega A'p'$ is conserved")
         .in_words()
         .follows([Equal(energy.slope, field_speed * reaction), Equal(reaction, s.axial * s.l.dot(&dw))]);
 }
@@ -142,10 +142,10 @@ fn balance(page: &mut Page, s: &Letters, slug: &'static str, name: &str, machine
     let (sliding, supply) = (motional_torque(machine, &currents), electrical_power(machine, s.angle(), &currents));
     let says = match is_fed(machine) {
         true => format!(
-            r"{name}: $M\dot\varphi' + \dot W_m = \Omega(M - \sum c_ki_k) + \dot\gamma\,m + \sum v_ki_k - \sum R_ki_k^2$, with the energy $W_m$ of the circuits, the law $m$ of friction and slip, the voltages per speed $c_k$ of brushes or turning axes, and the supply $v_k$"
+            r"{name} has the power balance $M\dot\varphi' + \dot W_m = \Omega(M - \sum c_ki_k) + \dot\gamma\,m + \sum v_ki_k - \sum R_ki_k^2$. Here $W_m$ is the energy of the circuits, $m$ the law of friction and slip, $c_k$ the voltages per speed of brushes or turning axes, and $v_k$ the supply"
         ),
         false => format!(
-            r"{name}: $M\dot\varphi' + \dot W_m = \Omega M + \dot\gamma\,m - \sum R_ki_k^2$, with the energy $W_m$ of the circuits and the law $m$ of friction and slip"
+            r"{name} has the power balance $M\dot\varphi' + \dot W_m = \Omega M + \dot\gamma\,m - \sum R_ki_k^2$, with the energy $W_m$ of the circuits and the law $m$ of friction and slip"
         ),
     };
     page.claim("beyond-power", slug, says).in_words().follows([Equal(

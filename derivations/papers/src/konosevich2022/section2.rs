@@ -25,15 +25,19 @@ pub fn claims(page: &mut Page, s: &Letters) {
     .defines([]);
 
     let printed = a0 * w + centre_part + l * (s.axial * (w.dot(&l) + s.dphi)) + across;
-    page.claim("eq2.2", "momentum", "angular momentum about $O$ as the integral over all mass points")
-        .under(&s.unit_axis)
-        .holds(formulas(x, momentum, printed));
+    page.claim(
+        "eq2.2",
+        "momentum",
+        "the angular momentum about $O$, integrated over all mass points, has the components (2.2)",
+    )
+    .under(&s.unit_axis)
+    .holds(formulas(x, momentum, printed));
     let by_energy: [Sym; 3] =
         gradient(|[a, b, c]| g.kinetic_energy(Vector3::new(a, b, c), field::Tangent::fixed(s.dphi)), w.into());
     page.claim(
         "eq2.2",
         "from-energy",
-        r"angular momentum about $O$ as $\partial T/\partial\omega$ of the bodies' kinetic energy",
+        r"the angular momentum about $O$, as $\partial T/\partial\omega$ of the kinetic energy of the bodies, has the components (2.2)",
     )
     .under(&s.unit_axis)
     .holds(formulas(x, by_energy.into(), printed));
@@ -49,11 +53,9 @@ pub fn claims(page: &mut Page, s: &Letters) {
     .under(&s.unit_axis)
     .holds(formulas(x, momentum, named * w + l * (s.axial * s.dphi)));
     let full_printed = a0 * w + centre_part + l * (s.axial * w.dot(&l)) + across;
-    page.claim("eq2.4", "full-tensor", r"$A^*\omega$ from the bodies' data").under(&s.unit_axis).holds(formulas(
-        x,
-        full * w,
-        full_printed,
-    ));
+    page.claim("eq2.4", "full-tensor", r"(2.4) is $A^*\omega$ expressed by the data of the bodies")
+        .under(&s.unit_axis)
+        .holds(formulas(x, full * w, full_printed));
 
     let (reduced, named) = (g.reduced_tensor(), tensor("A"));
     let [momentum, _] = s.with_reduced_tensor(named).angular_momentum(w, s.dphi);
@@ -66,12 +68,12 @@ pub fn claims(page: &mut Page, s: &Letters) {
     page.claim(
         "eq2.6",
         "reduced-tensor",
-        r"$A\omega$ from the bodies' data, without the rotor's moment of inertia about its own axis",
+        r"(2.6) is $A\omega$ expressed by the data of the bodies, without the rotor's moment of inertia about its own axis",
     )
     .under(&s.unit_axis)
     .holds(formulas(x, reduced * w, a0 * w + centre_part + across));
     let axial_spin = (w + l * s.dphi).dot(&l);
-    page.claim("eq2.7", "absolute-spin", r"$p'$, the projection of the rotor's absolute angular velocity on $l$")
+    page.claim("eq2.7", "absolute-spin", "$p'$ is the projection of the rotor's absolute angular velocity on $l$")
         .under(&s.unit_axis)
         .holds([Line::formula(axial_spin, letter("p′"), w.x * l.x + w.y * l.y + w.z * l.z + s.dphi)]);
     page.claim("eq2.7", "spin-momentum", r"the rotor's own angular momentum along $l$ is $A'p'$")
@@ -95,18 +97,18 @@ fn components(page: &mut Page, s: &Letters, slug: &'static str, tensor: Matrix3<
     });
     let mixed = cyclic(|i, j, _| a0[(i, j)] - s.m_rotor * h[i] * h[j] + (axial - s.transverse) * l[i] * l[j]);
     let names = super::alphabet::tensor(if slug == "full" { "A⋆" } else { "A" });
-    let says = if slug == "full" { "components of $A^*$" } else { "components of $A$: the terms with $A'$ dropped" };
-    page.claim("eq2.8", slug, format!("{says}; diagonal, then 12, 23, 31")).under(&s.unit_axis).holds((0..3).flat_map(
-        |i| {
+    let says = if slug == "full" { "$A^*$ are (2.8)" } else { "$A$ are (2.8) without the terms in $A'$" };
+    page.claim("eq2.8", slug, format!("the components of {says}, in the order 11, 12, 22, 23, 33, 31"))
+        .under(&s.unit_axis)
+        .holds((0..3).flat_map(|i| {
             let j = (i + 1) % 3;
             [
                 Line::formula(tensor[(i, i)], names[(i, i)], diagonal[i]),
                 Line::formula(tensor[(i, j)], names[(i, j)], mixed[i]),
             ]
-        },
-    ));
+        }));
     if slug == "full" {
-        page.claim("eq2.8", "symmetric", "the components 21, 32, 13 of $A^*$ are those with the indices exchanged")
+        page.claim("eq2.8", "symmetric", "the components 21, 32 and 13 of $A^*$ equal 12, 23 and 31")
             .under(&s.unit_axis)
             .follows((0..3).map(|i| {
                 let j = (i + 1) % 3;
@@ -127,14 +129,15 @@ fn rotor(page: &mut Page, s: &Letters) {
     page.claim(
         "eq2.9",
         "rotor",
-        r"the rotor's equation about $l$, with $\ddot\varphi' = \dot p' - \dot\omega\cdot l$ from (2.7)",
+        r"the rotor's equation about $l$ is (2.9), with $\ddot\varphi' = \dot p' - \dot\omega\cdot l$ from (2.7)",
     )
     .under(&s.unit_axis)
     .holds([Line::equation(with_dp, s.axial * dp, s.torque)]);
-    for (slug, residual, route) in
-        [("by-momentum", by_momentum, "angular momentum of the rotor"), ("by-appell", by_appell, "Appell")]
-    {
-        page.claim("eq2.10", slug, format!("equation of the rotor's rotation, by {route}"))
+    for (slug, residual, route) in [
+        ("by-momentum", by_momentum, "the angular momentum of the rotor gives"),
+        ("by-appell", by_appell, "Appell's equations give"),
+    ] {
+        page.claim("eq2.10", slug, format!("{route} (2.10), the equation of the rotor's rotation"))
             .under(&s.unit_axis)
             .holds([Line::equation(residual, s.axial * (axial_acceleration + s.ddphi), s.torque)]);
     }

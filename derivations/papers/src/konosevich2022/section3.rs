@@ -81,7 +81,7 @@ fn currentless(page: &mut Page, s: &Letters) {
     page.claim(
         "eq3.1",
         "moment",
-        r"moment of the synchronous motor from $U = -b_0\cos\gamma$ and friction; $\Delta M_2 = M_2(\dot\gamma+\Omega) + c_0$, $c_0 = -M_2(\Omega)$",
+        r"the torque of the synchronous motor is (3.1), from $U = -b_0\cos\gamma$ and friction, with $\Delta M_2 = M_2(\dot\gamma+\Omega) + c_0$ and $c_0 = -M_2(\Omega)$",
     )
     .holds([Line::formula(moment, s.torque, excess_friction(s) - s.b0 * s.angle().sin - c0)]);
 }
@@ -92,7 +92,7 @@ fn signs(page: &mut Page, s: &Letters) {
     page.claim(
         "eq3.2",
         "dissipative",
-        r"$\dot\gamma\,\Delta M_2 < 0$: with the secant $\Delta M_2 = -\kappa\dot\gamma$ of a strictly decreasing law",
+        r"$\dot\gamma\,\Delta M_2 < 0$ for a strictly decreasing law with the secant $\Delta M_2 = -\kappa\dot\gamma$",
     )
     .given([Condition::Positive(secant), Condition::NonZero(s.dgamma)])
     .note("Strictness is needed: a law that is constant between two speeds makes the product zero.")
@@ -126,9 +126,9 @@ fn multi_current(page: &mut Page, s: &Letters, bars: u32, slug: &'static str) {
         - s.b0 * gamma.sin
         + friction(s.omega_field);
     let rotor = Line::equation(s.axial * s.ddgamma - moment, s.axial * s.ddgamma, printed);
-    page.claim("eq3.3", slug, format!("the motor alone with $n_2 = {bars}$: rotor and currents by Lagrange-Maxwell"))
+    page.claim("eq3.3", slug, format!("the equations of Lagrange and Maxwell give (3.3) for the motor alone with $n_2 = {bars}$, the rotor and the currents"))
         .holds([rotor].into_iter().chain(current_equations(s, bars, &rates)));
-    page.claim("eq3.4", slug, format!(r"moment of the motor with $n_2 = {bars}$, from the fluxes $a_1\cos\gamma$ and $-a_2\sin(\gamma+t_n)$, whatever the angles $t_n$ (the paper: $-\pi/4+2\pi n/n_2$)"))
+    page.claim("eq3.4", slug, format!(r"the torque of the motor with $n_2 = {bars}$ is (3.4), from the fluxes $a_1\cos\gamma$ and $-a_2\sin(\gamma+t_n)$ with any angles $t_n$ (the paper: $-\pi/4+2\pi n/n_2$)"))
         .holds([Line::formula(moment, s.torque, printed)]);
 }
 
@@ -160,7 +160,7 @@ fn asynchronous(page: &mut Page, s: &Letters) {
     page.claim(
         "section3-motors",
         "linear",
-        r"linear moments: $\Omega' = k\Omega/(k+f)$ lies between $0$ and $\Omega$, and $-\dot\gamma M > 0$ about it",
+        r"if the torques are linear in the speed, $\Omega' = k\Omega/(k+f)$ lies between $0$ and $\Omega$, and $-\dot\gamma M > 0$ about $\Omega'$",
     )
     .given([k, f, omega].map(Condition::Positive))
     .given([Condition::NonZero(s.dgamma)])
@@ -188,7 +188,7 @@ fn kloss(page: &mut Page, s: &Letters) {
     page.claim(
         "section3-motors",
         "slip-sign",
-        r"Kloss: the moment of the motor has the sign opposite to $\dot\varphi' - \Omega$",
+        r"the torque of Kloss' motor without friction has the sign opposite to $\dot\varphi' - \Omega$",
     )
     .given([pull_out, critical, omega].map(Condition::Positive))
     .given([Condition::NonZero(s.dgamma)])
@@ -196,10 +196,10 @@ fn kloss(page: &mut Page, s: &Letters) {
 
     // Speeds W/2, 2W/3, 5W/6 are all working speeds for s_k = 1/6, M_k = 5/6 f W.
     let working = number(1, 2) * omega;
-    page.claim("section3-motors", "dissipative", r"$\dot\gamma M(\dot\gamma) < 0$ for all $\dot\gamma \neq 0$ about a working speed $\Omega'$ of any asynchronous motor (here: Kloss, $\Omega' = \Omega/2$)")
+    page.claim("section3-motors", "dissipative", r"$\dot\gamma M(\dot\gamma) < 0$ for all $\dot\gamma \neq 0$ about a working speed $\Omega'$ of any asynchronous motor, as judged for Kloss' motor with $\Omega' = \Omega/2$")
         .given([pull_out, critical, f, omega].map(Condition::Positive))
         .given([Condition::Zero(moment_at(working)), Condition::NonZero(s.dgamma)])
-        .why("Kloss' moment falls beyond the critical slip, and friction can cut it at three speeds; between two of them the moment drives away from the working speed.")
+        .why("Kloss' torque falls beyond the critical slip, and friction can balance it at three speeds. Between two of them the torque drives the rotor away from the working speed.")
         .refuted(
             [Condition::Positive(-(s.dgamma * moment_at(working + s.dgamma)))],
             Point::of([
@@ -211,7 +211,7 @@ fn kloss(page: &mut Page, s: &Letters) {
             ]),
         );
     let [drop, friction_secant] = [letter("k"), letter("κ")];
-    page.claim("section3-motors", "dissipative-if-decreasing", r"$\dot\gamma M(\dot\gamma) < 0$ for $\dot\gamma \neq 0$ where $M_1$ decreases too: with secants $M_1(\Omega'+\dot\gamma)-M_1(\Omega') = -k\dot\gamma$ and $M_2(\Omega'+\dot\gamma)-M_2(\Omega') = -\kappa\dot\gamma$")
+    page.claim("section3-motors", "dissipative-if-decreasing", r"$\dot\gamma M(\dot\gamma) < 0$ for $\dot\gamma \neq 0$ if $M_1$ decreases too. The secants are $M_1(\Omega'+\dot\gamma)-M_1(\Omega') = -k\dot\gamma$ and $M_2(\Omega'+\dot\gamma)-M_2(\Omega') = -\kappa\dot\gamma$")
         .given([drop, friction_secant].map(Condition::Positive))
         .given([Condition::NonZero(s.dgamma)])
         .by_signs([Condition::Positive(-(s.dgamma * (-(drop * s.dgamma) - friction_secant * s.dgamma)))]);

@@ -54,9 +54,13 @@ fn first_form(page: &mut Page, s: &Letters) {
     let (a, w, l, nu, e) = (s.a, s.w, s.l, s.nu, s.e);
     let [x, _] = g.angular_momentum(w, s.dphi);
     let p = w.dot(&l) + s.dphi;
-    page.claim("eq4.3", "momentum", r"$x$ in the principal axes of $A$ (unnumbered, before (4.3))")
-        .under(&s.unit_axis)
-        .holds(formulas(vector("x"), x, cyclic(|i, _, _| a[i] * w[i] + s.axial * p * l[i])));
+    page.claim(
+        "eq4.3",
+        "momentum",
+        "$x$ in the principal axes of $A$ has the components that stand unnumbered before (4.3)",
+    )
+    .under(&s.unit_axis)
+    .holds(formulas(vector("x"), x, cyclic(|i, _, _| a[i] * w[i] + s.axial * p * l[i])));
 
     let right = |spin: Sym| {
         cyclic(|i, j, k| {
@@ -71,15 +75,19 @@ fn first_form(page: &mut Page, s: &Letters) {
         Vector3::new(r1, r2, r3) - l * rotor
     };
     let by_momentum = less_rotor(s.motion());
-    page.claim("eq4.3", "carrier", r"first form of the carrier's equations (the rotor's (2.9) used)")
-        .under(&s.unit_axis)
-        .holds((0..3).map(|i| Line::equation(by_momentum[i], a[i] * s.dw[i], right(p)[i])));
+    page.claim(
+        "eq4.3",
+        "carrier",
+        "the first form of the carrier's equations is (4.3), where the rotor's equation (2.9) is used",
+    )
+    .under(&s.unit_axis)
+    .holds((0..3).map(|i| Line::equation(by_momentum[i], a[i] * s.dw[i], right(p)[i])));
     let [r1, r2, r3, rotor] = g.by_appell(&s.motion());
     let by_appell = Vector3::new(r1, r2, r3) - l * rotor;
     page.claim(
         "eq4.3",
         "by-appell",
-        r"first form of the carrier's equations, from the acceleration energy of the mass points (Appell)",
+        "Appell's equations, from the acceleration energy of the mass points, give (4.3), the first form of the carrier's equations",
     )
     .under(&s.unit_axis)
     .holds((0..3).map(|i| Line::equation(by_appell[i], a[i] * s.dw[i], right(p)[i])));
@@ -89,13 +97,13 @@ fn first_form(page: &mut Page, s: &Letters) {
     page.claim(
         "eq4.4",
         "carrier",
-        r"first form of the carrier's equations with $p' = \omega\cdot l + \dot\gamma + \Omega$",
+        r"the first form of the carrier's equations with $p' = \omega\cdot l + \dot\gamma + \Omega$ is (4.4)",
     )
     .under(&s.unit_axis)
     .holds((0..3).map(|i| Line::equation(from_field[i], a[i] * s.dw[i], right(spin)[i])));
     let rotor = g.by_momentum(&s.motion_from_field())[3];
     let right = -(s.axial * (l.x * s.dw.x + l.y * s.dw.y + l.z * s.dw.z)) + s.torque;
-    page.claim("eq4.5", "rotor", "the rotor's equation in the angle from the field")
+    page.claim("eq4.5", "rotor", "the rotor's equation in the angle from the field is (4.5)")
         .under(&s.unit_axis)
         .holds([Line::equation(rotor, s.axial * s.ddgamma, right)]);
 }
@@ -116,7 +124,7 @@ fn kinematics(page: &mut Page, s: &Letters) {
     let turning = euler(along(angles, rates));
     let moving = vertical(&turning);
     let right = printed(angular_velocity(turning), moving.map(|x| x.value));
-    page.claim("eq4.6", "from-angles", r"$\dot\nu = \nu\times\omega$ from the rotation matrix $R$ of Euler's angles: $\nu$ is its third row, $[\omega] = R^T\dot R$")
+    page.claim("eq4.6", "from-angles", r"$\dot\nu = \nu\times\omega$ follows from the rotation matrix $R$ of Euler's angles, where $\nu$ is the third row of $R$ and $[\omega] = R^T\dot R$")
         .in_words()
         .follows((0..3).map(|i| Condition::Equal(moving[i].slope, right[i])));
 }
@@ -130,8 +138,12 @@ fn currents(page: &mut Page, s: &Letters) {
     let state: Vec<Sym> = mechanical.into_iter().chain(s.currents(bars)).collect();
     let mut rates = vec![Sym::ZERO; state.len()];
     Driven::new(form, machine).rates(&state, &mut rates);
-    page.claim("eq4.7", "currents", r"equations of the currents as the gyrostat runs them, $n_2 = 3$")
-        .holds(current_equations(s, bars, &rates[mechanical.len()..]));
+    page.claim(
+        "eq4.7",
+        "currents",
+        "the equations of the currents that the program integrates with $n_2 = 3$ are those of (4.7)",
+    )
+    .holds(current_equations(s, bars, &rates[mechanical.len()..]));
 }
 
 /// The accelerations of the code that runs satisfy the derived equations.
@@ -140,7 +152,7 @@ fn solved(page: &mut Page, s: &Letters) {
     let form = FirstForm::new(s.a, s.l, s.axial, s.e * s.big_gamma);
     let (dw, ddphi) = form.accelerations(s.w, s.nu, s.dphi, s.torque);
     let motion = systems::gyrostat::MotionInstant { angular_acceleration: dw, rotor_acceleration: ddphi, ..s.motion() };
-    page.claim("eq4.3", "runs", "first form: the accelerations that the program integrates satisfy the angular momentum equations of the mass points")
+    page.claim("eq4.3", "runs", "in the first form, the accelerations that the program integrates satisfy the angular momentum equations of the mass points")
         .under(&s.unit_axis)
         .follows(g.by_momentum(&motion).map(Condition::Zero));
     let (dw, reaction) = form.prescribed(s.w, s.nu, s.dphi);
@@ -150,7 +162,7 @@ fn solved(page: &mut Page, s: &Letters) {
         torque: reaction,
         ..s.motion()
     };
-    page.claim("eq4.3", "runs-prescribed", "first form with the rotor's speed prescribed: the accelerations and the reaction that the program integrates satisfy the angular momentum equations of the mass points")
+    page.claim("eq4.3", "runs-prescribed", "in the first form with prescribed rotor speed, the accelerations and the reaction that the program integrates satisfy the angular momentum equations of the mass points")
         .under(&s.unit_axis)
         .follows(g.by_momentum(&motion).map(Condition::Zero));
 }

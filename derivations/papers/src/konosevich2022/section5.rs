@@ -41,17 +41,19 @@ fn second_form(page: &mut Page, s: &Letters) {
     let g = s.in_axes_of_a_star();
     let (a, l) = (s.a_star, s.l);
     let [x, _] = g.angular_momentum(s.w, s.dphi);
-    page.claim("eq5.1", "momentum", r"$x$ in the principal axes of $A^*$").under(&s.unit_axis).holds(formulas(
-        vector("x"),
-        x,
-        cyclic(|i, _, _| a[i] * s.w[i] + s.axial * s.dphi * l[i]),
-    ));
+    page.claim("eq5.1", "momentum", "$x$ in the principal axes of $A^*$ has the components (5.1)")
+        .under(&s.unit_axis)
+        .holds(formulas(vector("x"), x, cyclic(|i, _, _| a[i] * s.w[i] + s.axial * s.dphi * l[i])));
     let motion = s.motion_from_field();
     for (slug, says, residual) in [
-        ("carrier", "second form of the carrier's equations, by angular momentum", g.by_momentum(&motion)),
+        (
+            "carrier",
+            "the theorem of angular momentum gives (5.2), the second form of the carrier's equations",
+            g.by_momentum(&motion),
+        ),
         (
             "by-appell",
-            "second form of the carrier's equations, from the acceleration energy of the mass points (Appell)",
+            "Appell's equations, from the acceleration energy of the mass points, give (5.2), the second form of the carrier's equations",
             g.by_appell(&motion),
         ),
     ] {
@@ -62,7 +64,7 @@ fn second_form(page: &mut Page, s: &Letters) {
     let form = SecondForm::new(s.a_star, l, s.axial, s.e * s.big_gamma);
     let (dw, ddphi) = form.accelerations(s.w, s.nu, s.dphi, s.torque);
     let motion = MotionInstant { angular_acceleration: dw, rotor_acceleration: ddphi, ..s.motion() };
-    page.claim("eq5.2", "runs", "second form: the accelerations that the program integrates satisfy the angular momentum equations of the mass points")
+    page.claim("eq5.2", "runs", "in the second form, the accelerations that the program integrates satisfy the angular momentum equations of the mass points")
         .under(&s.unit_axis)
         .follows(g.by_momentum(&motion).map(Condition::Zero));
 }
@@ -89,7 +91,7 @@ fn rotor(page: &mut Page, s: &Letters) {
         - s.axial * s.big_gamma * weighted(e.cross(&nu))
         + s.torque;
     let derived = eliminated(s);
-    page.claim("eq5.3", "rotor", "the rotor's equation with the carrier's accelerations eliminated")
+    page.claim("eq5.3", "rotor", "the rotor's equation with the carrier's accelerations eliminated is (5.3)")
         .under(&s.unit_axis)
         .holds([Line::equation(derived, left, right)]);
     page.claim(
@@ -156,11 +158,11 @@ fn singular(page: &mut Page, s: &Letters) {
     page.claim(
         "section5.2-singular",
         "regular",
-        r"$0 < D < 1$ where $A$ is positive definite: $A = CC^T$ in axes with the first along $l$",
+        "if $A$ is positive definite, $0 < D < 1$. Here $A = CC^T$ in axes with the first along $l$",
     )
     .given(positive)
     .by_signs([Condition::Positive(d), Condition::Positive(one() - d)]);
-    page.claim("section5.2-singular", "bound", r"$D \le a/(a + A')$, where $a = l\cdot Al = l\cdot A^0l + m'|h\times l|^2$ is the moment about the rotor's axis without the rotor's own: with $A = CC^T$ in axes with the first along $l$ the difference is $A'(C_{12}^2+C_{13}^2)/((a+A')(C_{11}^2+A'))$, and $C_{12}=C_{13}=0$ where $l$ is a principal axis")
+    page.claim("section5.2-singular", "bound", r"$D \le a/(a + A')$, where $a = l\cdot Al = l\cdot A^0l + m'|h\times l|^2$ is the moment of inertia about the rotor's axis without the rotor's own. With $A = CC^T$ in axes with the first along $l$ the difference is $A'(C_{12}^2+C_{13}^2)/((a+A')(C_{11}^2+A'))$, and $C_{12}=C_{13}=0$ where $l$ is a principal axis")
         .in_words()
         .given(positive)
         .follows([Condition::Equal(
@@ -172,7 +174,7 @@ fn singular(page: &mut Page, s: &Letters) {
     page.claim(
         "section5.2-singular",
         "bound-data",
-        r"$l\cdot A\,l = l\cdot A^0l + m'|h\times l|^2$ in the bodies' data",
+        r"expressed by the data of the bodies, $l\cdot A\,l = l\cdot A^0l + m'|h\times l|^2$",
     )
     .in_words()
     .under(&s.unit_axis)
@@ -182,10 +184,10 @@ fn singular(page: &mut Page, s: &Letters) {
     )]);
     page.claim("section5.2-singular", "by-definition", r"the principal components of $A$ are positive by definition, so $D \neq 0$ for every body $S^0$")
         .given([Condition::Equal(letter("l1"), one())])
-        .why(r"The carrier may be a thin rod along the rotor's axis through $O$ (moments 0, 1, 1), the rotor's centre lies on it. $A$ has the moment 0 about $l$, $A^*$ has $A'$ there, and $D = 0$. The statement needs that the carrier has inertia about the rotor's axis: as that inertia goes to zero, so does $D$.")
+        .why(r"The carrier may be a thin rod along the rotor's axis through $O$ (moments 0, 1, 1), on which the rotor's centre lies. $A$ then has the moment 0 about $l$, $A^*$ has $A'$ there, and $D = 0$. The statement needs that the carrier has inertia about the rotor's axis: as that inertia goes to zero, so does $D$.")
         .refuted([Condition::NonZero(singularity(s))], rod(s));
     let u = vector("u");
-    page.claim("section5.2-singular", "when", r"$u\cdot Au = u\cdot A^0u + m'|h\times u|^2 + B'|l\times u|^2$ for every $u$: three terms that are not negative. With $m'>0$, $B'>0$ the sum vanishes for a $u\ne0$ where all three do: $u\parallel l$, $h\times l=0$, $l\cdot A^0l=0$, so that the mass of the carrier lies on the rotor's axis through $O$")
+    page.claim("section5.2-singular", "when", r"$u\cdot Au = u\cdot A^0u + m'|h\times u|^2 + B'|l\times u|^2$ for every $u$, a sum of three terms that are not negative. With $m'>0$, $B'>0$ the sum vanishes for a $u\ne0$ where all three terms do: $u\parallel l$, $h\times l=0$, $l\cdot A^0l=0$. The mass of the carrier then lies on the rotor's axis through $O$")
         .in_words()
         .under(&s.unit_axis)
         .follows([Condition::Equal(
@@ -224,7 +226,7 @@ fn agree(page: &mut Page, s: &Letters) {
     };
     let rotor = s.axial * (s.l.dot(&s.dw) + s.ddphi) - s.torque;
     let gap = second(full) - first(tensor, s.w, s.dw, s.l, weight, s.nu) - s.l * rotor;
-    page.claim("forms-agree", "common-axes", r"second form $-$ first form $-\; l\,$(rotor's equation) $= 0$ with full symmetric tensors in arbitrary common axes, all parameters and $M$ free")
+    page.claim("forms-agree", "common-axes", "the second form minus the first form minus $l$ times the rotor's equation is zero, with full symmetric tensors in arbitrary common axes, all parameters and $M$ free")
         .follows(gap.iter().map(|&x| Condition::Zero(x)));
 
     // own axes: the axes of A* are turned by R against those of A
@@ -234,7 +236,7 @@ fn agree(page: &mut Page, s: &Letters) {
     let back = turn.transpose();
     let covariant = turn * first(back * tensor * turn, back * s.w, back * s.dw, back * s.l, back * weight, back * s.nu);
     let here = first(tensor, s.w, s.dw, s.l, weight, s.nu);
-    page.claim("forms-agree", "rotated", r"the first form written in axes turned by any rotation $R(q)$, then turned back, is the first form: so each form may stand in its own principal axes")
+    page.claim("forms-agree", "rotated", "the first form written in axes turned by any rotation $R(q)$, then turned back, is the first form. Each form may therefore stand in its own principal axes")
         .in_words()
         .given([Condition::NonZero(norm)])
         .follows((0..3).map(|i| Condition::Equal(covariant[i], here[i])));

@@ -27,7 +27,7 @@ fn currents(page: &mut Page, s: &Letters) {
     let windings = [(letter("L1"), letter("R1"), letter("x")), (letter("L2"), letter("R2"), current(1))];
     let (_, rates) = driven(s.motor(1), s, &s.currents(1));
     let at_rest = [0, 1].map(|k| (windings[k].0 * rates[k]).substitute(&[(s.dgamma, Sym::ZERO)]));
-    page.claim("eq6.1", "currents", r"with $R_1, R_2 > 0$ constant currents vanish at $\dot\gamma = 0$: the excitation's, and that of a bar at any angle. By (3.3) no winding's equation contains another winding's current, so that one bar stands for each, whatever $n_2$")
+    page.claim("eq6.1", "currents", r"with $R_1, R_2 > 0$ the constant currents of the excitation and of a bar at any angle vanish at $\dot\gamma = 0$. By (3.3) no winding's equation contains another winding's current, so that one bar stands for each, for every $n_2$")
         .given(windings.map(|(_, resistance, _)| Condition::Positive(resistance)))
         .given(at_rest.map(Condition::Zero))
         .by_combination([0, 1].map(|k| (Condition::Zero(windings[k].2), vec![k], vec![(k + 2, number(-1, 1))])));
@@ -65,7 +65,7 @@ fn angles(page: &mut Page, s: &Letters) {
         r"$M = 0$ at rest without currents is $b_0\sin\gamma^0 + c_0 = 0$, with $c_0 = -M_2(\Omega)$",
     )
     .holds([Line::equation(-at_rest, s.b0 * sine - friction(s.omega_field), Sym::ZERO)]);
-    page.claim("eq6.3", "rotor", r"the rotor's equation (4.5) at a constant state is $M = 0$, from the bodies")
+    page.claim("eq6.3", "rotor", "the rotor's equation (4.5), derived from the bodies, is $M = 0$ at a constant state")
         .in_words()
         .under(&s.unit_axis)
         .follows([Condition::Equal(
@@ -88,7 +88,7 @@ fn angles(page: &mut Page, s: &Letters) {
     .in_words()
     .given([Condition::Zero(s.b0 * ratio - s.c0)])
     .by_combination([first, second].map(|p| (Condition::Zero(balance(p)), vec![], vec![(0, number(-1, 1))])));
-    page.claim("section6-gamma", "ranges", r"quadrants: $\cos\gamma^{(0)} > 0 > \sin\gamma^{(0)}$ and $\cos\gamma^{(1)} < 0$, $\sin\gamma^{(1)} < 0$, where $0 < r < 1$, so that $C = \sqrt{1-r^2} > 0$")
+    page.claim("section6-gamma", "ranges", r"if $0 < r < 1$, so that $C = \sqrt{1-r^2} > 0$, the quadrants follow from $\cos\gamma^{(0)} > 0 > \sin\gamma^{(0)}$ and $\cos\gamma^{(1)} < 0$, $\sin\gamma^{(1)} < 0$")
         .in_words()
         .given([Condition::Positive(cosine), Condition::Positive(ratio)])
         .by_signs([first.cos, -first.sin, -second.cos, -second.sin].map(Condition::Positive));
@@ -96,11 +96,11 @@ fn angles(page: &mut Page, s: &Letters) {
     page.claim(
         "section6-gamma",
         "no-others",
-        r"a point $(c,s)$ of the circle with $b_0s + c_0 = 0$ has $(c-C)(c+C) = 0$: up to turns there are no others",
+        r"a point $(c,s)$ of the circle with $b_0s + c_0 = 0$ has $(c-C)(c+C) = 0$, so that up to turns the families $\gamma^{(0)}$ and $\gamma^{(1)}$ are the only ones",
     )
     .given([Condition::NonZero(s.b0), Condition::Zero(s.b0 * ratio - s.c0), on_circle])
     .given([Condition::Zero(any.defect()), Condition::Zero(balance(any))])
-    .note(r"At $c_0 = b_0$ both families become one ($C = 0$), beyond it there is none: the motor falls out of step.")
+    .note(r"At $c_0 = b_0$ both families become one ($C = 0$). Beyond it there is none: the motor loses synchronism.")
     .by_combination([(
         Condition::Zero((any.cos - cosine) * (any.cos + cosine)),
         vec![0, 0],
@@ -128,7 +128,7 @@ fn rotation_about_the_vertical(page: &mut Page, s: &Letters) {
         .in_words()
         .follows(nu.cross(&(nu * s.omega0)).iter().map(|&x| Condition::Zero(x)));
     let x = s.in_axes_of_a_star().angular_momentum(nu * s.omega0, s.omega_field)[0];
-    page.claim("statement1", "rest-or-rotation", r"at $\omega = \omega^0\nu$ the weight has no power, $\omega\cdot(\Gamma e\times\nu) = 0$, and the vertical part of the angular momentum has no rate, $\nu\cdot(x\times\omega) = 0$: with $\omega^0 = 0$ the carrier rests, otherwise it turns about the vertical")
+    page.claim("statement1", "rest-or-rotation", r"at $\omega = \omega^0\nu$ the weight has no power, $\omega\cdot(\Gamma e\times\nu) = 0$, and the vertical part of the angular momentum has no rate, $\nu\cdot(x\times\omega) = 0$. With $\omega^0 = 0$ the carrier rests, otherwise it turns about the vertical")
         .in_words()
         .under(&s.unit_axis)
         .follows([
@@ -151,7 +151,7 @@ fn conditions(page: &mut Page, s: &Letters) {
         let (l, r) = if k == 0 { ("L1", "R1") } else { ("L2", "R2") };
         Condition::Equal(-(letter(l) * rates[k]).substitute(&[(s.dgamma, Sym::ZERO)]), letter(r) * currents[k])
     });
-    page.claim("eq6.5", "relations", r"the carrier's equations at a constant state")
+    page.claim("eq6.5", "relations", "the carrier's equations at a constant state are (6.5)")
         .reading("The third relation is damaged in the text at hand; cyclic permutation of the other two restores it.")
         .under(&s.unit_axis)
         .holds((0..3).map(|i| Line::equation(-residual[i], printed[i], Sym::ZERO)));
@@ -169,7 +169,7 @@ fn conditions(page: &mut Page, s: &Letters) {
     page.claim("remark3", "identity", r"$\nu\cdot(6.5) = 0$ identically")
         .follows([Condition::Zero(s.nu.dot(&printed))]);
     let zero = [Condition::Zero(printed.x), Condition::Zero(printed.y)];
-    page.claim("remark3", "any-one", "each of the three relations follows from the other two")
+    page.claim("remark3", "any-one", "each of the three relations (6.5) follows from the other two")
         .given(zero)
         .given([Condition::Zero(s.nu.dot(&s.nu) - one())])
         .why(r"Where $\nu_3 = 0$ the third relation is independent of the first two.")
@@ -177,7 +177,7 @@ fn conditions(page: &mut Page, s: &Letters) {
     page.claim(
         "remark3",
         "where",
-        r"the third relation follows from the other two where $\nu_3 \neq 0$; cyclic permutation of the axes gives the others, and $|\nu| = 1$ that some $\nu_k \neq 0$",
+        r"the third relation of (6.5) follows from the other two where $\nu_3 \neq 0$. Cyclic permutation of the axes gives the other cases, and $|\nu| = 1$ implies that some $\nu_k \neq 0$",
     )
     .given(zero)
     .given([Condition::NonZero(s.nu.z)])
@@ -226,7 +226,7 @@ fn remarks(page: &mut Page, s: &Letters) {
     page.claim(
         "remark2",
         "conditions",
-        r"stationary motions with an asynchronous motor: (6.5) with $\Omega'$ in the place of $\Omega$",
+        r"the stationary motions with an asynchronous motor satisfy (6.5) with $\Omega'$ in the place of $\Omega$",
     )
     .under(&s.unit_axis)
     .follows((0..3).map(|i| Condition::Equal(-by_momentum[i], printed[i])));

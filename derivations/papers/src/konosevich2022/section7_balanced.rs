@@ -24,7 +24,7 @@ fn functions(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "eq7.1",
         "v-and-delta",
-        r"$V^* = l\cdot(A^*\nu\times\nu)$ and $\Delta^* = |A^*\nu\times\nu|^2$ in components",
+        r"in components, $V^* = l\cdot(A^*\nu\times\nu)$ and $\Delta^* = |A^*\nu\times\nu|^2$ are (7.1)",
     )
     .holds([
         Line::formula(s.l.dot(&f.tilt), letter("V⋆"), f.v),
@@ -34,12 +34,12 @@ fn functions(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "eq7.2",
         "necessary",
-        r"$\Gamma=0$: (6.5) multiplied by $l_i$ and added is $\omega^{0\,2}V^*$, so $V^*=0$ where $\omega^0\ne0$",
+        r"if $\Gamma=0$, the relations (6.5) multiplied by $l_i$ and added have the sum $\omega^{0\,2}V^*$, so that $V^*=0$ where $\omega^0\ne0$",
     )
     .given(zeros(f.all.map(|x| x.substitute(&balanced))))
     .given([NonZero(s.omega0)])
     .by_combination([(Zero(f.v), vec![3, 3], vec![(0, s.l.x), (1, s.l.y), (2, s.l.z)])]);
-    page.claim("eq7.3", "identically-zero", r"$V^*\equiv0$ if and only if $(A_2^*-A_3^*)l_1 = (A_3^*-A_1^*)l_2 = (A_1^*-A_2^*)l_3 = 0$: these are its coefficients")
+    page.claim("eq7.3", "identically-zero", r"$V^*\equiv0$ if and only if $(A_2^*-A_3^*)l_1 = (A_3^*-A_1^*)l_2 = (A_1^*-A_2^*)l_3 = 0$, since these are its coefficients")
         .follows(coefficients_of(s, f.v, s.l));
 }
 
@@ -49,14 +49,14 @@ fn statement3(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement3A",
         "rest",
-        r"variant 1 of statement 3A: without weight $\omega^0=0$ satisfies (6.5) for every $\nu$",
+        r"without weight $\omega^0=0$ satisfies (6.5) for every $\nu$, which is variant 1 of statement 3A",
     )
     .in_words()
     .follows(f.all.iter().map(|x| Zero(x.substitute(&at_rest))));
     page.claim(
         "statement3A",
         "rotation",
-        r"without weight (6.5) gives $\omega^{0\,2}V^*=0$: rest (variant 1) or (7.2) (variant 2), and no third",
+        r"without weight (6.5) gives $\omega^{0\,2}V^*=0$: either the carrier rests (variant 1) or (7.2) holds (variant 2), and there is no third case",
     )
     .given(zeros(f.all.map(|x| x.substitute(&balanced))))
     .by_combination([(Zero(s.omega0.powi(2) * f.v), vec![], vec![(0, s.l.x), (1, s.l.y), (2, s.l.z)])]);
@@ -88,7 +88,7 @@ fn statement3b(page: &mut Page, s: &Letters, f: &Relations) {
             .given(zeros(vanishing))
             .given([Zero(s.big_gamma), NonZero(f.spin)])
             .given(unit(s))
-            .why(r"(7.2) is one projection of (6.5), along $l$; under (7.3) it is empty, and the other components of (6.5) decide.");
+            .why(r"(7.2) is one projection of (6.5), along $l$. Under (7.3) it is empty, and the other components of (6.5) decide.");
         no_speed(draft, s, f, &example);
         if slug == "any-direction" {
             page.claim("statement3B", "spherical", r"with equal moments (6.5) is $\omega^0A'\Omega\,l\times\nu = 0$, so that the rotor's axis is the only axis of rotation (for the converse see statement3E/parallel)")
@@ -114,7 +114,7 @@ fn statement3b(page: &mut Page, s: &Letters, f: &Relations) {
                 (s.a_star.z, s.a_star.y),
             ];
             let factor = (s.a_star.x - s.a_star.y) * s.omega0 * s.nu.x + f.spin;
-            page.claim("statement3B", "symmetric", r"with $A_2^*=A_3^*\ne A_1^*$, $l=\xi_1$ (6.5) is $\omega^0[(A_1^*-A_2^*)\omega^0\nu_1 + A'\Omega]\,(0,-\nu_3,\nu_2) = 0$: a direction with $\nu_1\ne0$ that is not the axis has exactly one $\omega^0\ne0$, the bracket's zero; a direction across the axis has none; on the axis every $\omega^0$ is one")
+            page.claim("statement3B", "symmetric", r"with $A_2^*=A_3^*\ne A_1^*$, $l=\xi_1$ (6.5) is $\omega^0[(A_1^*-A_2^*)\omega^0\nu_1 + A'\Omega]\,(0,-\nu_3,\nu_2) = 0$. A direction with $\nu_1\ne0$ that is not the axis has exactly one $\omega^0\ne0$, the bracket's zero. A direction across the axis has none, and on the axis every $\omega^0$ is a solution")
         .in_words()
                 .follows((0..3).map(|i| {
                     let direction = [Sym::ZERO, -s.nu.z, s.nu.y][i];

@@ -26,10 +26,10 @@ pub fn claims(page: &mut Page, s: &Letters) {
 
 fn statement4(page: &mut Page, s: &Letters, f: &Relations) {
     let rest = f.all.map(|x| x.substitute(&[(s.omega0, Sym::ZERO)]));
-    page.claim("statement4", "rest", r"$\Gamma\ne0$, $\omega^0=0$: (6.5) holds if $e\times\nu=0$")
+    page.claim("statement4", "rest", r"for $\Gamma\ne0$ and $\omega^0=0$, (6.5) holds if $e\times\nu=0$")
         .given(zeros(f.weight))
         .by_combination((0..3).map(|i| (Zero(rest[i]), vec![], vec![(i, s.big_gamma)])));
-    page.claim("statement4", "only-if", r"$\Gamma\ne0$, $\omega^0=0$: (6.5) holds only if $e\times\nu=0$")
+    page.claim("statement4", "only-if", r"for $\Gamma\ne0$ and $\omega^0=0$, (6.5) holds only if $e\times\nu=0$")
         .given(zeros(rest))
         .given([NonZero(s.big_gamma)])
         .by_combination((0..3).map(|i| (Zero(f.weight[i]), vec![3], vec![(i, one())])));
@@ -37,7 +37,7 @@ fn statement4(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement4",
         "vertical",
-        r"$(e\cdot\nu)^2 = 1 - |e\times\nu|^2$: where $e\times\nu=0$ the centre of mass is above or below $O$",
+        r"$(e\cdot\nu)^2 = 1 - |e\times\nu|^2$, so that the centre of mass is above or below $O$ where $e\times\nu=0$",
     )
     .in_words()
     .under(&both)
@@ -156,7 +156,7 @@ fn statement5(page: &mut Page, s: &Letters, f: &Relations) {
 
 fn statement6(page: &mut Page, s: &Letters, f: &Relations) {
     let [first, second] = derived(s, f);
-    page.claim("statement6", "necessary", r"where $S^*=0$: (7.4), (7.7) give $\Pi^*=0$, $V^*=0$")
+    page.claim("statement6", "necessary", r"where $S^*=0$, (7.4) and (7.7) give $\Pi^*=0$ and $V^*=0$")
         .given([Zero(first), Zero(second), Zero(f.s), NonZero(f.spin), NonZero(s.omega0)])
         .by_combination([
             (Zero(f.pi), vec![3], vec![(0, number(-1, 1)), (2, s.omega0)]),
@@ -257,7 +257,7 @@ fn statement7(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement7",
         "necessary",
-        r"a rotation satisfies (7.4) and (7.7), by (6.5); where $S^*\ne0$ it has (7.10) and (7.11) by the claims of these",
+        r"a rotation satisfies (7.4) and (7.7), by (6.5). Where $S^*\ne0$ it satisfies (7.10) and (7.11) by the claims eq7.10/velocity and eq7.11/surface",
     )
     .given(zeros(f.all))
     .given([NonZero(s.omega0)])
@@ -265,7 +265,7 @@ fn statement7(page: &mut Page, s: &Letters, f: &Relations) {
         (Zero(first), vec![3], vec![(0, s.e.x), (1, s.e.y), (2, s.e.z)]),
         (Zero(second), vec![], vec![(0, s.l.x), (1, s.l.y), (2, s.l.z)]),
     ]);
-    page.claim("statement7", "formulas-defined", r"both formulas have a meaning there: $V^*\neq0$ by (7.11)")
+    page.claim("statement7", "formulas-defined", r"the formulas (7.10) and (7.12) are both defined where $S^*\ne0$, $\Gamma\ne0$ and (7.11) holds: $V^*\neq0$ by (7.11)")
         .given([Zero(surface), NonZero(f.s), NonZero(s.big_gamma)])
         .nonvanishing(f.v, -(f.spin.powi(2) * f.pi), vec![2, 1, 1], vec![(0, number(-1, 1))]);
 }

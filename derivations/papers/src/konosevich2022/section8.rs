@@ -113,13 +113,13 @@ fn free_rotor(page: &mut Page, s: &Letters) {
             + s.big_gamma * (s.e[j] * s.nu[k] - s.e[k] * s.nu[j])
     });
     let still = second.by_momentum(&s.stationary(rest, Sym::ZERO));
-    page.claim("eq8.2", "conditions", r"stationary motions of a free rotor in the axes of $A^*$: (6.5) with the arbitrary $\Omega^0 = \dot\varphi'(t_0)$, $\omega = \omega^0\nu$")
+    page.claim("eq8.2", "conditions", r"the stationary motions of a free rotor in the axes of $A^*$ satisfy (6.5) with the arbitrary $\Omega^0 = \dot\varphi'(t_0)$ and $\omega = \omega^0\nu$")
         .under(&s.unit_axis)
         .holds((0..3).map(|i| Line::equation(-still[i], conditions[i], Sym::ZERO)));
     let w = s.w;
     let absolute = absolute_rate(s.nu.map(field::Tangent::fixed), w);
     let kinematic = cyclic(|_, j, k| w[k] * s.nu[j] - w[j] * s.nu[k]);
-    page.claim("eq8.3", "vertical", r"a constant vertical: $\omega_3\nu_2 - \omega_2\nu_3 = 0$ and cyclically")
+    page.claim("eq8.3", "vertical", r"for a constant vertical $\omega_3\nu_2 - \omega_2\nu_3 = 0$ and cyclically")
         .holds((0..3).map(|i| Line::equation(-absolute[i], kinematic[i], Sym::ZERO)));
     page.claim("section8.2", "second-form", r"the rotor's equation with $M = 0$ holds at any constant state")
         .under(&s.unit_axis)

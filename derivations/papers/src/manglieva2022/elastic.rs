@@ -9,10 +9,10 @@ use symbolic::{Hypotheses, Sym};
 use systems::elastic_governor::ElasticGovernor;
 
 /// The reading of the signs of the rim's force and torque up to (3.22).
-pub const AS_PRINTED: &str = r"Judged with the printed force $+a\lambda$ and moment $+b\psi$: a rim that resists then has $a<0$, $b<0$. The printed $Z$ belongs to $-a\lambda$.";
+pub const AS_PRINTED: &str = r"The claim is judged with the printed force $+a\lambda$ and moment $+b\psi$. A rim that resists then has $a<0$, $b<0$. The printed $Z$ belongs to $-a\lambda$.";
 
 /// The reading of these signs from Z on.
-pub const AS_STIFFNESS: &str = r"Judged for a rim that resists, with the force $-a\lambda$ and the moment $-b\psi$, $a>0$, $b>0$: the printed $Z$ belongs to it, the printed $+a\lambda$ of (3.17) does not.";
+pub const AS_STIFFNESS: &str = r"The claim is judged for a rim that resists, with the force $-a\lambda$ and the moment $-b\psi$, $a>0$, $b>0$. The printed $Z$ belongs to it, the printed $+a\lambda$ of (3.17) does not.";
 
 /// The letters of the elastic governor; the paper's r1 is R, the radius of the drum.
 pub struct ElasticLetters {

@@ -24,15 +24,18 @@ fn law(page: &mut Page, s: &RodLetters) {
     page.claim(
         "eq1.20",
         "coulomb",
-        r"Coulomb's law $|R_x| = f|R_y|$ for the contact with the guide, here by squares; $\mu$ is against $\dot x$",
+        r"Coulomb's law for the contact with the guide is $|R_x| = f|R_y|$, here squared, where $\mu$ is directed against $\dot x$",
     )
     .defines([Line::equation(Sym::ZERO, name_x.powi(2), s.f.powi(2) * name_y.powi(2))]);
-    page.claim("eq1.21", "by-multipliers", r"the components $R_x$ and $R_y$ of the law by $\lambda$ and $\mu$").holds(
-        [
-            Line::formula(rx, name_x, s.mu * (s.m + s.m1 * c.powi(2))),
-            Line::formula(ry, name_y, s.lambda + s.m1 * sin * c * s.mu),
-        ],
-    );
+    page.claim(
+        "eq1.21",
+        "by-multipliers",
+        r"the components $R_x$ and $R_y$ of the law, expressed by $\lambda$ and $\mu$, are (1.21)",
+    )
+    .holds([
+        Line::formula(rx, name_x, s.mu * (s.m + s.m1 * c.powi(2))),
+        Line::formula(ry, name_y, s.lambda + s.m1 * sin * c * s.mu),
+    ]);
 
     let lambda = s.multipliers(s.friction())[1];
     let coupling = s.m1 * sin * c * s.f;
@@ -57,9 +60,9 @@ fn law(page: &mut Page, s: &RodLetters) {
             ("λ", -25, 17),
             ("μ", -625 * way, 952),
         ]);
-        page.claim(equation, slug, format!(r"for {when} the friction $\mu$ by $\lambda$, printed with the sign of a guide above, on a floor that pushes $M$ upwards"))
+        page.claim(equation, slug, format!(r"for {when} on a floor that pushes $M$ upwards, the friction $\mu$ is ({}) as printed, with the sign of a guide above", equation.trim_start_matches("eq")))
             .why("On a floor the printed sign makes friction push along the velocity.")
-            .reading("The source does not say from which side the guide holds $M$. A floor is judged, $R_y<0$ with $y$ downwards; of a guide that holds $M$ down the printed formula is right.")
+            .reading("The source does not say from which side the guide holds $M$. A floor is judged, $R_y<0$ with $y$ downwards. For a guide that holds $M$ down the printed formula is right.")
             .given([
                 Positive(s.f), Positive(way_of * s.dx), Positive(-(rx * way_of)), Positive(-ry),
                 Equal(rx.powi(2), s.f.powi(2) * ry.powi(2)), Equal(s.lambda, lambda),
@@ -86,9 +89,9 @@ fn law(page: &mut Page, s: &RodLetters) {
         page.correct();
     }
     let reaction = |way: i64| ry.substitute(&[(s.mu, int(way) * s.f * s.lambda / denominator(-way))]);
-    page.claim("eq1.23", "pushing", r"with the corrected $\mu$ the floor pushes, $R_y<0$, where $\lambda$ and the denominator have different signs: $R_y$ for $\dot x>0$ and $\dot x<0$")
+    page.claim("eq1.23", "pushing", r"with the corrected $\mu$ the floor pushes, $R_y<0$, where $\lambda$ and the denominator have different signs. The values of $R_y$ are those for $\dot x>0$ and $\dot x<0$")
         .follows([1, -1].map(|way| Equal(reaction(way), s.lambda * s.mobile() / denominator(-way))));
-    page.claim("eq1.23", "paradox",r"for a rod of positive masses $m+m_1\cos^2\theta < f m_1\sin\theta\cos\theta$ is possible: in an example where $M$ slides forward the law $R_x=fR_y$ needs a floor that pulls, and $R_x=-fR_y$ a guide above that pulls").note(r"Painlevé's paradox.")
+    page.claim("eq1.23", "paradox",r"for a rod of positive masses $m+m_1\cos^2\theta < f m_1\sin\theta\cos\theta$ is possible: in an example where $M$ slides forward the law $R_x=fR_y$ needs a floor that pulls, and $R_x=-fR_y$ a guide above that pulls").note(r"This is Painlevé's paradox.")
         .given([Positive(s.m), Positive(s.m1), Positive(s.f), Positive(s.g), Equal(s.lambda, lambda)])
         .exists(
             [Positive(-denominator(-1)), Positive(reaction(1)), Positive(-reaction(-1))],
@@ -110,12 +113,12 @@ fn multipliers(page: &mut Page, s: &RodLetters) {
         "chart",
         r"$x_1 = x+l\cos\theta$, $y_1 = l\sin\theta$, $y=0$ satisfy the constraints (1.19) identically",
     )
-    .reading(r"The source prints $y=l\sin\theta$ beside $y=0$; $y_1=l\sin\theta$ is read, the index being lost.")
+    .reading(r"The source prints $y=l\sin\theta$ next to $y=0$. The index is missing, and $y_1=l\sin\theta$ is read.")
     .in_words()
     .follows(closed.map(|constraint| Zero(constraint.value())));
     let friction = s.friction();
     let balance = s.newton(s.acceleration(), friction)[1];
-    page.claim("eq1.25", "guide", "the second equation (1.18) on the guide").holds([Line::equation(
+    page.claim("eq1.25", "guide", "the second equation (1.18) on the guide is (1.25)").holds([Line::equation(
         -balance,
         s.lambda - s.lambda1 * sin + s.m * s.g,
         Sym::ZERO,
@@ -127,13 +130,13 @@ fn multipliers(page: &mut Page, s: &RodLetters) {
     page.claim(
         "eq1.27",
         "along-the-rod",
-        r"$\lambda_1$, by Lagrange's equations of the first kind under friction of any size $\mu$",
+        r"$\lambda_1$ is (1.27) by Lagrange's equations of the first kind, under friction of any size $\mu$",
     )
     .holds([Line::formula(lambda1, s.lambda1, -tension)]);
     page.claim(
         "eq1.28",
         "at-the-guide",
-        r"$\lambda$, by Lagrange's equations of the first kind under friction of any size $\mu$",
+        r"$\lambda$ is (1.28) by Lagrange's equations of the first kind, under friction of any size $\mu$",
     )
     .holds([Line::formula(lambda, s.lambda, -s.m * s.g - tension * sin)]);
 
@@ -141,10 +144,10 @@ fn multipliers(page: &mut Page, s: &RodLetters) {
     let motion = s.motion();
     let masses: [Sym; 4] = s.rod.masses();
     let any = std::array::from_fn(|i| masses[i] * (p * motion.fields[0][i] + q / s.l * motion.fields[1][i]));
-    page.claim("section1.1-extended", "multipliers", r"with the extended method $\lambda$, $\lambda_1$ never depend on friction: here friction $m_k\delta\vec r_k$ along any virtual displacement (two magnitudes), any masses")
+    page.claim("section1.1-extended", "multipliers", r"with the extended method $\lambda$ and $\lambda_1$ never depend on friction. The friction here is $m_k\delta\vec r_k$ along any virtual displacement (two magnitudes), and the masses are arbitrary")
         .follows(s.multipliers(any).into_iter().flat_map(|multiplier| [Zero(multiplier.diff(p)), Zero(multiplier.diff(q))]));
     let [_, ry] = s.contact();
-    page.claim("section1.1-extended", "normal-reaction",r"the guide's own normal reaction $R_y = \lambda + m_1\mu\sin\theta\cos\theta$ depends on friction: it is $\lambda$ only without friction, or with the rod along or across the guide")
+    page.claim("section1.1-extended", "normal-reaction",r"the guide's own normal reaction $R_y = \lambda + m_1\mu\sin\theta\cos\theta$ depends on friction. It equals $\lambda$ only without friction, or with the rod along or across the guide")
         .follows([Equal(ry - s.lambda, s.m1 * s.mu * sin * c)]);
 }
 
@@ -157,43 +160,46 @@ fn differentiated(page: &mut Page, s: &RodLetters) {
     let [derived, _] = rates(&s.rod, &State { time: Sym::ZERO, place, velocity }, acceleration);
     let from = |of: [Sym; 4]| [of[2] - of[0], of[3] - of[1]];
     let ([x, y], [dx, dy], [ddx, ddy]) = (from(place), from(velocity), from(acceleration));
-    page.claim("eq1.26", "differentiated", "the length differentiated twice").holds([Line::equation(
-        derived,
-        x * ddx + y * ddy + dx.powi(2) + dy.powi(2),
-        Sym::ZERO,
-    )]);
+    page.claim("eq1.26", "differentiated", "the constraint of the length, differentiated twice, gives (1.26)")
+        .holds([Line::equation(derived, x * ddx + y * ddy + dx.powi(2) + dy.powi(2), Sym::ZERO)]);
 
     let (masses, weights, friction): ([Sym; 4], _, _) = (s.rod.masses(), s.given_force(), s.friction());
     let normal = s.of_constraints(s.lambda1, s.lambda1 * sin - s.m * s.g);
     let derived = s.stretch(std::array::from_fn(|i| (weights[i] + normal[i] + friction[i]) / masses[i]));
     let (l, lambda1, mu, turn) = (s.l, s.lambda1, s.mu, s.dtheta.powi(2));
-    page.claim("eq1.26", "substituted", r"the length differentiated twice, with the accelerations of (1.18)").holds([
-        Line::equation(
-            derived,
-            l * c * (lambda1 / s.m1 * c + mu * c.powi(2) + lambda1 / s.m * c - mu)
-                + l * sin * (lambda1 / s.m1 * sin + mu * sin * c + s.g)
-                + l.powi(2) * c.powi(2) * turn
-                + l.powi(2) * sin.powi(2) * turn,
-            Sym::ZERO,
-        ),
-    ]);
-    page.claim("eq1.26", "expanded", r"the differentiated length multiplied out: the terms in $\mu$ cancel").holds([
-        Line::equation(
+    page.claim(
+        "eq1.26",
+        "substituted",
+        "the length differentiated twice takes this form with the accelerations of (1.18)",
+    )
+    .holds([Line::equation(
+        derived,
+        l * c * (lambda1 / s.m1 * c + mu * c.powi(2) + lambda1 / s.m * c - mu)
+            + l * sin * (lambda1 / s.m1 * sin + mu * sin * c + s.g)
+            + l.powi(2) * c.powi(2) * turn
+            + l.powi(2) * sin.powi(2) * turn,
+        Sym::ZERO,
+    )]);
+    page.claim("eq1.26", "expanded", r"in the differentiated length, multiplied out, the terms in $\mu$ cancel").holds(
+        [Line::equation(
             derived,
             l / s.m1 * lambda1 + l * c.powi(2) / s.m * lambda1 - l * mu * c * sin.powi(2)
                 + l * sin.powi(2) * c * mu
                 + l * sin * s.g
                 + l.powi(2) * turn,
             Sym::ZERO,
-        ),
-    ]);
-    page.claim("eq1.26", "reduced", r"the differentiated length once the terms in $\mu$ have cancelled").holds([
-        Line::equation(
-            derived,
-            l * lambda1 * (int(1) / s.m1 + c.powi(2) / s.m) + l * sin * s.g + l.powi(2) * turn,
-            Sym::ZERO,
-        ),
-    ]);
+        )],
+    );
+    page.claim(
+        "eq1.26",
+        "reduced",
+        r"the differentiated length determines $\lambda_1$ once the terms in $\mu$ have cancelled",
+    )
+    .holds([Line::equation(
+        derived,
+        l * lambda1 * (int(1) / s.m1 + c.powi(2) / s.m) + l * sin * s.g + l.powi(2) * turn,
+        Sym::ZERO,
+    )]);
 }
 
 /// (1.29): the law put into the equations of motion, with a sign epsilon.
@@ -210,14 +216,14 @@ fn eliminated(page: &mut Page, s: &RodLetters) {
     let derived = factor * (s.ddx - at_m);
     page.claim(
         "eq1.29",
-        "sliding",r"the equation for $x$ by the law $R_x = \varepsilon fR_y$ of (1.22)-(1.23), printed with $+m_1\varepsilon f\sin\theta$",
-    ).why(r"The term $\varepsilon f\lambda$ brings $-m\varepsilon f\sin\theta$ into the bracket; the mass and the sign are wrong in the print.")
+        "sliding",r"the equation for $x$ by the law $R_x = \varepsilon fR_y$ of (1.22)-(1.23) is (1.29) as printed, with $+m_1\varepsilon f\sin\theta$",
+    ).why(r"The term $\varepsilon f\lambda$ brings $-m\varepsilon f\sin\theta$ into the bracket. The mass and the sign are wrong in the print.")
     .under(&unit)
     .fails([Line::equation(derived, factor * s.ddx, right(s.m1 * sign * s.f * sin))]);
     page.claim(
         "eq1.29",
         "sliding-corrected",
-        r"the equation for $x$ by the law $R_x = \varepsilon fR_y$, with $-m\varepsilon f\sin\theta$",
+        r"the equation for $x$ by the law $R_x = \varepsilon fR_y$ is (1.29) with $-m\varepsilon f\sin\theta$",
     )
     .holds([Line::equation(derived, factor * s.ddx, right(-s.m * sign * s.f * sin))]);
     page.correct();
@@ -225,10 +231,10 @@ fn eliminated(page: &mut Page, s: &RodLetters) {
     let missing = s.newton(s.acceleration(), s.friction());
     let turning = s.motion().generalised(missing)[1] / (s.m1 * s.l);
     let left = s.l * s.ddtheta - s.ddx * sin;
-    page.claim("eq1.29", "turning", r"the equation for $\theta$, printed with $-g\cos\theta$")
-        .why(r"The sign of the weight is turned: (1.37), which is right, has $+g\cos\theta$ with $y$ downwards.")
+    page.claim("eq1.29", "turning", r"the equation for $\theta$ is (1.29) as printed, with $-g\cos\theta$")
+        .why(r"The sign of the weight is wrong: (1.37), which is right, has $+g\cos\theta$ with $y$ downwards.")
         .fails([Line::equation(turning, left, -s.g * c)]);
-    page.claim("eq1.29", "turning-corrected", r"the equation for $\theta$ with $+g\cos\theta$, as in (1.37)")
+    page.claim("eq1.29", "turning-corrected", r"the equation for $\theta$ is (1.29) with $+g\cos\theta$, as in (1.37)")
         .holds([Line::equation(turning, left, s.g * c)]);
     page.correct();
 

@@ -23,12 +23,16 @@ pub fn claims(page: &mut Page) {
 /// (1.43)-(1.46).
 fn displacements(page: &mut Page) {
     let (gradient, displacement): ([Sym; 3], [Sym; 3]) = (indexed("f#"), indexed("δx#"));
-    page.claim("eq1.43", "constraint", r"geometric constraints; below one in three coordinates, arbitrary to the second order: $f_{,\gamma}$, $f_{,\gamma\delta}$ are its derivatives, or $F_{,\gamma}$ where it is solved for $x_1=F(x_2,x_3,t)$")
+    page.claim("eq1.43", "constraint", r"(1.43) are geometric constraints. The claims below have one in three coordinates, arbitrary to the second order. Its derivatives are $f_{,\gamma}$, $f_{,\gamma\delta}$, or $F_{,\gamma}$ where it is solved for $x_1=F(x_2,x_3,t)$")
         .defines([]);
     page.claim("eq1.44", "displacement", r"virtual displacements satisfy the linear condition")
         .defines([Line::equation(Sym::ZERO, dot(gradient, displacement), Sym::ZERO)]);
-    page.claim("eq1.45", "chart", r"the configurations by generalised coordinates, $x_\gamma=a_\gamma(q_i,t)$")
-        .defines([]);
+    page.claim(
+        "eq1.45",
+        "chart",
+        r"(1.45) gives the configurations by generalised coordinates, $x_\gamma=a_\gamma(q_i,t)$",
+    )
+    .defines([]);
     let [_, q2, q3] = indexed("x#");
     let [_, v2, v3] = indexed("ẋ#");
     let motion = Motion::at(&Resolved, letter("t"), [q2, q3], [v2, v3]);
@@ -55,7 +59,7 @@ fn reactions(page: &mut Page) {
     let (gradient, displacement, reaction): ([Sym; 3], [Sym; 3], [Sym; 3]) =
         (indexed("f#"), indexed("δx#"), indexed("R#"));
     let lambda = letter("λ");
-    page.claim("eq1.47", "ideal", "ideal constraints").defines([Line::equation(
+    page.claim("eq1.47", "ideal", "(1.47) defines ideal constraints").defines([Line::equation(
         Sym::ZERO,
         dot(reaction, displacement),
         Sym::ZERO,
@@ -87,11 +91,7 @@ fn reactions(page: &mut Page) {
         .in_words()
         .given([Zero(dot(gradient, displacement))])
         .by_combination([(Zero(dot(parts.of_constraints, displacement)), vec![], vec![(0, parts.multipliers[0])])]);
-    own_displacement(
-        page,
-        "eq1.51",
-        r"$\sum R^\tau_\gamma\delta x_\gamma\ne0$, read of the displacement that is named:",
-    );
+    own_displacement(page, "eq1.51", r"$\sum R^\tau_\gamma\delta x_\gamma\ne0$ holds");
 }
 
 /// (1.52)-(1.54).
@@ -101,7 +101,7 @@ fn friction_and_multipliers(page: &mut Page) {
     let masses: [Sym; 3] = indexed("m#");
     let found = friction(motion.fields);
     let displaced = std::array::from_fn(|i| found[i] / masses[i]);
-    page.claim("eq1.52", "virtual",r"$R^\tau_\gamma=\sum\mu_i\frac{\partial(m_\gamma x_\gamma)}{\partial q_i}$: over the masses it is a virtual displacement (one constraint on three coordinates, arbitrary to the second order)").in_words()
+    page.claim("eq1.52", "virtual",r"$R^\tau_\gamma=\sum\mu_i\frac{\partial(m_\gamma x_\gamma)}{\partial q_i}$ divided by the masses is a virtual displacement (one constraint on three coordinates, arbitrary to the second order)").in_words()
         .follows([Zero(dot(row, displaced))]);
     let any: [Sym; 3] = indexed("R#");
     let weighted = std::array::from_fn(|i| any[i] / masses[i]);
@@ -125,7 +125,7 @@ fn friction_and_multipliers(page: &mut Page) {
             (known - x1 / m1 + f2 * x2 / m2 + f3 * x3 / m3)
                 / (int(1) / m1 + f2.powi(2) / m2 + f3.powi(2) / m3),
         )]);
-    page.claim("eq1.54", "constraints", r"(1.54) repeats the constraints (1.43) beside the equations of motion")
+    page.claim("eq1.54", "constraints", "(1.54) repeats the constraints (1.43) in addition to the equations of motion")
         .defines([]);
 }
 
@@ -145,7 +145,7 @@ fn second_kind_equations(page: &mut Page) {
         .follows((0..2).map(|i| Equal(dot(missing, motion.fields[i]), lagrange[i])));
     let [mu1, mu2] = indexed("μ#");
     let names = letters(["Q1", "Q2"]);
-    page.claim("eq1.55", "friction",r"generalised forces of friction, printed $Q_i^\tau=\sum_\gamma\mu_i\frac{\partial x_\gamma}{\partial q_i}$").why(r"The friction (1.52) is not put in: the masses and the second factor $\frac{\partial x_\gamma}{\partial q_j}$ are lost.")
+    page.claim("eq1.55", "friction",r"the generalised forces of friction are $Q_i^\tau=\sum_\gamma\mu_i\frac{\partial x_\gamma}{\partial q_i}$, as printed").why(r"The friction (1.52) is not put in, and the masses and the second factor $\frac{\partial x_\gamma}{\partial q_j}$ are missing.")
         .fails((0..2).map(|i| {
             let printed = (0..3).fold(Sym::ZERO, |sum, k| sum + [mu1, mu2][i] * motion.fields[i][k]);
             Line::formula(dot(found, motion.fields[i]), names[i], printed)

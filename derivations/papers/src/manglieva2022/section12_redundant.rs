@@ -64,7 +64,7 @@ fn velocities(page: &mut Page, motion: &Motion<Sym, 3, 2>) {
     page.claim(
         "eq1.58",
         "constraints",
-        r"geometric constraints $f(x,t)=0$; below one in three coordinates, arbitrary to the second order",
+        "(1.58) are geometric constraints $f(x,t)=0$. The claims below have one in three coordinates, arbitrary to the second order",
     )
     .defines([]);
     nowhere_zero(page, "eq1.59", r"$\sum\vec R_k\delta\vec r_k\ne0$");
@@ -72,7 +72,7 @@ fn velocities(page: &mut Page, motion: &Motion<Sym, 3, 2>) {
     let masses: [Sym; 3] = indexed("m#");
     let found = friction(motion.fields);
     let displaced = std::array::from_fn(|i| found[i] / masses[i]);
-    page.claim("eq1.60", "virtual",r"$R^\tau_\gamma=\sum\mu_m\frac{\partial(m_\gamma\dot x_\gamma)}{\partial p_m}$: over the masses it is a virtual displacement (one constraint on three coordinates, arbitrary to the second order)").reading(r"The source prints the index of $x$ as $\gamma_i$; $x_\gamma$ is read.").in_words()
+    page.claim("eq1.60", "virtual",r"$R^\tau_\gamma=\sum\mu_m\frac{\partial(m_\gamma\dot x_\gamma)}{\partial p_m}$ divided by the masses is a virtual displacement (one constraint on three coordinates, arbitrary to the second order)").reading(r"The source prints the index of $x$ as $\gamma_i$; $x_\gamma$ is read.").in_words()
         .follows([Zero(dot(row, displaced))]);
     let force = with_friction(motion.fields);
     let [multiplier] = first_kind(&Surface, &motion.state, force).multipliers;
@@ -83,7 +83,7 @@ fn velocities(page: &mut Page, motion: &Motion<Sym, 3, 2>) {
     let [f1, f2, f3] = indexed("f#");
     let linear = -(f2 / f1) * v2 - f3 / f1 * v3;
     let name = letter("ẋ1");
-    page.claim("eq1.61", "velocities",r"the dependent velocity $\dot x_1=A_{12}\dot x_2+A_{13}\dot x_3$, $A_{1j}=-f_{,j}/f_{,1}$, printed without a free term for $f(x,t)=0$").why(r"The constraint contains the time: its rate has the term $f_{,t}$, which is lost.")
+    page.claim("eq1.61", "velocities",r"the dependent velocity is $\dot x_1=A_{12}\dot x_2+A_{13}\dot x_3$, $A_{1j}=-f_{,j}/f_{,1}$, as printed, without a free term for $f(x,t)=0$").why(r"The constraint contains the time: its rate has the term $f_{,t}$, which is missing.")
         .fails([Line::formula(motion.state.velocity[0], name, linear)]);
     page.claim("eq1.61", "velocities-corrected", r"the dependent velocity has the term $-f_{,t}/f_{,1}$")
         .holds([Line::formula(motion.state.velocity[0], name, linear - letter("ft") / f1)]);

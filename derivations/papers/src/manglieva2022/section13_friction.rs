@@ -44,7 +44,7 @@ fn combination(page: &mut Page, s: &SteeredLetters) {
     let [rx, ry, y] = letters(["Rx", "Ry", "Y"]);
     let [rho, rho2, rho21, rho22] = letters(["ρ1", "ρ2", "ρ21", "ρ22"]);
     let of_friction = s.of_constraints([rho21, rho22, Sym::ZERO]);
-    page.claim("eq1.68", "directions",r"the components of friction, with $\vec\rho_{21}$ along the rod and $\vec\rho_{22}$ across it, $(-\sin\theta,\cos\theta)$: on $M_2$ both with plus, on $M_1$ with minus and plus")
+    page.claim("eq1.68", "directions",r"(1.68) are the components of friction, with $\vec\rho_{21}$ along the rod and $\vec\rho_{22}$ across it, $(-\sin\theta,\cos\theta)$. On $M_2$ both enter with plus, on $M_1$ with minus and plus")
         .holds([
             Line::formula(of_friction[2], letter("ρ2x"), rho21 * c - rho22 * sin),
             Line::formula(of_friction[3], letter("ρ2y"), rho21 * sin + rho22 * c),
@@ -57,7 +57,7 @@ fn combination(page: &mut Page, s: &SteeredLetters) {
     page.claim(
         "eq1.69",
         "vertical",r"friction at $M_1$ has no vertical component, printed with $+\rho_{22}\cos\theta$",
-    ).why(r"By (1.68) friction at $M_1$ has $-\rho_{21}$ along the rod and $+\rho_{22}$ across it: the sign of $\rho_{22}\cos\theta$ is turned.")
+    ).why(r"By (1.68) friction at $M_1$ has $-\rho_{21}$ along the rod and $+\rho_{22}$ across it, so that the sign of $\rho_{22}\cos\theta$ is wrong.")
     .fails([Line::equation(vertical, ry - y, rho21 * sin + rho22 * c)]);
     page.claim(
         "eq1.69",
@@ -74,11 +74,8 @@ fn combination(page: &mut Page, s: &SteeredLetters) {
     };
     let along = |friction| -displaced([int(1), Sym::ZERO, Sym::ZERO], friction);
     let across = |friction| -displaced([Sym::ZERO, int(1), Sym::ZERO], friction);
-    page.claim("eq1.70", "along", "equal projections of the displacements on the rod").holds([Line::equation(
-        along(friction),
-        (rx * c + (ry - y) * sin - rho21) / s.m1,
-        rho21 / s.m2,
-    )]);
+    page.claim("eq1.70", "along", "the displacements of both points have equal projections on the rod")
+        .holds([Line::equation(along(friction), (rx * c + (ry - y) * sin - rho21) / s.m1, rho21 / s.m2)]);
     let whole = [rho, Sym::ZERO, of_friction[2], of_friction[3]];
     let given = [
         Equal(rho2.powi(2), tidy(of_friction[2].powi(2) + of_friction[3].powi(2))),
@@ -88,7 +85,7 @@ fn combination(page: &mut Page, s: &SteeredLetters) {
         Positive(s.m2),
         Positive(rho2),
     ];
-    page.claim("eq1.71", "by-sizes",r"$\frac1{m_1}\rho_1\cos\theta = \frac1{m_2}\rho_2$, printed with the size $\rho_2$ of friction at $M_2$").why(r"The projection on the rod is $\rho_{21}$; the size $\rho_2$ contains the component $\rho_{22}$ across the rod too.")
+    page.claim("eq1.71", "by-sizes",r"$\frac1{m_1}\rho_1\cos\theta = \frac1{m_2}\rho_2$ holds as printed, with the size $\rho_2$ of friction at $M_2$").why(r"The projection on the rod is $\rho_{21}$; the size $\rho_2$ contains the component $\rho_{22}$ across the rod too.")
         .given(given)
         .refuted([Equal(rho * c / s.m1, rho2 / s.m2)], exact([
             ("m1", 1, 1), ("m2", 1, 1), ("ρ1", 1, 1), ("ρ2", 1, 1), ("ρ21", 3, 5), ("ρ22", 4, 5),
@@ -97,7 +94,7 @@ fn combination(page: &mut Page, s: &SteeredLetters) {
     page.claim(
         "eq1.71",
         "by-sizes-corrected",
-        r"$\frac1{m_1}\rho_1\cos\theta = \frac1{m_2}\rho_{21}$, with the component of friction along the rod",
+        r"$\frac1{m_1}\rho_1\cos\theta = \frac1{m_2}\rho_{21}$ holds with the component of friction along the rod",
     )
     .holds([Line::equation(along(whole), rho * c / s.m1, rho21 / s.m2)]);
     page.correct();
@@ -108,16 +105,10 @@ fn combination(page: &mut Page, s: &SteeredLetters) {
     )]);
     let guided = friction.map(|component| component.substitute(&[(ry, y + rho21 * sin - rho22 * c)]));
     let q = s.m1 / s.m2;
-    page.claim("eq1.73", "along-collected", "(1.70) with (1.69) in its right form").holds([Line::equation(
-        along(guided) * s.m1,
-        rx * c,
-        (q + c.powi(2)) * rho21 + rho22 * c * sin,
-    )]);
-    page.claim("eq1.74", "across-collected", "(1.72) with (1.69) in its right form").holds([Line::equation(
-        across(guided) * s.m1,
-        rx * sin,
-        (q + sin.powi(2)) * rho22 + rho21 * sin * c,
-    )]);
+    page.claim("eq1.73", "along-collected", "(1.70) with (1.69) in its right form gives (1.73)")
+        .holds([Line::equation(along(guided) * s.m1, rx * c, (q + c.powi(2)) * rho21 + rho22 * c * sin)]);
+    page.claim("eq1.74", "across-collected", "(1.72) with (1.69) in its right form gives (1.74)")
+        .holds([Line::equation(across(guided) * s.m1, rx * sin, (q + sin.powi(2)) * rho22 + rho21 * sin * c)]);
 }
 
 /// (1.75)-(1.80).
@@ -130,23 +121,24 @@ fn parts(page: &mut Page, s: &SteeredLetters) {
     page.claim("eq1.75", "ratio", r"$\rho_{22} = \operatorname{tg}\theta\,\rho_{21}$")
         .follows([Equal(rho22, sin / c * rho21)]);
     let share = |mass: Sym| mass * rx / (s.m1 + s.m2);
-    page.claim("eq1.76", "along", "friction along the rod")
+    page.claim("eq1.76", "along", "the friction along the rod is (1.76)")
         .reading(r"The source's $R_\tau$ is read as the component $R_x$ of the guide's reaction.")
         .holds([Line::formula(rho21, letter("ρ21"), share(s.m2) * c)]);
-    page.claim("eq1.77", "across", "friction across the rod")
+    page.claim("eq1.77", "across", "the friction across the rod is (1.77)")
         .reading(r"The source's $R_\tau$ is read as the component $R_x$ of the guide's reaction.")
         .holds([Line::formula(rho22, letter("ρ22"), share(s.m2) * sin)]);
-    page.claim("eq1.78", "at-m1", r"friction at $M_1$")
+    page.claim("eq1.78", "at-m1", "the friction at $M_1$ is (1.78)")
         .reading(r"The source's $R_\tau$ is read as the component $R_x$ of the guide's reaction.")
         .holds([Line::formula(parts.of_friction[0], letter("ρ1"), share(s.m1))]);
     let friction = s.friction();
     let combined = s.extended([(s.m1 + s.m2) * s.mu, Sym::ZERO, Sym::ZERO, Sym::ZERO]).of_friction;
-    page.claim("eq1.79", "components-m1", r"with $\mu=R_x/(m_1+m_2)$: friction at $M_1$").holds([
-        Line::formula(combined[0], letter("ρ1x"), s.m1 * s.mu),
-        Line::formula(combined[1], letter("ρ1y"), Sym::ZERO),
-    ]);
+    page.claim("eq1.79", "components-m1", r"with $\mu=R_x/(m_1+m_2)$ the friction at $M_1$ has the components (1.79)")
+        .holds([
+            Line::formula(combined[0], letter("ρ1x"), s.m1 * s.mu),
+            Line::formula(combined[1], letter("ρ1y"), Sym::ZERO),
+        ]);
     let double = s.point + s.point;
-    page.claim("eq1.80", "components-m2", r"friction at $M_2$").holds([
+    page.claim("eq1.80", "components-m2", "the friction at $M_2$ has the components (1.80)").holds([
         Line::formula(friction[2], letter("ρ2x"), s.m2 * s.mu * double.cos),
         Line::formula(friction[3], letter("ρ2y"), s.m2 * s.mu * double.sin),
     ]);
@@ -154,7 +146,7 @@ fn parts(page: &mut Page, s: &SteeredLetters) {
     let (lambda, lambda1, lambda2) = (s.lambda, s.lambda1, s.lambda2);
     let names = letters(["R′1x", "R′1y", "R′2x", "R′2y"]);
     let lines = |right: [Sym; 4]| (0..4).map(move |i| Line::formula(normal[i], names[i], right[i]));
-    page.claim("eq1.80", "forces-of-constraint",r"forces of constraint at $M_1$ and $M_2$, printed with $\lambda$ in the horizontal component").why(r"$\lambda$ pushes across the guide, so it belongs to the vertical component; in the last line sine and cosine are exchanged, and (1.83) has them right.")
+    page.claim("eq1.80", "forces-of-constraint",r"the forces of constraint at $M_1$ and $M_2$ are those printed, with $\lambda$ in the horizontal component").why(r"$\lambda$ pushes across the guide, so it belongs to the vertical component. In the last line sine and cosine are exchanged, and (1.83) has them right.")
         .fails(lines([
             lambda - lambda1 * c - lambda2 * sin,
             -lambda1 * sin - lambda2 * c,
@@ -164,7 +156,7 @@ fn parts(page: &mut Page, s: &SteeredLetters) {
     page.claim(
         "eq1.80",
         "forces-of-constraint-corrected",
-        r"forces of constraint at $M_1$ and $M_2$, as they stand in (1.83)",
+        "the forces of constraint at $M_1$ and $M_2$ are those that stand in (1.83)",
     )
     .holds(lines([
         -lambda1 * c - lambda2 * sin,
@@ -184,16 +176,24 @@ fn law(page: &mut Page, s: &SteeredLetters) {
     let sign = letter("ε");
     let mass = s.m1 + s.m2;
     let law = [Equal(mass * s.mu, sign * s.f * s.lambda), Positive(s.m1), Positive(s.m2), Positive(s.f)];
-    page.claim("eq1.81", "law", r"Coulomb's law $R_x=\varepsilon fR_y$ by $\mu$ and $\lambda$, printed without $f$")
-        .why(r"The factor $f$ is lost; (1.82) and (1.97) have it.")
-        .given(law)
-        .refuted(
-            [Equal(s.mu, sign * s.lambda / mass)],
-            exact([("m1", 1, 1), ("m2", 1, 1), ("f", 1, 2), ("ε", 1, 1), ("λ", -4, 1), ("μ", -1, 1)]),
-        );
-    page.claim("eq1.81", "law-corrected", r"Coulomb's law by $\mu$ and $\lambda$ with the factor $f$")
-        .given([Equal(mass * s.mu, sign * s.f * s.lambda), NonZero(mass)])
-        .by_combination([(Equal(s.mu, sign * s.f * s.lambda / mass), vec![1], vec![(0, int(1))])]);
+    page.claim(
+        "eq1.81",
+        "law",
+        r"Coulomb's law $R_x=\varepsilon fR_y$, expressed by $\mu$ and $\lambda$, is (1.81) as printed, without $f$",
+    )
+    .why(r"The factor $f$ is missing. (1.82) and (1.97) have it.")
+    .given(law)
+    .refuted(
+        [Equal(s.mu, sign * s.lambda / mass)],
+        exact([("m1", 1, 1), ("m2", 1, 1), ("f", 1, 2), ("ε", 1, 1), ("λ", -4, 1), ("μ", -1, 1)]),
+    );
+    page.claim(
+        "eq1.81",
+        "law-corrected",
+        r"Coulomb's law, expressed by $\mu$ and $\lambda$, is (1.81) with the factor $f$",
+    )
+    .given([Equal(mass * s.mu, sign * s.f * s.lambda), NonZero(mass)])
+    .by_combination([(Equal(s.mu, sign * s.f * s.lambda / mass), vec![1], vec![(0, int(1))])]);
     page.correct();
     let way = sign;
     let unit = Hypotheses::none().rule(way, 2, int(1));

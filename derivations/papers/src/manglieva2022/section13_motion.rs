@@ -29,7 +29,7 @@ fn motion(page: &mut Page, s: &SteeredLetters) {
         lambda1 * c - lambda2 * sin + s.m2 * mu * double.cos,
         s.m2 * s.g + lambda1 * sin + lambda2 * c + s.m2 * mu * double.sin,
     ];
-    page.claim("eq1.83", "motion", "equations of motion of both points")
+    page.claim("eq1.83", "motion", "the equations of motion of both points of the steered rod are (1.83)")
         .holds((0..4).map(|i| Line::equation(newton[i], masses[i] * second[i], right[i])));
 }
 
@@ -48,7 +48,7 @@ fn differentiated(page: &mut Page, s: &SteeredLetters) {
     )
     .defines([Line::equation(length + length, (x2 - x1).powi(2) + (y2 - y1).powi(2), s.l.powi(2))]);
     let [length, middle, _] = rates(&s.rod, &at, second);
-    page.claim("eq1.85", "differentiated", "length differentiated twice, middle once; $\\ddot y_1=0$").holds([
+    page.claim("eq1.85", "differentiated", r"(1.85) are the constraint of the length differentiated twice and that of the middle differentiated once, with $\ddot y_1=0$").holds([
         Line::equation(
             length,
             (x2 - x1) * (a2 - a1) + (b2 - b1) * (y2 - y1) + (u2 - u1).powi(2) + (v2 - v1).powi(2),
@@ -70,7 +70,7 @@ fn differentiated(page: &mut Page, s: &SteeredLetters) {
     page.claim(
         "eq1.86",
         "substituted",
-        r"the differentiated constraints with the accelerations of (1.83), where $\mu$ drops out",
+        r"the differentiated constraints with the accelerations of (1.83) are (1.86), where $\mu$ drops out",
     )
     .holds([
         Line::equation(guide, s.m1 * s.g - lambda1 * sin + lambda2 * c + lambda, Sym::ZERO),
@@ -106,7 +106,7 @@ fn differentiated(page: &mut Page, s: &SteeredLetters) {
                 ("λ2", -1, 1),
             ]),
         );
-    page.claim("eq1.86", "third-zero-corrected", r"the right side of the third line equals its left side")
+    page.claim("eq1.86", "third-zero-corrected", "the right side of (1.86), third line, equals its left side")
         .in_words()
         .follows([Equal(
             inverse(s.m1) * c * sin * along + (inverse(s.m2) + inverse(s.m1) * sin.powi(2)) * across,
@@ -125,7 +125,7 @@ fn multipliers(page: &mut Page, s: &SteeredLetters) {
     page.claim(
         "eq1.87",
         "solved",
-        r"$\lambda_1,\lambda_2$ by Lagrange's equations of the first kind under friction of any size $\mu$",
+        r"$\lambda_1$ and $\lambda_2$ are (1.87) by Lagrange's equations of the first kind, under friction of any size $\mu$",
     )
     .holds([
         Line::formula(
@@ -140,16 +140,20 @@ fn multipliers(page: &mut Page, s: &SteeredLetters) {
         ),
     ]);
     let weight = -(m1 + m2) * s.g;
-    page.claim("eq1.88", "guide", r"$\lambda$ by $\dot x_1$ and $\dot\theta$").holds([Line::formula(
-        derived[2],
-        s.lambda,
-        weight - m2 * (s.l * s.dtheta.powi(2) * sin + int(2) * s.dx1 * s.dtheta * c.powi(2) - int(2) * s.g * c.powi(2)),
-    )]);
-    page.claim("eq1.88", "speed", r"$\dot x_1$ by $\dot\theta$, from the constraint of the middle")
+    page.claim("eq1.88", "guide", r"$\lambda$, expressed by $\dot x_1$ and $\dot\theta$, is (1.88)").holds([
+        Line::formula(
+            derived[2],
+            s.lambda,
+            weight
+                - m2 * (s.l * s.dtheta.powi(2) * sin + int(2) * s.dx1 * s.dtheta * c.powi(2)
+                    - int(2) * s.g * c.powi(2)),
+        ),
+    ]);
+    page.claim("eq1.88", "speed", r"the constraint of the middle expresses $\dot x_1$ by $\dot\theta$")
         .holds([Line::formula(s.speed(), s.dx1, s.l * s.dtheta / (int(2) * sin))]);
     let on_constraint = derived[2].substitute(&[(s.dx1, s.speed())]);
     let turn = s.l * s.dtheta.powi(2);
-    page.claim("eq1.89", "guide", r"$\lambda$ by $\dot\theta$ alone, in two steps").holds([
+    page.claim("eq1.89", "guide", r"$\lambda$, expressed by $\dot\theta$ alone, is (1.89), in two steps").holds([
         Line::formula(
             on_constraint,
             s.lambda,
@@ -182,33 +186,33 @@ fn painleve(page: &mut Page, s: &SteeredLetters) {
     let across = (s.drive * q * sin + s.m1 * (pull * sin * c + turn * (q + c.powi(2)) * c)) / (q * (q + one));
     let along = (s.drive * q * c - s.m1 * (pull * (q + sin.powi(2)) + turn * c.powi(2) * sin)) / (q * (q + one));
     let share = (q - one) / (q + one) * mu;
-    page.claim("eq1.90", "across",r"$\lambda_2$ by Painlevé's displacements, $q=m_1/m_2$, printed with $+(q-1)\mu$").reading(r"$\mu$ is read as the horizontal force of friction at $M_1$, as in (1.1). No other scale of $\mu$ makes both printed terms right, since those of $\lambda_1$ and $\lambda_2$ are as cosine to sine.").why(r"The derived term is $-\frac{q-1}{q+1}\mu\sin\theta$: sign, divisor and sine differ in the print.")
+    page.claim("eq1.90", "across",r"$\lambda_2$ by Painlevé's displacements, $q=m_1/m_2$, is (1.90) as printed, with $+(q-1)\mu$").reading(r"$\mu$ is read as the horizontal force of friction at $M_1$, as in (1.1). No other scale of $\mu$ makes both printed terms right, since those of $\lambda_1$ and $\lambda_2$ are as cosine to sine.").why(r"The derived term is $-\frac{q-1}{q+1}\mu\sin\theta$: sign, divisor and sine differ in the print.")
         .fails([Line::formula(derived[1], s.lambda2, across + (q - one) * mu)]);
     page.claim(
         "eq1.90",
         "across-corrected",
-        r"$\lambda_2$ by Painlevé's displacements, with $-\frac{q-1}{q+1}\mu\sin\theta$",
+        r"$\lambda_2$ by Painlevé's displacements is (1.90) with $-\frac{q-1}{q+1}\mu\sin\theta$",
     )
     .holds([Line::formula(derived[1], s.lambda2, across - share * sin)]);
     page.correct();
-    page.claim("eq1.91", "along",r"$\lambda_1$ by Painlevé's displacements, printed with $-(q-1)\mu\sin\theta$").why(r"The derived term is $-\frac{q-1}{q+1}\mu\cos\theta$: the divisor is lost and the cosine is printed as sine.")
+    page.claim("eq1.91", "along",r"$\lambda_1$ by Painlevé's displacements is (1.91) as printed, with $-(q-1)\mu\sin\theta$").why(r"The derived term is $-\frac{q-1}{q+1}\mu\cos\theta$: the divisor is missing, and sine stands where cosine should stand.")
         .fails([Line::formula(derived[0], s.lambda1, along - (q - one) * sin * mu)]);
     page.claim(
         "eq1.91",
         "along-corrected",
-        r"$\lambda_1$ by Painlevé's displacements, with $-\frac{q-1}{q+1}\mu\cos\theta$",
+        r"$\lambda_1$ by Painlevé's displacements is (1.91) with $-\frac{q-1}{q+1}\mu\cos\theta$",
     )
     .holds([Line::formula(derived[0], s.lambda1, along - share * c)]);
     page.correct();
     let at_guide = derived[2].diff(mu);
     page.claim(
         "eq1.91",
-        "at-the-guide",r"printed: $\lambda$ depends on $\mu$ by Painlevé's displacements, $\partial\lambda/\partial\mu\ne0$ for unequal masses",
+        "at-the-guide",r"as printed, $\lambda$ depends on $\mu$ by Painlevé's displacements: $\partial\lambda/\partial\mu\ne0$ for unequal masses",
     )
     .why(r"The two terms in $\mu$ cancel in $\lambda = -m_1g+\lambda_1\sin\theta-\lambda_2\cos\theta$.")
     .given([Positive(s.m1), Positive(q), NonZero(q - one)])
     .refuted([NonZero(tidy(at_guide))], exact([("m1", 1, 1), ("q", 2, 1), ("cos θ", 3, 5), ("sin θ", 4, 5)]));
-    page.claim("eq1.91", "at-the-guide-corrected",r"$\partial\lambda/\partial\mu=0$ for all masses: $\lambda_1$ and $\lambda_2$ depend on $\mu$, $\lambda = -m_1g+\lambda_1\sin\theta-\lambda_2\cos\theta$ does not")
+    page.claim("eq1.91", "at-the-guide-corrected",r"$\partial\lambda/\partial\mu=0$ for all masses. $\lambda_1$ and $\lambda_2$ depend on $\mu$, but $\lambda = -m_1g+\lambda_1\sin\theta-\lambda_2\cos\theta$ does not")
         .follows([Zero(at_guide)]);
     page.correct();
     let size = derived[0].diff(mu).powi(2) + derived[1].diff(mu).powi(2);

@@ -68,7 +68,7 @@ fn first_order(page: &mut Page, s: &LadderLetters, u: &Uniform) {
     page.claim(
         "eq1.108",
         "first-order",
-        r"(1.107) for the uniform ladder with $\ddot\alpha=\dot\alpha\,d\dot\alpha/d\alpha$, $a=2/(1+f^2)$",
+        r"(1.107) for the uniform ladder is (1.108), with $\ddot\alpha=\dot\alpha\,d\dot\alpha/d\alpha$ and $a=2/(1+f^2)$",
     )
     .under(&u.names)
     .holds([Line::equation(
@@ -96,7 +96,7 @@ fn variation(page: &mut Page, s: &LadderLetters, u: &Uniform) {
     page.claim(
         "section1.3-ladder-quadrature",
         "varied",
-        r"$d\dot\alpha/d\alpha$ with $C_1$ varied, $G=e^{af\alpha/(a-2/3)}$",
+        r"if $C_1$ varies, $d\dot\alpha/d\alpha$ contains $C_1'$, where $G=e^{af\alpha/(a-2/3)}$",
     )
     .under(&u.names)
     .holds([Line::formula(varied.slope, letter("dα̇/dα"), rate * grown + constant * u.a * u.f / u.inertia * grown)]);
@@ -105,14 +105,14 @@ fn variation(page: &mut Page, s: &LadderLetters, u: &Uniform) {
     let load = -(s.g / s.l * u.load(|x| x, s.point));
     page.claim(
         "section1.3-ladder-quadrature",
-        "constant",r"the equation for $C_1$, printed with $e^{+2af\alpha/(a-2/3)}=G^2$ on the right, $G=e^{af\alpha/(a-2/3)}$",
+        "constant",r"the equation for $C_1$ has $e^{+2af\alpha/(a-2/3)}=G^2$ on the right as printed, with $G=e^{af\alpha/(a-2/3)}$",
     ).why(r"$C_1C_1^{\prime}G^2$ stands on the left, so the right side is divided by $G^2$; the integrals that follow have the right exponent.")
     .under(&u.names)
     .fails([Line::equation(left / grown.powi(2), u.inertia * constant * rate, load * grown.powi(2))]);
     page.claim(
         "section1.3-ladder-quadrature",
         "constant-corrected",
-        r"the equation for $C_1$ with $e^{b\alpha}=e^{-2af\alpha/(a-2/3)}=G^{-2}$ on the right",
+        r"the equation for $C_1$ has $e^{b\alpha}=e^{-2af\alpha/(a-2/3)}=G^{-2}$ on the right",
     )
     .under(&u.names)
     .holds([Line::equation(left / grown.powi(2), u.inertia * constant * rate, load / grown.powi(2))]);
@@ -154,7 +154,7 @@ fn solution(page: &mut Page, s: &LadderLetters, u: &Uniform) {
         int(2) * (linear + tidy(growth)).substitute(&[(spin, square)])
     };
     let printed = forced + fixed(constant) * exponential;
-    page.claim("eq1.109", "square",r"$\dot\alpha^2$, printed with $\tilde Ce^{b\alpha}$: its derivative along $\alpha$ against $2\ddot\alpha$ of the motion").reading(r"The source prints $g^2$ in the factor; $g^2/l$ is no square of an angular velocity, so $2g$ is read.").why(r"The homogeneous solution is $e^{-b\alpha}$: the sign of the exponent is turned.").under(&u.names)
+    page.claim("eq1.109", "square",r"$\dot\alpha^2$ is (1.109) as printed, with $\tilde Ce^{b\alpha}$. Its derivative along $\alpha$ is compared with $2\ddot\alpha$ of the motion").reading(r"The source prints $g^2$ in the factor; $g^2/l$ is no square of an angular velocity, so $2g$ is read.").why(r"The homogeneous solution is $e^{-b\alpha}$: the sign of the exponent is wrong.").under(&u.names)
         .fails([Line::formula(motion(printed.value), name, printed.slope)]);
     let corrected = forced + fixed(constant) / exponential;
     page.claim("eq1.109", "square-corrected",r"$\dot\alpha^2=\frac{2g}{l(1+b^2)(\frac23-a)}[\dots]+\tilde Ce^{-b\alpha}$ solves the equation of motion for every $\tilde C$").under(&u.names)
@@ -173,16 +173,16 @@ fn solution(page: &mut Page, s: &LadderLetters, u: &Uniform) {
     page.claim(
         "eq1.109",
         "constant",
-        r"the constant from the initial state, printed $\tilde C=e^{-b\alpha_0}[\dot\alpha_0^2-\dots]$",
+        r"the constant from the initial state is $\tilde C=e^{-b\alpha_0}[\dot\alpha_0^2-\dots]$, as printed",
     )
     .reading(r"The source prints $e^{-b\alpha}$ without the index; $\alpha_0$ is read.")
-    .why(r"The sign of the exponent is turned, as in $\dot\alpha^2$.")
+    .why(r"The sign of the exponent is wrong, as in $\dot\alpha^2$.")
     .under(&u.names)
     .fails([Line::formula(derived, constant, initial / begun)]);
     page.claim(
         "eq1.109",
         "constant-corrected",
-        r"$\tilde C=e^{b\alpha_0}[\dot\alpha_0^2-\dots]$ from the initial state",
+        r"the constant from the initial state is $\tilde C=e^{b\alpha_0}[\dot\alpha_0^2-\dots]$",
     )
     .under(&u.names)
     .holds([Line::formula(derived, constant, initial * begun)]);
@@ -203,11 +203,11 @@ fn reactions(page: &mut Page, s: &LadderLetters, u: &Uniform) {
                 - g / inertia * (c - f * sin) * ((a * f.powi(2) - int(1)) * sin + wedge * c)
                 + f * g)
     };
-    page.claim("eq1.110", "wall", r"$R_A^n$ by the angle, printed with $a\cos\alpha$")
-        .why(r"The factor $f$ is lost beside $a\cos\alpha$; (1.108) has it.")
+    page.claim("eq1.110", "wall", r"$R_A^n$, expressed by the angle, is (1.110) as printed, with $a\cos\alpha$")
+        .why(r"The factor $f$ is missing in front of $a\cos\alpha$. (1.108) has it.")
         .under(&u.names)
         .fails([Line::formula(derived[0], at_a, wall(a))]);
-    page.claim("eq1.110", "wall-corrected", r"$R_A^n$ by the angle, with $af\cos\alpha$")
+    page.claim("eq1.110", "wall-corrected", r"$R_A^n$, expressed by the angle, is (1.110) with $af\cos\alpha$")
         .under(&u.names)
         .holds([Line::formula(derived[0], at_a, wall(a * f))]);
     page.correct();
@@ -217,14 +217,18 @@ fn reactions(page: &mut Page, s: &LadderLetters, u: &Uniform) {
     page.claim(
         "eq1.110",
         "floor",
-        r"$R_B^n$ by the angle, printed with $\frac a2$, $\frac{af^2}2$ and a plus before the second",
+        r"$R_B^n$, expressed by the angle, is (1.110) as printed, with $\frac a2$, $\frac{af^2}2$ and a plus before the second",
     )
     .why(r"The denominators $a-\frac23$ are cut down to 2; with them put back the plus is still wrong.")
     .under(&u.names)
     .fails([Line::formula(derived[1], at_b, floor(-first + second))]);
     let [first, second] = coefficients(inertia);
-    page.claim("eq1.110", "floor-corrected", r"$R_B^n$ by the angle, with $a-\frac23$ below and both terms subtracted")
-        .under(&u.names)
-        .holds([Line::formula(derived[1], at_b, floor(-first - second))]);
+    page.claim(
+        "eq1.110",
+        "floor-corrected",
+        r"$R_B^n$, expressed by the angle, is (1.110) with $a-\frac23$ below and both terms subtracted",
+    )
+    .under(&u.names)
+    .holds([Line::formula(derived[1], at_b, floor(-first - second))]);
     page.correct();
 }

@@ -17,7 +17,7 @@ pub fn claims(page: &mut Page, s: &SteeredLetters) {
     let two = int(2);
     let factor = m2 / (m1 * (m1 + m2));
     let across = m1 * drive * sin - m1 * g * c * (m1 + m2 * c.powi(2)) + m1 * m2 * g * sin.powi(2) * c;
-    page.claim("section1.3-static", "lambda-2", r"$\lambda_2$ at rest").holds([Line::formula(
+    page.claim("section1.3-static", "lambda-2", r"$\lambda_2$ at rest has the printed value").holds([Line::formula(
         derived[1],
         s.lambda2,
         factor * across,
@@ -29,25 +29,29 @@ pub fn claims(page: &mut Page, s: &SteeredLetters) {
     page.claim(
         "section1.3-static",
         "lambda-1",
-        r"$\lambda_1$ at rest, printed with the signs of the terms in $g$ turned",
+        r"$\lambda_1$ at rest has the printed value, with the signs of the terms in $g$ reversed",
     )
     .why(r"The terms with $g$ have the opposite signs of (1.87), from which they come.")
     .fails([Line::formula(derived[0], s.lambda1, factor * along(-1))]);
-    page.claim("section1.3-static", "lambda-1-corrected", r"$\lambda_1$ at rest, with the signs of (1.87)")
+    page.claim("section1.3-static", "lambda-1-corrected", r"$\lambda_1$ at rest has the signs of (1.87)")
         .holds([Line::formula(derived[0], s.lambda1, factor * along(1))]);
     page.correct();
     let weight = -(m1 + m2) * g + two * m2 * g * c.powi(2);
-    page.claim("section1.3-static", "lambda", r"$\lambda$ at rest")
+    page.claim("section1.3-static", "lambda", r"$\lambda$ at rest has the printed value")
         .holds([Line::formula(derived[2], s.lambda, weight)]);
     let pull = derived[0] * c + derived[1] * sin;
-    page.claim("section1.3-static", "pull", r"$\lambda_1\cos\theta+\lambda_2\sin\theta$ at rest, as printed")
+    page.claim("section1.3-static", "pull", r"$\lambda_1\cos\theta+\lambda_2\sin\theta$ at rest has the printed value")
         .follows([Equal(pull, m2 / (m1 + m2) * (drive - m1 * g * double.sin))]);
 
     // the friction that keeps M1 at rest: the equation of motion without acceleration
     let [missing] = s.motion().generalised(s.newton([Sym::ZERO; 4], s.friction()));
     let mu = tidy(-(missing.substitute(&[(s.mu, Sym::ZERO)]) / tidy(missing.diff(s.mu))));
-    page.claim("section1.3-static", "friction", r"friction at $M_1$ that keeps the rod at rest")
-        .holds([Line::formula(m1 * mu, m1 * s.mu, -(m1 / (m1 + m2) * (drive + m2 * g * double.sin)))]);
+    page.claim(
+        "section1.3-static",
+        "friction",
+        "the friction at $M_1$ that keeps the rod at rest has the printed value",
+    )
+    .holds([Line::formula(m1 * mu, m1 * s.mu, -(m1 / (m1 + m2) * (drive + m2 * g * double.sin)))]);
     page.claim(
         "section1.3-static",
         "by-multipliers",
@@ -56,17 +60,21 @@ pub fn claims(page: &mut Page, s: &SteeredLetters) {
     .in_words()
     .follows([Equal(m1 * mu, pull - drive)]);
     let held = drive + m2 * g * double.sin;
-    page.claim("eq1.100", "inequality", r"the rod rests while $|R_x|\le f|\lambda|$: both sides by the data, squared")
-        .follows([
-            Equal(((m1 + m2) * mu).powi(2), held.powi(2)),
-            Equal(derived[2].powi(2), ((m1 + m2) * g - two * m2 * g * c.powi(2)).powi(2)),
-        ]);
+    page.claim(
+        "eq1.100",
+        "inequality",
+        r"the rod rests while $|R_x|\le f|\lambda|$. The data give both sides, which are squared here",
+    )
+    .follows([
+        Equal(((m1 + m2) * mu).powi(2), held.powi(2)),
+        Equal(derived[2].powi(2), ((m1 + m2) * g - two * m2 * g * c.powi(2)).powi(2)),
+    ]);
 
     let sign = letter("ε");
     let [needed] = letters(["N"]);
     let name = s.lambda;
     let unit = Hypotheses::none().rule(sign, 2, int(1));
-    page.claim("section1.3-static", "start",r"printed: beyond (1.100) the friction $R_x=\varepsilon f\lambda$, $\varepsilon$ opposite to the force $N$ that rest would need, has the direction of $N$").why(r"That holds where the floor pushes, $\lambda<0$; at $\theta=0$ with $m_2>m_1$ the guide pulls, $\lambda>0$.")
+    page.claim("section1.3-static", "start",r"as printed, beyond (1.100) the friction $R_x=\varepsilon f\lambda$ has the direction of the force $N$ that rest would need. The sign $\varepsilon$ is opposite to $N$").why(r"That holds where the floor pushes, $\lambda<0$; at $\theta=0$ with $m_2>m_1$ the guide pulls, $\lambda>0$.")
         .given([
             Positive(s.f), Positive(m1), Positive(m2), Positive(g), Equal(name, weight), Equal(needed, -held),
             Positive(held.powi(2) - (s.f * name).powi(2)), Equal(sign.powi(2), int(1)), Positive(-(sign * needed)),

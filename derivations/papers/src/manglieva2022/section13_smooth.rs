@@ -14,11 +14,12 @@ pub fn claims(page: &mut Page, s: &LadderLetters) {
     let smooth = [(s.at_wall, Sym::ZERO), (s.at_floor, Sym::ZERO)];
     let uniform = [(s.inertia, m * l.powi(2) / int(3))];
     let balance = s.balance().substitute(&smooth);
-    page.claim("section1.3-ladder-ideal", "motion", r"$f=0$: the equation of motion, $P=mg$").holds([Line::equation(
-        balance,
-        (m * l.powi(2) + s.inertia) * s.ddalpha,
-        m * g * l * sin,
-    )]);
+    page.claim(
+        "section1.3-ladder-ideal",
+        "motion",
+        "for $f=0$ the equation of motion of the ladder has the weight $P=mg$ alone",
+    )
+    .holds([Line::equation(balance, (m * l.powi(2) + s.inertia) * s.ddalpha, m * g * l * sin)]);
     let acceleration = tidy(s.acceleration().substitute(&smooth).substitute(&uniform));
     let quarter = int(3) * g / (int(4) * l);
     page.claim("section1.3-ladder-ideal", "uniform", r"the smooth uniform ladder moves by its weight alone")
@@ -38,11 +39,15 @@ pub fn claims(page: &mut Page, s: &LadderLetters) {
         s.normal_reactions().map(|push| push.substitute(&smooth).substitute(&[(s.ddalpha, acceleration)]));
     let three = int(3) / int(4);
     let spin = s.dalpha.powi(2);
-    page.claim("section1.3-ladder-ideal", "reactions", r"normal reactions of wall and floor on the smooth ladder")
-        .holds([
-            Line::formula(wall, letter("RAn"), m * (three * g * c * sin - l * sin * spin)),
-            Line::formula(floor, letter("RBn"), m * g - m * (three * g * sin.powi(2) + l * c * spin)),
-        ]);
+    page.claim(
+        "section1.3-ladder-ideal",
+        "reactions",
+        "the normal reactions of wall and floor on the smooth ladder have the printed values",
+    )
+    .holds([
+        Line::formula(wall, letter("RAn"), m * (three * g * c * sin - l * sin * spin)),
+        Line::formula(floor, letter("RBn"), m * g - m * (three * g * sin.powi(2) + l * c * spin)),
+    ]);
     let start = field::Analytic::circle(letter("α₀")).cos;
     let premises = [
         Positive(m),
@@ -55,9 +60,9 @@ pub fn claims(page: &mut Page, s: &LadderLetters) {
     page.claim(
         "section1.3-ladder-ideal",
         "detachment",
-        r"from rest at $\alpha_0$ the ladder leaves the wall, $R_A^n=0$, printed at $\cos\alpha=2\cos\alpha_0$",
+        r"from rest at $\alpha_0$ the ladder leaves the wall, $R_A^n=0$, at $\cos\alpha=2\cos\alpha_0$, as printed",
     )
-    .why(r"A factor 3 is lost; besides, $\cos\alpha<\cos\alpha_0$ while the ladder slides down.")
+    .why(r"A factor 3 is missing. Besides, $\cos\alpha<\cos\alpha_0$ while the ladder slides down.")
     .given(premises)
     .refuted(
         [Equal(c, int(2) * start)],

@@ -28,13 +28,13 @@ fn displacements(page: &mut Page) {
     page.claim(
         "eq2.1",
         "geometric",
-        r"geometric constraints; below one, $x_1=F(x_2,x_3,x_4,t)$, arbitrary to the second order",
+        "(2.1) are geometric constraints. The claims below have one, $x_1=F(x_2,x_3,x_4,t)$, arbitrary to the second order",
     )
     .defines([]);
-    page.claim("eq2.2", "kinematic", r"kinematic constraints, nonlinear; below one, $\dot x_2=\Phi(x,\dot x_3,\dot x_4,t)$, arbitrary to the second order in the velocities")
+    page.claim("eq2.2", "kinematic", r"(2.2) are nonlinear kinematic constraints. The claims below have one, $\dot x_2=\Phi(x,\dot x_3,\dot x_4,t)$, arbitrary to the second order in the velocities")
         .defines([]);
     let displacement: [Sym; 4] = indexed("δx#");
-    page.claim("eq2.3", "displacements", r"virtual displacements, after Chetaev: $\frac{\partial f}{\partial x_\gamma}$ and $\frac{\partial\varphi}{\partial\dot x_\gamma}$ for $f_{,\gamma}$, $\varphi_{,\dot\gamma}$").reading(r"The source prints the second condition with $\delta\dot x_\gamma$, which cannot serve (2.5); $\delta x_\gamma$ is read, as (2.5) and (2.14) use it.")
+    page.claim("eq2.3", "displacements", r"(2.3) defines virtual displacements after Chetaev, where $f_{,\gamma}$ and $\varphi_{,\dot\gamma}$ stand for $\frac{\partial f}{\partial x_\gamma}$ and $\frac{\partial\varphi}{\partial\dot x_\gamma}$").reading(r"The source prints the second condition with $\delta\dot x_\gamma$, which cannot serve (2.5); $\delta x_\gamma$ is read, as (2.5) and (2.14) use it.")
         .defines([
             Line::equation(Sym::ZERO, dot(indexed("f#"), displacement), Sym::ZERO),
             Line::equation(Sym::ZERO, dot(indexed("φ#"), displacement), Sym::ZERO),
@@ -52,7 +52,7 @@ fn displacements(page: &mut Page) {
             Mixed.constraints(&State { time: Tangent::variable(time), place: places, velocity });
         moved[0].value().slope
     };
-    page.claim("eq2.4", "chart", r"$x_\gamma=a_\gamma(q,t)$, $\dot x_\gamma=b_\gamma(q,p,t)$, here $q=(x_2,x_3,x_4)$, $p=(\dot x_3,\dot x_4)$: places and velocities satisfy (2.1) and (2.2) identically")
+    page.claim("eq2.4", "chart", r"the places $x_\gamma=a_\gamma(q,t)$ and velocities $\dot x_\gamma=b_\gamma(q,p,t)$ satisfy (2.1) and (2.2) identically, here with $q=(x_2,x_3,x_4)$, $p=(\dot x_3,\dot x_4)$")
         .follows(closed.map(|constraint| Zero(constraint.value())).into_iter().chain([Zero(rows)]));
     let motion = Motion::at(&Mixed, time, q, [v3, v4]);
     let rows = jacobian(&Mixed, &motion.state);
@@ -87,7 +87,7 @@ fn forces(page: &mut Page) {
     let masses: [Sym; 4] = indexed("m#");
     let found = friction(motion.fields);
     let displaced = std::array::from_fn(|i| found[i] / masses[i]);
-    page.claim("eq2.7", "friction",r"$R^\tau_\gamma=\sum\mu_j\frac{\partial(m_\gamma\dot x_\gamma)}{\partial p_j}$: over the masses it is a virtual displacement (four coordinates, one geometric and one nonlinear kinematic constraint)").in_words()
+    page.claim("eq2.7", "friction",r"$R^\tau_\gamma=\sum\mu_j\frac{\partial(m_\gamma\dot x_\gamma)}{\partial p_j}$ divided by the masses is a virtual displacement (four coordinates, one geometric and one nonlinear kinematic constraint)").in_words()
         .follows(jacobian(&Mixed, &motion.state).map(|row| Zero(dot(row, displaced))));
 }
 
@@ -112,7 +112,7 @@ fn identities(page: &mut Page) {
         let [_, kinematic]: [Constraint<Tangent<Sym>>; 2] = Mixed.constraints(&at);
         kinematic.value().slope
     });
-    page.claim("eq2.8", "identity-kinematic",r"$\sum_\gamma\frac{\partial\varphi}{\partial x_\gamma}\sum_j\mu_j\frac{\partial\dot x_\gamma}{\partial p_j}=0$, printed with $\partial\varphi/\partial x_\gamma$").why(r"A dot is lost: virtual displacements of a kinematic constraint are orthogonal to $\partial\varphi/\partial\dot x_\gamma$.")
+    page.claim("eq2.8", "identity-kinematic",r"$\sum_\gamma\frac{\partial\varphi}{\partial x_\gamma}\sum_j\mu_j\frac{\partial\dot x_\gamma}{\partial p_j}=0$ holds as printed, with $\partial\varphi/\partial x_\gamma$").why(r"A dot is missing: virtual displacements of a kinematic constraint are orthogonal to $\partial\varphi/\partial\dot x_\gamma$.")
         .fails([Line::formula(dot(by_place, pushed), letter("Σ ∂φ/∂x μ ∂ẋ/∂p"), Sym::ZERO)]);
     page.claim("eq2.8", "identity-kinematic-corrected",r"$\sum_\gamma\frac{\partial\varphi}{\partial\dot x_\gamma}\sum_j\mu_j\frac{\partial\dot x_\gamma}{\partial p_j}=0$ (four coordinates, one geometric and one nonlinear kinematic constraint)")
         .in_words()
@@ -127,7 +127,7 @@ fn dynamics(page: &mut Page) {
     let force = with_friction(motion.fields);
     let first = first_kind(&Mixed, &motion.state, force);
     let rows = jacobian(&Mixed, &motion.state);
-    page.claim("eq2.8", "motion", r"the equations of motion with multipliers, which two linear equations determine: (2.1) differentiated twice and (2.2) once")
+    page.claim("eq2.8", "motion", "(2.8) are the equations of motion with multipliers. Two linear equations determine these: (2.1) differentiated twice and (2.2) once")
         .reading(r"After (2.8) the source calls the multipliers $u_\beta$ once $\mu_\beta$; $u_\beta$ is read.")
         .defines((0..4).map(|i| {
             let [lambda, u] = letters(["λ", "u"]);

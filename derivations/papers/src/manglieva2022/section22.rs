@@ -40,26 +40,29 @@ fn differentiated(page: &mut Page) {
     page.claim(
         "eq2.10",
         "differentiated",
-        r"(2.1) differentiated twice is linear in the accelerations, for $f=x_1-F(x_2,x_3,x_4,t)$; $A$ is the rest",
+        "(2.1) differentiated twice is linear in the accelerations, for $f=x_1-F(x_2,x_3,x_4,t)$, where $A$ is the rest",
     )
     .holds([Line::equation(geometric, a1 - f2 * a2 - f3 * a3 - f4 * a4, rest)]);
     let [p3, p4, p33, p34, p44] = letters(["Φ3", "Φ4", "Φ33", "Φ34", "Φ44"]);
     let by_place: Four = indexed("Φx#");
-    page.claim("eq2.11", "differentiated", r"(2.2) differentiated once likewise, for $\varphi=\dot x_2-\Phi$").holds([
-        Line::equation(
-            steered,
-            a2 - (p3 + p33 * v3 + p34 * v4) * a3 - (p4 + p34 * v3 + p44 * v4) * a4,
-            dot(by_place, velocity) + letter("Φt"),
-        ),
-    ]);
+    page.claim(
+        "eq2.11",
+        "differentiated",
+        r"(2.2) differentiated once is linear in the accelerations, for $\varphi=\dot x_2-\Phi$",
+    )
+    .holds([Line::equation(
+        steered,
+        a2 - (p3 + p33 * v3 + p34 * v4) * a3 - (p4 + p34 * v3 + p44 * v4) * a4,
+        dot(by_place, velocity) + letter("Φt"),
+    )]);
     let possible: Four = indexed("ẍ′#");
     let [rest, turned] = letters(["Af", "Bφ"]);
-    page.claim("eq2.12", "possible", r"accelerations that (2.1) allows").defines([Line::equation(
+    page.claim("eq2.12", "possible", "(2.12) are the accelerations that (2.1) allows").defines([Line::equation(
         Sym::ZERO,
         dot(indexed("f#"), possible) + rest,
         Sym::ZERO,
     )]);
-    page.claim("eq2.13", "possible", r"accelerations that (2.2) allows").defines([Line::equation(
+    page.claim("eq2.13", "possible", "(2.13) are the accelerations that (2.2) allows").defines([Line::equation(
         Sym::ZERO,
         dot(indexed("φ#"), possible) + turned,
         Sym::ZERO,
@@ -93,7 +96,7 @@ fn variations(page: &mut Page) {
     page.claim(
         "eq2.15",
         "general-equation",
-        r"$\sum(m\ddot x-X-R^\tau)(\ddot x-\ddot x')=0$, from the equations of motion (2.8)",
+        r"$\sum(m\ddot x-X-R^\tau)(\ddot x-\ddot x')=0$ follows from the equations of motion (2.8)",
     )
     .given(admissible())
     .given(motion())
@@ -105,14 +108,18 @@ fn variations(page: &mut Page) {
     let free: Four = std::array::from_fn(|i| masses[i] * released[i] - given[i] - friction[i]);
     page.claim(
         "eq2.16",
-        "released",r"$\sum(ma-X-R^\tau)(\ddot x-\ddot x')=0$ of the system released from its constraints, which moves under $X$ and $R^\tau$ alone",
+        "released",r"$\sum(ma-X-R^\tau)(\ddot x-\ddot x')=0$ holds for the system released from its constraints, which moves under $X$ and $R^\tau$ alone",
     )
     .given(free.map(Zero))
     .by_combination([(Zero(dot(free, varied)), vec![], (0..4).map(|i| (i, varied[i])).collect())]);
     let weighted: Four = std::array::from_fn(|i| masses[i] * (true_ones[i] - released[i]));
-    page.claim("eq2.17", "difference", r"$\sum m(\ddot x-a)(\ddot x-\ddot x')=0$, the difference of (2.15) and (2.16)")
-        .given([Zero(dot(missing, varied)), Zero(dot(free, varied))])
-        .by_combination([(Zero(dot(weighted, varied)), vec![], vec![(0, int(1)), (1, int(-1))])]);
+    page.claim(
+        "eq2.17",
+        "difference",
+        r"$\sum m(\ddot x-a)(\ddot x-\ddot x')=0$ is the difference of (2.15) and (2.16)",
+    )
+    .given([Zero(dot(missing, varied)), Zero(dot(free, varied))])
+    .by_combination([(Zero(dot(weighted, varied)), vec![], vec![(0, int(1)), (1, int(-1))])]);
 }
 
 /// 1/2 sum m (a - b)^2
@@ -141,12 +148,16 @@ fn measures(page: &mut Page) {
             + (a.powi(2) - two * speed * a + x.powi(2));
         Line::equation(Sym::ZERO, masses[0] * ((x - a) * (x - y)), masses[0] / int(2) * squares)
     };
-    page.claim("eq2.18", "identity", r"the product as squares for each coordinate, printed with single dots or none over most letters on the right")
-        .why("Dots are lost: the printed squares are those of velocities and places, not of accelerations.")
+    page.claim("eq2.18", "identity", "the product is the sum of squares (2.18) for each coordinate as printed, with single dots or none over most letters on the right")
+        .why("Dots are missing: the printed squares are those of velocities and places, not of accelerations.")
         .reading("The source shows single dots, or none, on the right and two on the left. As everywhere, lost dots are judged as printed and restored in the correction.")
         .fails([as_printed]);
-    page.claim("eq2.18", "identity-corrected", "the product as squares, with accelerations throughout")
-        .follows([Equal(product, expanded)]);
+    page.claim(
+        "eq2.18",
+        "identity-corrected",
+        "the product is the sum of squares (2.18) with accelerations throughout",
+    )
+    .follows([Equal(product, expanded)]);
     page.correct();
     let [d_true, possible_free, between] = letters(["AdD", "AμD", "Adμ"]);
     let named = [
@@ -186,12 +197,12 @@ fn least(page: &mut Page) {
     let half = int(1) / int(2);
     let printed = half * (0..4).fold(Sym::ZERO, |sum, i| sum + masses[i] * (second[i] - released[i]).powi(2));
     let [d_true, between, possible_free] = letters(["AdD", "Adμ", "AμD"]);
-    page.claim("eq2.21", "function", r"the function that the true accelerations make least, printed as $A_{d\mu}$, the measure between true and possible accelerations")
+    page.claim("eq2.21", "function", r"the function that the true accelerations make least is $A_{d\mu}$ as printed, the measure between true and possible accelerations")
         .why(r"The printed right side is a measure from the released accelerations, not from the possible ones.")
         .reading(r"With the letters $\ddot x_\gamma$ of the true accelerations the right side is the constant $A_{dD}$, the value of the minimum. Read as the function that is minimised, its accelerations are the possible ones, $\ddot x'_\gamma$, and its name is $A_{\mu D}$.")
         .fails([Line::formula(measure(second, indexed("ẍ′#")), between, printed)]);
     let possible: Four = indexed("ẍ′#");
-    page.claim("eq2.21", "function-corrected", r"the function to be made least is $A_{\mu D}$, of the possible accelerations, with $a_\gamma=(X_\gamma+R^\tau_\gamma)/m_\gamma$; at $\ddot x'=\ddot x$ its value is $A_{dD}$")
+    page.claim("eq2.21", "function-corrected", r"the function to be made least is $A_{\mu D}$ of the possible accelerations, with $a_\gamma=(X_\gamma+R^\tau_\gamma)/m_\gamma$. At $\ddot x'=\ddot x$ its value is $A_{dD}$")
         .holds([(possible, possible_free), (second, d_true)].map(|(at, name)| {
             let pushed = std::array::from_fn(|i| given[i] + friction[i]);
             let squares = (0..4).fold(Sym::ZERO, |sum, i| sum + masses[i] * (at[i] - released[i]).powi(2));
@@ -218,6 +229,6 @@ fn least(page: &mut Page) {
     let Some(split) = Split::<4, 2, 2>::new([0, 1]) else { return };
     let Ok(admissible) = accelerations(&Mixed, &split, &motion.state) else { return };
     let found = gauss::least(masses, force, &admissible).unwrap_or([Sym::UNDEFINED; 4]);
-    page.claim("section2.2-gauss", "minimum",r"under (2.10) and (2.11) the function (2.21) is least at the accelerations of (2.8), friction held (four coordinates, one geometric and one nonlinear kinematic constraint)")
+    page.claim("section2.2-gauss", "minimum","under (2.10) and (2.11) with fixed friction the function (2.21) is least at the accelerations of (2.8) (four coordinates, one geometric and one nonlinear kinematic constraint)")
         .follows((0..4).map(|i| Equal(found[i], first.acceleration[i])));
 }

@@ -42,7 +42,7 @@ fn combined(page: &mut Page) {
         gauss::constraint(masses, changed, moved) - gauss::constraint(masses, force, at),
         gauss::constraint(masses, [Sym::ZERO; 4], excess),
     );
-    page.claim("section2.2-gauss", "law",r"Gauss' principle does not need friction to be held: where $\mu_j$ becomes $\mu_j+\Delta\mu_j$ at the accelerations $\ddot x+\delta$, $\delta=\sum\dot p_j\partial\dot x/\partial p_j$, the function (2.21) grows by $\frac12\sum m(\delta-\sum\Delta\mu_j\,\partial\dot x/\partial p_j)^2$").in_words()
+    page.claim("section2.2-gauss", "law",r"Gauss' principle does not need friction to be held. Where $\mu_j$ becomes $\mu_j+\Delta\mu_j$ at the accelerations $\ddot x+\delta$, $\delta=\sum\dot p_j\partial\dot x/\partial p_j$, the function (2.21) grows by $\frac12\sum m(\delta-\sum\Delta\mu_j\,\partial\dot x/\partial p_j)^2$").in_words()
         .note("Where the growth is zero the other acceleration satisfies (2.8) with its own friction.")
         .given(works(at).map(Zero))
         .by_combination([(growth, vec![], vec![(0, p1 - change1), (1, p2 - change2)])]);
@@ -79,12 +79,12 @@ fn of_the_guide(page: &mut Page, s: &RodLetters) {
         ("cos θ", 3, 5),
         ("sin θ", 4, 5),
     ]);
-    page.claim("section2.2-gauss", "held", r"with the guide's tangential reaction $R_x$ itself as a force beside the weights of the rod, held at its value, (2.21) is stationary at the motion")
+    page.claim("section2.2-gauss", "held", "with the guide's tangential reaction $R_x$ as a force of fixed value in addition to the weights of the rod, (2.21) is stationary at the motion")
         .follows([s.ddx, s.ddtheta].map(|second| {
             let reaction = tidy(s.mobile() * law);
             Zero(along_motion(frozen.diff(second)).substitute(&[(held, reaction)]))
         }));
-    page.claim("section2.2-gauss", "not-held",r"with $R_x=fR_y$ and $R_y$ by the accelerations (1.39), the function (2.21) need not be stationary at the motion of the rod that slides forward on a floor: $\partial/\partial\ddot\theta$ differs from zero in an example").note(r"Coulomb's force as a function of the accelerations must be held, or combined into $R^\tau$ first.").in_words()
+    page.claim("section2.2-gauss", "not-held",r"with $R_x=fR_y$ and $R_y$ by the accelerations (1.39), the function (2.21) need not be stationary at the motion of the rod that slides forward on a floor. In an example $\partial/\partial\ddot\theta$ of it differs from zero").note(r"Coulomb's force as a function of the accelerations must be held, or combined into $R^\tau$ first.").in_words()
         .given([Positive(s.m), Positive(s.m1), Positive(s.l), Positive(s.g), Positive(s.f)])
         .exists([NonZero(along_motion(constraint.diff(s.ddtheta)))], at);
 }

@@ -41,11 +41,11 @@ fn energy(page: &mut Page, s: &ElasticLetters) {
         let printed = s.rates.map(|rate| energy.diff(rate));
         [0, 1].map(|i| Line::formula(derived[i], names[i], printed[i]))
     };
-    page.claim("eq3.14", "energy", r"derivatives by $\dot\omega_1$ and $\ddot x$ of $S$, printed without the square of $\dot\omega_1$, with $x$ for $\dot x$ and $\dot x$ for $\ddot x$")
-        .why(r"Dots and a square are lost: with the printed letters $S$ is no energy of accelerations.")
+    page.claim("eq3.14", "energy", r"the derivatives by $\dot\omega_1$ and $\ddot x$ of $S$ are those of the print, without the square of $\dot\omega_1$, with $x$ for $\dot x$ and $\dot x$ for $\ddot x$")
+        .why(r"Dots and a square are missing: with the printed letters $S$ is no energy of accelerations.")
         .reading(r"The drum with the balls is read as the body 1 and the disc as 2, as in the formulas; the text before has them the other way round.")
         .fails(lines(printed));
-    page.claim("eq3.14", "energy-corrected", r"derivatives of $S$ with $\frac12\dot\omega_1^2$, $-\dot\omega_1\omega_1\dot x(\dots)$, $\frac12\ddot x^2(m+\dots)$, $m_{sp}x\ddot x(\frac12\omega_1^2+2l^2\dot x^2(4l^2-x^2)^{-2})$, $m$ of the sleeve")
+    page.claim("eq3.14", "energy-corrected", r"the derivatives by $\dot\omega_1$ and $\ddot x$ are those of $S$ with $\frac12\dot\omega_1^2$, $-\dot\omega_1\omega_1\dot x(\dots)$, $\frac12\ddot x^2(m+\dots)$ and $m_{sp}x\ddot x(\frac12\omega_1^2+2l^2\dot x^2(4l^2-x^2)^{-2})$. Here $m$ is the mass of the sleeve")
         .holds(lines(corrected));
     page.correct();
     let [distance] = letters(["ϱ"]);
@@ -67,7 +67,7 @@ fn constraints(page: &mut Page, s: &ElasticLetters) {
         "curvature",
         r"the curvature of the line of rolling, printed with dots as $\alpha\dot\lambda-\beta\dot\psi$, gives the law of (3.17)",
     )
-    .why(r"With dots (3.16) contradicts (3.17); the dots are slips, since the text says that the equation links the curvature with $\lambda$ and $\psi$.")
+    .why(r"With dots (3.16) contradicts (3.17). But the dots are slips, since the text says that the equation links the curvature with $\lambda$ and $\psi$.")
     .reading(r"Keldysh's model, to which the text refers, and (3.17) have $\alpha\lambda-\beta\psi$: that law is taken.")
     .fails([keldysh(dlambda, dpsi)]);
     page.claim(
@@ -87,15 +87,15 @@ fn work(page: &mut Page, s: &ElasticLetters) {
     let derived = s.work();
     let printed = s.moments[0] + s.drum / rho * s.moments[1] - s.b * psi * s.drum / rho
         + s.b * psi * s.drum * (s.alpha * lambda - s.beta * psi);
-    page.claim("eq3.17", "work-of-rotation",r"the generalised force $Q_{\varphi_1}$, printed with the moments, the rim and the moment $-b\psi$ on the disc")
+    page.claim("eq3.17", "work-of-rotation",r"the generalised force $Q_{\varphi_1}$ is the printed one, with the torques, the rim and the moment $-b\psi$ on the disc")
         .under(&opposite)
-        .why(r"$\delta\lambda=\delta x-R\psi\,\delta\varphi_1$ depends on $\varphi_1$ too: the work $-aR\lambda\psi$ of the rim's force is lost.")
+        .why(r"$\delta\lambda=\delta x-R\psi\,\delta\varphi_1$ depends on $\varphi_1$ too: the work $-aR\lambda\psi$ of the rim's force is missing.")
         .reading(format!("The first line prints $+b\\psi\\,\\delta\\varphi_2$, the second and (3.17) the minus, which is taken. {AS_PRINTED}"))
         .fails([Line::formula(derived[0], turn, printed)]);
     page.claim(
         "eq3.17",
         "work-of-rotation-corrected",
-        r"$Q_{\varphi_1}$ has $-aR\lambda\psi$ besides, by $\delta\lambda=\delta x-R\psi\,\delta\varphi_1$",
+        r"$Q_{\varphi_1}$ also contains $-aR\lambda\psi$, by $\delta\lambda=\delta x-R\psi\,\delta\varphi_1$",
     )
     .under(&opposite)
     .holds([Line::formula(derived[0], turn, printed - s.a * s.drum * lambda * psi)]);
@@ -123,8 +123,8 @@ fn names(page: &mut Page, s: &ElasticLetters) {
     page.claim("eq3.17", "theta", r"the factor $\theta(x)$ of $\dot\omega_1$ is the moment of inertia by the bodies")
         .holds([Line::formula(turning.diff(s.rates[0]), theta, s.theta(x))]);
     let coupling = tidy(turning.diff(dx).diff(w));
-    page.claim("eq3.17", "coupling", r"the factor of $\dot x\omega_1$, printed $F(x)=J_2r_1^2/(x-c)^2+m_{sp}x$")
-        .why(r"The minus and one power of $x-c$ are lost: $\frac{d}{dt}(x-c)^{-1}$ brings $-(x-c)^{-2}$ beside a further $(x-c)^{-1}$.")
+    page.claim("eq3.17", "coupling", r"the factor of $\dot x\omega_1$ is $F(x)=J_2r_1^2/(x-c)^2+m_{sp}x$, as printed")
+        .why(r"The minus and one power of $x-c$ are missing: $\frac{d}{dt}(x-c)^{-1}$ brings $-(x-c)^{-2}$ together with a further $(x-c)^{-1}$.")
         .fails([Line::formula(coupling, f, s.inertia[1] * s.drum.powi(2) / rho.powi(2) + s.ball * x)]);
     page.claim(
         "eq3.17",
@@ -135,8 +135,8 @@ fn names(page: &mut Page, s: &ElasticLetters) {
     .holds([Line::formula(coupling, f, s.coupling(x))]);
     page.correct();
     let derived = sliding.diff(s.rates[1]);
-    page.claim("eq3.17", "mobile-mass", r"the factor of $\ddot x$, printed $m(x)=m_{sp}+2m_{sp}l^2/(4l^2-x^2)$")
-        .why(r"The first $m_{sp}$ stands for $m$, the mass of the sleeve with the wheel: the balls' part is the second term.")
+    page.claim("eq3.17", "mobile-mass", r"the factor of $\ddot x$ is $m(x)=m_{sp}+2m_{sp}l^2/(4l^2-x^2)$, as printed")
+        .why(r"The first $m_{sp}$ stands where $m$ should stand, the mass of the sleeve with the wheel. The balls' part is the second term.")
         .fails([Line::formula(derived, mobile, s.ball + balls)]);
     page.claim(
         "eq3.17",
@@ -157,15 +157,15 @@ fn motion(page: &mut Page, s: &ElasticLetters) {
     let left = |f: Sym| s.theta(x) * dw + f * dx * w;
     let f = letter("Fˣ");
     let names = opposite.clone().given(f, s.coupling(x));
-    page.claim("eq3.17", "rotation", r"the equation of $\omega_1$, printed with the rim's moment $b\psi(R(\alpha\lambda-\beta\psi)-1)$, and with the right $F(x)$")
+    page.claim("eq3.17", "rotation", r"the equation of $\omega_1$ has the printed moment $b\psi(R(\alpha\lambda-\beta\psi)-1)$ of the rim, with the right $F(x)$")
         .under(&names)
-        .why(r"The factor $\frac R{x-c}$ of the moment on the disc is printed as 1, against the work before; $-aR\lambda\psi$ is lost.")
+        .why(r"The factor $\frac R{x-c}$ of the moment on the disc is printed as 1, against the work before, and $-aR\lambda\psi$ is missing.")
         .reading(AS_PRINTED)
         .fails([Line::equation(turning, left(f), moments + s.b * psi * (curvature - int(1)))]);
     page.claim(
         "eq3.17",
         "rotation-corrected",
-        r"the equation of $\omega_1$ with $-\frac R{x-c}$ for $-1$, and with $-aR\lambda\psi$",
+        r"the equation of $\omega_1$ has $-\frac R{x-c}$ in the place of $-1$, and the term $-aR\lambda\psi$",
     )
     .under(&names)
     .reading(AS_PRINTED)
@@ -177,7 +177,7 @@ fn motion(page: &mut Page, s: &ElasticLetters) {
     page.correct();
     let mobile = letter("mˣ");
     let names = Hypotheses::none().given(mobile, s.mobile(x));
-    page.claim("eq3.17", "sleeve", r"the equation of $x$ with the rim's force $+a\lambda$ and the right $m(x)$")
+    page.claim("eq3.17", "sleeve", r"the equation of $x$ has the rim's force $+a\lambda$ and the right $m(x)$")
         .under(&names)
         .reading(AS_PRINTED)
         .holds([Line::equation(
@@ -199,7 +199,7 @@ fn power(page: &mut Page, s: &ElasticLetters) {
     let derived = tidy(rate - s.balance[0] * w - s.balance[1] * dx);
     let [name] = letters(["Ė"]);
     let shafts = s.moments[0] * w + s.moments[1] * second;
-    page.claim("eq3.17", "power",r"the rim of the printed (3.17) stores energy: kinetic energy, springs and $-\frac12a\lambda^2-\frac12b\psi^2$ change by the shafts' power alone")
+    page.claim("eq3.17", "power",r"the rim of the printed (3.17) stores energy. Kinetic energy, springs and $-\frac12a\lambda^2-\frac12b\psi^2$ change by the shafts' power alone")
         .under(&Hypotheses::none().given(s.drill, -s.b))
         .why(r"With (3.16) nothing stores the power $-b\psi\omega_2$ of the moment on the disc.")
         .reading(AS_PRINTED)
@@ -208,7 +208,7 @@ fn power(page: &mut Page, s: &ElasticLetters) {
     page.claim(
         "eq3.17",
         "power-corrected",
-        r"with a moment $d\psi$ on the disc the rim's energy changes by the shafts' power and $d\psi\omega_2$; without it, by the shafts' power alone",
+        r"with a moment $d\psi$ on the disc the rim's energy changes by the shafts' power and $d\psi\omega_2$. Without this moment it changes by the shafts' power alone",
     )
     .holds([Line::formula(derived, name, shafts + s.drill * psi * second)]);
     page.correct();

@@ -19,8 +19,12 @@ pub fn claims(page: &mut Page, s: &GovernorLetters) {
 
 fn constraints(page: &mut Page, s: &GovernorLetters) {
     let [kept] = letters(["ω₀"]);
-    page.claim("eq3.1", "speed", r"the condition $\omega_2=\omega_2^0$ that the push on the wheel has to keep")
-        .defines([Line::equation(Sym::ZERO, s.speed, kept)]);
+    page.claim(
+        "eq3.1",
+        "speed",
+        r"(3.1) is the condition $\omega_2=\omega_2^0$ that the push on the wheel has to keep",
+    )
+    .defines([Line::equation(Sym::ZERO, s.speed, kept)]);
     let [w1, w2, w] = letters(["ω1", "ω2", "ω"]);
     let rolling = s.governor.constraints(&s.turning([w1, w2, w])).map(|constraint| constraint.value());
     page.claim("eq3.2", "rolling", r"the wheel does not slip at either contact").defines([
@@ -42,17 +46,17 @@ fn energy(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         "eq3.3",
         "energy",
-        r"$S=\frac12\sum J(\dot\omega^2+\omega^4)+\frac12m\dot\rho^2$, printed with the speed of the wheel",
+        r"the energy of accelerations is $S=\frac12\sum J(\dot\omega^2+\omega^4)+\frac12m\dot\rho^2$ as printed, with the speed of the wheel",
     )
     .reading(
         r"The source shows $\dot\rho$. As everywhere, a lost dot is judged as printed and restored in the correction.",
     )
-    .why(r"A dot is lost: the energy of accelerations has $\frac12m\ddot\rho^2$.")
+    .why(r"A dot is missing: the energy of accelerations has $\frac12m\ddot\rho^2$.")
     .fails([Line::formula(s.acceleration_energy(), name, discs(s.drho))]);
     page.claim(
         "eq3.3",
         "energy-corrected",
-        r"$S=\frac12\sum J(\dot\omega^2+\omega^4)+\frac12m\ddot\rho^2$, by the discs' mass points",
+        r"the energy of accelerations of the discs' mass points is $S=\frac12\sum J(\dot\omega^2+\omega^4)+\frac12m\ddot\rho^2$",
     )
     .holds([Line::formula(s.acceleration_energy(), name, discs(s.ddrho))]);
     page.correct();
@@ -67,12 +71,12 @@ fn energy(page: &mut Page, s: &GovernorLetters) {
         let printed = [reduced(wheel).diff(s.dspeed), tidy(reduced(wheel).diff(s.ddrho))];
         [0, 1].map(|i| Line::formula(derived[i], names[i], printed[i]))
     };
-    page.claim("eq3.3", "reduced-energy",r"derivatives by $\dot\omega_2$ and $\ddot\rho$ of $S$ with the constraints put in, printed with $\frac12m\dot\rho^2$").why(r"A dot is lost, so that $\partial S/\partial\ddot\rho=0$: the inertia term $m\ddot\rho$ is lost.")
+    page.claim("eq3.3", "reduced-energy",r"the derivatives by $\dot\omega_2$ and $\ddot\rho$ of $S$ with the constraints put in are those of the print, with $\frac12m\dot\rho^2$").why(r"A dot is missing, so that $\partial S/\partial\ddot\rho=0$: the inertia term $m\ddot\rho$ is missing.")
         .fails(lines(s.drho));
     page.claim(
         "eq3.3",
         "reduced-energy-corrected",
-        r"derivatives by $\dot\omega_2$ and $\ddot\rho$ of $S$ with $\frac12m\ddot\rho^2$",
+        r"the derivatives by $\dot\omega_2$ and $\ddot\rho$ of $S$ are those with $\frac12m\ddot\rho^2$",
     )
     .holds(lines(s.ddrho));
     page.correct();
@@ -83,16 +87,16 @@ fn appell(page: &mut Page, s: &GovernorLetters) {
     let force: [Sym; 7] = s.governor.force(&motion.state);
     let work = motion.generalised(force);
     let [turn, push] = letters(["Qφ2", "Qρ"]);
-    page.claim("eq3.3", "work", r"the generalised force of $\varphi_2$, by the elementary work of both shafts")
+    page.claim("eq3.3", "work", r"the elementary work of both shafts gives the generalised force of $\varphi_2$")
         .holds([Line::formula(work[0], turn, s.m2 + s.rho / s.drum * s.m1)]);
-    page.claim("eq3.3", "work-on-wheel", r"the generalised force of $\rho$: the push less the friction across")
+    page.claim("eq3.3", "work-on-wheel", r"the generalised force of $\rho$ is the push less the friction across")
         .defines([Line::formula(work[1], push, s.push - s.friction)]);
     let [condition, wheel] = s.kept();
     let right = s.m2 + s.rho / s.drum * s.m1;
     page.claim(
         "eq3.3",
         "equations",
-        r"Appell's equations with the speed kept: the condition in two forms, then the motion of the wheel",
+        "Appell's equations with the speed kept are the condition, in two forms, and the equation of motion of the wheel",
     )
     .holds([
         Line::equation(
@@ -112,7 +116,7 @@ fn appell(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         "eq3.3",
         "power",
-        "kinetic energy changes by the power of moments, push and friction: an identity with Appell's equations",
+        "kinetic energy changes by the power of torques, push and friction, which is an identity with Appell's equations",
     )
     .in_words()
     .follows([Equal(rate - power, turning * s.speed + sliding * s.drho)]);
@@ -121,20 +125,20 @@ fn appell(page: &mut Page, s: &GovernorLetters) {
 fn reduced(page: &mut Page, s: &GovernorLetters) {
     let [k, k1, k2] = letters(["k", "k₁", "k₂"]);
     let square = s.radius.powi(2);
-    page.claim("eq3.4", "names", r"the names $k$, $k_1(t)$, $k_2(t)$").defines([
+    page.claim("eq3.4", "names", "(3.4) defines the names $k$, $k_1(t)$, $k_2(t)$").defines([
         Line::equation(Sym::ZERO, k, s.speed * (s.wheel + s.first * square / s.drum.powi(2))),
         Line::equation(Sym::ZERO, k1, square * s.m2),
         Line::equation(Sym::ZERO, k2, square * s.m1 / s.drum),
     ]);
     let [condition, _] = s.kept();
-    page.claim("eq3.5", "law", r"the condition of the kept speed by $k$, $k_1$, $k_2$")
+    page.claim("eq3.5", "law", "the condition of the kept speed, expressed by $k$, $k_1$, $k_2$, is (3.5)")
         .under(&s.names())
         .holds([Line::equation(square * condition / s.rho, k * s.drho, k1 / s.rho + k2)]);
     let law = |rho: Sym| k1 / rho + k2;
     let third = law(s.rho).diff(s.rho).diff(s.rho).diff(s.rho);
     page.claim(
         "eq3.5",
-        "riccati",r"printed: (3.5) is Riccati's equation, whose right side is of the second degree in $\rho$ and has no third derivative",
+        "riccati",r"as printed, (3.5) is Riccati's equation, whose right side is of the second degree in $\rho$ and has no third derivative",
     )
     .why(r"The right side is $k_1/\rho+k_2$, no polynomial in $\rho$.")
     .given([Positive(k1), Positive(s.rho)])
@@ -152,9 +156,7 @@ fn reduced(page: &mut Page, s: &GovernorLetters) {
     let names = s.names();
     let drift: Sym = tidy(s.governor.programme(Sym::ZERO, s.rho, s.speed));
     let small = names.given(epsilon, int(1) / (s.speed * (s.wheel + s.first * square / s.drum.powi(2))));
-    page.claim("eq3.6", "small-parameter", r"$\dot\rho$ by $\varepsilon=1/k$").under(&small).holds([Line::formula(
-        drift,
-        s.drho,
-        epsilon * (k1 / s.rho + k2),
-    )]);
+    page.claim("eq3.6", "small-parameter", r"$\dot\rho$, expressed by $\varepsilon=1/k$, is (3.6)")
+        .under(&small)
+        .holds([Line::formula(drift, s.drho, epsilon * (k1 / s.rho + k2))]);
 }

@@ -31,7 +31,7 @@ fn kinematics(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         ENTRY,
         "speeds",
-        r"$\omega$, $\dot\omega$, $\omega_1$, $\dot\omega_1$ (both steps) with $\omega_2$ kept",
+        r"with $\omega_2$ kept, $\omega$, $\dot\omega$, $\omega_1$ and $\dot\omega_1$ (in both steps) have these values",
     )
     .holds([
         Line::formula(of_wheel, w, far / s.radius * s.speed),
@@ -61,7 +61,12 @@ fn contacts(page: &mut Page, s: &GovernorLetters) {
     let [.., first, second] = s.governor.reactions(&s.motion().state);
     let [on_first, on_second, on_wheel] = missing(s);
     let far = s.distance - s.rho;
-    page.claim(ENTRY, "discs", r"moments of momentum of both discs, with the contacts' forces $F_1$, $F_2$").holds([
+    page.claim(
+        ENTRY,
+        "discs",
+        "the theorem of angular momentum for both discs contains the contacts' forces $F_1$ and $F_2$",
+    )
+    .holds([
         Line::equation(
             on_first - f1 * first[1],
             -s.speed * s.distance * s.drho / s.rho.powi(2) * s.first,
@@ -71,12 +76,16 @@ fn contacts(page: &mut Page, s: &GovernorLetters) {
     ]);
     let pushed = f1 * first[5] + f2 * second[5];
     let inertia = -s.wheel * s.drho / s.radius * s.speed;
-    page.claim(ENTRY, "wheel", r"moment of momentum of the wheel: $-J\frac{\dot\rho_1}r\omega_2=r(F_1+F_2)$")
-        .holds([Line::equation(on_wheel - pushed, inertia, s.radius * (f1 + f2))]);
+    page.claim(
+        ENTRY,
+        "wheel",
+        r"the theorem of angular momentum for the wheel is $-J\frac{\dot\rho_1}r\omega_2=r(F_1+F_2)$",
+    )
+    .holds([Line::equation(on_wheel - pushed, inertia, s.radius * (f1 + f2))]);
     page.claim(
         ENTRY,
         "wheel-half",
-        r"the middle of the chain for the wheel, printed $J\dot\omega=-\frac{J\omega_2}2\dot\rho_1$",
+        r"the middle of the chain for the wheel is $J\dot\omega=-\frac{J\omega_2}2\dot\rho_1$, as printed",
     )
     .why(r"The divisor $r$ is printed as 2.")
     .fails([Line::formula(on_wheel, spin, -s.wheel * s.speed / int(2) * s.drho)]);
@@ -88,7 +97,7 @@ fn contacts(page: &mut Page, s: &GovernorLetters) {
     .holds([Line::formula(on_wheel, spin, -s.wheel * s.speed / s.radius * s.drho)]);
     page.correct();
     let [by_first, by_second] = contact_forces(s);
-    page.claim(ENTRY, "forces", r"the forces $F_2$ and $F_1$ in the contacts").holds([
+    page.claim(ENTRY, "forces", "the forces in the contacts are $F_2$ and $F_1$ as follows").holds([
         Line::formula(by_second, f2, s.m2 / far),
         Line::formula(by_first, f1, s.m1 / s.rho + s.speed * s.distance * s.drho / s.rho.powi(3) * s.first),
     ]);
@@ -105,9 +114,9 @@ fn motion(page: &mut Page, s: &GovernorLetters) {
         (s.wheel * s.speed / s.radius * s.drho, s.radius * (pull - of_first * s.drho)),
         ((s.wheel * s.speed / s.radius + of_first * s.radius) * s.drho, s.radius * pull),
     ];
-    page.claim(ENTRY, "equation",r"the equation of $\rho_1$, in both printed forms").why(r"The minus of $J\dot\omega=-J\omega_2\dot\rho_1/r$ is lost on the way: moments that drive make $\rho_1$ fall, so that $\omega_1$ grows.")
+    page.claim(ENTRY, "equation",r"the equation of $\rho_1$ holds in both printed forms").why(r"The minus of $J\dot\omega=-J\omega_2\dot\rho_1/r$ is missing on the way: moments that drive make $\rho_1$ fall, so that $\omega_1$ grows.")
         .fails(printed.map(|(left, right)| Line::equation(-derived, left, right)));
-    page.claim(ENTRY, "equation-corrected", r"the equation of $\rho_1$ in both forms, by Appell's equations").holds([
+    page.claim(ENTRY, "equation-corrected", r"Appell's equations give the equation of $\rho_1$ in both forms").holds([
         Line::equation(-derived, printed[0].0, -(s.radius * (pull + of_first * s.drho))),
         Line::equation(-derived, printed[1].0, -(s.radius * pull)),
     ]);
@@ -119,14 +128,14 @@ fn motion(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         ENTRY,
         "wheel-axis",
-        r"the wheel along its axis for $\dot\rho_1>0$, printed $m\ddot\rho_1=u+f(N_1+N_2)$",
+        r"for $\dot\rho_1>0$ the wheel moves along its axis by $m\ddot\rho_1=u+f(N_1+N_2)$, as printed",
     )
-    .why(r"Friction is against the motion, so its sign is turned.")
+    .why(r"Friction is against the motion, so its sign is wrong.")
     .fails([Line::equation(outwards, s.mass * s.ddrho, s.push + f * normal)]);
     page.claim(
         ENTRY,
         "wheel-axis-corrected",
-        r"the wheel along its axis for $\dot\rho_1>0$ moves by $m\ddot\rho_1=u-f(N_1+N_2)$",
+        r"for $\dot\rho_1>0$ the wheel moves along its axis by $m\ddot\rho_1=u-f(N_1+N_2)$",
     )
     .holds([Line::equation(outwards, s.mass * s.ddrho, s.push - f * normal)]);
     page.correct();
@@ -143,11 +152,11 @@ fn quadrature(page: &mut Page, s: &GovernorLetters) {
         let law = Between { moments: with, ..law };
         Line::formula(int(1) / drift(with), int(1) / s.drho, law.slope(&by(&law), s.rho))
     };
-    page.claim(ENTRY, "quadrature", r"under constant moments $t$ is an elementary function of $\rho_1$: of $\rho_1$, $\rho_1^2$, $1/\rho_1$, $\ln\rho_1$ and $\ln|M_1(a-\rho_1)+M_2\rho_1|$; its slope against $1/\dot\rho_1$").note(r"For $M_1\ne0$, $M_1\ne M_2$.")
+    page.claim(ENTRY, "quadrature", r"under constant torques $t$ is an elementary function of $\rho_1$, a sum of terms in $\rho_1$, $\rho_1^2$, $1/\rho_1$, $\ln\rho_1$ and $\ln|M_1(a-\rho_1)+M_2\rho_1|$. Its slope is $1/\dot\rho_1$").note(r"The quadrature holds for $M_1\ne0$, $M_1\ne M_2$.")
         .holds([slow([s.m1, s.m2], Between::general)]);
-    page.claim(ENTRY, "quadrature-equal",r"with $M_1=M_2$ the time is a function of $\rho_1^2$, $\rho_1^3$, $1/\rho_1$ and $\ln\rho_1$; its slope against $1/\dot\rho_1$")
+    page.claim(ENTRY, "quadrature-equal",r"with $M_1=M_2$ the time is a function of $\rho_1^2$, $\rho_1^3$, $1/\rho_1$ and $\ln\rho_1$. Its slope is $1/\dot\rho_1$")
         .holds([slow([s.m1, s.m1], Between::equal)]);
-    page.claim(ENTRY, "quadrature-free",r"with $M_1=0$ the time is a function of $\rho_1$, $\rho_1^2$, $1/\rho_1$ and $1/\rho_1^2$; its slope against $1/\dot\rho_1$")
+    page.claim(ENTRY, "quadrature-free",r"with $M_1=0$ the time is a function of $\rho_1$, $\rho_1^2$, $1/\rho_1$ and $1/\rho_1^2$. Its slope is $1/\dot\rho_1$")
         .holds([slow([Sym::ZERO, s.m2], Between::free_first)]);
     let far = s.distance - s.rho;
     let inertia = s.wheel * s.speed / s.radius + s.speed * s.distance * s.radius * s.first / s.rho.powi(3);

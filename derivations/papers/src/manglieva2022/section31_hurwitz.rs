@@ -81,34 +81,44 @@ fn coefficients_of_hurwitz(page: &mut Page, q: &Quintic) {
     let z = q.z();
     let loose = theta * q.ball;
     let printed = [
-        ("a0", "a0-corrected", 0, loose, r"$m_{sp}$ is printed for $m(x_0)$."),
-        ("a1", "a1-corrected", 1, loose * beta, r"$m_{sp}$ is printed for $m(x_0)$."),
+        ("a0", "a0-corrected", 0, loose, r"$m_{sp}$ stands where $m(x_0)$ should stand."),
+        ("a1", "a1-corrected", 1, loose * beta, r"$m_{sp}$ stands where $m(x_0)$ should stand."),
         (
             "a2",
             "a2-corrected",
             2,
             z - loose * alpha * v,
-            r"The sign of $\alpha_1V_0$ is turned, and $m_{sp}$ is printed for $m(x_0)$.",
+            r"The sign of $\alpha_1V_0$ is wrong, and $m_{sp}$ stands where $m(x_0)$ should stand.",
         ),
         (
             "a4",
             "a4-corrected",
             4,
             phi3 * (q.b * alpha - beta * phi2) + alpha * v * (q.a * theta - z),
-            r"The sign of the last bracket is turned, and the factor $R/\rho_0$ of $b$ is lost.",
+            r"The sign of the last bracket is wrong, and the factor $R/\rho_0$ of $b$ is missing.",
         ),
-        ("a5", "a5-corrected", 5, alpha * v * phi3 * phi2, "The sign is turned; the polynomial before has it right."),
+        (
+            "a5",
+            "a5-corrected",
+            5,
+            alpha * v * phi3 * phi2,
+            "The sign is wrong. The polynomial before has the right one.",
+        ),
     ];
     for (slug, corrected, k, value, why) in printed {
-        page.claim(entry, slug, format!("the coefficient $a_{k}$ of Hurwitz' matrix, as printed"))
+        page.claim(entry, slug, format!("the coefficient $a_{k}$ of Hurwitz' matrix is right as printed"))
             .why(why)
             .reading(AS_STIFFNESS)
             .fails([Line::formula(q.derived[k], names[k], value)]);
-        page.claim(entry, corrected, format!("the coefficient $a_{k}$ of the determinant, for a rim that resists"))
-            .holds([Line::formula(q.derived[k], names[k], right[k])]);
+        page.claim(
+            entry,
+            corrected,
+            format!("for a rim that resists, the coefficient $a_{k}$ of the determinant is as follows"),
+        )
+        .holds([Line::formula(q.derived[k], names[k], right[k])]);
         page.correct();
     }
-    page.claim(entry, "a3", r"the coefficient $a_3=\beta_1Z-\Phi_3\Phi_2$ of Hurwitz' matrix, as printed")
+    page.claim(entry, "a3", r"the coefficient $a_3=\beta_1Z-\Phi_3\Phi_2$ of Hurwitz' matrix is right as printed")
         .reading(AS_STIFFNESS)
         .holds([Line::formula(q.derived[3], names[3], beta * z - phi3 * phi2)]);
 }
@@ -129,8 +139,8 @@ fn determinants(page: &mut Page, q: &Quintic) {
     let a = q.right();
     let derived = |size: usize| tidy(minor(&a, size));
     let inertia = theta * m0;
-    page.claim(entry, "delta1", r"the first minor, printed $\Delta_1=a_1=\theta m_0$")
-        .why(r"The factor $\beta_1$ of $a_1$ is lost.")
+    page.claim(entry, "delta1", r"the first minor is $\Delta_1=a_1=\theta m_0$, as printed")
+        .why(r"The factor $\beta_1$ of $a_1$ is missing.")
         .fails([Line::formula(derived(1), first, inertia)]);
     page.claim(entry, "delta1-corrected", r"the first minor is $\Delta_1=\theta m_0\beta_1$").holds([Line::formula(
         derived(1),
@@ -141,7 +151,7 @@ fn determinants(page: &mut Page, q: &Quintic) {
     page.claim(
         entry,
         "delta2",
-        r"the second minor, printed $\Delta_2=\theta m_0(\Phi_3\Phi_2-\theta m_0\alpha_1V_0\beta_1V_0)$",
+        r"the second minor is $\Delta_2=\theta m_0(\Phi_3\Phi_2-\theta m_0\alpha_1V_0\beta_1V_0)$, as printed",
     )
     .why(r"The sign is that of the printed $a_2$, and $V_0$ stands twice.")
     .fails([Line::formula(derived(2), second, inertia * (phi3 * phi2 - inertia * alpha * v * beta * v))]);
@@ -158,8 +168,8 @@ fn determinants(page: &mut Page, q: &Quintic) {
         * (int(2) * m0.powi(2) * beta * alpha * theta.powi(2) * v + inertia * beta * z - inertia * coupling
             + beta.powi(3) * inertia.powi(2))
         - alpha * beta.powi(2) * inertia.powi(2) * (q.b * phi3 + v * q.a * theta);
-    page.claim(entry, "delta3", r"the third minor, printed as the bracket that $a_4$ multiplies in $\Delta_4$")
-        .why(r"The signs of $2m_0^2\theta^2\alpha_1\beta_1V_0$ and of $V_0a\theta$ are turned, and the factor $R/\rho_0$ of $b$ is lost.")
+    page.claim(entry, "delta3", r"the third minor is the bracket that $a_4$ multiplies in $\Delta_4$, as printed")
+        .why(r"The signs of $2m_0^2\theta^2\alpha_1\beta_1V_0$ and of $V_0a\theta$ are wrong, and the factor $R/\rho_0$ of $b$ is missing.")
         .reading(AS_STIFFNESS)
         .fails([Line::formula(derived(3), third, third_of_paper)]);
     page.claim(
@@ -167,7 +177,7 @@ fn determinants(page: &mut Page, q: &Quintic) {
         "delta3-corrected",
         r"the third minor is $\Delta_3=\theta m_0\left(\Phi_2\Phi_3\left(\beta_1Z-\Phi_2\Phi_3+\theta m_0\beta_1(\beta_1^2-2\alpha_1V_0)\right)-\theta m_0\alpha_1\beta_1^2\left(b\frac R{\rho_0}\Phi_3-aV_0\theta\right)\right)$",
     )
-    .note(r"Beside $a_0,\dots,a_5>0$ the third minor is not needed, by Liénard and Chipart: $\Delta_2$ and $\Delta_4$ suffice.")
+    .note(r"In addition to $a_0,\dots,a_5>0$ the third minor is not needed, by Liénard and Chipart: $\Delta_2$ and $\Delta_4$ suffice.")
     .holds([Line::formula(
         derived(3),
         third,
@@ -201,8 +211,8 @@ fn determinants(page: &mut Page, q: &Quintic) {
         one("R", 1),
         one("ϱ₀", 1),
     ]);
-    page.claim(entry, "delta4", r"the fourth minor as printed, its first term $a_4$ times the bracket")
-        .why(r"It is put together from the printed $a_2$, $a_4$, $a_5$ and $\Delta_3$, whose signs are turned.")
+    page.claim(entry, "delta4", "the fourth minor is the printed one, whose first term is $a_4$ times the bracket")
+        .why(r"It is put together from the printed $a_2$, $a_4$, $a_5$ and $\Delta_3$, whose signs are wrong.")
         .reading(AS_STIFFNESS)
         .given(positive)
         .refuted([Condition::Equal(derived(4), fourth_of_paper)], point);
@@ -214,8 +224,8 @@ fn determinants(page: &mut Page, q: &Quintic) {
     )
     .holds([Line::formula(derived(4), fourth, by_pairs)]);
     page.correct();
-    page.claim(entry, "delta5", r"the fifth minor, printed $\Delta_5=a_5=\alpha_1V_0\Phi_3\Phi_2$")
-        .why(r"The factor $\Delta_4$ is lost, and the sign of $a_5$ is turned.")
+    page.claim(entry, "delta5", r"the fifth minor is $\Delta_5=a_5=\alpha_1V_0\Phi_3\Phi_2$, as printed")
+        .why(r"The factor $\Delta_4$ is missing, and the sign of $a_5$ is wrong.")
         .reading(AS_STIFFNESS)
         .fails([Line::formula(derived(5), fifth, alpha * v * phi3 * phi2)]);
     page.claim(

@@ -45,8 +45,8 @@ fn series(page: &mut Page, s: &GovernorLetters) {
     let order = |i: u32| {
         orders.iter().find(|(exponents, _)| exponents[0] == i).map_or(Sym::ZERO, |(_, coefficient)| tidy(*coefficient))
     };
-    page.claim("eq3.8", "orders", r"the powers $\varepsilon$, $\varepsilon^2$, $\varepsilon^3$ of $\rho\dot\rho=\varepsilon(k_1+k_2\rho)$")
-        .note(r"The third is printed as $\rho_0\dot\rho_3=F$ of what is known, and so is that of any order: $\rho_0\dot\rho_n=k_2\rho_{n-1}-\sum_{0<i<n}\rho_i\dot\rho_{n-i}$.")
+    page.claim("eq3.8", "orders", r"(3.8) are the powers $\varepsilon$, $\varepsilon^2$, $\varepsilon^3$ of $\rho\dot\rho=\varepsilon(k_1+k_2\rho)$")
+        .note(r"The equation of the third order is printed as $\rho_0\dot\rho_3=F$, with a function of what is known. That of any order is $\rho_0\dot\rho_n=k_2\rho_{n-1}-\sum_{0<i<n}\rho_i\dot\rho_{n-i}$.")
         .holds([
             Line::equation(order(1), start * d1, k1 + k2 * start),
             Line::equation(order(2), r1 * d1 + start * d2, k2 * r1),
@@ -63,10 +63,14 @@ fn force(page: &mut Page, s: &GovernorLetters) {
     let along = k1 / s.rho + k2;
     // d/dt (k1/rho + k2) along k rho' = k1/rho + k2
     let differentiated = rate1 / s.rho - k1 * along / (k * s.rho.powi(2)) + rate2;
-    page.claim("eq3.9", "force", r"the push, printed $u=m\ddot\rho=\frac mk\frac d{dt}(k_1/\rho+k_2)-(F_{11}+F_{22})$")
-        .why(r"By (3.3) $u=m\ddot\rho+(F_{11}+F_{22})$: the push has to overcome friction, and is not $m\ddot\rho$.")
-        .under(&names)
-        .fails([Line::formula(derived, s.push, s.mass / k * differentiated - s.friction)]);
+    page.claim(
+        "eq3.9",
+        "force",
+        r"the push is $u=m\ddot\rho=\frac mk\frac d{dt}(k_1/\rho+k_2)-(F_{11}+F_{22})$, as printed",
+    )
+    .why(r"By (3.3) $u=m\ddot\rho+(F_{11}+F_{22})$: the push has to overcome friction, and is not $m\ddot\rho$.")
+    .under(&names)
+    .fails([Line::formula(derived, s.push, s.mass / k * differentiated - s.friction)]);
     page.claim("eq3.9", "force-corrected", r"the push is $u=\frac mk\frac d{dt}(k_1/\rho+k_2)+(F_{11}+F_{22})$")
         .under(&names)
         .holds([Line::formula(derived, s.push, s.mass / k * differentiated + s.friction)]);
@@ -78,15 +82,15 @@ fn force(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         "section3.1-control-force",
         "variable",
-        r"the push with the derivative carried out, printed with $-\dot k_2$",
+        r"the push with the derivative carried out has $-\dot k_2$, as printed",
     )
-    .why(r"The signs of $\dot k_2$ and of friction are turned.")
+    .why(r"The signs of $\dot k_2$ and of friction are wrong.")
     .under(&small)
     .fails([Line::formula(derived, s.push, expanded(-rate2, -s.friction))]);
     page.claim(
         "section3.1-control-force",
         "variable-corrected",
-        r"the push with the derivative carried out, with $+\dot k_2$ and $+(F_{11}+F_{22})$",
+        r"the push with the derivative carried out has $+\dot k_2$ and $+(F_{11}+F_{22})$",
     )
     .under(&small)
     .holds([Line::formula(derived, s.push, expanded(rate2, s.friction))]);
@@ -96,7 +100,7 @@ fn force(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         "section3.1-control-force",
         "constant",
-        r"(3.9) with the right sign of friction, under constant moments",
+        "(3.9) with the right sign of friction has no rates of $k_1$ and $k_2$ under constant torques",
     )
     .under(&small)
     .holds([Line::formula(steady, s.push, constant + s.friction)]);
@@ -111,9 +115,9 @@ fn quadrature(page: &mut Page, s: &GovernorLetters) {
     let logarithm = |value: Sym| Tangent::moving(value, argument.slope / argument.value);
     let time = |log: Tangent<Sym>| fixed(k / k2) * (rho - fixed(start) - fixed(k1 / k2) * log);
     let drift: Sym = tidy(s.governor.programme(Sym::ZERO, s.rho, s.speed));
-    page.claim("eq3.10", "quadrature", r"$t=\frac k{k_2}\left(\rho-\rho_0-\frac{k_1}{k_2}\ln\left|\frac{k_2\rho+k_1}{k_2\rho_0+k_1}\right|\right)$: $dt/d\rho$ against $1/\dot\rho$ of the condition")
+    page.claim("eq3.10", "quadrature", r"the condition of the kept speed has the quadrature $t=\frac k{k_2}\left(\rho-\rho_0-\frac{k_1}{k_2}\ln\left|\frac{k_2\rho+k_1}{k_2\rho_0+k_1}\right|\right)$, whose $dt/d\rho$ is $1/\dot\rho$")
         .under(&s.names())
-        .note(r"For $k_2\ne0$. With $k_2=0$ it is $\rho^2=\rho_0^2+2k_1t/k$.")
+        .note(r"The quadrature holds for $k_2\ne0$. With $k_2=0$ it is $\rho^2=\rho_0^2+2k_1t/k$.")
         .holds([Line::formula(int(1) / drift, int(1) / s.drho, time(logarithm(log)).slope)]);
     let at_start = time(logarithm(Sym::ZERO)).value.substitute(&[(s.rho, start)]);
     page.claim("eq3.10", "start", r"the quadrature (3.10) gives $t=0$ at $\rho=\rho_0$")
@@ -128,9 +132,13 @@ fn perturbed(page: &mut Page, s: &GovernorLetters) {
     let [k, k1, k2, start, more, drift, drift_more] = letters(["k", "k₁", "k₂", "ϱ₀", "ϱ′", "ϱ̇₀", "ϱ̇′"]);
     let law = |rho: Sym| -> Sym { tidy(s.governor.programme(Sym::ZERO, rho, s.speed)) };
     page.claim("eq3.11", "perturbed", r"$\rho=\rho_0+\rho'$").defines([Line::equation(Sym::ZERO, s.rho, start + more)]);
-    page.claim("eq3.12", "perturbed-law", r"$\dot\rho_0+\dot\rho'$ by $k_1'=k_1/k$, $k_2'=k_2/k$")
-        .under(&s.names())
-        .holds([Line::formula(law(start + more), drift + drift_more, (k1 / (start + more) + k2) / k)]);
+    page.claim(
+        "eq3.12",
+        "perturbed-law",
+        r"$\dot\rho_0+\dot\rho'$, expressed by $k_1'=k_1/k$, $k_2'=k_2/k$, is (3.12)",
+    )
+    .under(&s.names())
+    .holds([Line::formula(law(start + more), drift + drift_more, (k1 / (start + more) + k2) / k)]);
     let [scaled, grown] = letters(["k′₁", "Eᵖ"]);
     let names = s.names().given(
         scaled,
@@ -140,9 +148,13 @@ fn perturbed(page: &mut Page, s: &GovernorLetters) {
         .under(&names)
         .holds([Line::formula(tidy(law(start).diff(start)), letter("ν"), -scaled / start.powi(2))]);
     let rest = law(start + more) - law(start) - law(start).diff(start) * more;
-    page.claim("eq3.13", "remainder", r"$R=k_1'\rho'^2/(\rho_0^2(\rho_0+\rho'))$, exactly: of the second order")
-        .under(&names)
-        .follows([Equal(rest, scaled * more.powi(2) / (start.powi(2) * (start + more)))]);
+    page.claim(
+        "eq3.13",
+        "remainder",
+        r"the remainder is exactly $R=k_1'\rho'^2/(\rho_0^2(\rho_0+\rho'))$, of the second order",
+    )
+    .under(&names)
+    .follows([Equal(rest, scaled * more.powi(2) / (start.powi(2) * (start + more)))]);
     let rate = law(start).diff(start);
     let solution = Tangent::moving(grown, -scaled / start.powi(2) * grown) * Tangent::fixed(more);
     page.claim("eq3.13", "solution", r"$\rho'=\rho_0'e^{-\int k_1'\rho_0^{-2}dt}$ solves the first approximation")
@@ -158,10 +170,14 @@ fn persidskii(page: &mut Page, s: &GovernorLetters) {
     let law = |rho: Sym| -> Sym { tidy(s.governor.programme(Sym::ZERO, rho, s.speed)) };
     let exponent = -law(start).diff(start);
     let nu = letter("ν");
-    page.claim(entry, "exponent", r"the exponent in $|\rho'|=|\rho_0'|\exp(-\int k_1\rho_0^{-2}d\tau)$, as printed")
-        .why(r"$k_1$ is printed for $k_1'=k_1/k$ of (3.13).")
-        .under(&names)
-        .fails([Line::formula(exponent, nu, k1 / start.powi(2))]);
+    page.claim(
+        entry,
+        "exponent",
+        r"the exponent in $|\rho'|=|\rho_0'|\exp(-\int k_1\rho_0^{-2}d\tau)$ has $k_1$, as printed",
+    )
+    .why(r"$k_1$ stands where $k_1'=k_1/k$ of (3.13) should stand.")
+    .under(&names)
+    .fails([Line::formula(exponent, nu, k1 / start.powi(2))]);
     page.claim(entry, "exponent-corrected", r"the exponent has $k_1'=k_1/k$, as in (3.13)")
         .under(&names)
         .holds([Line::formula(exponent, nu, k1 / (k * start.powi(2)))]);
@@ -188,7 +204,7 @@ fn persidskii(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         entry,
         "stays",
-        r"printed: with $M_2>M_2'>0$ the motion keeps $0<\rho<r_2$ for all time and satisfies Persidskii's criterion",
+        r"as printed, with $M_2>M_2'>0$ the motion keeps $0<\rho<r_2$ for all time and satisfies Persidskii's criterion",
     )
     .why(r"With $M_1=0$ the wheel leaves the disc at $t=k(r_2^2-\rho_0^2)/(2k_1)$.")
     .given(premises)

@@ -29,15 +29,15 @@ fn linearised(page: &mut Page, s: &ElasticLetters) {
     let [rho, f, theta, m0] = letters(["ϱ₀", "Fˣ", "θ₀", "m₀"]);
     let names = s.names(&["θ₀", "ϱ₀", "Fˣ"]);
     let fall = s.drum / rho.powi(2) * s.moments[1];
-    page.claim("eq3.20", "rotation", r"the linear equation of $\omega_1$, printed with $\dot x'$ beside $M_2$ and with $-b\psi$, and with the right $F(x_0)$")
+    page.claim("eq3.20", "rotation", r"the linear equation of $\omega_1$ has the printed terms $\dot x'$ with $M_2$ and $-b\psi$, with the right $F(x_0)$")
         .under(&names)
         .why(r"The moment $M_2R/(x-c)$ varies with $x$, not with $\dot x$; $-b\psi\frac R{x-c}$ on the right of (3.17) comes to the left with a plus.")
-        .reading(format!("{AS_PRINTED} For a rim that resists, the sign $-b$ is right and the factor $R/\\rho_0$ alone is lost."))
+        .reading(format!("{AS_PRINTED} For a rim that resists, the sign $-b$ is right and the factor $R/\\rho_0$ alone is missing."))
         .fails([Line::equation(turning, theta * dw + f * dx * w0 + fall * dx - s.b * psi, Sym::ZERO)]);
     page.claim(
         "eq3.20",
         "rotation-corrected",
-        r"the linear equation of $\omega_1$ with $x'$ beside $M_2$ and $+b\frac R{\rho_0}\psi$, which the moment $-b\psi$ on the disc gives",
+        r"the linear equation of $\omega_1$ has $x'$ with $M_2$ and $+b\frac R{\rho_0}\psi$, which the moment $-b\psi$ on the disc gives",
     )
     .under(&names)
     .reading(AS_PRINTED)
@@ -45,9 +45,9 @@ fn linearised(page: &mut Page, s: &ElasticLetters) {
     page.correct();
     let [c1, c2] = s.springs;
     let half = s.ball / int(2);
-    page.claim("eq3.21", "sleeve", r"the linear equation of $x$, printed with dots over $x'$ and $\omega_1'$ and without $m_{sp}$")
+    page.claim("eq3.21", "sleeve", r"the linear equation of $x$ has dots over $x'$ and $\omega_1'$ and no $m_{sp}$, as printed")
         .under(&s.names(&["m₀"]))
-        .why(r"The centrifugal force and the springs vary with $x$ and $\omega_1$, not with their rates; $m_{sp}$ is lost beside $2x_0\omega_1^0\omega_1'$.")
+        .why(r"The centrifugal force and the springs vary with $x$ and $\omega_1$, not with their rates; $m_{sp}$ is missing in front of $2x_0\omega_1^0\omega_1'$.")
         .reading(AS_PRINTED)
         .fails([Line::equation(
             sliding,
@@ -72,11 +72,11 @@ fn linearised(page: &mut Page, s: &ElasticLetters) {
     page.claim(
         "eq3.21",
         "slip",
-        r"the linear constraint of no slipping across: $\dot x'-\dot\lambda-r_1\omega_1^0\psi=0$",
+        r"the linear constraint of no slipping across is $\dot x'-\dot\lambda-r_1\omega_1^0\psi=0$",
     )
     .holds([Line::equation(across - dlambda, dx - dlambda - rolled * psi, Sym::ZERO)]);
     let line = |a: Sym| Line::equation(dpsi - turn, dpsi - rolled * s.alpha * a + rolled * s.beta * psi, Sym::ZERO);
-    page.claim("eq3.21", "line", r"the linear equation of the line of rolling, printed with $\dot\lambda$")
+    page.claim("eq3.21", "line", r"the linear equation of the line of rolling has $\dot\lambda$, as printed")
         .why(r"The dot over $\lambda$ is a slip: (3.17) and (3.22) have $\lambda$.")
         .fails([line(dlambda)]);
     page.claim("eq3.21", "line-corrected", r"the linear equation of the line of rolling has $\lambda$")
@@ -102,15 +102,15 @@ fn matrix(page: &mut Page, s: &ElasticLetters) {
         .filter(|&place| place != (0, 3))
         .map(|(i, j)| Line::formula(derived[i][j], name, printed[i][j]))
         .collect();
-    page.claim("eq3.22", "entries", r"every entry of the matrix but that of $\psi$ in the first row follows from (3.17), with the right $F(x_0)$ and $-a$ beside $\lambda$")
+    page.claim("eq3.22", "entries", r"every entry of the matrix but that of $\psi$ in the first row follows from (3.17), with the right $F(x_0)$ and with $-a$ as the factor of $\lambda$")
         .in_words()
         .reading(AS_PRINTED)
         .under(&names)
         .follows(lines.iter().map(|line| Condition::Equal(line.derived, line.right)));
-    page.claim("eq3.22", "twist", r"the entry of $\psi$ in the first row, printed $-b$")
+    page.claim("eq3.22", "twist", r"the entry of $\psi$ in the first row is $-b$, as printed")
         .under(&s.names(&["ϱ₀"]))
         .why(r"Sign and factor are those of (3.20): $-b\psi\frac R{\rho_0}$ on the right side comes to the left with a plus.")
-        .reading(format!("{AS_PRINTED} For a rim that resists, the sign $-b$ is right and the factor $R/\\rho_0$ alone is lost."))
+        .reading(format!("{AS_PRINTED} For a rim that resists, the sign $-b$ is right and the factor $R/\\rho_0$ alone is missing."))
         .fails([Line::formula(derived[0][3], name, printed[0][3])]);
     page.claim("eq3.22", "twist-corrected", r"the entry of $\psi$ in the first row is $+b\frac R{\rho_0}$")
         .under(&s.names(&["ϱ₀"]))
@@ -135,26 +135,19 @@ fn polynomial(page: &mut Page, s: &ElasticLetters, q: &Quintic) {
     let names = letters(["a₀", "a₁", "a₂", "a₃", "a₄", "a₅"]);
     let (right, core) = (q.right(), phi3 * phi1 - phi4 * theta - q.a * theta);
     sign_of_rim(page, q);
-    page.claim(entry, "mu5-and-1", r"the coefficients of $\mu^5$ and 1, as printed").holds([
+    page.claim(entry, "mu5-and-1", r"the coefficients of $\mu^5$ and of 1 are right as printed").holds([
         Line::formula(q.derived[0], names[0], theta * m0),
         Line::formula(q.derived[5], names[5], -(alpha * v * phi3 * phi2)),
     ]);
     let wrong = [
-        (
-            "mu4",
-            "mu4-corrected",
-            r"of $\mu^4$",
-            1,
-            -(theta * m0 * beta),
-            "The sign of the whole coefficient is turned.",
-        ),
+        ("mu4", "mu4-corrected", r"of $\mu^4$", 1, -(theta * m0 * beta), "The sign of the whole coefficient is wrong."),
         (
             "mu3",
             "mu3-corrected",
             r"of $\mu^3$",
             2,
             theta * m0 * alpha * v + core,
-            "$-Z$ is printed for $Z$ beside $\\theta m_0\\alpha_1V_0$.",
+            "$-Z$ stands next to $\\theta m_0\\alpha_1V_0$, where $Z$ should stand.",
         ),
         (
             "mu2",
@@ -162,7 +155,7 @@ fn polynomial(page: &mut Page, s: &ElasticLetters, q: &Quintic) {
             r"of $\mu^2$",
             3,
             beta * core + phi3 * phi2,
-            "The sign of the whole coefficient is turned: $-(\\beta_1Z-\\Phi_3\\Phi_2)$ is printed.",
+            "The sign of the whole coefficient is wrong: $-(\\beta_1Z-\\Phi_3\\Phi_2)$ is printed.",
         ),
         (
             "mu1",
@@ -170,16 +163,20 @@ fn polynomial(page: &mut Page, s: &ElasticLetters, q: &Quintic) {
             r"of $\mu$",
             4,
             beta * phi3 * phi2 - alpha * (v * (phi3 * phi1 - phi4 * theta) - q.b * phi3),
-            "The sign of $\\beta_1\\Phi_3\\Phi_2$ is turned and the factor $R/\\rho_0$ of $b$ is lost.",
+            "The sign of $\\beta_1\\Phi_3\\Phi_2$ is wrong and the factor $R/\\rho_0$ of $b$ is missing.",
         ),
     ];
     for (slug, corrected, of, k, printed, why) in wrong {
-        page.claim(entry, slug, format!("the coefficient {of} of the characteristic polynomial, as printed"))
+        page.claim(entry, slug, format!("the coefficient {of} of the characteristic polynomial is right as printed"))
             .why(why)
             .reading(AS_STIFFNESS)
             .fails([Line::formula(q.derived[k], names[k], printed)]);
-        page.claim(entry, corrected, format!("the coefficient {of} of the determinant, for a rim that resists"))
-            .holds([Line::formula(q.derived[k], names[k], right[k])]);
+        page.claim(
+            entry,
+            corrected,
+            format!("for a rim that resists, the coefficient {of} of the determinant is as follows"),
+        )
+        .holds([Line::formula(q.derived[k], names[k], right[k])]);
         page.correct();
     }
 }

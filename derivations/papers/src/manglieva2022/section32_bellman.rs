@@ -22,17 +22,17 @@ fn criterion(page: &mut Page, r: &ReleasedLetters) {
     let s = &r.drum;
     let ([zeta, more, z], u) = (r.deviation, r.control);
     let [density, dzeta, n1, slope] = letters(["B", "ζ̇", "n₁", "S₁′"]);
-    page.claim("eq3.33", "criterion", r"the integrand of the criterion, integrated from 0 to $\infty$")
+    page.claim("eq3.33", "criterion", r"(3.33) is the integrand of the criterion, integrated from 0 to $\infty$")
         .defines([Line::equation(Sym::ZERO, density, zeta.powi(2) + more.powi(2) + z.powi(2) + u.powi(2))]);
     let rates = r.linear.apply(r.deviation);
     let inertia = r.inertia();
     let by = |lever: Sym, of_second: Sym| (-(lever * zeta) - r.n * s.speed * r.rho * z + r.slope() * more) / of_second;
-    page.claim("eq3.34", "normal", r"$\dot\zeta$ in normal form, printed with $n\rho_0\cdot n\dot\rho_0$ and $J^2$")
+    page.claim("eq3.34", "normal", r"$\dot\zeta$ in normal form has $n\rho_0\cdot n\dot\rho_0$ and $J^2$, as printed")
         .under(&r.names())
-        .why(r"A factor $n$ stands twice, and $J^2$ is printed for $J_2$.")
+        .why(r"A factor $n$ stands twice, and $J^2$ stands where $J_2$ should stand.")
         .reading(r"From (3.34) on the source writes $\xi$ for $\zeta$ itself.")
         .fails([Line::formula(rates[0], dzeta, by(r.n * r.rho * r.n * r.drho, r.n * r.rho.powi(2) + s.wheel.powi(2)))]);
-    page.claim("eq3.34", "normal-corrected", r"$\dot\zeta$ in normal form, with $n\rho_0\dot\rho_0$ and $J_2$")
+    page.claim("eq3.34", "normal-corrected", r"$\dot\zeta$ in normal form has $n\rho_0\dot\rho_0$ and $J_2$")
         .under(&r.names())
         .holds([Line::formula(rates[0], dzeta, by(r.n * r.rho * r.drho, inertia))]);
     page.correct();
@@ -41,9 +41,9 @@ fn criterion(page: &mut Page, r: &ReleasedLetters) {
     page.claim(
         "eq3.34",
         "names",
-        r"the abbreviations, printed $n_1=\frac n{\omega\rho_0^2+J^2}$ and $S_1'=\frac{M_1-n\omega_2^0\dot\rho_0}{n\rho_0^2+J_2}$",
+        r"the abbreviations are $n_1=\frac n{\omega\rho_0^2+J^2}$ and $S_1'=\frac{M_1-n\omega_2^0\dot\rho_0}{n\rho_0^2+J_2}$, as printed",
     )
-    .why(r"$\omega$ is printed for $n$, $J^2$ for $J_2$, and $M_1$ has lost its divisor $R$.")
+    .why(r"$\omega$ stands where $n$ should stand, $J^2$ where $J_2$ should stand, and the divisor $R$ of $M_1$ is missing.")
     .under(&r.names())
     .fails([
         Line::formula(lever, n1, r.n / (s.speed * r.rho.powi(2) + s.wheel.powi(2))),
@@ -69,7 +69,7 @@ fn function(page: &mut Page, r: &ReleasedLetters) {
         "value",
         r"$V$, printed with $2C_{12}\xi z+C_{23}\rho'z$, is the form whose gradient Bellman's function uses",
     )
-    .why(r"Two products are lost or misprinted: $2C_{12}\zeta\rho'$ and $2C_{13}\zeta z$ stand in one term, and $C_{23}$ has lost its 2.")
+    .why(r"Two products are missing or misprinted: $2C_{12}\zeta\rho'$ and $2C_{13}\zeta z$ stand in one term, and the 2 of $C_{23}$ is missing.")
     .fails([Line::formula(
         quadratic(r.value, r.deviation),
         value,
@@ -109,9 +109,9 @@ fn function(page: &mut Page, r: &ReleasedLetters) {
         + gradient[1] * z
         + weighed;
     let names = r.normal_names();
-    page.claim(entry, "function", r"Bellman's function, printed without dots, brackets, a factor 2 and $m$")
+    page.claim(entry, "function", "Bellman's function is the printed one, without dots, brackets, a factor 2 and $m$")
         .under(&with_unit_weights(r, names.clone()))
-        .why(r"Dots over $C_{33}$, $C_{12}$, $C_{13}$, the bracket around $\partial V/\partial z$, a factor 2 and $1/m$ are lost; $\rho_0^2$ is printed for $\rho_0\dot\rho_0$.")
+        .why(r"Dots over $C_{33}$, $C_{12}$, $C_{13}$, the bracket around $\partial V/\partial z$, a factor 2 and $1/m$ are missing, and $\rho_0^2$ stands where $\rho_0\dot\rho_0$ should stand.")
         .fails([Line::formula(derived, name, printed)]);
     let right = d11 * zeta.powi(2)
         + d22 * z.powi(2)
@@ -123,20 +123,24 @@ fn function(page: &mut Page, r: &ReleasedLetters) {
         + gradient[1] * z
         + gradient[2] * u / s.mass
         + weighed;
-    page.claim(entry, "function-corrected", r"$B=\partial V/\partial t+\nabla V\cdot(Ax+bu_1)+$ what is integrated")
-        .under(&names)
-        .holds([Line::formula(derived, name, right)]);
+    page.claim(
+        entry,
+        "function-corrected",
+        r"Bellman's function is $B=\partial V/\partial t+\nabla V\cdot(Ax+bu_1)+$ the integrand",
+    )
+    .under(&names)
+    .holds([Line::formula(derived, name, right)]);
     page.correct();
     let slope = regulator.bellman(r.value, r.deviation, u).diff(u);
     let push = letter("u₁");
-    page.claim(entry, "least",r"the condition of the least, printed $\partial B/\partial u_1=2u_1+2C_{22}z+2C_{13}\xi+2C_{23}\rho^{\prime}=0$")
+    page.claim(entry, "least",r"the condition of the minimum is $\partial B/\partial u_1=2u_1+2C_{22}z+2C_{13}\xi+2C_{23}\rho^{\prime}=0$, as printed")
         .under(&with_unit_weights(r, Hypotheses::none()))
-        .why(r"By $m\dot z=u_1$ the bracket has the factor $1/m$, which is lost.")
+        .why(r"By $m\dot z=u_1$ the bracket has the factor $1/m$, which is missing.")
         .fails([Line::equation(slope, two * price * push, -gradient[2])]);
     page.claim(
         entry,
         "least-corrected",
-        r"$\partial B/\partial u_1=2su_1+\frac1m(2C_{22}z+2C_{13}\zeta+2C_{23}\rho')=0$",
+        r"the condition of the minimum is $\partial B/\partial u_1=2su_1+\frac1m(2C_{22}z+2C_{13}\zeta+2C_{23}\rho')=0$",
     )
     .holds([Line::equation(slope, two * price * push, -gradient[2] / s.mass)]);
     page.correct();
@@ -171,7 +175,7 @@ fn riccati(page: &mut Page, r: &ReleasedLetters) {
         lever * c12 - slope * c13 + two * c22 * c23 / price,
     ];
     let (lost, twice) =
-        (r"The factor $1/m^2$ is lost; with $m=1$ the equation is right.", r"The factor $1/m^2$ is lost, and");
+        (r"The factor $1/m^2$ is missing. With $m=1$ the equation is right.", r"The factor $1/m^2$ is missing, and");
     let lines = [
         ("c11", "c11-corrected", r"the equation of $\dot C_{11}$", lost.to_owned(), rates[0][0], "Ċ₁₁"),
         ("c22", "c22-corrected", r"the equation of $\dot C_{22}$", lost.to_owned(), rates[2][2], "Ċ₂₂"),
@@ -196,7 +200,7 @@ fn riccati(page: &mut Page, r: &ReleasedLetters) {
             "c23",
             "c23-corrected",
             r"the equation of $\dot C_{23}$",
-            format!("{twice} $2C_{{22}}C_{{23}}$ is twice the right one; besides $-C_{{33}}$ is lost."),
+            format!("{twice} $2C_{{22}}C_{{23}}$ is twice the right one. Besides, $-C_{{33}}$ is missing."),
             rates[1][2],
             "Ċ₂₃",
         ),
@@ -204,7 +208,7 @@ fn riccati(page: &mut Page, r: &ReleasedLetters) {
     let right = of(price * s.mass.powi(2));
     let names = r.normal_names();
     for (k, (slug, corrected, says, why, derived, name)) in lines.into_iter().enumerate() {
-        page.claim("eq3.36", slug, format!("{says}, as printed"))
+        page.claim("eq3.36", slug, format!("{says} is right as printed"))
             .under(&with_unit_weights(r, names.clone()))
             .why(why)
             .reading(match slug {
@@ -213,16 +217,16 @@ fn riccati(page: &mut Page, r: &ReleasedLetters) {
                 _ => "",
             })
             .fails([Line::formula(derived, letter(name), printed[k])]);
-        page.claim("eq3.36", corrected, format!("{says}, by Bellman's equation with the weights of the criterion"))
+        page.claim("eq3.36", corrected, format!("Bellman's equation with the weights of the criterion gives {says}"))
             .under(&names)
             .holds([Line::formula(derived, letter(name), right[k])]);
         page.correct();
     }
     let [zeta, more, z] = r.deviation;
     let optimal = r.regulator().optimal(r.value, r.deviation);
-    page.claim("eq3.37", "control", r"the optimal control, printed $u_1=-(c_{33}z+c_{13}\xi+c_{23}\rho')$")
+    page.claim("eq3.37", "control", r"the optimal control is $u_1=-(c_{33}z+c_{13}\xi+c_{23}\rho')$, as printed")
         .under(&with_unit_weights(r, Hypotheses::none()))
-        .why(r"$c_{33}$ is printed for $c_{22}$, and the factor $1/m$ is lost.")
+        .why(r"$c_{33}$ stands where $c_{22}$ should stand, and the factor $1/m$ is missing.")
         .fails([Line::formula(optimal, r.control, -(c33 * z + c13 * zeta + c23 * more) / price)]);
     page.claim(
         "eq3.37",
@@ -242,24 +246,28 @@ fn with_unit_weights(r: &ReleasedLetters, names: Hypotheses) -> Hypotheses {
 fn ends(page: &mut Page, r: &ReleasedLetters) {
     let names = ["C₁₁", "C₂₂", "C₃₃", "C₁₂", "C₁₃", "C₂₃"];
     let [zeta, ..] = r.deviation;
-    page.claim("eq3.36", "initial", r"printed: $c_{ij}(0)=0$, with $V$ positive definite at any time, so at $t=0$")
-        .why(r"With $c_{ij}(0)=0$ the form vanishes at $t=0$; the condition belongs to the other end of the interval.")
-        .given(letters::<6>(names).map(Zero))
-        .given([NonZero(zeta)])
-        .refuted(
-            [NonZero(quadratic(r.value, r.deviation))],
-            exact([
-                ("C₁₁", 0, 1),
-                ("C₂₂", 0, 1),
-                ("C₃₃", 0, 1),
-                ("C₁₂", 0, 1),
-                ("C₁₃", 0, 1),
-                ("C₂₃", 0, 1),
-                ("ζ", 1, 1),
-                ("ϱ′", 0, 1),
-                ("z", 0, 1),
-            ]),
-        );
+    page.claim(
+        "eq3.36",
+        "initial",
+        "as printed, $c_{ij}(0)=0$ and $V$ is positive definite at any time, therefore also at $t=0$",
+    )
+    .why(r"With $c_{ij}(0)=0$ the form vanishes at $t=0$; the condition belongs to the other end of the interval.")
+    .given(letters::<6>(names).map(Zero))
+    .given([NonZero(zeta)])
+    .refuted(
+        [NonZero(quadratic(r.value, r.deviation))],
+        exact([
+            ("C₁₁", 0, 1),
+            ("C₂₂", 0, 1),
+            ("C₃₃", 0, 1),
+            ("C₁₂", 0, 1),
+            ("C₁₃", 0, 1),
+            ("C₂₃", 0, 1),
+            ("ζ", 1, 1),
+            ("ϱ′", 0, 1),
+            ("z", 0, 1),
+        ]),
+    );
     let regulator = r.regulator();
     let moved = quadratic(regulator.riccati(r.value), r.deviation);
     let derived = moved + regulator.bellman(r.value, r.deviation, r.control);

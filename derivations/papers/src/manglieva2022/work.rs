@@ -15,7 +15,7 @@ pub fn nowhere_zero(page: &mut Page, entry: &'static str, says: &str) {
     let masses: [Sym; 3] = indexed("m#");
     let weighted = std::array::from_fn(|i| reaction[i] / masses[i]);
     let positive = masses.map(Positive);
-    page.claim(entry, "every-displacement", format!("printed: {says} for every virtual displacement"))
+    page.claim(entry, "every-displacement", format!("as printed in ({}), {says} for every virtual displacement", entry.trim_start_matches("eq")))
         .given(positive)
         .given([
             Zero(dot(gradient, displacement)),
@@ -23,7 +23,7 @@ pub fn nowhere_zero(page: &mut Page, entry: &'static str, says: &str) {
             NonZero(dot(reaction, reaction)),
             NonZero(dot(displacement, displacement)),
         ])
-        .why("With two degrees of freedom or more the work, linear in the displacement, vanishes on some displacements: a point on a rough plane moved across its friction.")
+        .why("With two degrees of freedom or more the work, linear in the displacement, vanishes on some displacements, as for a point on a rough plane that is moved across its friction.")
         .refuted(
             [NonZero(dot(reaction, displacement))],
             exact([
@@ -31,7 +31,8 @@ pub fn nowhere_zero(page: &mut Page, entry: &'static str, says: &str) {
                 ("R1", 0, 1), ("R2", 1, 1), ("R3", 0, 1), ("δx1", 0, 1), ("δx2", 0, 1), ("δx3", 1, 1),
             ]),
         );
-    own_displacement(page, entry, r"the work of friction differs from zero");
+    let place = entry.trim_start_matches("eq");
+    own_displacement(page, entry, &format!("in the place of ({place}), the work of friction differs from zero"));
     page.correct();
 }
 

@@ -37,7 +37,7 @@ fn production(page: &mut Page) {
     let t = letter("t");
     let now = m + dm * t;
     let steady = supply / (wear * now);
-    page.claim("eq1", "steady", r"with a constant share $\delta$ of the funds worn out and a constant supply, $\dot Y=u/(\delta m(t))$ solves (1) for $m=m_0+\dot mt$: the funds $m\dot Y$ are constant")
+    page.claim("eq1", "steady", r"with a constant share $\delta$ of the funds worn out and a constant supply, $\dot Y=u/(\delta m(t))$ solves (1) for $m=m_0+\dot mt$, so that the funds $m\dot Y$ are constant")
         .in_words()
         .given([NonZero(wear), NonZero(now)])
         .follows([Zero(along(&plant, y, steady, by_time))]);
@@ -48,7 +48,7 @@ fn learning(page: &mut Page) {
     let [i, di, ddi, inertia, denial, permeability, potential] = letters(["I", "İ", "Ï", "L", "τ", "G", "Mᴵ"]);
     let law = Learning { inertia, denial, permeability, potential };
     page.claim("eq2", "growth", r"(2) as printed has the form of (1) with $m=L$, $w=(\tau-\dot I)\dot I+I/G$, $u=M$; its terms agree in dimension only where $L$ is measured as information")
-        .reading(r"Judged and integrated as printed, with $\tau-\frac{dI}{dt}$, a probable misprint of $\tau-\frac{dL}{dt}$ (eq2/gloss).")
+        .reading(r"The equation is judged and integrated as printed, with $\tau-\frac{dI}{dt}$, a probable misprint of $\tau-\frac{dL}{dt}$ (eq2/gloss).")
         .defines([Line::equation(
             law.residual(Sym::ZERO, [i, di, ddi]),
             inertia * ddi + (denial - di) * di + i / permeability,
@@ -75,14 +75,14 @@ fn learning(page: &mut Page) {
     page.claim(
         "eq2",
         "closed-form",
-        r"where $M=I/G$ and $L$ is constant, $\dot I=\tau/(1+cE)$ with $\dot E=\tau E/L$, $E=e^{\tau t/L}$, solves (2) as printed, whatever $c$",
+        r"where $M=I/G$ and $L$ is constant, $\dot I=\tau/(1+cE)$ with $\dot E=\tau E/L$, $E=e^{\tau t/L}$, solves (2) as printed, for every $c$",
     )
     .in_words()
     .given([NonZero(int(1) + c * e)])
     .follows([Zero(along(&open, i, speed, |v| v.diff(e) * denial * e / inertia))]);
     let (t, v0) = (letter("t"), letter("v0"));
     let runaway = inertia * v0 / (inertia - v0 * t);
-    page.claim("eq2", "runaway", r"where $M=I/G$, $L$ is constant and $\tau=0$, $\dot I=Lv_0/(L-v_0t)$ solves (2) as printed and ends at the time $L/v_0$: the square of $\dot I$ feeds itself")
+    page.claim("eq2", "runaway", r"where $M=I/G$, $L$ is constant and $\tau=0$, $\dot I=Lv_0/(L-v_0t)$ solves (2) as printed and ends at the time $L/v_0$, because the square of $\dot I$ feeds itself")
         .in_words()
         .given([NonZero(inertia - v0 * t)])
         .follows([Zero(along(&Learning { denial: Sym::ZERO, ..open }, i, runaway, by_time))]);
@@ -138,10 +138,10 @@ fn point(page: &mut Page) {
     // momentum of the point and of the ejected mass
     let carried = Tangent::moving(m, dm) * Tangent::moving(dx, ddx);
     let balance = carried.slope - dm * u + beta * dx + k * x - push;
-    page.claim("eq4", "variable-mass", r"(4) is the equation of a point of variable mass without other forces; from the momentum of the point and of the mass that has left with the velocity $u$ in space")
+    page.claim("eq4", "variable-mass", "(4) is the equation of a point of variable mass without other forces. It is judged by the momentum of the point and of the mass that has left with the velocity $u$ in space")
         .why(r"The mass that leaves takes its momentum $\dot mu$ along, a force on the point that (4) lacks.")
         .fails([Line::equation(balance, left, push)]);
-    page.claim("eq4", "variable-mass-corrected", r"a point of variable mass has the reactive force $\dot mu$ on the right: (4) is the case $u=0$, in which what leaves or joins stands still in space; where it leaves with the point's own velocity, $u=\dot x$, the equation is $m\ddot x+\beta\dot x+kx=R$")
+    page.claim("eq4", "variable-mass-corrected", r"a point of variable mass has the reactive force $\dot mu$ on the right. (4) is the case $u=0$, in which what leaves or joins stands still in space. Where it leaves with the point's own velocity, $u=\dot x$, the equation is $m\ddot x+\beta\dot x+kx=R$")
         .holds([Line::equation(balance, left, push + dm * u)]);
     page.correct();
 }

@@ -28,10 +28,10 @@ fn constraints(page: &mut Page) {
     let at = instant();
     let [geometric, _] = violation(&General, &at).rate;
     let printed = dot(indexed("f#"), at.velocity) + letter("ft");
-    page.claim("eq5", "rate", r"(5): $\dot f=\frac{\partial f}{\partial q^s}\dot q^s+\frac{\partial f}{\partial t}$, for a constraint that is arbitrary to the second order")
+    page.claim("eq5", "rate", r"(5) is $\dot f=\frac{\partial f}{\partial q^s}\dot q^s+\frac{\partial f}{\partial t}$, for a constraint that is arbitrary to the second order")
         .holds([Line::formula(geometric, letter("ḟ"), printed)]);
-    page.claim("eq6", "kinematic", r"(6) are constraints on the velocities, $\dot f^\rho(q,\dot q,t)=0$, linear in them or not; the claims have one, $\varphi(q,\dot q,t)=0$, arbitrary to the first order, in the velocities to the second")
-        .note("The dot on $f^\\rho$ says that these stand beside the rates of (5); $f^\\rho$ itself does not exist where they are not integrable.")
+    page.claim("eq6", "kinematic", r"(6) are constraints on the velocities, $\dot f^\rho(q,\dot q,t)=0$, linear in them or not. The claims have one, $\varphi(q,\dot q,t)=0$, arbitrary to the first order, in the velocities to the second")
+        .note("The dot on $f^\\rho$ says that these stand together with the rates of (5). $f^\\rho$ itself does not exist where they are not integrable.")
         .defines([]);
 }
 
@@ -44,7 +44,7 @@ fn multipliers(page: &mut Page) {
     let minor = row[0] * across[1] - row[1] * across[0];
     let lambda = [missing[0] * across[1] - missing[1] * across[0], missing[1] * row[0] - missing[0] * row[1]];
     let free = [row[1] * across[2] - row[2] * across[1], row[2] * across[0] - row[0] * across[2], minor];
-    page.claim("eq7", "multipliers", r"d'Alembert's and Lagrange's principle: forces $R_i$ of constraint that do no work on any displacement with $\frac{\partial\dot f^\kappa}{\partial\dot q^i}\delta q^i=0$ are $\lambda_\kappa\frac{\partial\dot f^\kappa}{\partial\dot q^i}$; three coordinates, one geometric and one kinematic constraint")
+    page.claim("eq7", "multipliers", r"by d'Alembert's and Lagrange's principle, forces $R_i$ of constraint that do no work on any displacement with $\frac{\partial\dot f^\kappa}{\partial\dot q^i}\delta q^i=0$ are $\lambda_\kappa\frac{\partial\dot f^\kappa}{\partial\dot q^i}$, here with three coordinates, one geometric and one kinematic constraint")
         .in_words()
         .given([NonZero(minor), Zero(dot(missing, free))])
         .by_combination((0..3).map(|i| {
@@ -69,9 +69,9 @@ fn multipliers(page: &mut Page) {
         instant().velocity,
     );
     let (l, r1) = (letter("λ"), letter("R1"));
-    page.claim("eq7", "reaction", r"(7): $R_i=\lambda\frac{\partial f^\kappa}{\partial\dot q^i}$ is the reaction of a geometric constraint too")
-        .why("A geometric $f(q,t)$ does not contain $\\dot q$: the dot of $\\dot f^\\kappa$ is lost.")
-        .reading("The index of $\\lambda_\\kappa$ is lost in the text, and the dot of $\\dot f^\\kappa$ also in $df^\\kappa/dt=0$ below.")
+    page.claim("eq7", "reaction", r"$R_i=\lambda\frac{\partial f^\kappa}{\partial\dot q^i}$ of (7) is the reaction of a geometric constraint too")
+        .why("A geometric $f(q,t)$ does not contain $\\dot q$: the dot of $\\dot f^\\kappa$ is missing.")
+        .reading("The index of $\\lambda_\\kappa$ is missing in the text, and the dot of $\\dot f^\\kappa$ also in $df^\\kappa/dt=0$ below.")
         .fails([Line::formula(l * row[0], r1, l * by_velocity[0])]);
     let first_rate = gradient(
         |v| {
@@ -92,7 +92,7 @@ fn multipliers(page: &mut Page) {
     .in_words()
     .follows((0..3).map(|i| Equal(first_rate[i], row[i])));
     page.correct();
-    page.claim("eq8", "initial", "(8) are the initial coordinates and velocities, which need not satisfy (5) and (6); the residuals there are the first values of the parameters (9)")
+    page.claim("eq8", "initial", "(8) are the initial coordinates and velocities, which need not satisfy (5) and (6). Their residuals are the first values of the parameters (9)")
         .defines([]);
 }
 
@@ -101,7 +101,7 @@ fn programme(page: &mut Page) {
     let at = instant();
     let found = violation(&General, &at);
     let [rows, across] = jacobian(&General, &at);
-    page.claim("eq9", "parameters", r"(9) introduces the parameters $y=f(q,t)$, $\dot y=\dot f$ of a geometric constraint, $\dot y=\varphi$ of a kinematic one: values and rates of the violated constraints")
+    page.claim("eq9", "parameters", r"(9) introduces the parameters $y=f(q,t)$, $\dot y=\dot f$ of a geometric constraint and $\dot y=\varphi$ of a kinematic one, which are values and rates of the violated constraints")
         .defines([
             Line::formula(found.value[0], letter("y"), letter("f")),
             Line::formula(found.rate[0], letter("ẏ"), letter("ḟ")),
@@ -109,7 +109,7 @@ fn programme(page: &mut Page) {
     let wanted = indexed("Y#");
     let reaction = led(wanted);
     let moved = rates(&General, &at, reaction.acceleration);
-    page.claim("eq10", "exact", r"(10): for every $Y$ there are multipliers with $\ddot y=Y$, $\dot\varphi=Y$ exactly, off the constraints too, wherever $\det JM^{-1}J^T\ne0$: any masses, forces, one geometric and one kinematic constraint arbitrary to the second order")
+    page.claim("eq10", "exact", r"for every $Y$ there are multipliers with which (10), $\ddot y=Y$, $\dot\varphi=Y$, holds exactly, off the constraints too, wherever $\det JM^{-1}J^T\ne0$. Masses and forces are arbitrary, with one geometric and one kinematic constraint arbitrary to the second order")
         .in_words()
         .follows((0..2).map(|k| Equal(moved[k], wanted[k])));
     let masses: [Sym; 3] = General.masses();
@@ -117,7 +117,7 @@ fn programme(page: &mut Page) {
     page.claim(
         "eq10",
         "reactions",
-        r"the accelerations of eq10/exact are those of the given forces and of $\lambda_\kappa\frac{\partial\dot f^\kappa}{\partial\dot q^i}$ beside them",
+        r"the accelerations of eq10/exact are those of the given forces together with $\lambda_\kappa\frac{\partial\dot f^\kappa}{\partial\dot q^i}$",
     )
     .in_words()
     .follows((0..3).map(|i| {
@@ -133,7 +133,7 @@ fn programme(page: &mut Page) {
     // on the constraints: f = 0, f' = 0, phi = 0, by the letters of their values
     let [f, ft, phi] = letters(["f", "ft", "ϕ"]);
     let kept = [(f, Sym::ZERO), (ft, ft - found.rate[0]), (phi, phi - found.rate[1])];
-    page.claim("eq10", "trivial", r"with $Y=-c\dot y-ky$, any matrices, the multipliers are Lagrange's wherever both constraints and the rate of the geometric one are kept: a motion that begins there is that of Lagrange's equations")
+    page.claim("eq10", "trivial", r"with $Y=-c\dot y-ky$ and any matrices, the multipliers are Lagrange's wherever both constraints and the rate of the geometric one are kept. A motion that begins there is that of Lagrange's equations")
         .in_words()
         .follows((0..2).map(|k| {
             let lagrange = led([Sym::ZERO; 2]).multipliers[k];
@@ -145,13 +145,13 @@ fn programme(page: &mut Page) {
 fn instability(page: &mut Page) {
     let at = instant();
     let moved = rates(&General, &at, led([Sym::ZERO; 2]).acceleration);
-    page.claim("section5-instability", "rates", r"multipliers from the differentiated constraints, $\ddot f=0$ and $\dot\varphi=0$, leave exactly these rates off the constraints: $\ddot y=0$, $\dot\varphi=0$, hence $y=y_0+\dot y_0t$ and $\varphi=\varphi_0$")
+    page.claim("section5-instability", "rates", r"with multipliers from the differentiated constraints, $\ddot f=0$ and $\dot\varphi=0$, the rates off the constraints are exactly $\ddot y=0$, $\dot\varphi=0$, hence $y=y_0+\dot y_0t$ and $\varphi=\varphi_0$")
         .in_words()
         .follows(moved.map(Zero));
     let [dy0, b, t] = letters(["ẏ₀", "b", "t"]);
     let drifted = dy0 * t;
     let reached = drifted.substitute(&[(t, b / dy0)]);
-    page.claim("section5-instability", "geometric", r"a geometric constraint is unstable: $y=\dot y_0t$ has the rate $\ddot y$ that multipliers from $\ddot f=0$ leave, and reaches any bound $b>0$ at the time $b/\dot y_0$, however small $\dot y_0>0$")
+    page.claim("section5-instability", "geometric", r"a geometric constraint is unstable. The error $y=\dot y_0t$ has the rate $\ddot y$ that multipliers from $\ddot f=0$ leave, and reaches any bound $b>0$ at the time $b/\dot y_0$, however small $\dot y_0>0$ is")
         .in_words()
         .given([Positive(b), Positive(dy0)])
         .follows([Equal(drifted.diff(t).diff(t), moved[0]), Equal(reached, b)]);
@@ -161,7 +161,7 @@ fn instability(page: &mut Page) {
     let kept = lagrange(&point, &at, point.force(&at)).map_or([Sym::UNDEFINED; 2], |reaction| reaction.acceleration);
     let [rate]: [Sym; 1] = rates(&point, &at, kept);
     let [error]: [Sym; 1] = violation(&point, &at).rate;
-    page.claim("section5-instability", "kinematic", r"multipliers from $\dot\varphi=0$ make a kinematic constraint unstable: where $\varphi\ne0$, $|\varphi|$ grows, $\varphi\dot\varphi>0$ (the point that keeps its speed, $\varphi=\frac12(\dot q_1^2+\dot q_2^2-v_0^2)$)")
+    page.claim("section5-instability", "kinematic", r"multipliers from $\dot\varphi=0$ make a kinematic constraint unstable: where $\varphi\ne0$, $|\varphi|$ grows, $\varphi\dot\varphi>0$. The point that keeps its speed is judged, $\varphi=\frac12(\dot q_1^2+\dot q_2^2-v_0^2)$")
         .in_words()
         .given([NonZero(error)])
         .why(r"Multipliers from $\dot\varphi=0$ keep $\varphi$ as it is; only a method of integration adds errors to it, step by step.")
@@ -172,7 +172,7 @@ fn instability(page: &mut Page) {
     page.claim(
         "section5-instability",
         "kinematic-corrected",
-        r"the error of a kinematic constraint stays as it is, stable and not asymptotically: $\dot\varphi=0$ for every velocity, place and force",
+        r"the error of a kinematic constraint stays as it is, stable but not asymptotically stable: $\dot\varphi=0$ for every velocity, place and force",
     )
     .in_words()
     .follows([Zero(moved[1])]);
@@ -188,7 +188,7 @@ fn euler(page: &mut Page) {
     let square = u * u + v * v;
     let lambda = -(square / (x * x + y * y));
     let (after, moved) = ((x + h * u, y + h * v), (u + h * lambda * x, v + h * lambda * y));
-    page.claim("section5-instability", "euler", r"a point on a circle, multipliers from $\ddot f=0$, $\dot f=0$: each step of Euler's method adds $\frac12h^2v^2$ to $f=\frac12(x^2+y^2-\rho^2)$ and nothing to $\dot f$; the sum over a time $t$, about $\frac12thv^2$ while $v$ changes little, is an estimate and not proved")
+    page.claim("section5-instability", "euler", r"for a point on a circle with multipliers from $\ddot f=0$, and with $\dot f=0$, each step of Euler's method adds $\frac12h^2v^2$ to $f=\frac12(x^2+y^2-\rho^2)$ and nothing to $\dot f$. The sum over a time $t$, about $\frac12thv^2$ while $v$ changes little, is an estimate and not proved")
         .in_words()
         .given([Zero(x * u + y * v)])
         .by_combination([

@@ -34,7 +34,7 @@ fn displacements(page: &mut Page) {
         let moving = mechanics::constrained::State { velocity: along(at.velocity, unit(i)), ..at.fixed() };
         violation(&General, &moving).rate.map(|rate| rate.slope)
     });
-    page.claim("eq11", "displacements", r"(11): $\delta y^\kappa=\frac{\partial\dot y^\kappa}{\partial\dot q^i}\delta q^i$: of a geometric constraint the variation $\frac{\partial f}{\partial q^i}\delta q^i$, of a kinematic one Chetaev's")
+    page.claim("eq11", "displacements", r"(11) is $\delta y^\kappa=\frac{\partial\dot y^\kappa}{\partial\dot q^i}\delta q^i$: for a geometric constraint the variation $\frac{\partial f}{\partial q^i}\delta q^i$, for a kinematic one Chetaev's")
         .in_words()
         .follows((0..3).flat_map(|i| [Equal(by_velocity[i][0], rows[0][i]), Equal(by_velocity[i][1], rows[1][i])]));
 }
@@ -43,7 +43,7 @@ fn displacements(page: &mut Page) {
 fn principle(page: &mut Page) {
     let [e1, e2, ey, f1, f2, lambda] = letters(["E1", "E2", "Ey", "f1", "f2", "λ"]);
     let work = [Zero(e1 + f1 * ey), Zero(e2 + f2 * ey)];
-    page.claim("eq12", "principle", r"d'Alembert's and Lagrange's principle, $\sum E_i\delta q^i+E_y\delta y=0$ for all displacements (11), gives $E_i=-\frac{\partial\dot y}{\partial\dot q^i}E_y$: (12) with $\lambda=-E_y$, where $E=\frac{d}{dt}\frac{\partial T}{\partial\dot q}-\frac{\partial T}{\partial q}+\frac{\partial P}{\partial q}+\frac{\partial D}{\partial\dot q}-Q$")
+    page.claim("eq12", "principle", r"d'Alembert's and Lagrange's principle, $\sum E_i\delta q^i+E_y\delta y=0$ for all displacements (11), gives $E_i=-\frac{\partial\dot y}{\partial\dot q^i}E_y$. This is (12) with $\lambda=-E_y$, where $E=\frac{d}{dt}\frac{\partial T}{\partial\dot q}-\frac{\partial T}{\partial q}+\frac{\partial P}{\partial q}+\frac{\partial D}{\partial\dot q}-Q$")
         .given(work)
         .given([Equal(lambda, -ey)])
         .by_combination([
@@ -59,7 +59,7 @@ fn principle(page: &mut Page) {
     .given([Equal(e1, f1 * lambda), Equal(e2, f2 * lambda), NonZero(f1)])
     .why(r"$y$ is varied with $q$ by (11), so that the principle has no equation of its own for $y$.")
     .refuted([Zero(ey)], exact([("E1", -1, 1), ("E2", 0, 1), ("Ey", 1, 1), ("f1", 1, 1), ("f2", 0, 1), ("λ", -1, 1)]));
-    page.claim("eq13", "principle-corrected", r"the principle with (12) gives $E_y=-\lambda$: the multipliers act on $y$ as well. (13) would mean $\lambda=0$, no constraint; it is a programme for $y$, a postulate, and the forces $f_i^\kappa\lambda_\kappa$ are a control, given forces in the principle, and not reactions")
+    page.claim("eq13", "principle-corrected", r"the principle with (12) gives $E_y=-\lambda$: the multipliers act on $y$ as well. (13) would mean $\lambda=0$, no constraint. It is a programme for $y$, a postulate, and the forces $f_i^\kappa\lambda_\kappa$ are a control, given forces in the principle, and not reactions")
         .given(work)
         .given([Equal(e1, f1 * lambda), NonZero(f1)])
         .by_combination([(Equal(ey, -lambda), vec![3], vec![(0, int(1)), (2, int(-1))])]);
@@ -138,10 +138,10 @@ impl Model {
         let inertial = -((m11 * v1 * v1).half() + m12 * v1 * v2 - (m21 * v2 * v2).half());
         let second = (a1 * dy * dy - k1 * y * y - c1 * dy * dy).half();
         let right = inertial - p1 - d * v1 + push + f1 * lambda + second;
-        page.claim("eq14", "motion", r"(12) in the form (14): accelerations, the multiplier with $M^{-1}J^T$, and terms of the second order in $y,\dot y$, which are $\frac12(a_{,i}\dot y^2-k_{,i}y^2-c_{,\dot\imath}\dot y^2)$; two coordinates, energies arbitrary to the first order")
+        page.claim("eq14", "motion", r"(12) has the form (14) with accelerations, the multiplier with $M^{-1}J^T$, and terms of the second order in $y,\dot y$, which are $\frac12(a_{,i}\dot y^2-k_{,i}y^2-c_{,\dot\imath}\dot y^2)$. The system has two coordinates and energies arbitrary to the first order")
             .holds([Line::equation(self.left[0] - push - f1 * lambda, m1 * self.acceleration[0], right)]);
         let still = [(y, Sym::ZERO), (dy, Sym::ZERO)];
-        page.claim("eq14", "no-first-order", r"(14) has no terms of the first order in $y$ and $\dot y$; two coordinates, energies arbitrary to the first order")
+        page.claim("eq14", "no-first-order", r"(14) has no terms of the first order in $y$ and $\dot y$, for two coordinates and energies arbitrary to the first order")
             .in_words()
             .follows(self.left[..2].iter().flat_map(|e| [y, dy].map(|of| Zero(e.diff(of).substitute(&still)))));
     }
@@ -152,11 +152,11 @@ impl Model {
         let [y, a, a1, a2, c, c1, c2, k] = letters(["y", "a", "a1", "a2", "c₀", "c1", "c2", "k"]);
         let (friction, change) = (c + c1 * v1 + c2 * v2, a1 * v1 + a2 * v2);
         let (damping, stiffness) = (-((friction + change) / a), -(k / a));
-        page.claim("eq15", "perturbations", r"(13) in the form (15), with $b=-a^{-1}(c+\dot a)$ and $k^\kappa_\mu=-a^{-1}k$: both are minus what the names suggest, and $\dot a=a_{,i}\dot q^i$ stands in $b$")
+        page.claim("eq15", "perturbations", r"(13) has the form (15), with $b=-a^{-1}(c+\dot a)$ and $k^\kappa_\mu=-a^{-1}k$. Both are minus what the names suggest, and $\dot a=a_{,i}\dot q^i$ stands in $b$")
             .note(r"In $dy^\kappa/dt=\dot y^\kappa$ the index goes to $m$ only, as in (10): a kinematic constraint has no $y$, and its row of $k_{\mu\nu}$ is zero.")
             .holds([Line::equation(self.left[2] / a, self.acceleration[2], damping * dy + stiffness * y)]);
         let b = (-(friction + change) / a).substitute(&[(c1, Sym::ZERO), (c2, Sym::ZERO)]);
-        page.claim("eq15", "inertia", r"a positive friction $c$ is not enough for stability of (15): there are $a$, $c>0$ with a positive coefficient $b$ of $\dot y$, where the inertia $a$ falls fast enough")
+        page.claim("eq15", "inertia", r"a positive friction $c$ is not enough for stability of (15). There are $a$, $c>0$ with a positive coefficient $b$ of $\dot y$, where the inertia $a$ falls fast enough")
             .given([Positive(a), Positive(c)])
             .exists([Positive(b)], exact([("a", 1, 1), ("c₀", 1, 1), ("a1", -2, 1), ("a2", 0, 1), ("q̇1", 1, 1), ("q̇2", 0, 1)]));
         let [a0, s, t, w] = letters(["a", "s", "t", "W"]);
@@ -191,7 +191,7 @@ fn multipliers(page: &mut Page) {
 
 /// a y'' + c y' + k y = 0
 fn stability(page: &mut Page) {
-    page.claim("section5-stability", "necessary", "stabilisation of the constraints (5) means asymptotic stability of the trivial solution of (15): the condition is necessary and sufficient by definition, as long as the multipliers exist")
+    page.claim("section5-stability", "necessary", "stabilisation of the constraints (5) means asymptotic stability of the trivial solution of (15). The condition is necessary and sufficient by definition, as long as the multipliers exist")
         .note("Lyapunov's theorem on a part of the variables needs what the sentence lists ($V$ positive definite, its derivative negative definite, an infinitely small upper limit, all in $y,\\dot y$) and that $q,\\dot q$ exist for all time. $y$ and $\\dot y$ have an infinitely small upper limit in themselves.")
         .defines([]);
     let [a, c, k, y, dy] = letters(["a", "c₀", "k", "y", "ẏ"]);

@@ -50,7 +50,7 @@ fn equations(page: &mut Page, s: &TopLetters) {
         moment.z + others.z,
     ];
     let left = [a * rates.x, a * rates.y, c * rates.z];
-    page.claim("eq16", "momentum", r"(16) from the moment of momentum of a body with the gyroscope $\nu$ and a particle $m(t)$ that moves in it: $M=\dot m\,\xi\times(w-\dot\xi)-m\,\xi\times\ddot\xi-2m\,\xi\times(\omega\times\dot\xi)$, reactive, inertial and Coriolis moment, where the mass leaves with the velocity $w$ relative to the body; $\dot A$ does not stand on the left")
+    page.claim("eq16", "momentum", r"the moment of momentum of a body with the gyroscope $\nu$ and a particle $m(t)$ that moves in it gives (16). The reactive, inertial and Coriolis moment is $M=\dot m\,\xi\times(w-\dot\xi)-m\,\xi\times\ddot\xi-2m\,\xi\times(\omega\times\dot\xi)$, where the mass leaves with the velocity $w$ relative to the body. $\dot A$ does not stand on the left")
         .note("$A$, $B=A$, $C$ are the moments of body and particles at the instant, whose axes are taken to stay principal. Several particles add up. $\\dot\\gamma_i=\\Gamma_i$ is left open by the paper; on a motion $\\dot\\gamma=\\gamma\\times\\omega$.")
         .in_words()
         .follows((0..3).map(|i| Condition::Equal(derived[i], left[i] - right[i])));
@@ -59,7 +59,7 @@ fn equations(page: &mut Page, s: &TopLetters) {
     page.claim(
         "eq16",
         "solidified",
-        r"the first three equations of (16), with $M_x$, $M_y$, $M_z$ the moments of eq16/momentum",
+        "the first three equations of (16) hold, with $M_x$, $M_y$, $M_z$ the moments of eq16/momentum",
     )
     .holds([
         Line::equation(solidified.x, left[0], (a - c) * q * r - nu * q + moment.x + mx),
@@ -75,14 +75,18 @@ fn integrals(page: &mut Page, s: &TopLetters) {
     let across = Vector3::new(Sym::ONE, Sym::ZERO, Sym::ZERO);
     let field = now.force_function(s.at.vertical) - now.force_function(across);
     let energy = int(2) * (now.kinetic_energy(s.at.spin) - field);
-    page.claim("eq17", "energy", r"$f_1=2(T-U)$ with $U$ counted from $\gamma_3=0$, in the field of (20)")
+    page.claim("eq17", "energy", r"(17) is $f_1=2(T-U)$ with $U$ counted from $\gamma_3=0$, in the field of (20)")
         .under(&s.unit)
         .holds([Line::formula(energy, letter("f₁"), f1)]);
     let momentum = now.momentum(s.at.spin).dot(&s.at.vertical);
-    page.claim("eq17", "momentum", r"$f_2$ is the moment of momentum about the vertical, the gyroscope's included")
-        .holds([Line::formula(momentum, letter("f₂"), f2)]);
+    page.claim(
+        "eq17",
+        "momentum",
+        "$f_2$ is the moment of momentum about the vertical, including that of the gyroscope",
+    )
+    .holds([Line::formula(momentum, letter("f₂"), f2)]);
     page.claim("eq17", "axial", r"(17) names $f_3=C(r-r_0)$ and $f_4=\gamma_1^2+\gamma_2^2+\gamma_3^2-1$; $g=\mu_1/R^2$")
-        .note("What $f_3$ is equal to is not printed: a constant in general, zero on the motion that is studied. The constant $\\mu$ below (17) is $\\mu_1$.")
+        .note("The value of $f_3$ is not printed. It is a constant in general, and zero on the motion that is studied. The constant $\\mu$ below (17) is $\\mu_1$.")
         .defines([]);
     let law = s.top.map(|x| x.value).integrals(&s.at, s.aim);
     page.claim("eq17", "law", "the program's integrals of the body are $f_1$, $f_2$, $f_3$ of (17)")

@@ -49,7 +49,7 @@ fn system(page: &mut Page, s: &TopLetters) {
     let [h1, h2, h3] = letters(["h₁", "h₂", "h₃"]);
     let ([p, q, r], [g1, g2, g3]): ([Sym; 3], [Sym; 3]) = (s.at.spin.into(), s.at.vertical.into());
     let (energy, momentum) = (half(with.energy - without.energy), with.vertical_momentum - without.vertical_momentum);
-    page.claim("eq18", "moments", r"(18): the moments enter $\frac12\dot f_1$ and $\dot f_2$ as printed").holds([
+    page.claim("eq18", "moments", r"by (18) the moments enter $\frac12\dot f_1$ and $\dot f_2$ as printed").holds([
         Line::equation(energy - h1, p * moment.x + q * moment.y + r * moment.z, h1),
         Line::equation(momentum - h2, g1 * moment.x + g2 * moment.y + g3 * moment.z, h2),
     ]);
@@ -58,8 +58,8 @@ fn system(page: &mut Page, s: &TopLetters) {
         let with = found(s, Vector3::new(Sym::ZERO, Sym::ZERO, moment), free()).axial_momentum;
         with - without.axial_momentum
     };
-    page.claim("eq18", "axial", r"(18): $Z=h_3$")
-        .why(r"The moment $M_z$ of the variable mass is lost: $\tilde Z=Z+M_z$.")
+    page.claim("eq18", "axial", "by (18) as printed, $Z=h_3$")
+        .why(r"The moment $M_z$ of the variable mass is missing: $\tilde Z=Z+M_z$.")
         .fails([Line::equation(axial(z + mz) - h3, z, h3)]);
     page.claim("eq18", "axial-corrected", r"(18) has $\tilde Z=h_3$, as (19) does").holds([Line::equation(
         axial(moment.z) - h3,
@@ -69,10 +69,14 @@ fn system(page: &mut Page, s: &TopLetters) {
     page.correct();
     let [k44, f4] = letters(["k₄₄", "f₄"]);
     let along = g1 * free().x + g2 * free().y + g3 * free().z;
-    page.claim("eq18", "length", r"(18): $\gamma\cdot\Gamma=k_{44}f_4$ from $\dot f_4=k_{44}f_4$")
-        .why(r"$\dot f_4=2\gamma\cdot\Gamma$, for $f_4$ is a sum of squares: the half is lost.")
-        .fails([Line::equation(half(without.length - k44 * f4), along, k44 * f4)]);
-    page.claim("eq18", "length-corrected", r"$\gamma\cdot\Gamma=\frac12k_{44}f_4$ from $\dot f_4=k_{44}f_4$")
+    page.claim(
+        "eq18",
+        "length",
+        r"by (18) as printed, $\gamma\cdot\Gamma=k_{44}f_4$ follows from $\dot f_4=k_{44}f_4$",
+    )
+    .why(r"$\dot f_4=2\gamma\cdot\Gamma$, for $f_4$ is a sum of squares: the half is missing.")
+    .fails([Line::equation(half(without.length - k44 * f4), along, k44 * f4)]);
+    page.claim("eq18", "length-corrected", r"$\gamma\cdot\Gamma=\frac12k_{44}f_4$ follows from $\dot f_4=k_{44}f_4$")
         .holds([Line::equation(half(without.length - k44 * f4), along, half(k44 * f4))]);
     page.correct();
 }
@@ -87,10 +91,10 @@ fn right_sides(page: &mut Page, s: &TopLetters) {
     let varying = -half(da * (p * p + q * q)) - half(dc * r * r) + half(s.tide * (da - dc) * g3 * g3);
     let tidal = s.tide * (a - c) * g3 * rate.z;
     let derived = half(wanted[0] - missing.energy);
-    page.claim("section7-h1", "printed", r"$h_1$ as printed below (18)")
-        .why(r"Four slips: $\frac12\sum k_{1i}f_i$ is meant; $\Gamma_3$ and not $\Gamma_2$ beside $Mgz_c$; $\gamma_3$ and not $z_c$ beside $Mg\dot z_c$, as $\tilde h_1$ has it, which is not even of the dimension of the others; $\dot M$ is forgotten.")
+    page.claim("section7-h1", "printed", "$h_1$ is the expression printed below (18)")
+        .why(r"There are four slips. $\frac12\sum k_{1i}f_i$ is meant. $\Gamma_3$ and not $\Gamma_2$ belongs to $Mgz_c$. $\gamma_3$ and not $z_c$ belongs to $Mg\dot z_c$, as $\tilde h_1$ has it, and the printed product has another dimension than the other terms. $\dot M$ is missing.")
         .fails([Line::formula(derived, h1, wanted[0] - m * g * z * rate.y + tidal + varying - m * g * z * dz)]);
-    page.claim("section7-h1", "corrected", r"$h_1$ from $\dot f_1$ along (16)").holds([Line::formula(
+    page.claim("section7-h1", "corrected", r"$\dot f_1$ along (16) gives $h_1$").holds([Line::formula(
         derived,
         h1,
         half(wanted[0]) - m * g * z * rate.z + tidal + varying - g * g3 * (m * dz + dm * z),
@@ -107,7 +111,7 @@ fn right_sides(page: &mut Page, s: &TopLetters) {
     page.claim(
         "section7-h2-h3",
         "corrected",
-        r"$h_2$ and $h_3$ from $\dot f_2$ and $\dot f_3$ along (16), for a body of variable mass and free $\Gamma$",
+        r"$\dot f_2$ and $\dot f_3$ along (16) give $h_2$ and $h_3$, for a body of variable mass and free $\Gamma$",
     )
     .holds([
         Line::formula(
@@ -119,7 +123,7 @@ fn right_sides(page: &mut Page, s: &TopLetters) {
     ]);
     page.correct();
     let moving = found(s, Vector3::zeros(), poisson(&s.at));
-    page.claim("section7-h2-h3", "poisson", r"$h_2$ with $\Gamma=\gamma\times\omega$: the printed sum and two terms with $\dot A$ and $\dot C$, so that the print is right for a body of constant mass")
+    page.claim("section7-h2-h3", "poisson", r"with $\Gamma=\gamma\times\omega$, $h_2$ is the printed sum and two terms with $\dot A$ and $\dot C$, so that the print is right for a body of constant mass")
         .holds([Line::formula(
             wanted[1] - moving.vertical_momentum,
             h2,

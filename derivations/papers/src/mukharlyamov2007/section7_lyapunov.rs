@@ -105,7 +105,7 @@ impl Bundle {
             r"$V$ as printed, with $\omega^2=3g/R$, has no terms of the first order in $x$",
         )
         .reading(r"$f_3=r-r_0$ is read in $V$, not $C(r-r_0)$ of (17): the terms with $f_3$ have the dimension of the others then alone.")
-        .why(r"A factor 2 is lost in the coefficient of $f_3$, and $\omega^2=3g/R$ counts the field three times; $\omega^2=g/R$ is right.")
+        .why(r"A factor 2 is missing in the coefficient of $f_3$, and $\omega^2=3g/R$ counts the field three times; $\omega^2=g/R$ is right.")
         .refuted(
             [Zero(slope(printed, x3)), Zero(slope(printed, x6))],
             exact([
@@ -230,7 +230,7 @@ fn linearised(page: &mut Page, s: &TopLetters) {
     page.claim(
         "section7-stability",
         "neutral",
-        r"the linearised equations keep $x_3$ and $x_6$: two zero roots beside the four of section7-stability/first-corrected",
+        "the linearised equations keep $x_3$ and $x_6$, so that two zero roots come in addition to the four of section7-stability/first-corrected",
     )
     .in_words()
     .under(&Hypotheses::none())

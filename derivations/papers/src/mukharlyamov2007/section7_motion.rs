@@ -24,15 +24,15 @@ fn equations(page: &mut Page, s: &TopLetters) {
     let derived = now.residual(s.at.spin, acceleration, now.moment_of_field(s.at.vertical));
     let weight = m * g * z;
     let first = (a - c) * q * r - nu * q + weight * g2 + s.tide * (c - a) * g2 * g3;
-    page.claim("eq21", "first", "the first and the third equation of (21)").holds([
+    page.claim("eq21", "first", "the first and the third equation of (21) are right as printed").holds([
         Line::equation(derived.x, a * acceleration.x, first),
         Line::equation(derived.z, c * acceleration.z, Sym::ZERO),
     ]);
     let rest = nu * p - weight * g1 + s.tide * (a - c) * g3 * g1;
-    page.claim("eq21", "second", r"the second equation of (21), with $(A-C)rp$ as printed")
-        .why("A sign: (16) has $(C-A)rp$.")
+    page.claim("eq21", "second", "the second equation of (21) has $(A-C)rp$, as printed")
+        .why("The sign is wrong: (16) has $(C-A)rp$.")
         .fails([Line::equation(derived.y, a * acceleration.y, (a - c) * r * p + rest)]);
-    page.claim("eq21", "second-corrected", r"the second equation of (21) with $(C-A)rp$, as in (16)")
+    page.claim("eq21", "second-corrected", "the second equation of (21) has $(C-A)rp$, as in (16)")
         .holds([Line::equation(derived.y, a * acceleration.y, (c - a) * r * p + rest)]);
     page.correct();
     let moving = poisson(&s.at);
@@ -41,7 +41,7 @@ fn equations(page: &mut Page, s: &TopLetters) {
     page.claim(
         "eq21",
         "vertical",
-        r"$\dot\gamma_1=r\gamma_2-q\gamma_3$ and its permutations: the vertical is at rest in space",
+        r"$\dot\gamma_1=r\gamma_2-q\gamma_3$ and its permutations hold because the vertical is at rest in space",
     )
     .holds((0..3).map(|i| Line::formula(moving[i], names[i], printed[i])));
     let moment = now.moment_of_field(s.at.vertical);
@@ -72,7 +72,7 @@ fn varying(page: &mut Page, s: &TopLetters) {
         "varying",
         r"(17) are integrals of (21) with varying $A$, $C$, $Mz_c$ too, so that $V$ is a bundle of integrals there",
     )
-    .why("(21) leaves out the moments of the variable mass that section 7 has just found to keep them.")
+    .why("(21) leaves out the moments of the variable mass that keep these integrals by section 7.")
     .fails(line(derived, [Sym::ZERO; 3]));
     let [_, change] = s.static_moment();
     let energy = da * (p * p + q * q) + dc * r * r + int(2) * g * g3 * change - s.tide * (da - dc) * g3 * g3;

@@ -57,38 +57,48 @@ fn functions(page: &mut Page) {
     let mut say = |slug: &'static str, says: &str, method: OneStep, printed: Sym| {
         page.claim("function", slug, says).holds([Line::formula(method.run(z), r, printed)]);
     };
-    say("euler", "the factor $R$ of a step of Euler on $y'=zy$", EULER, z + n(1));
+    say("euler", "a step of Euler on $y'=zy$ has the factor $R$ below", EULER, z + n(1));
     say(
         "runge-kutta-4",
-        "the factor $R$ of a step of the classical Runge-Kutta method on $y'=zy$: the series of the exponential up to $z^4$",
+        "a step of the classical Runge-Kutta method on $y'=zy$ has the factor $R$ below, the series of the exponential up to $z^4$",
         RUNGE_KUTTA_4,
         n(1) + z + z.powi(2) / n(2) + z.powi(3) / n(6) + z.powi(4) / n(24),
     );
     say(
         "midpoint",
-        "the factor $R$ of a step of the implicit midpoint rule on $y'=zy$, which is Gauss with one stage",
+        "a step of the implicit midpoint rule, which is Gauss with one stage, on $y'=zy$ has the factor $R$ below",
         MIDPOINT,
         (n(2) + z) / (n(2) - z),
     );
     say(
         "backward-euler",
-        "the factor $R$ of a step of backward Euler on $y'=zy$, which is Radau IIA with one stage",
+        "a step of backward Euler, which is Radau IIA with one stage, on $y'=zy$ has the factor $R$ below",
         BACKWARD_EULER,
         n(1) / (n(1) - z),
     );
     let squares = |z: Sym| n(12) + n(6) * z + z.powi(2);
-    say("gauss-2", "the factor $R$ of a step of Gauss with two stages on $y'=zy$", gauss(2), squares(z) / squares(-z));
+    say(
+        "gauss-2",
+        "a step of Gauss with two stages on $y'=zy$ has the factor $R$ below",
+        gauss(2),
+        squares(z) / squares(-z),
+    );
     let cubes = |z: Sym| n(120) + n(60) * z + n(12) * z.powi(2) + z.powi(3);
-    say("gauss-3", "the factor $R$ of a step of Gauss with three stages on $y'=zy$", gauss(3), cubes(z) / cubes(-z));
+    say(
+        "gauss-3",
+        "a step of Gauss with three stages on $y'=zy$ has the factor $R$ below",
+        gauss(3),
+        cubes(z) / cubes(-z),
+    );
     say(
         "radau-2",
-        "the factor $R$ of a step of Radau IIA with two stages on $y'=zy$",
+        "a step of Radau IIA with two stages on $y'=zy$ has the factor $R$ below",
         radau(2),
         (n(6) + n(2) * z) / (n(6) - n(4) * z + z.powi(2)),
     );
     say(
         "radau-3",
-        "the factor $R$ of a step of Radau IIA with three stages on $y'=zy$",
+        "a step of Radau IIA with three stages on $y'=zy$ has the factor $R$ below",
         radau(3),
         (n(60) + n(24) * z + n(3) * z.powi(2)) / (n(60) - n(36) * z + n(9) * z.powi(2) - z.powi(3)),
     );
@@ -99,7 +109,7 @@ fn functions(page: &mut Page) {
             Equal(u.diff(c) - z * u, -z.powi(power) * nodal(family, stages.into(), c))
         })
     });
-    page.claim("function", "collocation", r"collocation: with $N$ the polynomial of the nodes, $u=\sum_kN^{(k)}z^{s-k}$ has degree $s$ and $u'-zu=-z^{s+1}N$, which vanishes at the nodes: $R=u(1)/u(0)$. Gauss and Radau IIA with one to three stages")
+    page.claim("function", "collocation", r"for collocation with $N$ the polynomial of the nodes, $u=\sum_kN^{(k)}z^{s-k}$ has degree $s$ and $u'-zu=-z^{s+1}N$, which vanishes at the nodes, so that $R=u(1)/u(0)$. The methods are Gauss and Radau IIA with one to three stages")
         .in_words()
         .follows(defect);
     let one = |method: OneStep| method.run(z);
@@ -121,34 +131,34 @@ fn axis(page: &mut Page) {
         page.claim("axis", slug, says).under(&rules).holds([Line::formula(size(method), m, printed)]);
     };
     let square = y.powi(2);
-    say("euler", r"Euler lets a mode that stays, $z=\mathrm iy$, grow at every step", EULER, n(1) + square);
+    say("euler", r"Euler makes an undamped mode, $z=\mathrm iy$, grow at every step", EULER, n(1) + square);
     say(
         "runge-kutta-4",
-        r"the classical Runge-Kutta method damps a mode that stays, $z=\mathrm iy$, for $0<y<2\sqrt2$ and lets it grow beyond",
+        r"the classical Runge-Kutta method damps an undamped mode, $z=\mathrm iy$, for $0<y<2\sqrt2$ and makes it grow beyond",
         RUNGE_KUTTA_4,
         n(1) - y.powi(6) * (n(8) - square) / n(576),
     );
     say(
         "backward-euler",
-        r"backward Euler damps a mode that stays, $z=\mathrm iy$, at every step",
+        r"backward Euler damps an undamped mode, $z=\mathrm iy$, at every step",
         BACKWARD_EULER,
         n(1) / (n(1) + square),
     );
     let two = n(36) + n(4) * square;
     say(
         "radau-2",
-        r"Radau IIA with two stages damps a mode that stays, $z=\mathrm iy$, at every step",
+        r"Radau IIA with two stages damps an undamped mode, $z=\mathrm iy$, at every step",
         radau(2),
         two / (two + y.powi(4)),
     );
     let three = n(3600) + n(216) * square + n(9) * y.powi(4);
     say(
         "radau-3",
-        r"Radau IIA with three stages damps a mode that stays, $z=\mathrm iy$, at every step",
+        r"Radau IIA with three stages damps an undamped mode, $z=\mathrm iy$, at every step",
         radau(3),
         three / (three + y.powi(6)),
     );
-    page.claim("axis", "symmetric", r"the midpoint rule and Gauss with two and three stages keep a mode that stays, $|R(\mathrm iy)|=1$, at every step")
+    page.claim("axis", "symmetric", r"the midpoint rule and Gauss with two and three stages keep an undamped mode, $|R(\mathrm iy)|=1$, at every step")
         .in_words()
         .under(&rules)
         .follows([MIDPOINT, gauss(2), gauss(3)].map(|method| Equal(size(method), n(1))));
@@ -177,14 +187,14 @@ fn plane(page: &mut Page) {
     say(
         "grows",
         "euler",
-        r"Euler lets a mode that fades, $z=h\mu=a+\mathrm ib$ with $a<0$, grow for $h>-2\,\mathrm{Re}\,\mu/|\mu|^2$, and never hides one that grows, $a>0$",
+        r"Euler makes a decaying mode, $z=h\mu=a+\mathrm ib$ with $a<0$, grow for $h>-2\,\mathrm{Re}\,\mu/|\mu|^2$, and never hides a growing one, $a>0$",
         EULER,
         n(1) + n(2) * a + square,
     );
     say(
         "grows",
         "backward-euler",
-        r"backward Euler hides a mode that grows, $z=h\mu=a+\mathrm ib$ with $a>0$, for $h>2\,\mathrm{Re}\,\mu/|\mu|^2$ (phantom stability), and lets every mode fade that fades, $a<0$",
+        r"backward Euler hides a growing mode, $z=h\mu=a+\mathrm ib$ with $a>0$, for $h>2\,\mathrm{Re}\,\mu/|\mu|^2$ (phantom stability), and lets every decaying mode decay, $a<0$",
         BACKWARD_EULER,
         n(1) / (n(1) - n(2) * a + square),
     );
@@ -193,7 +203,7 @@ fn plane(page: &mut Page) {
     say(
         "grows",
         "radau-2",
-        r"Radau IIA with two stages hides a mode that grows, $z=h\mu=a+\mathrm ib$ with $a>0$, where $|z|^4>72a-24a^2+8a|z|^2$",
+        r"Radau IIA with two stages hides a growing mode, $z=h\mu=a+\mathrm ib$ with $a>0$, where $|z|^4>72a-24a^2+8a|z|^2$",
         radau(2),
         n(1) + (n(72) * a - n(24) * a.powi(2) + n(8) * a * square - square.powi(2)) / below,
     );
@@ -201,14 +211,14 @@ fn plane(page: &mut Page) {
     say(
         "correct",
         "midpoint",
-        r"the midpoint rule never hides a growing mode and never lets a fading one grow: $|R|^2-1$ has the sign of $a$, $z=h\mu=a+\mathrm ib$, at every step",
+        r"the midpoint rule never hides a growing mode and never makes a decaying one grow, because $|R|^2-1$ has the sign of $a$, $z=h\mu=a+\mathrm ib$, at every step",
         MIDPOINT,
         n(1) + n(8) * a / modulus(n(2) - a, b),
     );
     say(
         "correct",
         "gauss-2",
-        r"Gauss with two stages never hides a growing mode and never lets a fading one grow: $|R|^2-1$ has the sign of $a$, $z=h\mu=a+\mathrm ib$, at every step",
+        r"Gauss with two stages never hides a growing mode and never makes a decaying one grow, because $|R|^2-1$ has the sign of $a$, $z=h\mu=a+\mathrm ib$, at every step",
         gauss(2),
         n(1) + n(24) * a * (n(12) + square)
             / modulus(n(12) - n(6) * a + a.powi(2) - b.powi(2), n(2) * a * b - n(6) * b),
@@ -217,7 +227,7 @@ fn plane(page: &mut Page) {
     say(
         "correct",
         "gauss-3",
-        r"Gauss with three stages never hides a growing mode and never lets a fading one grow: $|R|^2-1$ has the sign of $a$, $z=h\mu=a+\mathrm ib$, at every step",
+        r"Gauss with three stages never hides a growing mode and never makes a decaying one grow, because $|R|^2-1$ has the sign of $a$, $z=h\mu=a+\mathrm ib$, at every step",
         gauss(3),
         n(1) + n(48) * a * (n(600) + n(70) * a.powi(2) + n(30) * b.powi(2) + square.powi(2))
             / modulus(
@@ -233,7 +243,7 @@ fn real(page: &mut Page) {
     let [z, a] = letters(["z", "a"]);
     let cubic = |z: Sym| z.powi(3) - n(12) * z.powi(2) + n(12) * z - n(120);
     let below = n(60) - n(36) * z + n(9) * z.powi(2) - z.powi(3);
-    page.claim("grows", "radau-3-real", r"Radau IIA with three stages on a real mode, $z=h\mu$: $(R^2-1)N^2 = -z\,((z-3)^2+51)(z^3-12z^2+12z-120)$ with the denominator $N=60-36z+9z^2-z^3$ of $R$, so that a mode that grows, $z>0$, is hidden where $z^3-12z^2+12z-120>0$")
+    page.claim("grows", "radau-3-real", r"for Radau IIA with three stages on a real mode, $z=h\mu$, $(R^2-1)N^2 = -z\,((z-3)^2+51)(z^3-12z^2+12z-120)$ with the denominator $N=60-36z+9z^2-z^3$ of $R$. A growing mode, $z>0$, is therefore hidden where $z^3-12z^2+12z-120>0$")
         .in_words()
         .follows([Equal(
             (radau(3).run(z).powi(2) - n(1)) * below.powi(2),
@@ -260,7 +270,7 @@ fn real(page: &mut Page) {
 fn kick_and_drift(page: &mut Page) {
     let [kappa, t] = letters(["κ", "T"]);
     let [[p, q], [r, s]] = step(Splitting::Strang, kappa);
-    page.claim("splitting", "strang", r"the trace of a step of Strang's splitting of $\ddot q=-kq$ into kick and drift, $\kappa=h^2k$: with the determinant one (phantom/splitting/area) the eigenvalues are a pair on the unit circle, not real, if and only if $|T|<2$, that is $0<\kappa<4$")
+    page.claim("splitting", "strang", r"a step of Strang's splitting of $\ddot q=-kq$ into kick and drift has the trace below, $\kappa=h^2k$. With the determinant one (numerical_stability/splitting/area) the eigenvalues are a pair on the unit circle, not real, if and only if $|T|<2$, that is $0<\kappa<4$")
         .holds([Line::formula(p + s, t, n(2) - kappa)]);
     page.claim(
         "splitting",

@@ -149,7 +149,7 @@ fn unique<const N: usize, const C: usize>(page: &mut Page, slug: &'static str) {
     };
     let lambdas = (0..C).map(|k| (Zero(lambda[k]), vec![0], of_multiplier(k)));
     let frictions = (0..N).map(|i| (Zero(friction[i]), vec![0], of_friction(i)));
-    page.claim("combining", slug, format!(r"the extended decomposition is unique, $(N,C)=({N},{C})$, where $\det JM^{{-1}}J^T\ne0$: the difference of two, $J^T\lambda+R^\tau=0$ with $JM^{{-1}}R^\tau=0$, is zero"))
+    page.claim("combining", slug, format!(r"the extended decomposition is unique, $(N,C)=({N},{C})$, where $\det JM^{{-1}}J^T\ne0$, since the difference of two, $J^T\lambda+R^\tau=0$ with $JM^{{-1}}R^\tau=0$, is zero"))
         .in_words()
         .given([NonZero(det)].into_iter().chain(sums).chain(orthogonal))
         .by_combination(lambdas.chain(frictions));
@@ -165,7 +165,7 @@ fn unique_parts<const N: usize, const C: usize>(page: &mut Page) {
     let length = (0..N).fold(Sym::ZERO, |sum, i| sum + friction[i] * friction[i] / any.masses[i]);
     let by_sums = any.per_mass(friction).into_iter().enumerate();
     let cofactors = by_sums.chain((0..C).map(|k| (N + k, -lambda[k]))).collect();
-    page.claim("combining", "unique-parts", r"$R^n=J^T\lambda$ and $R^\tau$ are unique whatever the rank of $J$, here $(N,C)=(4,2)$: the difference of two extended decompositions of one reaction has $\sum (R^\tau)^2/m = 0$")
+    page.claim("combining", "unique-parts", r"$R^n=J^T\lambda$ and $R^\tau$ are unique for every rank of $J$, here $(N,C)=(4,2)$. The difference of two extended decompositions of one reaction has $\sum (R^\tau)^2/m = 0$")
         .in_words()
         .given(sums.chain(orthogonal))
         .by_combination([(Zero(length), vec![], cofactors)]);
@@ -180,13 +180,13 @@ fn painleves_choice(page: &mut Page) {
     let [[j1, j2]] = any.rows;
     let ([m1, m2], [r1, r2]) = (any.masses, reaction);
     page.claim("combining", "painleve", r"with Painlevé's choice the multipliers are those without friction, whatever the masses: with two coordinates and one constraint, $\lambda_1$ does not change")
-        .why(r"Painlevé's $R^\tau$ has $JR^\tau=0$; the multipliers feel $JM^{-1}R^\tau$.")
+        .why(r"Painlevé's $R^\tau$ has $JR^\tau=0$; the multipliers depend on $JM^{-1}R^\tau$.")
         .fails([Line::formula(change, letter("λ1"), Sym::ZERO)]);
     let square = j1 * j1 + j2 * j2;
     page.claim(
         "combining",
         "painleve-change",
-        r"with Painlevé's choice, two coordinates and one constraint the multiplier changes by the value below: it does not where the masses are equal or where the constraint concerns one coordinate",
+        "with Painlevé's choice, two coordinates and one constraint, the multiplier changes by the value below. It does not change where the masses are equal or where the constraint concerns one coordinate",
     )
     .holds([Line::formula(
         change,

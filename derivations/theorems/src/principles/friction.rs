@@ -37,7 +37,7 @@ fn frozen<const N: usize, const C: usize>(page: &mut Page, slug: &'static str) {
     let moved = std::array::from_fn(|i| w[i] + delta[i]);
     let more = constraint(any.masses, force, moved) - constraint(any.masses, force, w);
     let cofactors = (0..N).map(|i| (i, delta[i])).chain((0..C).map(|k| (N + k, lambda[k]))).collect();
-    page.claim("gauss-friction", slug, format!(r"friction frozen, $(N,C)=({N},{C})$: with $X$ the given forces and any friction beside them, as it is at the true motion, $Z(\ddot x+\delta)-Z(\ddot x)=\frac12\sum m\,\delta^2$ for all $\delta$ with $J\delta=0$, so that the motion is the only minimum"))
+    page.claim("gauss-friction", slug, format!(r"with friction frozen, $(N,C)=({N},{C})$, let $X$ be the given forces and any friction together, as it is at the true motion. Then $Z(\ddot x+\delta)-Z(\ddot x)=\frac12\sum m\,\delta^2$ for all $\delta$ with $J\delta=0$, so that the motion is the only minimum"))
         .in_words()
         .given(motion.chain(admissible))
         .by_combination([(Equal(more, kinetic_energy(any.masses, delta)), vec![], cofactors)]);
@@ -60,7 +60,7 @@ fn substituted<const N: usize, const C: usize>(page: &mut Page, slug: &'static s
     let right = of_constraints + kinetic_energy(any.masses, missed);
     // the mixed term is lambda . J (w - w0 - M^-1 R^tau)
     let cofactors = (0..C).flat_map(|k| [(k, lambda[k]), (C + k, -lambda[k]), (2 * C + k, -lambda[k])]).collect();
-    page.claim("gauss-friction", slug, format!(r"the law of friction substituted, $(N,C)=({N},{C})$: where $R^\tau(\ddot x)$ is that of the extended decomposition, $Z = \frac12\sum (J^T\lambda)^2/m + \frac12\sum m\,(\ddot x-\ddot x_0-R^\tau/m)^2$ for all accelerations that the constraints admit, with $\ddot x_0$, $\lambda$ of the motion without friction. The first sum does not depend on $\ddot x$; the second is zero at the motions with friction and nowhere else: they are the minima, wherever one exists"))
+    page.claim("gauss-friction", slug, format!(r"with the law of friction substituted, $(N,C)=({N},{C})$, and $R^\tau(\ddot x)$ that of the extended decomposition, $Z = \frac12\sum (J^T\lambda)^2/m + \frac12\sum m\,(\ddot x-\ddot x_0-R^\tau/m)^2$ for all accelerations that the constraints admit, with $\ddot x_0$, $\lambda$ of the motion without friction. The first sum does not depend on $\ddot x$. The second is zero at the motions with friction and nowhere else, so that they are the minima, wherever one exists"))
         .in_words()
         .given(keeps(w).into_iter().chain(keeps(w0)).chain(orthogonal))
         .by_combination([(Equal(constraint(any.masses, with_friction, w), right), vec![], cofactors)]);
@@ -95,7 +95,7 @@ fn contact(page: &mut Page) {
     page.claim(
         "gauss-friction",
         "contact-slope",
-        r"with the contact's friction $F=-fN(\ddot x)$ in $Z$ the rod's motion has the slope $\partial Z/\partial\ddot\theta = f l (m_1/m) \cos^2\theta$ times the push of the rod",
+        r"with the contact's friction $F=-fN(\ddot x)$ in $Z$ the rod's motion has the slope $\partial Z/\partial\ddot\theta = f l (m_1/m) \cos^2\theta$ times the compressive force of the rod",
     )
     .holds([Line::formula(slope, letter("slope"), f * l * m1 * cos * cos / m * push)]);
     page.correct();

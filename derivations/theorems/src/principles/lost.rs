@@ -114,7 +114,7 @@ fn knife_edge(page: &mut Page) {
     let weight = on_way.generalised(case.system.force(&on_way.state));
     let (dv, ddtheta) = (letter("v̇"), letter("θ̈"));
     page.claim("shulgin", "sleigh", r"Lagrange's equations with the constraint put into the energy, $T^*=\frac12m(v^2+d^2\dot\theta^2)+\frac12J\dot\theta^2$, are the equations of motion of the knife edge in the blade's speed $v$ and $\dot\theta$")
-        .why("The constraint is not integrable, and the momentum along the bracket of its fields is lost from the energy.")
+        .why("The constraint is not integrable, and the momentum along the bracket of its fields is missing from the energy.")
         .fails([
             Line::equation(is[0] - weight[0], m * dv, m * g * point.cos),
             Line::equation(is[1] - weight[1], (j + m * d * d) * ddtheta, -(m * g * d * point.sin)),
@@ -122,7 +122,7 @@ fn knife_edge(page: &mut Page) {
     page.claim(
         "shulgin",
         "sleigh-right",
-        r"Chaplygin's equations of the knife edge in $v$ and $\dot\theta$: the lost terms are $m d\dot\theta^2$ and $-m d v\dot\theta$",
+        r"Chaplygin's equations of the knife edge in $v$ and $\dot\theta$ contain the missing terms, which are $m d\dot\theta^2$ and $-m d v\dot\theta$",
     )
     .holds([
         Line::equation(is[0] - weight[0], m * dv, m * g * point.cos + m * d * dtheta * dtheta),
@@ -149,7 +149,7 @@ fn condition(page: &mut Page) {
     );
     let pairs = of_sleigh.into_iter().zip(by_brackets(&sleigh.system, sleigh.at));
     let all = pairs.chain(of_disc.into_iter().zip(by_brackets(&disc.system, disc.at)));
-    page.claim("shulgin", "brackets", r"the lost term is $\sum_k p_k\sum_i m_i\dot x_i\,(X_kX_j-X_jX_k)x_i$, on the knife edge and on the disc: the momentum along the brackets of the fields. It vanishes where these do, which is Frobenius' condition, or where the momentum along them does")
+    page.claim("shulgin", "brackets", r"the lost term on the knife edge and on the disc is $\sum_k p_k\sum_i m_i\dot x_i\,(X_kX_j-X_jX_k)x_i$, the momentum along the brackets of the fields. It vanishes where these do, which is Frobenius' condition, or where the momentum along them does")
         .in_words()
         .follows(all.map(|(lost, brackets)| Equal(lost, brackets)));
 }
@@ -189,7 +189,7 @@ fn disc(page: &mut Page) {
         .in_words()
         .follows((0..3).map(|i| Equal(found.energy[i] - weight[i], wrong[i].0 - wrong[i].1)));
     page.claim("museum", "disc", r"Lagrange's equations for $\psi$, $\theta$, $\varphi$, with the rolling put into $T$, are the equations of motion of the rolling disc")
-        .why("Rolling is not integrable, and the momentum along the brackets of its fields is lost from the energy.")
+        .why("Rolling is not integrable, and the momentum along the brackets of its fields is missing from the energy.")
         .fails(lines(wrong));
     page.claim("museum", "disc-right", r"the equations of motion of the rolling disc have $-m a^2\sin\theta\,\dot\theta\dot\varphi$ in the first and $m a^2\sin\theta\,\dot\theta\dot\psi$ in the third beside those of Lagrange with the rolling put into $T$")
         .holds(lines(right));
@@ -213,7 +213,7 @@ fn prescribed_speed_point(page: &mut Page) {
     page.claim(
         "shulgin",
         "nonlinear",
-        r"with a prescribed speed $v=u+bt$, $T^*=\frac12mv^2$ contains no $\chi$: everything is lost, $m v^2\dot\chi$",
+        r"with a prescribed speed $v=u+bt$, $T^*=\frac12mv^2$ contains no $\chi$, so that the whole term $m v^2\dot\chi$ is missing",
     )
     .follows([
         Zero(found.energy[0]),

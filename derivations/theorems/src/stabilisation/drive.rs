@@ -84,7 +84,7 @@ fn equations(page: &mut Page) {
     let angle = q6.circle();
     let q3 = q4 - q5;
     let two = Sym::int(2);
-    page.claim("drive", "equations", r"Lagrange's equations with $q^3=q^4-q^5$, $u_\pm=u\left(\frac12(f^4\pm f^2)\right)$ the voltages of the diodes, the first windings coupled by $M$: the voltages around each loop, the moments about the axis and the forces on the slider")
+    page.claim("drive", "equations", r"Lagrange's equations are those for the voltages around each loop, the moments about the axis and the forces on the slider. In them $q^3=q^4-q^5$, $u_\pm=u\left(\frac12(f^4\pm f^2)\right)$ are the voltages of the diodes, and the first windings are coupled by $M$")
         .holds([
             Line::equation(residual[0], l1 * a1 + mutual * a2, amplitude * (frequency * at.time).circle().sin - r1 * f1),
             Line::equation(residual[1], mutual * a1 + l2 * a2, -r2 * f2 - (plus - minus)),
@@ -93,7 +93,7 @@ fn equations(page: &mut Page) {
             Line::equation(residual[4], inertia * a6, motor * f5 - b6 * f6 - weight * angle.cos + two * lambda * crank * q7 * angle.sin),
             Line::equation(residual[5], mass * a7, -b7 * f7 + two * lambda * (q7 - crank * angle.cos)),
         ]);
-    page.claim("drive", "nine", r"of the drive's charges only $q^3=q^4-q^5$ acts: with $\dot q^3=f^4-f^5$ the equations close in nine unknowns $f^1,f^2,q^3,f^4,f^5,q^6,f^6,q^7,f^7$")
+    page.claim("drive", "nine", r"of the drive's charges only $q^3=q^4-q^5$ acts. With $\dot q^3=f^4-f^5$ the equations close in nine unknowns $f^1,f^2,q^3,f^4,f^5,q^6,f^6,q^7,f^7$")
         .in_words()
         .follows(close_in_nine(&drive, &at));
     page.claim("drive", "closure", r"the drive's rod ties $q^7$ to $q^6$ as in Mukharlyamov 2007").defines([
@@ -142,7 +142,7 @@ fn power(page: &mut Page) {
         .in_words()
         .follows([balance(&drive, &at, accelerations, letter("λ"))]);
     let entry = |i: usize, j: usize| instant.force[i].diff(at.velocity[j]);
-    page.claim("drive", "coupling", r"the drive's armature voltage per speed of the crank and the crank's moment per current are opposite, $-K$ and $K$: a gyroscopic coupling, without work")
+    page.claim("drive", "coupling", "the drive's armature voltage per speed of the crank and the crank's moment per current are opposite, $-K$ and $K$, which is a gyroscopic coupling without work")
         .in_words()
         .follows([Equal(entry(3, 4), -drive.circuit.motor), Equal(entry(4, 3), drive.circuit.motor)]);
 }
@@ -161,7 +161,7 @@ fn stabilised(page: &mut Page) {
         velocity: std::array::from_fn(|i| Tangent::moving(at.velocity[i], acceleration[i])),
     };
     let rate = Kinematics::of(&drive, &moved).rate[0];
-    page.claim("drive", "stabilised", r"the multiplier that leads the violation $f$ of the drive's rod gives $\ddot f=Y$ for every $Y$, at any state of the drive, on the constraint or off it")
+    page.claim("drive", "stabilised", r"the multiplier that controls the violation $f$ of the drive's rod gives $\ddot f=Y$ for every $Y$, at any state of the drive, on the constraint or off it")
         .in_words()
         .follows([Equal(rate.slope, wanted)]);
 }

@@ -60,7 +60,7 @@ pub fn claims(page: &mut Page) {
     let [from, to] = [&before, &after].map(|s| Kinematics::of(&pendulum, &at(s)));
     let ([a, c], [led]) = (acceleration(&at(&before)), wanted(&at(&before)));
     let two = Sym::int(2);
-    page.claim("floor", "euler", r"a point on a circle, $f=x^2+y^2-l^2$, stabilised by $\ddot f=-b\dot f-kf$, in one step of Euler: $f_1=f+h\dot f+h^2|v|^2$ and $\dot f_1=\dot f+h(-b\dot f-kf)+2h^2\,v\cdot\dot v$: a linear recursion with the gains, and a forcing without them")
+    page.claim("floor", "euler", r"a point on a circle, $f=x^2+y^2-l^2$, stabilised by $\ddot f=-b\dot f-kf$, has after one step of Euler $f_1=f+h\dot f+h^2|v|^2$ and $\dot f_1=\dot f+h(-b\dot f-kf)+2h^2\,v\cdot\dot v$. This is a linear recursion with the gains, and a forcing without them")
         .in_words()
         .follows([
             Equal(to.value[0], from.value[0] + h * from.rate[0] + h.powi(2) * (u.powi(2) + v.powi(2))),

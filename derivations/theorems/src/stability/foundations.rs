@@ -32,7 +32,7 @@ fn law(page: &mut Page, s: &Letters) {
     let energies = Energies::of(&g);
     let (all, spin) = energies.momenta(s.w, s.dphi);
     let [of_points, of_rotor] = g.angular_momentum(s.w, s.dphi);
-    page.claim("law", "momenta", r"the gyrostat's momenta $\partial T/\partial\omega$ and $\partial T/\partial\dot\varphi'$, from the energies, are the angular momentum $x$ of all mass points about $O$, and that of the rotor's about its axis: the law that is varied is the theorem of angular momentum")
+    page.claim("law", "momenta", r"the gyrostat's momenta $\partial T/\partial\omega$ and $\partial T/\partial\dot\varphi'$, from the energies, are the angular momentum $x$ of all mass points about $O$, and that of the rotor about its axis. The law that is varied is the theorem of angular momentum")
         .under(&s.unit_axis)
         .follows((0..3).map(|i| Equal(all[i], of_points[i])).chain([Equal(spin, of_rotor.dot(&s.l))]));
 }
@@ -65,7 +65,7 @@ fn zeros(page: &mut Page, s: &Letters) {
         .follows([Equal(all.dot(&moving).slope, s.nu.dot(&of_carrier) + values.dot(&of_vertical))]);
     let (_, spin) = energies.momenta(s.w.zip_map(&s.dw, Tangent::moving), Tangent::moving(s.dphi, s.ddphi));
     let drive = motor::torque_and_current_rates(&any, s.angle(), s.dphi - s.omega_field, &[], &mut []);
-    page.claim("zeros", "rotor", r"$\dot p'$, $p'=\partial T/\partial\dot\varphi'$, is the moment on the rotor: that of a free rotor is an integral, which gives a third zero root")
+    page.claim("zeros", "rotor", r"$\dot p'$, $p'=\partial T/\partial\dot\varphi'$, is the torque on the rotor. For a free rotor $p'$ is an integral, which gives a third zero root")
         .in_words()
         .follows([Equal(spin.slope, missing[7] + drive)]);
 }
