@@ -221,7 +221,7 @@ fn kind(page: &mut Page, s: &Letters, m: &Multipliers) {
     let form = |a: &Vector3<Sym>, b: &Vector3<Sym>| a.component_mul(&h).dot(b);
     let across = x.cross(&y);
     let cofactors = Vector3::new(h.y * h.z, h.z * h.x, h.x * h.y);
-    page.claim("kind", "tangent-plane", r"the determinant of $H=K-\lambda$ on the plane of two vectors $l$, $e$ is $(l\times e)\cdot\mathrm{adj}H\,(l\times e)$, in the principal axes of $K$: on the tangent plane at a unit vector $\nu$ it is $\det H\;\nu\cdot H^{-1}\nu$, which where $\det H\ne0$ vanishes with $d|\nu|^2/d\lambda$ (stationary/kind/slope)")
+    page.claim("kind", "tangent-plane", r"the determinant of $H=K-\lambda$ on the plane of two vectors $l$, $e$ is $(l\times e)\cdot\mathrm{adj}H\,(l\times e)$, in the principal axes of $K$. On the tangent plane at a unit vector $\nu$ it is $\det H\;\nu\cdot H^{-1}\nu$, which where $\det H\ne0$ vanishes with $d|\nu|^2/d\lambda$ (stationary/kind/slope)")
         .in_words()
         .follows([Equal(
             form(&x, &x) * form(&y, &y) - form(&x, &y).powi(2),

@@ -163,7 +163,7 @@ fn carrier(page: &mut Page, s: &Letters) {
     let form = FirstForm::new(s.a, s.l, s.axial, weight);
     let of = |moment: Sym| form.accelerations(s.w, s.nu, s.dphi, moment).1;
     let lightness = (0..3).fold(Sym::int(1) / s.axial, |sum, i| sum + s.l[i].powi(2) / s.a[i]);
-    page.claim("carrier", "lightness", r"in a gyrostat the moment $M$ of motor and load gives the rotor, in any motion, the relative acceleration $\left(\frac1{A'}+l\cdot A^{-1}l\right)M$ beside that which it has without $M$: the rotor is lighter than on a bench, where it has $M/A'$")
+    page.claim("carrier", "lightness", r"in a gyrostat the torque $M$ of motor and load gives the rotor, in any motion, the relative acceleration $\left(\frac1{A'}+l\cdot A^{-1}l\right)M$ in addition to that which it has without $M$. The rotor is lighter than on a bench, where it has $M/A'$")
         .in_words()
         .follows([Equal(of(s.torque) - of(Sym::ZERO), lightness * s.torque)]);
     let machine = Synchronous { field_speed: s.omega_field, b0: s.b0, f: letter("f") };

@@ -66,7 +66,7 @@ fn critical_points(page: &mut Page, s: &Letters) {
     let plus = cyclic(|i, _, _| (a[i] - lambda) * s.nu[i] + d[i]);
     let minus = cyclic(|i, _, _| (a[i] - lambda) * s.nu[i] - d[i]);
     let norm = s.nu.dot(&s.nu) - one();
-    page.claim("beyond-critical", "sextic", r"with $\alpha_i = \omega^{0\,2}A_i^*$, $\delta = A'\Omega\omega^0l+\Gamma e$ and the multiplier $\lambda$, $(\alpha_i-\lambda)\nu_i + \delta_i = 0$ and $|\nu|=1$ give a sextic in $\lambda$; where all $\delta_i\ne0$ each root has the one direction $\nu_i = \delta_i/(\lambda-\alpha_i)$, so that there are at most six")
+    page.claim("beyond-critical", "sextic", r"with $\alpha_i = \omega^{0\,2}A_i^*$, $\delta = A'\Omega\omega^0l+\Gamma e$ and the multiplier $\lambda$, $(\alpha_i-\lambda)\nu_i + \delta_i = 0$ and $|\nu|=1$ give a sextic in $\lambda$. Where all $\delta_i\ne0$ each root has the one direction $\nu_i = \delta_i/(\lambda-\alpha_i)$, so that there are at most six")
         .given([Zero(plus.x), Zero(plus.y), Zero(plus.z), Zero(norm)])
         .by_combination([(
             Zero(sextic),

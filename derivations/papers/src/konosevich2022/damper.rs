@@ -82,7 +82,7 @@ fn every_number(page: &mut Page, s: &Letters) {
     // a bar's dyad in terms of its doubled angle
     let t = bar("t");
     let doubled = t + t;
-    page.claim("beyond-damper", "dyad", r"$u u^T = \frac12\left(1 + \begin{pmatrix}\cos2t&\sin2t\\ \sin2t&-\cos2t\end{pmatrix}\right)$ for a bar's direction $u=(\cos t,\sin t)$: summed over evenly spaced bars, with beyond-damper/sums, $\sum u_nu_n^T = \frac N2\,1$ for every $N\ge3$")
+    page.claim("beyond-damper", "dyad", r"$u u^T = \frac12\left(1 + \begin{pmatrix}\cos2t&\sin2t\\ \sin2t&-\cos2t\end{pmatrix}\right)$ for a bar's direction $u=(\cos t,\sin t)$. Summed over evenly spaced bars, with beyond-damper/sums, $\sum u_nu_n^T = \frac N2\,1$ for every $N\ge3$")
         .in_words()
         .under(&symbolic::Hypotheses::none().on_circle(t))
         .follows([

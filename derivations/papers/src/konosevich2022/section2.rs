@@ -37,7 +37,7 @@ pub fn claims(page: &mut Page, s: &Letters) {
     page.claim(
         "eq2.2",
         "from-energy",
-        r"the angular momentum about $O$, as $\partial T/\partial\omega$ of the kinetic energy of the bodies, has the components (2.2)",
+        r"$\partial T/\partial\omega$ of the kinetic energy of the bodies is (2.2), the angular momentum about $O$",
     )
     .under(&s.unit_axis)
     .holds(formulas(x, by_energy.into(), printed));
@@ -60,7 +60,7 @@ pub fn claims(page: &mut Page, s: &Letters) {
     let (reduced, named) = (g.reduced_tensor(), tensor("A"));
     let [momentum, _] = s.with_reduced_tensor(named).angular_momentum(w, s.dphi);
     let p = w.dot(&l) + s.dphi;
-    page.claim("eq2.5", "momentum-reduced", r"$x = A\omega + A'p'l$").under(&s.unit_axis).holds(formulas(
+    page.claim("eq2.5", "momentum-reduced", r"(2.5) is $x = A\omega + A'p'l$").under(&s.unit_axis).holds(formulas(
         x,
         momentum,
         named * w + l * (s.axial * p),

@@ -97,7 +97,7 @@ fn signs(page: &mut Page, s: &Letters) {
     .given([Condition::Positive(secant), Condition::NonZero(s.dgamma)])
     .note("Strictness is needed: a law that is constant between two speeds makes the product zero.")
     .by_signs([Condition::Positive(-(s.dgamma * decreasing(s, excess_friction(s), secant)))]);
-    page.claim("eq3.2", "at-synchronism", r"$\Delta M_2(0) = 0$")
+    page.claim("eq3.2", "at-synchronism", r"at synchronism $\Delta M_2(0) = 0$")
         .follows([Condition::Zero(excess_friction(s).substitute(&[(s.dgamma, Sym::ZERO)]))]);
     page.claim(
         "section3-motors",

@@ -38,7 +38,7 @@ fn momentum_theorem(page: &mut Page, s: &Letters) {
     let gained = x.cross(&s.w) + s.e.cross(&s.nu) * s.big_gamma;
     let g = s.general();
     let weight = g.weight();
-    page.claim("eq4.1", "theorem", r"$d'x/dt = x\times\omega + \Gamma e\times\nu$, with $\Gamma e = g(m^0c^0 + m'h)$")
+    page.claim("eq4.1", "theorem", r"(4.1) is the theorem of angular momentum, $d'x/dt = x\times\omega + \Gamma e\times\nu$, with $\Gamma e = g(m^0c^0 + m'h)$")
         .under(&s.unit_axis)
         .holds((0..3).map(|i| Line::equation(residual[i], rate[i], gained[i])));
     page.claim("eq4.1", "weight", r"$m c$ is the first moment: $\Gamma e = m g c$ with $c = (m^0c^0 + m'h)/m$").holds(

@@ -116,19 +116,23 @@ fn rotor(page: &mut Page, s: &Letters) {
 fn determinant_identity(page: &mut Page, s: &Letters) {
     let tensor = s.in_axes_of_a_star().reduced_tensor();
     let (a, l) = (s.a_star, s.l);
-    page.claim("section5.2-det", "components", r"$\tilde A_{ii} = A^*_i - A'l_i^2$, $\tilde A_{ij} = -A'l_il_j$")
-        .under(&s.unit_axis)
-        .follows((0..3).flat_map(|i| {
-            let j = (i + 1) % 3;
-            [
-                Condition::Equal(tensor[(i, i)], a[i] - s.axial * l[i].powi(2)),
-                Condition::Equal(tensor[(i, j)], -(s.axial * l[i] * l[j])),
-                Condition::Equal(tensor[(j, i)], -(s.axial * l[i] * l[j])),
-            ]
-        }));
+    page.claim(
+        "section5.2-det",
+        "components",
+        r"the components are $\tilde A_{ii} = A^*_i - A'l_i^2$ and $\tilde A_{ij} = -A'l_il_j$",
+    )
+    .under(&s.unit_axis)
+    .follows((0..3).flat_map(|i| {
+        let j = (i + 1) % 3;
+        [
+            Condition::Equal(tensor[(i, i)], a[i] - s.axial * l[i].powi(2)),
+            Condition::Equal(tensor[(i, j)], -(s.axial * l[i] * l[j])),
+            Condition::Equal(tensor[(j, i)], -(s.axial * l[i] * l[j])),
+        ]
+    }));
     let product = a.x * a.y * a.z;
     let name = letter("det Ã");
-    page.claim("section5.2-det", "determinant", r"$\det\tilde A = A_1^*A_2^*A_3^*D$")
+    page.claim("section5.2-det", "determinant", r"the determinant is $\det\tilde A = A_1^*A_2^*A_3^*D$")
         .under(&s.unit_axis)
         .holds([Line::formula(determinant(&tensor), name, product * singularity(s))]);
     // e_i = l_i sqrt(A'), so e_i e_j = A' l_i l_j

@@ -31,7 +31,7 @@ fn currents(page: &mut Page, s: &Letters) {
         .given(windings.map(|(_, resistance, _)| Condition::Positive(resistance)))
         .given(at_rest.map(Condition::Zero))
         .by_combination([0, 1].map(|k| (Condition::Zero(windings[k].2), vec![k], vec![(k + 2, number(-1, 1))])));
-    page.claim("section6-currents", "resistances", r"both resistances are needed: with $R_1 = 0$ every constant current of the excitation satisfies its equation at $\dot\gamma = 0$, with $R_2 = 0$ every constant current of a bar")
+    page.claim("section6-currents", "resistances", r"both resistances are needed: with $R_1 = 0$ every constant current of the excitation satisfies its equation at $\dot\gamma = 0$, and with $R_2 = 0$ so does every constant current of a bar")
         .in_words()
         .follows([0, 1].map(|k| Condition::Zero(at_rest[k].substitute(&[(windings[k].1, Sym::ZERO)]))));
     let bars = 3;
@@ -155,7 +155,7 @@ fn conditions(page: &mut Page, s: &Letters) {
         .reading("The third relation is damaged in the text at hand; cyclic permutation of the other two restores it.")
         .under(&s.unit_axis)
         .holds((0..3).map(|i| Line::equation(-residual[i], printed[i], Sym::ZERO)));
-    page.claim("statement2", "conditions", r"at a constant state the residual of (5.2) is that of (6.5), the residual of (4.5) is $-M$ of (6.3), that of (4.6) at any constant $\omega$ is $\omega\times\nu$ of (6.4), and those of (4.7) are $R_1x$, $R_2i_n$ of (6.1), here with $n_2 = 3$: no further condition remains")
+    page.claim("statement2", "conditions", r"at a constant state the residual of (5.2) is that of (6.5), the residual of (4.5) is $-M$ of (6.3), that of (4.6) at any constant $\omega$ is $\omega\times\nu$ of (6.4), and those of (4.7) are $R_1x$, $R_2i_n$ of (6.1), here with $n_2 = 3$. No further condition remains")
         .in_words()
         .under(&s.unit_axis)
         .follows(
@@ -166,7 +166,7 @@ fn conditions(page: &mut Page, s: &Letters) {
                 .chain(windings),
         );
 
-    page.claim("remark3", "identity", r"$\nu\cdot(6.5) = 0$ identically")
+    page.claim("remark3", "identity", r"$\nu\cdot(6.5) = 0$ holds identically")
         .follows([Condition::Zero(s.nu.dot(&printed))]);
     let zero = [Condition::Zero(printed.x), Condition::Zero(printed.y)];
     page.claim("remark3", "any-one", "each of the three relations (6.5) follows from the other two")

@@ -154,7 +154,7 @@ fn formula_for_w0(page: &mut Page, s: &Letters, f: &Relations) {
     let bracket = f.tilt.dot(&f.axis);
     let premises = || zeros(f.balanced).into_iter().chain([NonZero(f.delta), NonZero(s.omega0)]).collect::<Vec<_>>();
     let example = gyrostats::opposite_sign();
-    page.claim("statement3D", "formula", format!(r"$\omega^0 = +\frac{{A'\Omega}}{{\Delta^*}}[(A_2^*-A_3^*)\nu_2\nu_3(l_2\nu_3-l_3\nu_2)+\dots]$, sign as printed ({})", example.name))
+    page.claim("statement3D", "formula", format!(r"statement 3D gives $\omega^0 = +\frac{{A'\Omega}}{{\Delta^*}}[(A_2^*-A_3^*)\nu_2\nu_3(l_2\nu_3-l_3\nu_2)+\dots]$, with the sign as printed ({})", example.name))
         .given(premises())
         .given([Zero(s.big_gamma), Zero(f.v)])
         .given(unit(s))
@@ -176,7 +176,7 @@ fn formula_for_w0(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement3D",
         "opposite-direction",
-        r"under $\nu\to-\nu$ the product $G\cdot(l\times\nu)$ changes its sign, $\Delta^*$ and $V^*$ do not: $\omega^0$ of statement 3D changes its sign",
+        r"under $\nu\to-\nu$ the product $G\cdot(l\times\nu)$ changes its sign, while $\Delta^*$ and $V^*$ do not. Therefore $\omega^0$ of statement 3D changes its sign",
     )
     .in_words()
     .follows([

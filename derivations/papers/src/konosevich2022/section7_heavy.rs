@@ -52,12 +52,12 @@ fn relations(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim("eq7.4", "first-power", r"(7.4) is (6.5) multiplied by $e_i$ and added, divided by $\omega^0$")
         .under(&s.unit_axis)
         .holds([Line::equation(s.e.dot(&moments) / s.omega0, s.omega0 * f.s - f.spin * f.pi, Sym::ZERO)]);
-    page.claim("eq7.5", "s", r"$S^* = e\cdot(A^*\nu\times\nu)$").holds([Line::formula(
+    page.claim("eq7.5", "s", r"(7.5) is $S^* = e\cdot(A^*\nu\times\nu)$").holds([Line::formula(
         s.e.dot(&f.tilt),
         letter("S⋆"),
         f.s,
     )]);
-    page.claim("eq7.6", "pi", r"$\Pi^* = \nu\cdot(l\times e)$").holds([Line::formula(
+    page.claim("eq7.6", "pi", r"(7.6) is $\Pi^* = \nu\cdot(l\times e)$").holds([Line::formula(
         s.nu.dot(&s.l.cross(&s.e)),
         letter("Π⋆"),
         f.pi,
@@ -103,7 +103,7 @@ fn statement5(page: &mut Page, s: &Letters, f: &Relations) {
     let along_first = [(s.e.x, one()), (s.e.y, Sym::ZERO), (s.e.z, Sym::ZERO), (s.a_star.z, s.a_star.y)];
     let stretch = s.omega0.powi(2) * (s.a_star.x - s.a_star.y) * s.nu.x + s.big_gamma;
     let vector = Vector3::new(stretch, Sym::ZERO, Sym::ZERO) + s.l * (f.spin * s.omega0);
-    page.claim("statement5", "degenerate-motions", r"under (7.8) the axes can be numbered so that $A_2^*=A_3^*$, $e=\xi_1$, equal moments included; then (6.5) is $([\omega^{0\,2}(A_1^*-A_2^*)\nu_1+\Gamma]\,e + A'\Omega\omega^0l)\times\nu = 0$. With equal moments $\nu$ is parallel to $\Gamma e + A'\Omega\omega^0l$: two directions for each $\omega^0$ at which that vector is not zero, whatever the angle between $l$ and $e$")
+    page.claim("statement5", "degenerate-motions", r"under (7.8) the axes can be numbered so that $A_2^*=A_3^*$, $e=\xi_1$, equal moments included. Then (6.5) is $([\omega^{0\,2}(A_1^*-A_2^*)\nu_1+\Gamma]\,e + A'\Omega\omega^0l)\times\nu = 0$. With equal moments $\nu$ is parallel to $\Gamma e + A'\Omega\omega^0l$, which gives two directions for each $\omega^0$ at which that vector is not zero, whatever the angle between $l$ and $e$")
         .in_words()
         .follows((0..3).map(|i| Equal(f.all[i].substitute(&along_first), vector.cross(&s.nu)[i])));
     page.correct();
@@ -145,7 +145,7 @@ fn statement5(page: &mut Page, s: &Letters, f: &Relations) {
     let factor = (s.a_star.x - s.a_star.y) * s.omega0.powi(2) * s.nu.x + f.spin * s.omega0 * sign + s.big_gamma;
     let axes: Vec<(Sym, Sym)> =
         along_first.into_iter().chain([(s.l.x, sign), (s.l.y, Sym::ZERO), (s.l.z, Sym::ZERO)]).collect();
-    page.claim("statement5", "original-corrected", r"where $A_2^*=A_3^*$, $e=\xi_1$, $l=l^0e$, (6.5) is $[(A_1^*-A_2^*)\nu_1\omega^{0\,2} + A'\Omega l^0\omega^0 + \Gamma]\,e\times\nu = 0$: either $\nu=\pm e$ with any $\omega^0$, or $\omega^0$ is a zero of the bracket")
+    page.claim("statement5", "original-corrected", r"where $A_2^*=A_3^*$, $e=\xi_1$, $l=l^0e$, (6.5) is $[(A_1^*-A_2^*)\nu_1\omega^{0\,2} + A'\Omega l^0\omega^0 + \Gamma]\,e\times\nu = 0$. Then either $\nu=\pm e$ with any $\omega^0$, or $\omega^0$ is a zero of the bracket")
         .in_words()
         .follows((0..3).map(|i| {
             let direction = [Sym::ZERO, -s.nu.z, s.nu.y][i];
@@ -186,7 +186,7 @@ fn statement6(page: &mut Page, s: &Letters, f: &Relations) {
     .refuted(zeros(f.all), example.point(s));
     let n = f.weight;
     let quadratic = |v: Vector3<Sym>| v.dot(&n);
-    page.claim("statement6", "original-corrected", r"where $S^*=\Pi^*=0$ and $n = e\times\nu\ne0$, (6.5) is one equation: $|n|^2F = (F\cdot n)\,n$, so $\omega^0$ is a root of $(G\cdot n)\,\omega^{0\,2} + A'\Omega(u\cdot n)\,\omega^0 + \Gamma|n|^2 = 0$ with $G=A^*\nu\times\nu$, $u=l\times\nu$: at most two values")
+    page.claim("statement6", "original-corrected", r"where $S^*=\Pi^*=0$ and $n = e\times\nu\ne0$, (6.5) is one equation, $|n|^2F = (F\cdot n)\,n$. Then $\omega^0$ is a root of $(G\cdot n)\,\omega^{0\,2} + A'\Omega(u\cdot n)\,\omega^0 + \Gamma|n|^2 = 0$ with $G=A^*\nu\times\nu$, $u=l\times\nu$, which has at most two values")
         .in_words()
         .given([Zero(f.s), Zero(f.pi)])
         .by_combination((0..3).map(|i| {
@@ -247,7 +247,7 @@ fn statement7(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement7",
         "sufficient",
-        r"where $S^*\ne0$ and (7.11) holds, $\omega^0$ of (7.10) satisfies the original (6.5): $\nu$ is an axis of rotation",
+        r"where $S^*\ne0$ and (7.11) holds, $\omega^0$ of (7.10) satisfies the original (6.5), so that $\nu$ is an axis of rotation",
     )
     .in_words()
     .given([Zero(surface), NonZero(f.s)])

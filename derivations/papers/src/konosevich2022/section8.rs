@@ -28,13 +28,13 @@ fn constant_speed(page: &mut Page, s: &Letters) {
     page.claim(
         "eq8.1",
         "carrier",
-        r"$A^*\dot\omega = (A^*\omega + \lambda^*)\times\omega + \Gamma e\times\nu$, $\lambda^* = A'\Omega l$",
+        r"(8.1) is $A^*\dot\omega = (A^*\omega + \lambda^*)\times\omega + \Gamma e\times\nu$, where $\lambda^* = A'\Omega l$",
     )
     .under(&s.unit_axis)
     .holds((0..3).map(|i| Line::equation(residual[i], s.a_star[i] * s.dw[i], right[i])));
     let dnu = vector("ν̇");
     let absolute = absolute_rate(Vector3::from_fn(|i, _| field::Tangent::moving(s.nu[i], dnu[i])), s.w);
-    page.claim("eq8.1", "vertical", r"$\dot\nu = \nu\times\omega$")
+    page.claim("eq8.1", "vertical", r"(8.1) contains $\dot\nu = \nu\times\omega$")
         .holds((0..3).map(|i| Line::equation(absolute[i], dnu[i], s.nu.cross(&s.w)[i])));
     page.claim("section8.1", "reaction", r"at constant rotor speed the rotor's equation gives the moment that keeps it, $M = A'\,l\cdot\dot\omega$, and restricts nothing")
         .in_words()
@@ -69,7 +69,7 @@ fn free_rotor(page: &mut Page, s: &Letters) {
     page.claim(
         "section8.2",
         "first-form",
-        r"$A\dot\omega = (A\omega + \lambda)\times\omega + \Gamma e\times\nu$, $\lambda = A'p'l$ with constant $p'$",
+        r"the first form is $A\dot\omega = (A\omega + \lambda)\times\omega + \Gamma e\times\nu$, where $\lambda = A'p'l$ with constant $p'$",
     )
     .under(&s.unit_axis)
     .holds((0..3).map(|i| Line::equation(residual[i], s.a[i] * s.dw[i], right[i])));
@@ -99,7 +99,7 @@ fn free_rotor(page: &mut Page, s: &Letters) {
     page.claim(
         "section8.2",
         "cones-first",
-        r"with $A_i$ and $p'$ in (6.5), $e\cdot(6.5) = \omega^0(\omega^0 S - A'p'\Pi)$: a rotation of a free rotor has $\omega^0 S = A'p'\Pi$, for each $p'$ a cone of its own",
+        r"with $A_i$ and $p'$ in (6.5), $e\cdot(6.5) = \omega^0(\omega^0 S - A'p'\Pi)$. A rotation of a free rotor has $\omega^0 S = A'p'\Pi$, which is a cone of its own for each $p'$",
     )
     .in_words()
     .follows([Condition::Equal(s.e.dot(&printed), s.omega0 * (s.omega0 * s_star - s.axial * p * pi_star))]);

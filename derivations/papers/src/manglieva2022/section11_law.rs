@@ -91,7 +91,7 @@ fn law(page: &mut Page, s: &RodLetters) {
     let reaction = |way: i64| ry.substitute(&[(s.mu, int(way) * s.f * s.lambda / denominator(-way))]);
     page.claim("eq1.23", "pushing", r"with the corrected $\mu$ the floor pushes, $R_y<0$, where $\lambda$ and the denominator have different signs. The values of $R_y$ are those for $\dot x>0$ and $\dot x<0$")
         .follows([1, -1].map(|way| Equal(reaction(way), s.lambda * s.mobile() / denominator(-way))));
-    page.claim("eq1.23", "paradox",r"for a rod of positive masses $m+m_1\cos^2\theta < f m_1\sin\theta\cos\theta$ is possible: in an example where $M$ slides forward the law $R_x=fR_y$ needs a floor that pulls, and $R_x=-fR_y$ a guide above that pulls").note(r"This is Painlevé's paradox.")
+    page.claim("eq1.23", "paradox",r"for a rod of positive masses $m+m_1\cos^2\theta < f m_1\sin\theta\cos\theta$ is possible. In an example where $M$ slides forward the law $R_x=fR_y$ needs a floor that pulls, and $R_x=-fR_y$ a guide above that pulls").note(r"This is Painlevé's paradox.")
         .given([Positive(s.m), Positive(s.m1), Positive(s.f), Positive(s.g), Equal(s.lambda, lambda)])
         .exists(
             [Positive(-denominator(-1)), Positive(reaction(1)), Positive(-reaction(-1))],

@@ -118,7 +118,7 @@ fn parts(page: &mut Page, s: &SteeredLetters) {
     let parts = s.extended([rx, ry, r21, r22]);
     let [along, across, _] = parts.multipliers;
     let (rho21, rho22) = (tidy(r21 - along), tidy(r22 - across));
-    page.claim("eq1.75", "ratio", r"$\rho_{22} = \operatorname{tg}\theta\,\rho_{21}$")
+    page.claim("eq1.75", "ratio", r"(1.75) is $\rho_{22} = \operatorname{tg}\theta\,\rho_{21}$")
         .follows([Equal(rho22, sin / c * rho21)]);
     let share = |mass: Sym| mass * rx / (s.m1 + s.m2);
     page.claim("eq1.76", "along", "the friction along the rod is (1.76)")

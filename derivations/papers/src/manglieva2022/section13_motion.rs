@@ -168,7 +168,7 @@ fn multipliers(page: &mut Page, s: &SteeredLetters) {
     page.claim(
         "eq1.89",
         "independent",
-        r"the multipliers of the steered rod do not depend on friction $m_k\delta\vec r_k$, whatever the masses",
+        r"the multipliers of the steered rod do not depend on friction $m_k\delta\vec r_k$, for any masses",
     )
     .follows(s.multipliers(any).map(|multiplier| Zero(multiplier.diff(p))));
 }
@@ -216,6 +216,6 @@ fn painleve(page: &mut Page, s: &SteeredLetters) {
         .follows([Zero(at_guide)]);
     page.correct();
     let size = derived[0].diff(mu).powi(2) + derived[1].diff(mu).powi(2);
-    page.claim("eq1.91", "equal-masses",r"the squares of $\partial\lambda_1/\partial\mu$ and $\partial\lambda_2/\partial\mu$ add up to $\left(\frac{q-1}{q+1}\right)^2$: both vanish for $q=1$ alone")
+    page.claim("eq1.91", "equal-masses",r"the squares of $\partial\lambda_1/\partial\mu$ and $\partial\lambda_2/\partial\mu$ add up to $\left(\frac{q-1}{q+1}\right)^2$, so that both vanish for $q=1$ alone")
         .follows([Equal(size, ((q - one) / (q + one)).powi(2))]);
 }

@@ -99,7 +99,7 @@ fn identities(page: &mut Page) {
     let pushed: [Sym; 4] = std::array::from_fn(|i| mu1 * motion.fields[0][i] + mu2 * motion.fields[1][i]);
     page.claim(
         "eq2.8",
-        "identity-geometric",r"$\sum_\gamma\frac{\partial f}{\partial x_\gamma}\sum_j\mu_j\frac{\partial\dot x_\gamma}{\partial p_j}=0$ (four coordinates, one geometric and one nonlinear kinematic constraint)",
+        "identity-geometric",r"$\sum_\gamma\frac{\partial f}{\partial x_\gamma}\sum_j\mu_j\frac{\partial\dot x_\gamma}{\partial p_j}=0$ holds identically (four coordinates, one geometric and one nonlinear kinematic constraint)",
     )
     .in_words()
     .follows([Zero(dot(geometric, pushed))]);
@@ -114,7 +114,7 @@ fn identities(page: &mut Page) {
     });
     page.claim("eq2.8", "identity-kinematic",r"$\sum_\gamma\frac{\partial\varphi}{\partial x_\gamma}\sum_j\mu_j\frac{\partial\dot x_\gamma}{\partial p_j}=0$ holds as printed, with $\partial\varphi/\partial x_\gamma$").why(r"A dot is missing: virtual displacements of a kinematic constraint are orthogonal to $\partial\varphi/\partial\dot x_\gamma$.")
         .fails([Line::formula(dot(by_place, pushed), letter("Σ ∂φ/∂x μ ∂ẋ/∂p"), Sym::ZERO)]);
-    page.claim("eq2.8", "identity-kinematic-corrected",r"$\sum_\gamma\frac{\partial\varphi}{\partial\dot x_\gamma}\sum_j\mu_j\frac{\partial\dot x_\gamma}{\partial p_j}=0$ (four coordinates, one geometric and one nonlinear kinematic constraint)")
+    page.claim("eq2.8", "identity-kinematic-corrected",r"$\sum_\gamma\frac{\partial\varphi}{\partial\dot x_\gamma}\sum_j\mu_j\frac{\partial\dot x_\gamma}{\partial p_j}=0$ holds identically (four coordinates, one geometric and one nonlinear kinematic constraint)")
         .in_words()
         .follows([Zero(dot(steered, pushed))]);
     page.correct();
@@ -141,7 +141,7 @@ fn dynamics(page: &mut Page) {
     let mu = indexed::<2>("μ#");
     page.claim(
         "section2.1-independence",
-        "multipliers",r"$\lambda$ and $u$ do not depend on friction, whatever the masses (four coordinates, one geometric and one nonlinear kinematic constraint)",
+        "multipliers",r"$\lambda$ and $u$ do not depend on friction, for any masses (four coordinates, one geometric and one nonlinear kinematic constraint)",
     )
     .follows(mu.into_iter().flat_map(|mu| first.multipliers.map(|multiplier| Zero(multiplier.diff(mu)))));
     let smooth = first_kind(&Mixed, &motion.state, indexed("X#"));

@@ -177,12 +177,16 @@ fn measures(page: &mut Page) {
     let [d1, d2, d3, d4]: Four = indexed("δẍ#");
     let shifted: Vec<(Sym, Sym)> =
         possible.into_iter().zip([d1, d2, d3, d4]).zip(true_ones).map(|((possible, d), x)| (possible, x - d)).collect();
-    page.claim("eq2.20", "differences", r"$A_{\mu D}-A_{dD}=A_{d\mu}$ and $A_{\mu D}-A_{d\mu}=A_{dD}$")
-        .given([Zero(between + d_true - possible_free)])
-        .by_combination([
-            (Equal(possible_free - d_true, between), vec![], vec![(0, int(-1))]),
-            (Equal(possible_free - between, d_true), vec![], vec![(0, int(-1))]),
-        ]);
+    page.claim(
+        "eq2.20",
+        "differences",
+        r"(2.20) are the differences $A_{\mu D}-A_{dD}=A_{d\mu}$ and $A_{\mu D}-A_{d\mu}=A_{dD}$",
+    )
+    .given([Zero(between + d_true - possible_free)])
+    .by_combination([
+        (Equal(possible_free - d_true, between), vec![], vec![(0, int(-1))]),
+        (Equal(possible_free - between, d_true), vec![], vec![(0, int(-1))]),
+    ]);
     page.claim("eq2.20", "strict",r"$A_{d\mu}>0$ where $\ddot x'=\ddot x-\delta\ddot x$ with $\delta\ddot x\ne0$, so that $A_{dD}<A_{\mu D}$ by (2.20)")
         .given(masses.map(Positive))
         .given([NonZero(d1)])

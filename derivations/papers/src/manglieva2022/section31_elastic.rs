@@ -49,7 +49,11 @@ fn energy(page: &mut Page, s: &ElasticLetters) {
         .holds(lines(corrected));
     page.correct();
     let [distance] = letters(["ϱ"]);
-    page.claim("eq3.15", "distance", r"$x-\rho=c$").defines([Line::equation(Sym::ZERO, x - distance, s.offset)]);
+    page.claim("eq3.15", "distance", r"(3.15) is the condition $x-\rho=c$").defines([Line::equation(
+        Sym::ZERO,
+        x - distance,
+        s.offset,
+    )]);
 }
 
 fn constraints(page: &mut Page, s: &ElasticLetters) {
@@ -217,7 +221,7 @@ fn power(page: &mut Page, s: &ElasticLetters) {
 fn stationary(page: &mut Page, s: &ElasticLetters) {
     let [w, x, _, lambda, psi] = s.state;
     let w0 = letter("ω₀");
-    page.claim("eq3.18", "motion", r"$\omega_1=\omega_1^0$, $x=x_0$, $\lambda=\psi=0$").defines([
+    page.claim("eq3.18", "motion", r"(3.18) is the motion $\omega_1=\omega_1^0$, $x=x_0$, $\lambda=\psi=0$").defines([
         Line::equation(Sym::ZERO, w, w0),
         Line::equation(Sym::ZERO, x, s.rest),
         Line::equation(Sym::ZERO, lambda, Sym::ZERO),

@@ -161,13 +161,13 @@ fn quadrature(page: &mut Page, s: &GovernorLetters) {
     let far = s.distance - s.rho;
     let inertia = s.wheel * s.speed / s.radius + s.speed * s.distance * s.radius * s.first / s.rho.powi(3);
     let both = drift([s.m1, s.m2]);
-    page.claim(ENTRY, "first-axis",r"$\dot\rho_1(a-\rho_1)\left(J\omega_2\rho_1^3/r+J_1\omega_2ar\right)=-r\rho_1^2\left(M_1(a-\rho_1)+M_2\rho_1\right)$").note(r"Near the axis of the first disc $\dot\rho_1$ falls as $\rho_1^2$: the first shaft moves alone under its moment.")
+    page.claim(ENTRY, "first-axis",r"the equation of $\rho_1$, multiplied by $(a-\rho_1)\rho_1^3$, is $\dot\rho_1(a-\rho_1)\left(J\omega_2\rho_1^3/r+J_1\omega_2ar\right)=-r\rho_1^2\left(M_1(a-\rho_1)+M_2\rho_1\right)$").note(r"Near the axis of the first disc $\dot\rho_1$ falls as $\rho_1^2$: the first shaft moves alone under its moment.")
         .in_words()
         .follows([Condition::Equal(
             both * (s.wheel * s.speed * s.rho.powi(3) / s.radius + s.speed * s.distance * s.radius * s.first) * far,
             -(s.radius * s.rho.powi(2) * (s.m1 * far + s.m2 * s.rho)),
         )]);
-    page.claim(ENTRY, "second-axis",r"$(a-\rho_1)\dot\rho_1\left(J\omega_2/r+J_1\omega_2ar/\rho_1^3\right)=-r\left(M_2+M_1(a-\rho_1)/\rho_1\right)$").note(r"Near the axis of the second disc $(a-\rho_1)\dot\rho_1$ tends to a number of the sign of $-M_2$.")
+    page.claim(ENTRY, "second-axis",r"the equation of $\rho_1$, multiplied by $a-\rho_1$, is $(a-\rho_1)\dot\rho_1\left(J\omega_2/r+J_1\omega_2ar/\rho_1^3\right)=-r\left(M_2+M_1(a-\rho_1)/\rho_1\right)$").note(r"Near the axis of the second disc $(a-\rho_1)\dot\rho_1$ tends to a number of the sign of $-M_2$.")
         .in_words()
         .follows([Condition::Equal(both * far * inertia, -(s.radius * (s.m2 + s.m1 * far / s.rho)))]);
 }

@@ -35,11 +35,8 @@ fn series(page: &mut Page, s: &GovernorLetters) {
     let [r1, r2, r3] = letters(["ϱ^1", "ϱ^2", "ϱ^3"]);
     let [d1, d2, d3] = letters(["ϱ̇^1", "ϱ̇^2", "ϱ̇^3"]);
     let sum = |terms: [Sym; 3]| terms[0] * epsilon + terms[1] * epsilon.powi(2) + terms[2] * epsilon.powi(3);
-    page.claim("eq3.7", "series", r"$\rho=\rho_0+\sum\varepsilon^i\rho_i$").defines([Line::equation(
-        Sym::ZERO,
-        s.rho,
-        start + sum([r1, r2, r3]),
-    )]);
+    page.claim("eq3.7", "series", r"(3.7) is the series $\rho=\rho_0+\sum\varepsilon^i\rho_i$")
+        .defines([Line::equation(Sym::ZERO, s.rho, start + sum([r1, r2, r3]))]);
     let residual = by_small_parameter(s).substitute(&[(s.rho, start + sum([r1, r2, r3])), (s.drho, sum([d1, d2, d3]))]);
     let orders = coefficients(residual, &[epsilon]).unwrap_or_default();
     let order = |i: u32| {
@@ -131,7 +128,8 @@ fn quadrature(page: &mut Page, s: &GovernorLetters) {
 fn perturbed(page: &mut Page, s: &GovernorLetters) {
     let [k, k1, k2, start, more, drift, drift_more] = letters(["k", "k₁", "k₂", "ϱ₀", "ϱ′", "ϱ̇₀", "ϱ̇′"]);
     let law = |rho: Sym| -> Sym { tidy(s.governor.programme(Sym::ZERO, rho, s.speed)) };
-    page.claim("eq3.11", "perturbed", r"$\rho=\rho_0+\rho'$").defines([Line::equation(Sym::ZERO, s.rho, start + more)]);
+    page.claim("eq3.11", "perturbed", r"(3.11) is the perturbed programme $\rho=\rho_0+\rho'$")
+        .defines([Line::equation(Sym::ZERO, s.rho, start + more)]);
     page.claim(
         "eq3.12",
         "perturbed-law",

@@ -216,7 +216,7 @@ fn sign_of_rim(page: &mut Page, q: &Quintic) {
         .reading(AS_STIFFNESS)
         .given(data())
         .by_signs([Condition::Positive(third(q.a))]);
-    page.claim(entry, "kept-speed-pushes", r"at a kept speed $\omega_1$ a rim of the force $+a\lambda$, $a>0$, has a negative third minor of Hurwitz, $-\Delta_3>0$, whatever the other positive data: Hurwitz' condition fails")
+    page.claim(entry, "kept-speed-pushes", r"at a kept speed $\omega_1$ a rim of the force $+a\lambda$, $a>0$, has a negative third minor of Hurwitz, $-\Delta_3>0$, for any other positive data, so that Hurwitz' condition fails")
         .reading(AS_PRINTED)
         .given(data())
         .by_signs([Condition::Positive(-third(-q.a))]);

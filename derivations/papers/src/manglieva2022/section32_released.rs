@@ -35,7 +35,7 @@ fn release(page: &mut Page, r: &ReleasedLetters) {
         Line::equation(Sym::ZERO, dx, Sym::function("b", p)),
     ]);
     let [zeta, dzeta, xi, kept] = letters(["ζ", "ζ̇", "ξ", "ω₀"]);
-    page.claim("eq3.24", "release", r"$\omega_2=\omega_2^0+\zeta$, $\dot\zeta=\xi$")
+    page.claim("eq3.24", "release", r"(3.24) releases the condition: $\omega_2=\omega_2^0+\zeta$ and $\dot\zeta=\xi$")
         .reading(r"From (3.34) on the source writes $\xi$ for $\zeta$ itself.")
         .defines([Line::equation(Sym::ZERO, s.speed, kept + zeta), Line::equation(Sym::ZERO, dzeta, xi)]);
     let [[first, _], _, [wheel, _]] = s.spins();

@@ -32,7 +32,7 @@ fn by_time(e: Sym) -> Sym {
 fn production(page: &mut Page) {
     let [y, dy, ddy, m, dm, wear, supply] = letters(["Y", "Ẏ", "Ÿ", "mᶠ", "ṁᶠ", "δ", "uᶠ"]);
     let plant = Plant { fund: m, fund_rate: dm, wear, supply };
-    page.claim("eq1", "growth", r"(1) is the balance $\dot q=u-w$ of the funds $q=m\dot Y$, which come at the rate $u$ and wear at the rate $w$; the program's plant has $w=\delta m\dot Y$")
+    page.claim("eq1", "growth", r"(1) is the balance $\dot q=u-w$ of the funds $q=m\dot Y$, which come at the rate $u$ and wear at the rate $w$. The program's plant has $w=\delta m\dot Y$")
         .defines([Line::equation(plant.residual(Sym::ZERO, [y, dy, ddy]), m * ddy + dm * dy + wear * m * dy, supply)]);
     let t = letter("t");
     let now = m + dm * t;
@@ -47,7 +47,7 @@ fn production(page: &mut Page) {
 fn learning(page: &mut Page) {
     let [i, di, ddi, inertia, denial, permeability, potential] = letters(["I", "İ", "Ï", "L", "τ", "G", "Mᴵ"]);
     let law = Learning { inertia, denial, permeability, potential };
-    page.claim("eq2", "growth", r"(2) as printed has the form of (1) with $m=L$, $w=(\tau-\dot I)\dot I+I/G$, $u=M$; its terms agree in dimension only where $L$ is measured as information")
+    page.claim("eq2", "growth", r"(2) as printed has the form of (1) with $m=L$, $w=(\tau-\dot I)\dot I+I/G$, $u=M$. Its terms agree in dimension only where $L$ is measured as information")
         .reading(r"The equation is judged and integrated as printed, with $\tau-\frac{dI}{dt}$, a probable misprint of $\tau-\frac{dL}{dt}$ (eq2/gloss).")
         .defines([Line::equation(
             law.residual(Sym::ZERO, [i, di, ddi]),

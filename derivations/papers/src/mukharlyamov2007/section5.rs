@@ -65,7 +65,7 @@ fn principle(page: &mut Page) {
         .by_combination([(Equal(ey, -lambda), vec![3], vec![(0, int(1)), (2, int(-1))])]);
     page.correct();
     let force = letter("R1");
-    page.claim("eq13", "control", r"with control forces $R_i$ among the given ones, the principle is $E_i-R_i+\frac{\partial\dot y}{\partial\dot q^i}E_y=0$, and (13) leaves $E_i=R_i$: (12) with $R_i=f_i\lambda$ at the engineer's disposal")
+    page.claim("eq13", "control", r"with control forces $R_i$ among the given ones, the principle is $E_i-R_i+\frac{\partial\dot y}{\partial\dot q^i}E_y=0$, and (13) leaves $E_i=R_i$. This is (12) with $R_i=f_i\lambda$ at the engineer's disposal")
         .given([Zero(e1 - force + f1 * ey), Zero(ey)])
         .by_combination([(Equal(e1, force), vec![], vec![(0, int(1)), (1, -f1)])]);
 }
@@ -77,7 +77,7 @@ fn expansion(page: &mut Page) {
     let d = dy_1 * y + (dyy * y * y + c * dy * dy).half() + mixed * y * dy;
     let origin = [(y, Sym::ZERO), (dy, Sym::ZERO)];
     let at_rest = |e: Sym| e.substitute(&origin);
-    page.claim("eq13", "expansion", r"from $D=D^0$, $\frac{\partial D}{\partial\dot y}=0$, $\frac{\partial^2D}{\partial\dot y^2}=c$ at $y=\dot y=0$ follows $D=D^0+\frac12c\dot y^2+D^{(3)}$: no term $y\dot y$")
+    page.claim("eq13", "expansion", r"from $D=D^0$, $\frac{\partial D}{\partial\dot y}=0$, $\frac{\partial^2D}{\partial\dot y^2}=c$ at $y=\dot y=0$ follows $D=D^0+\frac12c\dot y^2+D^{(3)}$, without a term $y\dot y$")
         .in_words()
         .why(r"The assumptions leave $\frac{\partial^2D}{\partial y\partial\dot y}$ free, as they do not for $T$.")
         .refuted(
@@ -85,7 +85,7 @@ fn expansion(page: &mut Page) {
             exact([("Dy", 0, 1), ("Dyy", 0, 1), ("Dyẏ", 1, 1), ("c₀", 1, 1)]),
         );
     let force = letter("Fy");
-    page.claim("eq13", "expansion-corrected", r"the force of $D$ is $-\frac{\partial D}{\partial\dot y}=-c\dot y-D_{,y\dot y}y$: $\frac{\partial^2D}{\partial y\partial\dot y}=0$ is to be assumed too, as it is of $T$; $\frac{\partial D}{\partial y}$ and $\frac{\partial^2D}{\partial y^2}$ do not enter")
+    page.claim("eq13", "expansion-corrected", r"the force of $D$ is $-\frac{\partial D}{\partial\dot y}=-c\dot y-D_{,y\dot y}y$. The condition $\frac{\partial^2D}{\partial y\partial\dot y}=0$ is to be assumed too, as it is of $T$. The terms $\frac{\partial D}{\partial y}$ and $\frac{\partial^2D}{\partial y^2}$ do not enter")
         .holds([Line::formula(-d.diff(dy), force, -(c * dy) - mixed * y)]);
     page.correct();
 }

@@ -101,12 +101,16 @@ fn right_sides(page: &mut Page, s: &TopLetters) {
     )]);
     page.correct();
 
-    page.claim("section7-h2-h3", "printed", r"$h_2=\sum k_{2i}f_i$, $h_3=\sum k_{3i}f_i$ for a body of variable mass")
-        .why(r"The moments of inertia change in $f_2$ and $f_3$ too, and $\dot f_2$ contains $\Gamma$.")
-        .fails([
-            Line::formula(wanted[1] - missing.vertical_momentum, h2, wanted[1]),
-            Line::formula(wanted[2] - missing.axial_momentum, h3, wanted[2]),
-        ]);
+    page.claim(
+        "section7-h2-h3",
+        "printed",
+        r"$h_2=\sum k_{2i}f_i$, $h_3=\sum k_{3i}f_i$ hold as printed for a body of variable mass",
+    )
+    .why(r"The moments of inertia change in $f_2$ and $f_3$ too, and $\dot f_2$ contains $\Gamma$.")
+    .fails([
+        Line::formula(wanted[1] - missing.vertical_momentum, h2, wanted[1]),
+        Line::formula(wanted[2] - missing.axial_momentum, h3, wanted[2]),
+    ]);
     let turning = ((a - c) * r - nu) * (p * g2 - q * g1) - a * (p * rate.x + q * rate.y) - (c * r + nu) * rate.z;
     page.claim(
         "section7-h2-h3",

@@ -53,7 +53,7 @@ fn kinematics(page: &mut Page, s: &TopLetters) {
     let along = letter("k₄₄") * letter("f₄");
     let square = gamma.dot(&gamma);
     let general = gamma.cross(&c) + gamma * (along / square);
-    page.claim("eq19", "vertical", r"$\Gamma_1=c_3\gamma_2-c_2\gamma_3+\gamma_1\gamma^{-2}k_{44}f_4$ and its permutations solve $\gamma\cdot\Gamma=k_{44}f_4$, whatever $c$ (by (18) corrected, $\frac12k_{44}f_4$)")
+    page.claim("eq19", "vertical", r"$\Gamma_1=c_3\gamma_2-c_2\gamma_3+\gamma_1\gamma^{-2}k_{44}f_4$ and its permutations solve $\gamma\cdot\Gamma=k_{44}f_4$, for every $c$ (by (18) corrected, $\frac12k_{44}f_4$)")
         .in_words()
         .given([NonZero(square)])
         .follows([Equal(gamma.dot(&general), along)]);

@@ -87,7 +87,7 @@ fn varying(page: &mut Page, s: &TopLetters) {
 
 /// (22)
 fn permanent(page: &mut Page, s: &TopLetters) {
-    page.claim("eq22", "rotation", r"$p=q=0$, $r=r_0$, $\gamma=(0,0,1)$ is a motion of (21): every right side vanishes there, with whatever $A$, $C$, $Mz_c$ at the instant")
+    page.claim("eq22", "rotation", r"$p=q=0$, $r=r_0$, $\gamma=(0,0,1)$ is a motion of (21), since every right side vanishes there, for any $A$, $C$, $Mz_c$ at the instant")
         .in_words()
         .follows(field(s).map(|rate| Zero(unperturbed(perturbed(rate)))));
 }

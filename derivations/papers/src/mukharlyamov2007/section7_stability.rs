@@ -53,7 +53,7 @@ fn not_asymptotic(page: &mut Page, s: &TopLetters) {
         .given(printed(&bundle).map(Positive))
         .given([NonZero(x3)])
         .refuted([Positive(-(x3 * rates[2]))], point(instant([("ω3", 1, 1)])));
-    page.claim("section7-stability", "asymptotic-corrected", r"the rotation is never asymptotically stable, whatever $A(t)$, $C(t)$, $Mz_c(t)$: (21) has the motion $p=q=\gamma_1=\gamma_2=0$, $\gamma_3=1$ with every constant $r$, and $\dot r=0$ on all motions")
+    page.claim("section7-stability", "asymptotic-corrected", r"the rotation is never asymptotically stable, for any $A(t)$, $C(t)$, $Mz_c(t)$. (21) has the motion $p=q=\gamma_1=\gamma_2=0$, $\gamma_3=1$ with every constant $r$, and $\dot r=0$ on all motions")
         .in_words()
         .follows(rates.into_iter().chain([perturbed(field(s)[2])]).map(Zero));
     page.correct();
@@ -76,7 +76,7 @@ fn rate(page: &mut Page, bundle: &Bundle) {
     let lean = varying(n) / (da + da);
     let on_sphere =
         da * ((x1 - lean * x4).powi(2) + (x2 - lean * x5).powi(2)) + de * x3 * x3 - last / da * (x4 * x4 + x5 * x5);
-    page.claim("section7-stability", "on-the-sphere", r"on motions with $f_4=0$, $x_6=-\frac12(x_4^2+x_5^2+x_6^2)$ is of the second order, and the quadratic form of $\dot V$ is $\dot A\left(x_1-\frac{\dot N}{2\dot A}x_4\right)^2+\dot A\left(x_2-\frac{\dot N}{2\dot A}x_5\right)^2+\left(\frac{C^2}A\right)^{\textstyle\cdot}x_3^2+\frac1{\dot A}\left(\dot A\dot\kappa-\frac14\dot N^2\right)(x_4^2+x_5^2)$ with $N=Cr_0+\nu$: negative definite if and only if the last three printed inequalities hold")
+    page.claim("section7-stability", "on-the-sphere", r"on motions with $f_4=0$, $x_6=-\frac12(x_4^2+x_5^2+x_6^2)$ is of the second order, and the quadratic form of $\dot V$ is $\dot A\left(x_1-\frac{\dot N}{2\dot A}x_4\right)^2+\dot A\left(x_2-\frac{\dot N}{2\dot A}x_5\right)^2+\left(\frac{C^2}A\right)^{\textstyle\cdot}x_3^2+\frac1{\dot A}\left(\dot A\dot\kappa-\frac14\dot N^2\right)(x_4^2+x_5^2)$ with $N=Cr_0+\nu$. It is negative definite if and only if the last three printed inequalities hold")
         .in_words()
         .given([Zero(length), NonZero(varying(a))])
         .by_combination([
@@ -101,7 +101,7 @@ fn definite(page: &mut Page, bundle: &Bundle) {
         + de * shift(x3, x6, dm / (de + de))
         + (dk - dn * dn / (int(4) * da)) * (x4 * x4 + x5 * x5)
         + (dk - dm * dm / (int(4) * de)) * x6 * x6;
-    page.claim("section7-stability", "fifth-corrected", r"the quadratic form of $\dot V$ in six perturbations needs a fifth inequality, $\left(\frac{C^2}A\right)^{\textstyle\cdot}\dot\kappa-\frac14\left(\left(\frac{NC}A\right)^{\textstyle\cdot}\right)^2>0$: it is a sum of squares whose coefficients $\dot A$, $\left(\frac{C^2}A\right)^{\textstyle\cdot}$, $\dot\kappa-\frac{\dot N^2}{4\dot A}$ and that of $x_6^2$ are negative if and only if the last three printed inequalities and the fifth hold")
+    page.claim("section7-stability", "fifth-corrected", r"the quadratic form of $\dot V$ in six perturbations needs a fifth inequality, $\left(\frac{C^2}A\right)^{\textstyle\cdot}\dot\kappa-\frac14\left(\left(\frac{NC}A\right)^{\textstyle\cdot}\right)^2>0$. It is a sum of squares whose coefficients $\dot A$, $\left(\frac{C^2}A\right)^{\textstyle\cdot}$, $\dot\kappa-\frac{\dot N^2}{4\dot A}$ and that of $x_6^2$ are negative if and only if the last three printed inequalities and the fifth hold")
         .in_words()
         .given([NonZero(da), NonZero(de)])
         .follows([Equal(form, squares)]);

@@ -36,21 +36,21 @@ pub fn claims(page: &mut Page) {
     page.claim("combining", "exists", r"every reaction is $R = J^T\lambda + R^\tau$ with $JM^{-1}R^\tau=0$ (the extended choice) and also with $JR^\tau=0$ (Painlevé's), where $J$ has full rank; sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
         .in_words()
         .follows(all.exists);
-    page.claim("combining", "rank", r"the determinant of $JM^{-1}J^T$ is the sum of the squares of the minors of $J$, each over its masses: it is positive if and only if $J$ has full rank; sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
+    page.claim("combining", "rank", "the determinant of $JM^{-1}J^T$ is the sum of the squares of the minors of $J$, each over its masses. It is positive if and only if $J$ has full rank; sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
         .in_words()
         .follows(all.rank);
     unique::<2, 1>(page, "unique-2-1");
     unique::<3, 2>(page, "unique-3-2");
     unique::<4, 2>(page, "unique-4-2");
     unique_parts::<4, 2>(page);
-    page.claim("combining", "multipliers", r"with the extended friction $R^\tau$ beside the given forces the multipliers are those without friction, whatever the masses, kinematic constraints included; sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
+    page.claim("combining", "multipliers", r"with the extended friction $R^\tau$ in addition to the given forces the multipliers are those without friction, for any masses, kinematic constraints included; sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
         .in_words()
         .follows(all.multipliers);
     page.claim("combining", "motion", r"a force of friction $R$ changes the accelerations by $M^{-1}R^\tau$ and the multipliers by those of its own part $R^n=J^T\lambda^n$: $\ddot x(X+R) = \ddot x(X)+M^{-1}R^\tau$, $\lambda(X+R)=\lambda(X)-\lambda^n(R)$; sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$. The motion depends on $R^\tau$ alone, and the multipliers do not depend on $R$ if and only if $\lambda^n=0$, that is $JM^{-1}R=0$")
         .in_words()
         .follows(all.motion);
     painleves_choice(page);
-    page.claim("combining", "commutes", r"with the projector $P$ onto the virtual displacements, $JM^{-1}P = J(M^{-1}P-PM^{-1})$ and $M^{-1}P-PM^{-1} = J^T(JJ^T)^{-1}K - K^T(JJ^T)^{-1}J$ with $K=JM^{-1}P$: Painlevé's choice leaves the multipliers alone if and only if $M$ commutes with $P$; sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
+    page.claim("combining", "commutes", "with the projector $P$ onto the virtual displacements, $JM^{-1}P = J(M^{-1}P-PM^{-1})$ and $M^{-1}P-PM^{-1} = J^T(JJ^T)^{-1}K - K^T(JJ^T)^{-1}J$ with $K=JM^{-1}P$. Painlevé's choice leaves the multipliers alone if and only if $M$ commutes with $P$; sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
         .in_words()
         .follows(all.commutes);
     rod(page);
@@ -179,7 +179,7 @@ fn painleves_choice(page: &mut Page) {
     let change = any.under(friction).multipliers[0] - any.under([Sym::ZERO; 2]).multipliers[0];
     let [[j1, j2]] = any.rows;
     let ([m1, m2], [r1, r2]) = (any.masses, reaction);
-    page.claim("combining", "painleve", r"with Painlevé's choice the multipliers are those without friction, whatever the masses: with two coordinates and one constraint, $\lambda_1$ does not change")
+    page.claim("combining", "painleve", r"with Painlevé's choice the multipliers are those without friction, for any masses. With two coordinates and one constraint, $\lambda_1$ does not change")
         .why(r"Painlevé's $R^\tau$ has $JR^\tau=0$; the multipliers depend on $JM^{-1}R^\tau$.")
         .fails([Line::formula(change, letter("λ1"), Sym::ZERO)]);
     let square = j1 * j1 + j2 * j2;
@@ -219,7 +219,7 @@ fn rod(page: &mut Page) {
         .in_words()
         .follows((0..4).map(|i| Equal(split.of_friction[i], expected[i])));
     // the second row is the gap -y, so that its multiplier is -lambda_2 here
-    page.claim("combining", "rod-normal", r"the guide's reaction across itself on the rod's point $M$ is $R_2 = \lambda_2 + m_1\mu\sin\theta\cos\theta$ with $\mu = R_1/(m+m_1\cos^2\theta)$: the contact's normal force is not the multiplier")
+    page.claim("combining", "rod-normal", r"the guide's reaction across itself on the rod's point $M$ is $R_2 = \lambda_2 + m_1\mu\sin\theta\cos\theta$ with $\mu = R_1/(m+m_1\cos^2\theta)$. The contact's normal force is not the multiplier")
         .holds([Line::formula(up + split.multipliers[1], up - letter("λ2"), m1 * mu * sin * cos)]);
 
     let friction = letter("F");

@@ -125,7 +125,7 @@ fn paradox(page: &mut Page) {
     let point = letter("θ").circle();
     let inertia = m + m1 * point.cos * point.cos;
     let sigma = (inertia - f * m1 * point.sin * point.cos) / inertia;
-    page.claim("gauss-friction", "paradox", r"on the rod Coulomb's law $R_1=fR_2$ for the motion with $R^\tau$ is $\sigma R_1 = f\lambda_2$ with $\sigma = (m+m_1\cos^2\theta-f m_1\sin\theta\cos\theta)/(m+m_1\cos^2\theta)$ and $\lambda_2$ of the motion without friction: where $\sigma=0$ and $\lambda_2\ne0$ no $R_1$ satisfies it (Painlevé's paradox)")
+    page.claim("gauss-friction", "paradox", r"on the rod Coulomb's law $R_1=fR_2$ for the motion with $R^\tau$ is $\sigma R_1 = f\lambda_2$ with $\sigma = (m+m_1\cos^2\theta-f m_1\sin\theta\cos\theta)/(m+m_1\cos^2\theta)$ and $\lambda_2$ of the motion without friction. Where $\sigma=0$ and $\lambda_2\ne0$ no $R_1$ satisfies it (Painlevé's paradox)")
         .in_words()
         .follows([Equal(along - f * across, sigma * along + f * free.multipliers[1])]);
 }

@@ -185,13 +185,13 @@ fn disc(page: &mut Page) {
     let lines = |sides: [(Sym, Sym); 3]| -> Vec<Line> {
         sides.into_iter().enumerate().map(|(i, (left, r))| Line::equation(is[i] - weight[i], left, r)).collect()
     };
-    page.claim("museum", "disc-wrong", r"a fault: the velocity of the rolling disc's centre is put into $T$, and Lagrange's equations are written for $\psi$, $\theta$, $\varphi$; they are those of principles/museum/disc")
+    page.claim("museum", "disc-wrong", r"if the velocity of the rolling disc's centre is put into $T$, which is a fault, Lagrange's equations for $\psi$, $\theta$, $\varphi$ are those of principles/museum/disc")
         .in_words()
         .follows((0..3).map(|i| Equal(found.energy[i] - weight[i], wrong[i].0 - wrong[i].1)));
     page.claim("museum", "disc", r"Lagrange's equations for $\psi$, $\theta$, $\varphi$, with the rolling put into $T$, are the equations of motion of the rolling disc")
         .why("Rolling is not integrable, and the momentum along the brackets of its fields is missing from the energy.")
         .fails(lines(wrong));
-    page.claim("museum", "disc-right", r"the equations of motion of the rolling disc have $-m a^2\sin\theta\,\dot\theta\dot\varphi$ in the first and $m a^2\sin\theta\,\dot\theta\dot\psi$ in the third beside those of Lagrange with the rolling put into $T$")
+    page.claim("museum", "disc-right", r"the equations of motion of the rolling disc have $-m a^2\sin\theta\,\dot\theta\dot\varphi$ in the first and $m a^2\sin\theta\,\dot\theta\dot\psi$ in the third in addition to those of Lagrange with the rolling put into $T$")
         .holds(lines(right));
     page.correct();
     page.claim("museum", "disc-lost", r"the terms that Lagrange's equations of the rolling disc lose with the rolling put into $T$ are $\sum m\dot x\bigl(\frac{d}{dt}\frac{\partial\dot x}{\partial p_j} - X_j(\dot x)\bigr)$")

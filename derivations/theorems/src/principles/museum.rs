@@ -89,7 +89,7 @@ fn kinematics_of_the_code(page: &mut Page) {
         m * (rates[0] + d * dtheta * dtheta) - m * g * cos,
         (j + m * d * d) * rates[1] - m * d * v * dtheta - m * g * d * sin,
     ];
-    page.claim("museum", "kinematics-agree", r"a fault: the knife edge with $\dot x = v\cos\theta + d\dot\theta\sin\theta$, $\dot y = v\sin\theta - d\dot\theta\cos\theta$; Appell's equations from code with these velocities agree with those derived from them on paper, so that a comparison of both passes")
+    page.claim("museum", "kinematics-agree", r"the knife edge has the wrong velocities $\dot x = v\cos\theta + d\dot\theta\sin\theta$, $\dot y = v\sin\theta - d\dot\theta\cos\theta$ here. Appell's equations from code with these velocities agree with those derived from them on paper, so that a comparison of both passes")
         .in_words()
         .follows((0..2).map(|i| Equal(found[i], expected[i])));
     let slip = first_rates(&case.system, &motion.state)[1];
@@ -118,7 +118,7 @@ fn appell_from_kinetic_energy(page: &mut Page) {
     };
     let wrong = appell(energy, [ddr, ddtheta]);
     let inertia = [m * ddr, m * r * r * ddtheta];
-    page.claim("museum", "appell-from", r"a fault: $S$ made of $T$ by writing $\ddot q$ for $\dot q$ gives $m\ddot r$ and $m r^2\ddot\theta$ for a point in polar coordinates")
+    page.claim("museum", "appell-from", r"$S$ made of $T$ by writing $\ddot q$ for $\dot q$, which is a fault, gives $m\ddot r$ and $m r^2\ddot\theta$ for a point in polar coordinates")
         .in_words()
         .follows([Equal(wrong[0], inertia[0]), Equal(wrong[1], inertia[1])]);
     page.claim("museum", "appell", r"$m\ddot r=0$, $mr^2\ddot\theta=0$, from $S$ made of $T$ by writing $\ddot q$ for $\dot q$, are the equations of motion of a free point in polar coordinates")

@@ -65,7 +65,7 @@ fn least<const N: usize, const C: usize>(page: &mut Page, slug: &'static str) {
     let moved = std::array::from_fn(|i| first.acceleration[i] + shift[i]);
     let growth = gauss::constraint(any.masses, force, moved) - gauss::constraint(any.masses, force, first.acceleration);
     let square = mechanics::constrained::kinetic_energy(any.masses, shift);
-    page.claim("programmed", slug, format!(r"of all accelerations with $\ddot y=Y$ that by $J^T\lambda$ has the least constraint $Z$ (Gauss): $Z(\ddot x+\delta)-Z(\ddot x)=\frac12\sum m\delta^2$ for every $\delta$ with $J\delta=0$; $(N,C)=({N},{C})$"))
+    page.claim("programmed", slug, format!(r"among all accelerations with $\ddot y=Y$ that by $J^T\lambda$ has the least constraint $Z$ (Gauss), since $Z(\ddot x+\delta)-Z(\ddot x)=\frac12\sum m\delta^2$ for every $\delta$ with $J\delta=0$; $(N,C)=({N},{C})$"))
         .in_words()
         .given(any.along_rows(shift).map(Zero))
         .by_combination([(Equal(growth, square), vec![], first.multipliers.into_iter().enumerate().collect())]);
@@ -109,7 +109,7 @@ fn affine(page: &mut Page) {
     let lengths: [Sym; 4] = numbered("ẍ");
     let ladder = letters(["ẍ1", "ẍ2", "c̈", "s̈"]);
     let disc = letters(["ẍ1", "ẍ2", "ẍ3", "ë1", "ë2", "ë3", "n̈1", "n̈2", "n̈3"]);
-    page.claim("programmed", "affine", r"the rates of the constraints of the rod, the steered rod, the ladder and the rolling disc are $J\ddot x$ and what does not contain $\ddot x$, on the constraints or off them: principles/programmed/exact applies wherever the rows are independent")
+    page.claim("programmed", "affine", r"the rates of the constraints of the rod, the steered rod, the ladder and the rolling disc are $J\ddot x$ and what does not contain $\ddot x$, on the constraints or off them, so that principles/programmed/exact applies wherever the rows are independent")
         .in_words()
         .follows(
             affine_at::<_, 4, 2>(&cases::rod().system, &at.four, lengths)
@@ -132,7 +132,7 @@ fn led_at<Q: Constrained<N, C, Given = Sym>, const N: usize, const C: usize>(
 
 fn off_constraints(page: &mut Page) {
     let at = places();
-    page.claim("programmed", "systems", r"Painlevé's rod, the steered rod (one kinematic constraint) and the ladder, at any place and velocity whatever, constraints kept or not: their violations satisfy $\ddot y=Y$, $\dot\varphi=Y$ for every $Y$")
+    page.claim("programmed", "systems", r"Painlevé's rod, the steered rod (one kinematic constraint) and the ladder have violations with $\ddot y=Y$, $\dot\varphi=Y$ for every $Y$, at any place and velocity, constraints kept or not")
         .in_words()
         .follows(
             led_at(&cases::rod().system, &at.four, letters(["Y21", "Y11"]))
@@ -152,7 +152,7 @@ fn linear(page: &mut Page) {
     let (moved, y): ([Sym; 3], Violation<Sym, 3>) =
         (rates(&case.system, &at, acceleration), violation(&case.system, &at));
     let two = alpha + alpha;
-    page.claim("programmed", "baumgarte", r"Baumgarte's stabilisation is the law $Y=-2\kappa\dot y-\omega^2y$, for a kinematic constraint $Y=-2\kappa\varphi$: the steered rod's violations obey $\ddot y+2\kappa\dot y+\omega^2y=0$ and $\dot\varphi+2\kappa\varphi=0$ exactly")
+    page.claim("programmed", "baumgarte", r"Baumgarte's stabilisation is the law $Y=-2\kappa\dot y-\omega^2y$, for a kinematic constraint $Y=-2\kappa\varphi$. The steered rod's violations obey $\ddot y+2\kappa\dot y+\omega^2y=0$ and $\dot\varphi+2\kappa\varphi=0$ exactly")
         .in_words()
         .follows([
             Zero(moved[0] + two * y.rate[0] + beta * beta * y.value[0]),
@@ -167,7 +167,7 @@ fn linear(page: &mut Page) {
     let found = law.map(|law| programmed(&any, &law, &at, numbered("X")));
     let acceleration = found.map_or([Sym::UNDEFINED; 3], |r| r.map_or([Sym::UNDEFINED; 3], |r| r.acceleration));
     let (moved, y) = (rates(&any, &at, acceleration), violation(&any, &at));
-    page.claim("programmed", "energies", r"violations $y$ with an inertia $a$ and a friction $\gamma$, symmetric and not diagonal: $a\ddot y+\gamma\dot y=0$ holds as it is written for the kinematic constraints of any system, $(N,C)=(3,2)$")
+    page.claim("programmed", "energies", r"for violations $y$ with an inertia $a$ and a friction $\gamma$, symmetric and not diagonal, $a\ddot y+\gamma\dot y=0$ holds as it is written for the kinematic constraints of any system, $(N,C)=(3,2)$")
         .in_words()
         .follows((0..2).map(|row| Zero(dot(a[row], moved) + dot(c[row], y.rate))));
 }
@@ -176,7 +176,7 @@ fn linear(page: &mut Page) {
 fn drift(page: &mut Page) {
     let at = places();
     let rod = cases::rod().system;
-    page.claim("programmed", "drift", r"Lagrange's multipliers are the law $Y=0$: off the constraints of the rod they leave $\ddot y=0$, $y=y_0+\dot y_0t$, and off those of the steered rod $\dot\varphi=0$ besides: a geometric constraint drifts away linearly, a kinematic one keeps its error")
+    page.claim("programmed", "drift", r"Lagrange's multipliers are the law $Y=0$: off the constraints of the rod they leave $\ddot y=0$, $y=y_0+\dot y_0t$, and off those of the steered rod $\dot\varphi=0$ besides. A geometric constraint drifts away linearly, a kinematic one keeps its error")
         .in_words()
         .follows(led_at(&rod, &at.four, [Sym::ZERO; 2]).chain(led_at(
             &cases::steered_rod().system,

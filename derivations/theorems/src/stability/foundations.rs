@@ -141,7 +141,7 @@ fn energy(page: &mut Page, s: &Letters) {
     let kinetic =
         (carrier.tensor * y.turning).dot(&y.turning) + s.axial * y.slip * (Sym::int(2) * s.l.dot(&y.turning) + y.slip);
     let potential = (carrier.stiffness() * y.vertical).dot(&y.vertical) + s.b0 * s.angle().cos * y.angle.powi(2);
-    page.claim("energy", "second-variation", r"the second variation of $G=E-\Omega p'-\omega^0x\cdot\nu+\frac12\lambda\nu\cdot\nu$ at a stationary motion is $2T(\eta,\delta\dot\gamma)+\delta\nu\cdot H\delta\nu+b_0\cos\gamma^0\delta\gamma^2$ (synchronous motor without currents): twice the kinetic energy of $\eta$, $\delta\dot\gamma$, and forms of the tilt and of the angle alone")
+    page.claim("energy", "second-variation", r"the second variation of $G=E-\Omega p'-\omega^0x\cdot\nu+\frac12\lambda\nu\cdot\nu$ at a stationary motion is $2T(\eta,\delta\dot\gamma)+\delta\nu\cdot H\delta\nu+b_0\cos\gamma^0\delta\gamma^2$ (synchronous motor without currents). The terms are twice the kinetic energy of $\eta$, $\delta\dot\gamma$, and forms of the tilt and of the angle alone")
         .in_words()
         .under(&unit_vectors(s))
         .follows([Equal(form(&linear.energy), kinetic + potential)]);
@@ -154,7 +154,7 @@ fn energy(page: &mut Page, s: &Letters) {
     let kept_momentum = s.nu.dot(&(carrier.tensor * y.turning + s.l * (s.axial * y.slip))) + tilted;
     let share = tilted / carrier.weight();
     let stiff = (carrier.stiffness() * y.vertical).dot(&y.vertical);
-    page.claim("energy", "fixed-momentum", r"$x\cdot\nu$ is kept where $\nu\cdot(A^*\eta+A'l\,\delta\dot\gamma)+\kappa\cdot\delta\nu=0$. There the second variation of $G$ is $2T(\eta',\delta\dot\gamma)+Q(\delta\nu)+b_0\cos\gamma^0\delta\gamma^2$ with $\eta'=\eta+\nu\,(\kappa\cdot\delta\nu)/\nu\cdot A^*\nu$ and $Q=\delta\nu\cdot H\delta\nu+(\kappa\cdot\delta\nu)^2/\nu\cdot A^*\nu$: forms of variations that do not depend on each other, the first a kinetic energy. At fixed integrals it is definite if and only if $b_0\cos\gamma^0>0$ and $Q$ is positive definite on the plane across $\nu$")
+    page.claim("energy", "fixed-momentum", r"$x\cdot\nu$ is kept where $\nu\cdot(A^*\eta+A'l\,\delta\dot\gamma)+\kappa\cdot\delta\nu=0$. There the second variation of $G$ is $2T(\eta',\delta\dot\gamma)+Q(\delta\nu)+b_0\cos\gamma^0\delta\gamma^2$ with $\eta'=\eta+\nu\,(\kappa\cdot\delta\nu)/\nu\cdot A^*\nu$ and $Q=\delta\nu\cdot H\delta\nu+(\kappa\cdot\delta\nu)^2/\nu\cdot A^*\nu$. These are forms of variations that do not depend on each other, the first a kinetic energy. At fixed integrals it is definite if and only if $b_0\cos\gamma^0>0$ and $Q$ is positive definite on the plane across $\nu$")
         .in_words()
         .under(&unit_vectors(s))
         .given([Zero(kept_momentum), NonZero(carrier.weight())])
@@ -175,7 +175,7 @@ fn energy(page: &mut Page, s: &Letters) {
             + carrier.coupling().dot(&y.vertical).powi(2) / carrier.weight()
     };
     let lead = s.l.dot(&y.vertical) * s.omega0 * kept.weight() - s.l.dot(&s.nu) * kept.coupling().dot(&y.vertical);
-    page.claim("energy", "free-rotor", r"the form $Q$ of a free rotor ($A$ in the place of $A^*$, $p'$ in that of $A'\Omega$) exceeds that of a rotor of constant speed by $A'\,(\omega^0l\cdot\delta\nu\;\nu\cdot A^*\nu-l\cdot\nu\;\kappa\cdot\delta\nu)^2/(\nu\cdot A\nu\;\nu\cdot A^*\nu)\ge0$: where $Q$ is positive at constant speed it is so with a free rotor")
+    page.claim("energy", "free-rotor", r"the form $Q$ of a free rotor ($A$ in the place of $A^*$, $p'$ in that of $A'\Omega$) exceeds that of a rotor of constant speed by $A'\,(\omega^0l\cdot\delta\nu\;\nu\cdot A^*\nu-l\cdot\nu\;\kappa\cdot\delta\nu)^2/(\nu\cdot A\nu\;\nu\cdot A^*\nu)\ge0$. Where $Q$ is positive at constant speed it is so with a free rotor")
         .in_words()
         .under(&unit_vectors(s))
         .follows([Equal(

@@ -77,7 +77,7 @@ fn motor(page: &mut Page, s: &Letters) {
         (_, 3) => axial * z.powi(2) * u[i],
         _ => generic[(i, j)],
     });
-    page.claim("motor", "lemma", r"for any matrix $K$ and vectors $v$, $w$: $\det\begin{pmatrix}K&A'z^2v\\A'w^T&A'z^2+Z\end{pmatrix}=A'z^2\det(K-A'vw^T)+Z\det K$")
+    page.claim("motor", "lemma", r"for any matrix $K$ and vectors $v$, $w$, $\det\begin{pmatrix}K&A'z^2v\\A'w^T&A'z^2+Z\end{pmatrix}=A'z^2\det(K-A'vw^T)+Z\det K$")
         .in_words()
         .follows([Equal(
             expanded(&bordered),
@@ -85,7 +85,7 @@ fn motor(page: &mut Page, s: &Letters) {
         )]);
     let left = kept.pencil(z) - above * below.transpose() * s.axial;
     let right = free.pencil(z);
-    page.claim("motor", "between", r"$K-A'(zl-\omega^0l\times\nu)(zl+\omega^0l\times\nu)^T=K_f$, that of the free rotor ($A$ and $A'(\Omega+\omega^0l\cdot\nu)$ for $A^*$ and $A'\Omega$). By stability/motor/lemma the characteristic equation with a motor of the stiffness $Z$ is $A'z^2\det K_f+Z\det K=0$, that is $A'\det A\,z^2p_f(z)+Z(z)\det A^*p_c(z)=0$: the free rotor has $Z=0$")
+    page.claim("motor", "between", r"$K-A'(zl-\omega^0l\times\nu)(zl+\omega^0l\times\nu)^T=K_f$, that of the free rotor ($A$ and $A'(\Omega+\omega^0l\cdot\nu)$ for $A^*$ and $A'\Omega$). By stability/motor/lemma the characteristic equation with a motor of the stiffness $Z$ is $A'z^2\det K_f+Z\det K=0$, that is $A'\det A\,z^2p_f(z)+Z(z)\det A^*p_c(z)=0$. The free rotor has $Z=0$")
         .in_words()
         .under(&unit_vectors(s))
         .follows((0..9).map(|k| Equal(left[(k / 3, k % 3)], right[(k / 3, k % 3)])));
@@ -176,7 +176,7 @@ fn currents(page: &mut Page, s: &Letters) {
         .in_words()
         .follows([Equal(odd, z * lag(w.a1 * s.angle().sin, z.powi(2)))]);
     let resisting = [y, w.mu, w.a2, w.r1, w.r2, w.l1, w.l2];
-    page.claim("currents", "damps", r"with the currents of the excitation and of three bars $\operatorname{Im}Z(iy)$, from stability/currents/lagging, is positive for $y>0$, whatever $\psi_1'=-a_1\sin\gamma^0$: every winding with a resistance damps")
+    page.claim("currents", "damps", r"with the currents of the excitation and of three bars $\operatorname{Im}Z(iy)$, from stability/currents/lagging, is positive for $y>0$, for every $\psi_1'=-a_1\sin\gamma^0$. Every winding with a resistance damps")
         .in_words()
         .given(resisting.map(Positive))
         .by_signs([Positive(y * lag(letter("ψ"), -y.powi(2)))]);
@@ -202,7 +202,7 @@ fn damping(page: &mut Page) {
     ]);
     let between = ac * af - ac.powi(2) + bc - bf;
     let resultant = (bf - bc).powi(2) + (af - ac) * (af * bc - ac * bf);
-    page.claim("damping", "minors", r"without currents, $A'Dz^2p_f+(K+dz)p_c$ with $D=\det A/\det A^*$, the first, third and fifth minor of Hurwitz are $d/A'D$, $(d/A'D)^2(a_ca_f-a_c^2+b_c-b_f)$ and $-(d/A'D)^3b_cR$ with the resultant $R=(b_f-b_c)^2+(a_f-a_c)(a_fb_c-a_cb_f)$ of $p_c$ and $p_f$ in $z^2$: the stiffness $K$ occurs in none of them, and $d$ only as a factor")
+    page.claim("damping", "minors", r"without currents, $A'Dz^2p_f+(K+dz)p_c$ with $D=\det A/\det A^*$, the first, third and fifth minor of Hurwitz are $d/A'D$, $(d/A'D)^2(a_ca_f-a_c^2+b_c-b_f)$ and $-(d/A'D)^3b_cR$ with the resultant $R=(b_f-b_c)^2+(a_f-a_c)(a_fb_c-a_cb_f)$ of $p_c$ and $p_f$ in $z^2$. The stiffness $K$ occurs in none of them, and $d$ only as a factor")
         .in_words()
         .follows([
             Equal(minors[0], d / axial),
@@ -211,7 +211,7 @@ fn damping(page: &mut Page) {
             Equal(minors[5], minors[4] * k * bc / axial),
         ]);
     let by_slip = mechanics::stability::hurwitz([d / axial, af, d * ac / axial, bf, d * bc / axial]);
-    page.claim("damping", "asynchronous", r"the first, third and fifth minor of Hurwitz of a motor by slip, $A'Dzp_f+dp_c$, are those of a synchronous motor without currents, $A'Dz^2p_f+(K+dz)p_c$ (stability/damping/minors): by the criterion of Lienard and Chipart, which is cited, the latter is asymptotically stable if and only if $K>0$ and the former is asymptotically stable")
+    page.claim("damping", "asynchronous", "the first, third and fifth minor of Hurwitz of a motor by slip, $A'Dzp_f+dp_c$, are those of a synchronous motor without currents, $A'Dz^2p_f+(K+dz)p_c$ (stability/damping/minors). By the criterion of Lienard and Chipart, which is cited, the latter is asymptotically stable if and only if $K>0$ and the former is asymptotically stable")
         .in_words()
         .follows([0, 2, 4].map(|place| Equal(by_slip[place], minors[place])));
 }
