@@ -114,7 +114,7 @@ fn motor(page: &mut Page, s: &Letters) {
     .follows([Equal(torque_and_current_rates(&machine, turned, Sym::ZERO, &[], &mut []), moment)]);
     let point = Circle { cos: letter("c"), sin: letter("s") };
     let moment = torque_and_current_rates(&machine, point, Sym::ZERO, &[], &mut []);
-    page.claim("motor", "pull-out", r"the two stationary angles of a synchronous motor merge where $\cos\gamma=0$, with $M=0$ at $(f\Omega)^2=b_0^2$ (pull-out); for $|f\Omega|>|b_0|$ there is no root of $M=-f\Omega-b_0\sin\gamma$")
+    page.claim("motor", "pull-out", r"the two stationary angles of a synchronous motor merge where $\cos\gamma=0$, with $M=0$ at $(f\Omega)^2=b_0^2$ (pull-out). For $|f\Omega|>|b_0|$ there is no root of $M=-f\Omega-b_0\sin\gamma$")
         .given([Zero(point.cos), Zero(moment), Zero(point.defect())])
         .by_combination([(
             Equal((f * s.omega_field).powi(2), s.b0.powi(2)),

@@ -150,7 +150,7 @@ fn separatrix(page: &mut Page, s: &Letters) {
     let primitive = |half: Circle<Sym>| Sym::int(4) * frequency * half.sin;
     let slope = Sym::int(4) * frequency * half.moving(Sym::int(1)).sin.slope;
     let quarter = |sign: i64| Circle { cos: Sym::ZERO, sin: Sym::int(sign) };
-    page.claim("separatrix", "work", r"along $|\dot\gamma|=2\Omega'\cos\frac\gamma2$, $\Omega'^2=b_0/A'$, friction takes $\int_{-\pi}^{\pi}f\,|\dot\gamma|\,d\gamma=8f\Omega'$. A drag $P=M+f\Omega$ gives $2\pi P$ in a turn: both are equal at $P=\frac4\pi f\Omega'$, which to the first order in friction is the threshold of lasting slip (Melnikov's method, which is cited)")
+    page.claim("separatrix", "work", r"along $|\dot\gamma|=2\Omega'\cos\frac\gamma2$, $\Omega'^2=b_0/A'$, friction takes $\int_{-\pi}^{\pi}f\,|\dot\gamma|\,d\gamma=8f\Omega'$. A drag $P=M+f\Omega$ gives $2\pi P$ in a turn. Both are equal at $P=\frac4\pi f\Omega'$, which to the first order in friction is the threshold of lasting slip (Melnikov's method, which is cited)")
         .in_words()
         .follows([
             Equal(slope.half(), speed),

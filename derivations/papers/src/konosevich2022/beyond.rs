@@ -52,7 +52,7 @@ fn critical_points(page: &mut Page, s: &Letters) {
         + s.big_gamma * s.e.dot(&s.nu);
     let slope = s.nu.map(|n| potential.diff(n));
     let tangential = slope.cross(&s.nu);
-    page.claim("beyond-critical", "gradient", r"(6.5) is $\operatorname{grad}U\times\nu=0$ with $U(\nu;\omega^0) = \frac12\omega^{0\,2}\,\nu\cdot A^*\nu + A'\Omega\omega^0\,l\cdot\nu + \Gamma\,e\cdot\nu$: the stationary directions for a given $\omega^0$ are the critical points of $U$ on the sphere (at least two, where a continuous function has its greatest and its least value)")
+    page.claim("beyond-critical", "gradient", r"(6.5) is $\operatorname{grad}U\times\nu=0$ with $U(\nu;\omega^0) = \frac12\omega^{0\,2}\,\nu\cdot A^*\nu + A'\Omega\omega^0\,l\cdot\nu + \Gamma\,e\cdot\nu$. The stationary directions for a given $\omega^0$ are the critical points of $U$ on the sphere (at least two, where a continuous function has its greatest and its least value)")
         .in_words()
         .follows((0..3).map(|i| Equal(tangential[i], s.conditions()[i])));
     // (a_i - lambda) nu_i + d_i = 0, |nu| = 1

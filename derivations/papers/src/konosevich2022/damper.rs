@@ -69,7 +69,7 @@ fn every_number(page: &mut Page, s: &Letters) {
     // closed form of sum_{k=1..n} cos(k 2h), at the doubled angle n 2h: (sin(n 2h + h) - sin h) / (2 sin h)
     let cosines = |end: Circle<Sym>| ((end + half).sin - half.sin) / (number(2, 1) * half.sin);
     let sines = |end: Circle<Sym>| (half.cos - (end + half).cos) / (number(2, 1) * half.sin);
-    page.claim("beyond-damper", "sums", r"$\sum_{k=1}^n\cos 2kh = \frac{\sin(2n+1)h - \sin h}{2\sin h}$ and $\sum_{k=1}^n\sin 2kh = \frac{\cos h - \cos(2n+1)h}{2\sin h}$, by induction over $n$: beginning and step. At $h = 2\pi/N$, $n = N$ the angle $2nh=4\pi$ is that of the beginning, where both sums are zero; the denominator vanishes for $N=1$ and $N=2$ only")
+    page.claim("beyond-damper", "sums", r"$\sum_{k=1}^n\cos 2kh = \frac{\sin(2n+1)h - \sin h}{2\sin h}$ and $\sum_{k=1}^n\sin 2kh = \frac{\cos h - \cos(2n+1)h}{2\sin h}$, by induction over $n$: beginning and step. At $h = 2\pi/N$, $n = N$ the angle $2nh=4\pi$ is that of the beginning, where both sums are zero. The denominator vanishes for $N=1$ and $N=2$ only")
         .in_words()
         .under(&symbolic::Hypotheses::none().on_circle(half).on_circle(at))
         .given([NonZero(half.sin)])

@@ -36,7 +36,7 @@ fn power(page: &mut Page, s: &Letters) {
     let energy = g.kinetic_energy(moving, rotor) + g.potential_energy(nu);
     let residual = g.by_momentum(&s.motion());
     let along_motion = (0..3).fold(s.dphi * residual[3], |sum, i| sum + s.w[i] * residual[i]);
-    page.claim("beyond-power", "bodies", r"$\frac{d}{dt}(T + V) = M\dot\varphi'$ along the motion: the difference is $\omega\cdot$(carrier's equations) $+\ \dot\varphi'$(rotor's equation)")
+    page.claim("beyond-power", "bodies", r"$\frac{d}{dt}(T + V) = M\dot\varphi'$ along the motion, since the difference is $\omega\cdot$(carrier's equations) $+\ \dot\varphi'$(rotor's equation)")
         .in_words()
         .under(&s.unit_axis)
         .follows([Equal(energy.slope - s.torque * s.dphi, along_motion)]);

@@ -296,7 +296,7 @@ fn degree(page: &mut Page, s: &Letters, f: &Relations) {
         .given(unit(s))
         .why(r"The six principal directions lie on the line whatever the data, since $S^*$ and $V^*$ have no squares. Where $S^*=0$ statement 6 decides.");
     no_speed(draft, s, f, &example);
-    page.claim("section7.2-degree", "which-points", r"the points of the spherical line with $S^*\ne0$ are axes of rotation (statement7/sufficient); those with $S^*=0$ have $\Pi^*V^*=0$, and a rotation needs both to vanish (statement6/necessary)")
+    page.claim("section7.2-degree", "which-points", r"the points of the spherical line with $S^*\ne0$ are axes of rotation (statement7/sufficient). Those with $S^*=0$ have $\Pi^*V^*=0$, and a rotation needs both to vanish (statement6/necessary)")
         .given([Zero(even + odd), Zero(f.s), NonZero(f.spin)])
         .by_combination([(
             Zero(f.pi * f.v),

@@ -73,9 +73,13 @@ fn free_rotor(page: &mut Page, s: &Letters) {
     )
     .under(&s.unit_axis)
     .holds((0..3).map(|i| Line::equation(residual[i], s.a[i] * s.dw[i], right[i])));
-    page.claim("section8.2", "integral", r"$p'$ is an integral: with $M = 0$ the rotor's equation is $A'\dot p' = 0$")
-        .under(&s.unit_axis)
-        .follows([Condition::Zero(residual[3])]);
+    page.claim(
+        "section8.2",
+        "integral",
+        r"$p'$ is an integral, since with $M = 0$ the rotor's equation is $A'\dot p' = 0$",
+    )
+    .under(&s.unit_axis)
+    .follows([Condition::Zero(residual[3])]);
     let forms = (
         FirstForm::new(s.a, s.l, s.axial, s.e * s.big_gamma),
         SecondForm::new(s.a_star, s.l, s.axial, s.e * s.big_gamma),

@@ -179,7 +179,7 @@ fn released(page: &mut Page, s: &RodLetters) {
         .given([Positive(s.f), Positive(s.dx), Positive(-ry), Equal(rx, -s.f * ry)])
         .refuted([Positive(-(rx * s.dx))], exact([("f", 1, 2), ("ẋ", 1, 1), ("Ry", -2, 1), ("Rx", 1, 1)]));
     let [normal, speed] = letters(["N", "v"]);
-    page.claim("eq1.40", "sign-corrected",r"on a floor $R_x = fR_y$ for $\dot x=v>0$, and $-fR_y$ for $\dot x<0$: with $R_y=-N$ the power of friction is $-fNv$")
+    page.claim("eq1.40", "sign-corrected",r"on a floor $R_x = fR_y$ for $\dot x=v>0$, and $-fR_y$ for $\dot x<0$. With $R_y=-N$ the power of friction is $-fNv$")
         .given([Positive(s.f), Positive(normal), Positive(speed)])
         .by_signs([Positive(-(s.f * -normal) * speed)]);
     page.correct();

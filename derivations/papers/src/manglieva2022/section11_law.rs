@@ -245,7 +245,7 @@ fn eliminated(page: &mut Page, s: &RodLetters) {
     let [normal, speed] = letters(["N", "v"]);
     page.claim(
         "eq1.29",
-        "direction-corrected",r"$\varepsilon$ is the sign of the velocity, $\dot x=\varepsilon v$: with $R_y=-N$ the power of friction is $-fNv$",
+        "direction-corrected",r"$\varepsilon$ is the sign of the velocity, $\dot x=\varepsilon v$. With $R_y=-N$ the power of friction is $-fNv$",
     )
     .under(&unit)
     .given([Positive(s.f), Positive(normal), Positive(speed)])

@@ -118,7 +118,7 @@ fn friction_and_multipliers(page: &mut Page) {
         f22 * v2.powi(2) + int(2) * f23 * v2 * v3 + f33 * v3.powi(2) + int(2) * f2t * v2 + int(2) * f3t * v3 + ftt;
     let [x1, x2, x3] = indexed("X#");
     let [m1, m2, m3] = masses;
-    page.claim("eq1.53", "multipliers", r"the constraint differentiated twice determines $\lambda$ by place, velocities and given forces; friction drops out (constraint $x_1=F(x_2,x_3,t)$)").reading(r#"The text differentiates (1.43), then multiplies "each of (1.54)" by the displacements; (1.53) is read there."#)
+    page.claim("eq1.53", "multipliers", r"the constraint differentiated twice determines $\lambda$ by place, velocities and given forces, and friction drops out (constraint $x_1=F(x_2,x_3,t)$)").reading(r#"The text differentiates (1.43), then multiplies "each of (1.54)" by the displacements; (1.53) is read there."#)
         .holds([Line::formula(
             lagrange.multipliers[0],
             letter("λ"),

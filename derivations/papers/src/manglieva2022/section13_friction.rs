@@ -203,7 +203,7 @@ fn law(page: &mut Page, s: &SteeredLetters) {
             ("m1", 1, 1), ("m2", 1, 1), ("f", 1, 2), ("λ", -4, 1), ("μ", 1, 1), ("ẋ1", 1, 1),
         ]));
     let [push, speed] = letters(["N", "v"]);
-    page.claim("eq1.82", "direction-corrected",r"$\mu=\varepsilon f\lambda/(m_1+m_2)$ with the sign $\varepsilon$ of $\dot x_1=\varepsilon v$: on a floor, $N=-\lambda>0$, the power of friction is $-fNv$")
+    page.claim("eq1.82", "direction-corrected",r"$\mu=\varepsilon f\lambda/(m_1+m_2)$ with the sign $\varepsilon$ of $\dot x_1=\varepsilon v$. On a floor, $N=-\lambda>0$, the power of friction is $-fNv$")
         .under(&unit)
         .given([Positive(s.f), Positive(push), Positive(speed), Positive(s.m1), Positive(s.m2)])
         .by_signs([Positive(-(mass * (way * s.f * -push / mass) * (way * speed)))]);

@@ -44,7 +44,7 @@ fn differentiated(page: &mut Page, s: &SteeredLetters) {
     page.claim(
         "eq1.84",
         "constraints",
-        "the rod keeps its length; the guide and the middle are those of (1.66) and (1.67)",
+        "the rod keeps its length. The guide and the middle are those of (1.66) and (1.67)",
     )
     .defines([Line::equation(length + length, (x2 - x1).powi(2) + (y2 - y1).powi(2), s.l.powi(2))]);
     let [length, middle, _] = rates(&s.rod, &at, second);

@@ -199,7 +199,7 @@ fn sign_of_rim(page: &mut Page, q: &Quintic) {
     page.claim(
         entry,
         "z-corrected",
-        r"$Z$ as printed is that of the force $-a\lambda$; with $+a\lambda$ it has $-a\theta$",
+        r"$Z$ as printed is that of the force $-a\lambda$. With $+a\lambda$ it has $-a\theta$",
     )
     .reading(AS_STIFFNESS)
     .holds([Line::formula(of_resisting, z, q.z()), Line::formula(of_pushing, z, q.z() - theta * q.a - theta * q.a)]);

@@ -74,7 +74,7 @@ fn function(page: &mut Page) {
             (0..N).map(|i| (i, dy[i] + eps * y[i])).collect(),
         )]);
     let moved: Vector = std::array::from_fn(|i| dy[i] + eps * y[i]);
-    page.claim("section5-stability", "matrices-definite", r"the function $V$ of section5-stability/matrices-rate is $V=\frac12(\dot y+\varepsilon y)'a(\dot y+\varepsilon y)+\frac12y'ky+\frac\varepsilon2y'(c-\varepsilon a)y$: where $a$, $k$, $c-\varepsilon a$ are positive definite and $\varepsilon>0$, so are $V$ and $-\dot V$")
+    page.claim("section5-stability", "matrices-definite", r"the function $V$ of section5-stability/matrices-rate is $V=\frac12(\dot y+\varepsilon y)'a(\dot y+\varepsilon y)+\frac12y'ky+\frac\varepsilon2y'(c-\varepsilon a)y$. Where $a$, $k$, $c-\varepsilon a$ are positive definite and $\varepsilon>0$, so are $V$ and $-\dot V$")
         .in_words()
         .follows([Equal(v, (form(&a, moved) + form(&k, y) + eps * rest(y)).half())]);
 }

@@ -124,7 +124,7 @@ impl Bundle {
             .in_words()
             .follows(perturbations().map(|x| Zero(unperturbed(right.diff(x)))));
         page.correct();
-        page.claim("section7-lyapunov", "excess", r"$V$ as printed has the terms of the first order $\frac CA(Cr_0+\nu)x_3+4\frac{3g}R(A-C)x_6$: with $\omega^2=3g/R$ it counts the field three times")
+        page.claim("section7-lyapunov", "excess", r"$V$ as printed has the terms of the first order $\frac CA(Cr_0+\nu)x_3+4\frac{3g}R(A-C)x_6$. With $\omega^2=3g/R$ it counts the field three times")
                 .in_words()
             .follows([Equal(slope(printed, x3), c * n / a), Equal(slope(printed, x6), int(4) * self.tide * (a - c))]);
     }
@@ -155,7 +155,7 @@ impl Bundle {
         page.claim(
             "section7-lyapunov",
             "only-if",
-            r"where $D\le0$ the quadratic form of $V$ corrected is not positive definite: at $x_1=\frac N{2A}x_4$, $x_4\ne0$, the other $x$ zero, its value is $\frac D{4A}x_4^2$",
+            r"where $D\le0$ the quadratic form of $V$ corrected is not positive definite. At $x_1=\frac N{2A}x_4$, $x_4\ne0$, the other $x$ zero, its value is $\frac D{4A}x_4^2$",
         )
         .in_words()
         .given([Positive(a)])

@@ -98,7 +98,7 @@ fn perturbed_motion(page: &mut Page, s: &TopLetters) {
     page.claim(
         "section7-perturbations",
         "lost",
-        r"the equations of perturbed motion are $x_1=0,\dots,x_6=0$, (22) once more: every perturbation is zero",
+        r"the equations of perturbed motion are $x_1=0,\dots,x_6=0$, (22) once more, so that every perturbation is zero",
     )
     .why("The text prints (22) twice, in the place of the equations of perturbed motion too.")
     .refuted([Zero(x1)], exact([("ω1", 1, 1)]));

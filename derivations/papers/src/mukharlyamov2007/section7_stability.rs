@@ -68,7 +68,7 @@ fn rate(page: &mut Page, bundle: &Bundle) {
         + varying(directions) * (x4 * x4 + x5 * x5 + x6 * x6)
         - varying(n) * (x1 * x4 + x2 * x5)
         - varying(n * c / a) * x3 * x6;
-    page.claim("section7-stability", "rate", r"along (21) with varying $A$, $C$, $Mz_c$ and no other moments $\dot V=\frac{\partial V}{\partial t}$, exactly, and its quadratic form is $\dot A(x_1^2+x_2^2)+\left(\frac{C^2}A\right)^{\textstyle\cdot}x_3^2+\dot\kappa(x_4^2+x_5^2+x_6^2)-\dot N(x_1x_4+x_2x_5)-\left(\frac{NC}A\right)^{\textstyle\cdot}x_3x_6$; on $|\gamma|=1$ the part beyond it, $\frac34(\omega^2(A-C))^{\textstyle\cdot}(f_4^2-4x_6^2)$, is $-3(\omega^2(A-C))^{\textstyle\cdot}x_6^2$")
+    page.claim("section7-stability", "rate", r"along (21) with varying $A$, $C$, $Mz_c$ and no other moments $\dot V=\frac{\partial V}{\partial t}$, exactly, and its quadratic form is $\dot A(x_1^2+x_2^2)+\left(\frac{C^2}A\right)^{\textstyle\cdot}x_3^2+\dot\kappa(x_4^2+x_5^2+x_6^2)-\dot N(x_1x_4+x_2x_5)-\left(\frac{NC}A\right)^{\textstyle\cdot}x_3x_6$. On $|\gamma|=1$ the part beyond it, $\frac34(\omega^2(A-C))^{\textstyle\cdot}(f_4^2-4x_6^2)$, is $-3(\omega^2(A-C))^{\textstyle\cdot}x_6^2$")
         .in_words()
         .follows([Zero(bundle.along(bundle.corrected())), Equal(varying(bundle.quadratic()), form)]);
     let length = x4 * x4 + x5 * x5 + x6 * x6 + x6 + x6;
@@ -111,7 +111,7 @@ fn definite(page: &mut Page, bundle: &Bundle) {
     let [least, excess] = ["A₀", "A₁"].map(letter);
     let rate = (least + excess / (int(1) + t / h)).diff(t);
     let late = (-rate).substitute(&[(t, excess / bound)]);
-    page.claim("section7-stability", "uniform", r"$\dot A<0$ need not stay away from zero: with $A=A_0+A_1/(1+t/h)$, which tends to $A_0$ as the paper assumes, $-\dot A$ is below every bound $b>0$ at the time $A_1/b$. Since $\dot V=\dot Ax_1^2$ where the other $x$ vanish (section7-stability/rate), $\dot V$ is then not negative definite in Lyapunov's sense, uniformly in $t$")
+    page.claim("section7-stability", "uniform", r"$\dot A<0$ need not stay away from zero. With $A=A_0+A_1/(1+t/h)$, which tends to $A_0$ as the paper assumes, $-\dot A$ is below every bound $b>0$ at the time $A_1/b$. Since $\dot V=\dot Ax_1^2$ where the other $x$ vanish (section7-stability/rate), $\dot V$ is then not negative definite in Lyapunov's sense, uniformly in $t$")
         .in_words()
         .given([excess, h, bound].map(Positive))
         .by_signs([Positive(bound - late)]);

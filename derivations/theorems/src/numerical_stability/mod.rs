@@ -253,7 +253,7 @@ fn real(page: &mut Page) {
     page.claim(
         "grows",
         "radau-3-root",
-        r"$z^3-12z^2+12z-120$ has one positive root, between $z_1=11.842355$ and $z_2=11.842356$: for $a>0$ it is negative at $z_1a/(1+a)$, that is on $(0,z_1)$, negative at $z_1$, positive at $z_2$ and at $z_2+a$, and its derivative is positive at $z_1+a$",
+        "$z^3-12z^2+12z-120$ has one positive root, between $z_1=11.842355$ and $z_2=11.842356$. For $a>0$ it is negative at $z_1a/(1+a)$, that is on $(0,z_1)$, negative at $z_1$, positive at $z_2$ and at $z_2+a$, and its derivative is positive at $z_1+a$",
     )
     .in_words()
     .given([Positive(a)])

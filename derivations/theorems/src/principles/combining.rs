@@ -33,24 +33,24 @@ pub fn claims(page: &mut Page) {
     all.add::<3, 1>();
     all.add::<3, 2>();
     all.add::<4, 2>();
-    page.claim("combining", "exists", r"every reaction is $R = J^T\lambda + R^\tau$ with $JM^{-1}R^\tau=0$ (the extended choice) and also with $JR^\tau=0$ (Painlevé's), where $J$ has full rank; sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
+    page.claim("combining", "exists", r"every reaction is $R = J^T\lambda + R^\tau$ with $JM^{-1}R^\tau=0$ (the extended choice) and also with $JR^\tau=0$ (Painlevé's), where $J$ has full rank, for the sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
         .in_words()
         .follows(all.exists);
-    page.claim("combining", "rank", "the determinant of $JM^{-1}J^T$ is the sum of the squares of the minors of $J$, each over its masses. It is positive if and only if $J$ has full rank; sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
+    page.claim("combining", "rank", "the determinant of $JM^{-1}J^T$ is the sum of the squares of the minors of $J$, each over its masses. It is positive if and only if $J$ has full rank, for the sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
         .in_words()
         .follows(all.rank);
     unique::<2, 1>(page, "unique-2-1");
     unique::<3, 2>(page, "unique-3-2");
     unique::<4, 2>(page, "unique-4-2");
     unique_parts::<4, 2>(page);
-    page.claim("combining", "multipliers", r"with the extended friction $R^\tau$ in addition to the given forces the multipliers are those without friction, for any masses, kinematic constraints included; sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
+    page.claim("combining", "multipliers", r"with the extended friction $R^\tau$ in addition to the given forces the multipliers are those without friction, for any masses, kinematic constraints included, for the sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
         .in_words()
         .follows(all.multipliers);
-    page.claim("combining", "motion", r"a force of friction $R$ changes the accelerations by $M^{-1}R^\tau$ and the multipliers by those of its own part $R^n=J^T\lambda^n$: $\ddot x(X+R) = \ddot x(X)+M^{-1}R^\tau$, $\lambda(X+R)=\lambda(X)-\lambda^n(R)$; sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$. The motion depends on $R^\tau$ alone, and the multipliers do not depend on $R$ if and only if $\lambda^n=0$, that is $JM^{-1}R=0$")
+    page.claim("combining", "motion", r"a force of friction $R$ changes the accelerations by $M^{-1}R^\tau$ and the multipliers by those of its own part $R^n=J^T\lambda^n$: $\ddot x(X+R) = \ddot x(X)+M^{-1}R^\tau$, $\lambda(X+R)=\lambda(X)-\lambda^n(R)$, for the sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$. The motion depends on $R^\tau$ alone, and the multipliers do not depend on $R$ if and only if $\lambda^n=0$, that is $JM^{-1}R=0$")
         .in_words()
         .follows(all.motion);
     painleves_choice(page);
-    page.claim("combining", "commutes", "with the projector $P$ onto the virtual displacements, $JM^{-1}P = J(M^{-1}P-PM^{-1})$ and $M^{-1}P-PM^{-1} = J^T(JJ^T)^{-1}K - K^T(JJ^T)^{-1}J$ with $K=JM^{-1}P$. Painlevé's choice leaves the multipliers alone if and only if $M$ commutes with $P$; sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
+    page.claim("combining", "commutes", "with the projector $P$ onto the virtual displacements, $JM^{-1}P = J(M^{-1}P-PM^{-1})$ and $M^{-1}P-PM^{-1} = J^T(JJ^T)^{-1}K - K^T(JJ^T)^{-1}J$ with $K=JM^{-1}P$. Painlevé's choice leaves the multipliers alone if and only if $M$ commutes with $P$, for the sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
         .in_words()
         .follows(all.commutes);
     rod(page);

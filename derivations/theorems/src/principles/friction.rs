@@ -105,7 +105,7 @@ fn contact(page: &mut Page) {
     let slopes = gradient(z, rates);
     let excess = motion.acceleration(rates)[0] - forces[0] / m;
     let of_law = |j: usize| law(lifted.acceleration(along(rates, unit(j)))).slope;
-    page.claim("gauss-friction", "contact-frozen", r"with the contact's friction $F(\ddot x)$ in $Z$, $\partial Z/\partial\ddot q_j$ of the rod is the equation of motion less $(\ddot x - F/m)\,\partial F/\partial\ddot q_j$: the friction must be held while $Z$ is varied")
+    page.claim("gauss-friction", "contact-frozen", r"with the contact's friction $F(\ddot x)$ in $Z$, $\partial Z/\partial\ddot q_j$ of the rod is the equation of motion less $(\ddot x - F/m)\,\partial F/\partial\ddot q_j$. The friction must therefore be held while $Z$ is varied")
         .in_words()
         .follows((0..2).map(|j| Equal(slopes[j], moving[j] - excess * of_law(j))));
 }

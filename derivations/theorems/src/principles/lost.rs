@@ -94,7 +94,7 @@ fn knife_edge(page: &mut Page) {
     page.claim(
         "shulgin",
         "knife-edge",
-        r"Shulgin's equations hold for nonholonomic systems too: the first of them loses nothing on the knife edge",
+        "Shulgin's equations hold for nonholonomic systems too, so that the first of them loses nothing on the knife edge",
     )
     .why("The constraint is not integrable: the fields of the virtual displacements do not commute.")
     .fails([Line::formula(in_all.lost[0], letter("lost1"), Sym::ZERO)]);
@@ -132,7 +132,7 @@ fn knife_edge(page: &mut Page) {
     page.claim("shulgin", "momentum", r"on the knife edge with its centre on the blade, $d=0$, nothing is lost in $v$, $\dot\theta$, although its constraint is not integrable: integrability is enough, not necessary")
         .in_words()
         .follows(in_blade.lost.map(|term| Zero(term.substitute(&[(d, Sym::ZERO)]))));
-    page.claim("shulgin", "coordinates", r"the lost term depends on the velocities chosen: in $\dot x$ of the redundant coordinates the knife edge loses a term with $d=0$ too")
+    page.claim("shulgin", "coordinates", r"the lost term depends on the velocities chosen. In $\dot x$ of the redundant coordinates the knife edge loses a term with $d=0$ too")
         .holds([Line::formula(
             in_all.lost[0].substitute(&[(d, Sym::ZERO)]),
             letter("lost1"),

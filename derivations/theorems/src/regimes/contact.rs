@@ -76,7 +76,7 @@ fn at_rest(page: &mut Page, dry: &Dry<Sym, 1>) {
         .follows(pairs.map(|(holds, departs)| Equal(holds, -departs)));
     let [plus, minus] = [Forwards, Backwards].map(|direction| determinant(dry, slip(direction)));
     let [(backwards, _), (forwards, _)] = pairs;
-    page.claim("contact-rest", "one-at-most", r"one rough contact in stick has $\det W\,[(fN+T)D_- + (fN-T)D_+] = -2f\,b_n\det W$: with $D_\pm>0$ at most one limit of friction is passed under a pressing load ($b_n<0$), where regimes/contact-rest/either-or leaves one regime, and stick fails under a lifting one ($b_n>0$)")
+    page.claim("contact-rest", "one-at-most", r"one rough contact in stick has $\det W\,[(fN+T)D_- + (fN-T)D_+] = -2f\,b_n\det W$. With $D_\pm>0$ at most one limit of friction is passed under a pressing load ($b_n<0$), where regimes/contact-rest/either-or leaves one regime, and stick fails under a lifting one ($b_n>0$)")
         .in_words()
         .follows([Equal(backwards * minus + forwards * plus, -(Sym::int(2) * f * bn * det))]);
     page.claim(

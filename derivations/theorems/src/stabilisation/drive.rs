@@ -113,7 +113,7 @@ fn diode(page: &mut Page) {
     let root = (i.powi(2) + knee.powi(2)).sqrt();
     let two = Sym::int(2);
     let (one, gap) = (Sym::int(1), reverse - forward);
-    page.claim("diode", "resistance", r"the differential resistance $u'$ of a diode lies between $R_{\mathrm f}$ and $R_{\mathrm r}$: with $\sigma=i/\sqrt{i^2+i_0^2}$, $|\sigma|<1$, it is $R_{\mathrm f}+\frac14(R_{\mathrm r}-R_{\mathrm f})(1-\sigma)^2(2+\sigma)$, and $R_{\mathrm r}-\frac14(R_{\mathrm r}-R_{\mathrm f})(1+\sigma)^2(2-\sigma)$")
+    page.claim("diode", "resistance", r"the differential resistance $u'$ of a diode lies between $R_{\mathrm f}$ and $R_{\mathrm r}$. With $\sigma=i/\sqrt{i^2+i_0^2}$, $|\sigma|<1$, it is $R_{\mathrm f}+\frac14(R_{\mathrm r}-R_{\mathrm f})(1-\sigma)^2(2+\sigma)$, and $R_{\mathrm r}-\frac14(R_{\mathrm r}-R_{\mathrm f})(1+\sigma)^2(2-\sigma)$")
         .in_words()
         .given([NonZero(root)])
         .follows([
@@ -128,7 +128,7 @@ fn diode(page: &mut Page) {
     page.claim(
         "diode",
         "rest",
-        r"a diode without current has the voltage $\frac14(R_{\mathrm r}-R_{\mathrm f})(i_0-\sqrt{i_0^2})$, which is zero for $i_0>0$; with $R_{\mathrm r}\ge R_{\mathrm f}$ and so $u'\ge R_{\mathrm f}$ (stabilisation/diode/resistance) it never gives energy, $u(i)\,i\ge R_{\mathrm f}i^2$",
+        r"a diode without current has the voltage $\frac14(R_{\mathrm r}-R_{\mathrm f})(i_0-\sqrt{i_0^2})$, which is zero for $i_0>0$. With $R_{\mathrm r}\ge R_{\mathrm f}$ and so $u'\ge R_{\mathrm f}$ (stabilisation/diode/resistance) it never gives energy, $u(i)\,i\ge R_{\mathrm f}i^2$",
     )
     .in_words()
     .follows([Equal(voltage(&drive, Sym::ZERO), gap * (knee - knee.powi(2).sqrt()) / Sym::int(4))]);
@@ -175,6 +175,6 @@ fn minimal(page: &mut Page) {
     let [h, r, l] = letters(["h", "R1", "L1"]);
     let grown = studies::stabilisation::schemes::Scheme::Euler.step([[-h * r / l]], [Sym::int(1)]);
     let factor = grown.map_or(Sym::UNDEFINED, |[f]| f);
-    page.claim("drive", "step", r"Euler multiplies a current that decays through $R$ and $L$ by $\rho = 1-hR/L$ in each step: it decays if and only if $h<2L/R$")
+    page.claim("drive", "step", r"Euler multiplies a current that decays through $R$ and $L$ by $\rho = 1-hR/L$ in each step. The current decays if and only if $h<2L/R$")
         .holds([Line::formula(factor, letter("ρ"), Sym::int(1) - h * r / l)]);
 }

@@ -30,7 +30,7 @@ fn unit_circle(page: &mut Page) {
     let [s1, s2, s3] = inside_unit_circle([[t, -d], [Sym::int(1), Sym::ZERO]]);
     let one = Sym::int(1);
     let root = (one + w) / (one - w);
-    page.claim("inside", "half-plane", r"$\lambda=(1+w)/(1-w)$ takes the left half-plane of $w$ to the disc $|\lambda|<1$, and $\lambda^2-T\lambda+D$ to $(1+T+D)w^2+2(1-D)w+(1-T+D)$ over $(1-w)^2$: by Routh and Hurwitz both roots are inside if and only if the three coefficients $1+T+D$, $2(1-D)$, $1-T+D$ have one sign, which is the positive one, for their sum is 4")
+    page.claim("inside", "half-plane", r"$\lambda=(1+w)/(1-w)$ takes the left half-plane of $w$ to the disc $|\lambda|<1$, and $\lambda^2-T\lambda+D$ to $(1+T+D)w^2+2(1-D)w+(1-T+D)$ over $(1-w)^2$. By Routh and Hurwitz both roots are inside if and only if the three coefficients $1+T+D$, $2(1-D)$, $1-T+D$ have one sign, which is the positive one, for their sum is 4")
         .given([NonZero(one - w)])
         .follows([
             Equal((root.powi(2) - t * root + d) * (one - w).powi(2), s3 * w.powi(2) + Sym::int(2) * s1 * w + s2),

@@ -62,7 +62,7 @@ fn balanced(page: &mut Page, s: &Letters, z: Sym) {
     let any = kept(s);
     let spin = s.nu * (any.multiplier / s.omega0) - any.tensor * s.nu * s.omega0;
     let [det, a, b] = Reduced { spin, ..any }.polynomial();
-    page.claim("balanced", "precession", r"without weight, $\Gamma=0$, where $x=\lambda\nu/\omega^0$, $p_c$ is divisible by $z^2+\omega^{0\,2}$; the identity holds for any tensor, and so for $p_f$. By stability/motor/between every motor has the roots $\pm i\omega^0$, a constant tilt in space")
+    page.claim("balanced", "precession", r"without weight, $\Gamma=0$, where $x=\lambda\nu/\omega^0$, $p_c$ is divisible by $z^2+\omega^{0\,2}$. The identity holds for any tensor, and so for $p_f$. By stability/motor/between every motor has the roots $\pm i\omega^0$, a constant tilt in space")
         .in_words()
         .under(&s.unit_vertical)
         .follows([Equal(
