@@ -47,7 +47,7 @@ fn gradient(page: &mut Page, s: &Letters) {
     let slope = tensor * s.nu * s.omega0.powi(2) + share * (s.omega_field * s.omega0) + energies.weight;
     let residual = g.by_momentum(&s.stationary(s.omega_field, Sym::ZERO));
     let tangential = slope.cross(&s.nu);
-    page.claim("gradient", "relative-speed", r"for a rotor that keeps its relative speed $\Omega$, the residuals of the carrier's equations of motion, from the mass points, at $\omega^0\nu$ are $\nu\times\operatorname{grad}W$ with $W=T(\omega^0\nu,\Omega)-V(\nu)$, from the energies")
+    page.claim("gradient", "relative-speed", r"For a rotor that keeps its relative speed $\Omega$, the residuals of the carrier's equations of motion, from the mass points, at $\omega^0\nu$ are $\nu\times\operatorname{grad}W$ with $W=T(\omega^0\nu,\Omega)-V(\nu)$, from the energies")
         .under(&s.unit_axis)
         .follows((0..3).map(|i| Equal(-residual[i], tangential[i])));
     let speed = letter("φ̇′");
@@ -56,7 +56,7 @@ fn gradient(page: &mut Page, s: &Letters) {
     let slope = tensor * s.nu * s.omega0.powi(2) + share * (own * s.omega0) + energies.weight;
     let residual = g.by_momentum(&s.stationary(speed, Sym::ZERO));
     let tangential = slope.cross(&s.nu);
-    page.claim("gradient", "own-momentum", r"for a free rotor, which keeps $p'=\partial T/\partial\dot\varphi'$ (Routh), the residuals of the carrier's equations of motion at $\omega^0\nu$ are $\nu\times(\omega^{0\,2}M\nu+\omega^0h+\Gamma e)$ with $M=T_{\omega\omega}-T_{\omega\varphi}T_{\varphi\omega}/T_{\varphi\varphi}$, and $h=p'\,T_{\omega\varphi}/T_{\varphi\varphi}$")
+    page.claim("gradient", "own-momentum", r"For a free rotor, which keeps $p'=\partial T/\partial\dot\varphi'$ (Routh), the residuals of the carrier's equations of motion at $\omega^0\nu$ are $\nu\times(\omega^{0\,2}M\nu+\omega^0h+\Gamma e)$ with $M=T_{\omega\omega}-T_{\omega\varphi}T_{\varphi\omega}/T_{\varphi\varphi}$, and $h=p'\,T_{\omega\varphi}/T_{\varphi\varphi}$")
         .under(&s.unit_axis)
         .follows((0..3).map(|i| Equal(-residual[i], tangential[i])));
     let reduced = g.reduced_tensor();
@@ -78,7 +78,7 @@ fn momentum(page: &mut Page, s: &Letters) {
     let weight = s.e * s.big_gamma;
     let carried = g.angular_momentum(s.nu * s.omega0, s.omega_field)[0].dot(&s.nu);
     let printed = s.a_star.component_mul(&s.nu).dot(&s.nu) * s.omega0 + spin * s.l.dot(&s.nu);
-    page.claim("momentum", "vertical", r"the angular momentum of the mass points about the vertical at $\omega^0\nu$ is $\omega^0\,\nu\cdot A^*\nu + A'\Omega\,l\cdot\nu$")
+    page.claim("momentum", "vertical", r"The angular momentum of the mass points about the vertical at $\omega^0\nu$ is $\omega^0\,\nu\cdot A^*\nu + A'\Omega\,l\cdot\nu$")
         .under(&s.unit_axis)
         .follows([Equal(carried, printed)]);
     let equation: Vector3<Sym> = Vector3::from_fn(|i, _| {
@@ -87,7 +87,7 @@ fn momentum(page: &mut Page, s: &Letters) {
     page.claim(
         "momentum",
         "by-the-multiplier",
-        r"the vertical angular momentum of a stationary motion with the multiplier $\lambda$ satisfies $\omega^0\,x\cdot\nu = \lambda - \Gamma\,e\cdot\nu$",
+        r"The vertical angular momentum of a stationary motion with the multiplier $\lambda$ satisfies $\omega^0\,x\cdot\nu = \lambda - \Gamma\,e\cdot\nu$",
     )
     .given((0..3).map(|i| Zero(equation[i])))
     .given([Zero(s.nu.dot(&s.nu) - Sym::int(1))])
@@ -108,13 +108,13 @@ fn motor(page: &mut Page, s: &Letters) {
     page.claim(
         "motor",
         "branches",
-        r"a synchronous motor has the stationary angles $\gamma^0$ and $\pi-\gamma^0$, since its torque without slip is equal at both",
+        r"A synchronous motor has the stationary angles $\gamma^0$ and $\pi-\gamma^0$, since its torque without slip is equal at both",
     )
     .in_words()
     .follows([Equal(torque_and_current_rates(&machine, turned, Sym::ZERO, &[], &mut []), moment)]);
     let point = Circle { cos: letter("c"), sin: letter("s") };
     let moment = torque_and_current_rates(&machine, point, Sym::ZERO, &[], &mut []);
-    page.claim("motor", "pull-out", r"the two stationary angles of a synchronous motor merge where $\cos\gamma=0$, with $M=0$ at $(f\Omega)^2=b_0^2$ (pull-out). For $|f\Omega|>|b_0|$ there is no root of $M=-f\Omega-b_0\sin\gamma$")
+    page.claim("motor", "pull-out", r"The two stationary angles of a synchronous motor merge where $\cos\gamma=0$, with $M=0$ at $(f\Omega)^2=b_0^2$ (pull-out). For $|f\Omega|>|b_0|$ there is no root of $M=-f\Omega-b_0\sin\gamma$")
         .given([Zero(point.cos), Zero(moment), Zero(point.defect())])
         .by_combination([(
             Equal((f * s.omega_field).powi(2), s.b0.powi(2)),
@@ -158,18 +158,18 @@ fn multiplier(page: &mut Page, s: &Letters, m: &Multipliers) {
     let adjugate = mechanics::rotation::adjugate(&symmetric);
     let determinant = mechanics::rotation::determinant(&symmetric);
     let solved = symmetric * (adjugate * b) - b * determinant;
-    page.claim("multiplier", "adjugate", r"for a symmetric $K$ with any components and any $b$, $(K-\lambda)\,\mathrm{adj}(K-\lambda)\,b = \det(K-\lambda)\,b$. Where the determinant is not zero $\nu=-\mathrm{adj}(K-\lambda)b/\det(K-\lambda)$ is the only solution of $(K-\lambda)\nu+b=0$, and $|\nu|=1$ is $|\mathrm{adj}(K-\lambda)b|^2=\det(K-\lambda)^2$")
+    page.claim("multiplier", "adjugate", r"For a symmetric $K$ with any components and any $b$, $(K-\lambda)\,\mathrm{adj}(K-\lambda)\,b = \det(K-\lambda)\,b$. Where the determinant is not zero $\nu=-\mathrm{adj}(K-\lambda)b/\det(K-\lambda)$ is the only solution of $(K-\lambda)\nu+b=0$, and $|\nu|=1$ is $|\mathrm{adj}(K-\lambda)b|^2=\det(K-\lambda)^2$")
         .in_words()
         .follows(solved.iter().map(|&x| Zero(x)));
     let residual = Vector3::from_fn(|i, _| (m.alpha[i] - m.lambda) * m.direction[i] + m.delta[i]);
-    page.claim("multiplier", "direction", r"in the principal axes of $K=\omega^{0\,2}A^*$ with the moments $\alpha_i$, $(K-\lambda)\nu+\delta=0$ has the solution $\nu_i=\delta_i/(\lambda-\alpha_i)$")
+    page.claim("multiplier", "direction", r"In the principal axes of $K=\omega^{0\,2}A^*$ with the moments $\alpha_i$, $(K-\lambda)\nu+\delta=0$ has the solution $\nu_i=\delta_i/(\lambda-\alpha_i)$")
         .in_words()
         .follows(residual.iter().map(|&x| Zero(x)));
     let own = s.nu;
     page.claim(
         "multiplier",
         "different",
-        r"each direction, $(K-\lambda)\nu+\delta=0$ with $|\nu|=1$, has one multiplier $\lambda=\nu\cdot(K\nu+\delta)$, here in the principal axes of $K$",
+        r"Each direction, $(K-\lambda)\nu+\delta=0$ with $|\nu|=1$, has one multiplier $\lambda=\nu\cdot(K\nu+\delta)$, here in the principal axes of $K$",
     )
     .given((0..3).map(|i| Zero((m.alpha[i] - m.lambda) * own[i] + m.delta[i])))
     .given([Zero(own.dot(&own) - Sym::int(1))])
@@ -199,13 +199,13 @@ fn beyond(page: &mut Page, m: &Multipliers) {
     let at = [(m.delta.z, Sym::ZERO), (m.lambda, m.alpha.z)];
     let direction = Vector3::new(m.direction.x.substitute(&at), m.direction.y.substitute(&at), z);
     let residual = Vector3::from_fn(|i, _| ((m.alpha[i] - m.lambda) * direction[i] + m.delta[i]).substitute(&at));
-    page.claim("beyond", "pair", r"where $\delta$ is orthogonal to an eigenvector of $K$, $\delta_3=0$, and $\lambda=\alpha_3$, $(K-\lambda)\nu+\delta=0$ leaves the component $\nu_3$ free. $|\nu|=1$ then gives $\nu_3=\pm\sqrt{1-\nu_1^2-\nu_2^2}$, which is a pair where that is real")
+    page.claim("beyond", "pair", r"Where $\delta$ is orthogonal to an eigenvector of $K$, $\delta_3=0$, and $\lambda=\alpha_3$, $(K-\lambda)\nu+\delta=0$ leaves the component $\nu_3$ free. $|\nu|=1$ then gives $\nu_3=\pm\sqrt{1-\nu_1^2-\nu_2^2}$, which is a pair where that is real")
         .in_words()
         .follows(residual.iter().map(|&x| Zero(x)));
     let at = [(m.delta.y, Sym::ZERO), (m.delta.z, Sym::ZERO), (m.alpha.y, m.alpha.z), (m.lambda, m.alpha.z)];
     let direction = Vector3::new(m.direction.x.substitute(&at), letter("ν2"), z);
     let residual = Vector3::from_fn(|i, _| ((m.alpha[i] - m.lambda) * direction[i] + m.delta[i]).substitute(&at));
-    page.claim("beyond", "circle", r"where $\delta$ is orthogonal to the eigenspace of a double eigenvalue $\lambda$ of $K$, $(K-\lambda)\nu+\delta=0$ leaves $\nu_2$ and $\nu_3$ free but for $|\nu|=1$, which gives a circle")
+    page.claim("beyond", "circle", r"Where $\delta$ is orthogonal to the eigenspace of a double eigenvalue $\lambda$ of $K$, $(K-\lambda)\nu+\delta=0$ leaves $\nu_2$ and $\nu_3$ free but for $|\nu|=1$, which gives a circle")
         .in_words()
         .follows(residual.iter().map(|&x| Zero(x)));
 }
@@ -221,7 +221,7 @@ fn kind(page: &mut Page, s: &Letters, m: &Multipliers) {
     let form = |a: &Vector3<Sym>, b: &Vector3<Sym>| a.component_mul(&h).dot(b);
     let across = x.cross(&y);
     let cofactors = Vector3::new(h.y * h.z, h.z * h.x, h.x * h.y);
-    page.claim("kind", "tangent-plane", r"the determinant of $H=K-\lambda$ on the plane of two vectors $l$, $e$ is $(l\times e)\cdot\mathrm{adj}H\,(l\times e)$, in the principal axes of $K$. On the tangent plane at a unit vector $\nu$ it is $\det H\;\nu\cdot H^{-1}\nu$, which where $\det H\ne0$ vanishes with $d|\nu|^2/d\lambda$ (stationary/kind/slope)")
+    page.claim("kind", "tangent-plane", r"The determinant of $H=K-\lambda$ on the plane of two vectors $l$, $e$ is $(l\times e)\cdot\mathrm{adj}H\,(l\times e)$, in the principal axes of $K$. On the tangent plane at a unit vector $\nu$ it is $\det H\;\nu\cdot H^{-1}\nu$, which where $\det H\ne0$ vanishes with $d|\nu|^2/d\lambda$ (stationary/kind/slope)")
         .in_words()
         .follows([Equal(
             form(&x, &x) * form(&y, &y) - form(&x, &y).powi(2),
@@ -234,13 +234,13 @@ fn idle(page: &mut Page, s: &Letters) {
     let tilt = s.a_star.component_mul(&s.nu).cross(&s.nu);
     let volume = s.nu.dot(&s.l.cross(&s.e));
     let (first, second) = (s.e.cross(&s.nu), s.nu.cross(&s.l));
-    page.claim("idle", "principal", r"where $S^*=V^*=0$ but $\Pi^*\ne0$, $t=A^*\nu\times\nu$ is orthogonal to $\nu$, $l$ and $e$, which are independent. Then $t=0$, so that $\nu$ is a principal direction")
+    page.claim("idle", "principal", r"Where $S^*=V^*=0$ but $\Pi^*\ne0$, $t=A^*\nu\times\nu$ is orthogonal to $\nu$, $l$ and $e$, which are independent. Then $t=0$, so that $\nu$ is a principal direction")
         .given([Zero(s.l.dot(&tilt)), Zero(s.e.dot(&tilt)), NonZero(volume)])
         .by_combination((0..3).map(|i| (Zero(tilt[i]), vec![2], vec![(0, first[i]), (1, second[i])])));
     let force = tilt * s.omega0.powi(2)
         + s.l.cross(&s.nu) * (s.axial * s.omega_field * s.omega0)
         + s.e.cross(&s.nu) * s.big_gamma;
-    page.claim("idle", "no-rotation", r"about a principal direction, $A^*\nu\times\nu=0$, with $\Gamma\Pi^*\ne0$ there is no rotation: (6.5) needs $\Gamma\Pi^*=0$ there")
+    page.claim("idle", "no-rotation", r"About a principal direction, $A^*\nu\times\nu=0$, with $\Gamma\Pi^*\ne0$ there is no rotation: (6.5) needs $\Gamma\Pi^*=0$ there")
         .given((0..3).map(|i| Zero(tilt[i])))
         .given((0..3).map(|i| Zero(force[i])))
         .by_combination([(

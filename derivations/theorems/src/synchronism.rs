@@ -84,7 +84,7 @@ fn fold(page: &mut Page, s: &Letters) {
     let held = [s.gamma, Sym::ZERO];
     let angle = s.angle();
     let balance = rates(&bench, s, &held)[1] * s.axial + s.torque;
-    page.claim("fold", "load", r"the load under which the rotor keeps an angle is $M(\gamma)=-b_0\sin\gamma-f\Omega$. Its slope is $-b_0\cos\gamma$, and its second derivative $b_0\sin\gamma$ is not zero where the slope is zero, so that each fold is a simple one, at which two angles merge")
+    page.claim("fold", "load", r"The load under which the rotor keeps an angle is $M(\gamma)=-b_0\sin\gamma-f\Omega$. Its slope is $-b_0\cos\gamma$, and its second derivative $b_0\sin\gamma$ is not zero where the slope is zero, so that each fold is a simple one, at which two angles merge")
         .in_words()
         .follows([
             Equal(balance, -(s.b0 * angle.sin) - letter("f") * s.omega_field),
@@ -94,7 +94,7 @@ fn fold(page: &mut Page, s: &Letters) {
     let free = [s.gamma, s.dgamma];
     let law = rates(&bench, s, &free);
     let trace = law[0].diff(free[0]) + law[1].diff(free[1]);
-    page.claim("fold", "exchange", r"for a synchronous motor without currents, linearised at a balance, the eigenvalues have the product $b_0\cos\gamma/A'$ and the sum $-f/A'$. With $f>0$ both are in the left half-plane where $\cos\gamma>0$, and one is positive where $\cos\gamma<0$, so that stability is exchanged at the fold")
+    page.claim("fold", "exchange", r"For a synchronous motor without currents, linearised at a balance, the eigenvalues have the product $b_0\cos\gamma/A'$ and the sum $-f/A'$. With $f>0$ both are in the left half-plane where $\cos\gamma>0$, and one is positive where $\cos\gamma<0$, so that stability is exchanged at the fold")
         .in_words()
         .follows([
             Equal(determinant(&free, &law), s.b0 * angle.cos / s.axial),
@@ -105,7 +105,7 @@ fn fold(page: &mut Page, s: &Letters) {
         let (bench, state) = (wound(s, bars), state(s, bars));
         let sign = if bars.is_multiple_of(2) { Sym::int(-1) } else { Sym::int(1) };
         let windings = r1 / l1 * (0..bars).fold(Sym::int(1), |product, _| product * (r2 / l2));
-        page.claim("fold", slug, format!(r"with the excitation and $n_2={bars}$ the product of all eigenvalues is $\pm\frac{{b_0\cos\gamma}}{{A'}}\frac{{R_1}}{{L_1}}\left(\frac{{R_2}}{{L_2}}\right)^{{{bars}}}$. Currents and damping move no fold, for an eigenvalue is zero where $\cos\gamma=0$ only"))
+        page.claim("fold", slug, format!(r"With the excitation and $n_2={bars}$ the product of all eigenvalues is $\pm\frac{{b_0\cos\gamma}}{{A'}}\frac{{R_1}}{{L_1}}\left(\frac{{R_2}}{{L_2}}\right)^{{{bars}}}$. Currents and damping move no fold, for an eigenvalue is zero where $\cos\gamma=0$ only"))
             .in_words()
             .given([Positive(r2)])
             .follows([Equal(determinant(&state, &rates(&bench, s, &state)), sign * s.b0 * angle.cos / s.axial * windings)]);
@@ -121,7 +121,7 @@ fn energy(page: &mut Page, s: &Letters) {
         let loss = (letter("μ") + letter("f")) * s.dgamma.powi(2) + joule_heat(&bench.machine, &state[2..]);
         let at_rest: Vec<(Sym, Sym)> = state.iter().skip(1).map(|&y| (y, Sym::ZERO)).collect();
         let moving = stored(s, &state);
-        page.claim("energy", slug, format!(r"under a constant load, with the excitation and $n_2={bars}$, $\dot V=-(\mu+f)\dot\gamma^2-\sum R_ki_k^2$, and $V=V|_{{\dot\gamma=i=0}}(\gamma)+\frac12A'\dot\gamma^2+\sum\frac12L_ki_k^2$. A rotor whose $V$ is less than at both neighbouring balances therefore stays between them (that it comes to rest at the angle there is LaSalle's theorem, which is cited)"))
+        page.claim("energy", slug, format!(r"Under a constant load, with the excitation and $n_2={bars}$, $\dot V=-(\mu+f)\dot\gamma^2-\sum R_ki_k^2$, and $V=V|_{{\dot\gamma=i=0}}(\gamma)+\frac12A'\dot\gamma^2+\sum\frac12L_ki_k^2$. A rotor whose $V$ is less than at both neighbouring balances therefore stays between them (that it comes to rest at the angle there is LaSalle's theorem, which is cited)"))
             .in_words()
             .follows([Equal(rate, -loss), Equal(value, value.substitute(&at_rest) + moving)]);
     }
@@ -141,7 +141,7 @@ fn separatrix(page: &mut Page, s: &Letters) {
     let speed = Sym::int(2) * frequency * half.cos;
     let bench = plain(s);
     let energy = bench.machine.field_energy(half + half) + (s.axial * speed.powi(2)).half();
-    page.claim("separatrix", "speed", r"without friction and load $|\dot\gamma|=2\Omega'\cos\frac\gamma2$, $\Omega'^2=b_0/A'$, has the energy $b_0$ of the balance at $\gamma=\pi$. It is the motion that leaves the balance and comes back after a turn")
+    page.claim("separatrix", "speed", r"Without friction and load $|\dot\gamma|=2\Omega'\cos\frac\gamma2$, $\Omega'^2=b_0/A'$, has the energy $b_0$ of the balance at $\gamma=\pi$. It is the motion that leaves the balance and comes back after a turn")
         .in_words()
         .under(&Hypotheses::none().on_circle(half))
         .given([Zero(s.axial * frequency.powi(2) - s.b0)])
@@ -150,7 +150,7 @@ fn separatrix(page: &mut Page, s: &Letters) {
     let primitive = |half: Circle<Sym>| Sym::int(4) * frequency * half.sin;
     let slope = Sym::int(4) * frequency * half.moving(Sym::int(1)).sin.slope;
     let quarter = |sign: i64| Circle { cos: Sym::ZERO, sin: Sym::int(sign) };
-    page.claim("separatrix", "work", r"along $|\dot\gamma|=2\Omega'\cos\frac\gamma2$, $\Omega'^2=b_0/A'$, friction takes $\int_{-\pi}^{\pi}f\,|\dot\gamma|\,d\gamma=8f\Omega'$. A drag $P=M+f\Omega$ gives $2\pi P$ in a turn. Both are equal at $P=\frac4\pi f\Omega'$, which to the first order in friction is the threshold of lasting slip (Melnikov's method, which is cited)")
+    page.claim("separatrix", "work", r"Along $|\dot\gamma|=2\Omega'\cos\frac\gamma2$, $\Omega'^2=b_0/A'$, friction takes $\int_{-\pi}^{\pi}f\,|\dot\gamma|\,d\gamma=8f\Omega'$. A drag $P=M+f\Omega$ gives $2\pi P$ in a turn. Both are equal at $P=\frac4\pi f\Omega'$, which to the first order in friction is the threshold of lasting slip (Melnikov's method, which is cited)")
         .in_words()
         .follows([
             Equal(slope.half(), speed),
@@ -163,7 +163,7 @@ fn carrier(page: &mut Page, s: &Letters) {
     let form = FirstForm::new(s.a, s.l, s.axial, weight);
     let of = |moment: Sym| form.accelerations(s.w, s.nu, s.dphi, moment).1;
     let lightness = (0..3).fold(Sym::int(1) / s.axial, |sum, i| sum + s.l[i].powi(2) / s.a[i]);
-    page.claim("carrier", "lightness", r"in a gyrostat the torque $M$ of motor and load gives the rotor, in any motion, the relative acceleration $\left(\frac1{A'}+l\cdot A^{-1}l\right)M$ in addition to that which it has without $M$. The rotor is lighter than on a bench, where it has $M/A'$")
+    page.claim("carrier", "lightness", r"In a gyrostat the torque $M$ of motor and load gives the rotor, in any motion, the relative acceleration $\left(\frac1{A'}+l\cdot A^{-1}l\right)M$ in addition to that which it has without $M$. The rotor is lighter than on a bench, where it has $M/A'$")
         .in_words()
         .follows([Equal(of(s.torque) - of(Sym::ZERO), lightness * s.torque)]);
     let machine = Synchronous { field_speed: s.omega_field, b0: s.b0, f: letter("f") };
@@ -178,7 +178,7 @@ fn carrier(page: &mut Page, s: &Letters) {
     law.rates_under(s.torque, &at, &mut found);
     let light = Bench { axial: s.axial * s.a.z / (s.axial + s.a.z), ..plain(s) };
     let alone = rates(&light, s, &[s.gamma, s.dgamma]);
-    page.claim("carrier", "upright", r"about a vertical rotor axis that is a principal axis and holds the centre of mass the carrier stays upright, and the motor is exactly one on a bench with the moment of inertia $A'A_3/(A'+A_3)$")
+    page.claim("carrier", "upright", r"About a vertical rotor axis that is a principal axis and holds the centre of mass the carrier stays upright, and the motor is exactly one on a bench with the moment of inertia $A'A_3/(A'+A_3)$")
         .in_words()
         .given([Positive(s.axial), Positive(s.a.z)])
         .follows([

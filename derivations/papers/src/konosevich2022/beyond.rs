@@ -30,7 +30,7 @@ fn integrals(page: &mut Page, s: &Letters) {
         .follows([Zero(nu.dot(&nu).slope)]);
     let residual = g.by_momentum(&s.motion());
     let carried = s.nu.dot(&Vector3::new(residual[0], residual[1], residual[2]));
-    page.claim("beyond-integrals", "momentum", r"the angular momentum about the vertical, $x\cdot\nu$, is conserved for every machine: its rate is the product of $\nu$ with the residual of the carrier's equations, in which $M$ does not occur")
+    page.claim("beyond-integrals", "momentum", r"The angular momentum about the vertical, $x\cdot\nu$, is conserved for every machine: its rate is the product of $\nu$ with the residual of the carrier's equations, in which $M$ does not occur")
         .in_words()
         .under(&s.unit_axis)
         .follows([Equal(x.dot(&nu).slope, carried)]);
@@ -66,7 +66,7 @@ fn critical_points(page: &mut Page, s: &Letters) {
     let plus = cyclic(|i, _, _| (a[i] - lambda) * s.nu[i] + d[i]);
     let minus = cyclic(|i, _, _| (a[i] - lambda) * s.nu[i] - d[i]);
     let norm = s.nu.dot(&s.nu) - one();
-    page.claim("beyond-critical", "sextic", r"with $\alpha_i = \omega^{0\,2}A_i^*$, $\delta = A'\Omega\omega^0l+\Gamma e$ and the multiplier $\lambda$, $(\alpha_i-\lambda)\nu_i + \delta_i = 0$ and $|\nu|=1$ give a sextic in $\lambda$. Where all $\delta_i\ne0$ each root has the one direction $\nu_i = \delta_i/(\lambda-\alpha_i)$, so that there are at most six")
+    page.claim("beyond-critical", "sextic", r"With $\alpha_i = \omega^{0\,2}A_i^*$, $\delta = A'\Omega\omega^0l+\Gamma e$ and the multiplier $\lambda$, $(\alpha_i-\lambda)\nu_i + \delta_i = 0$ and $|\nu|=1$ give a sextic in $\lambda$. Where all $\delta_i\ne0$ each root has the one direction $\nu_i = \delta_i/(\lambda-\alpha_i)$, so that there are at most six")
         .given([Zero(plus.x), Zero(plus.y), Zero(plus.z), Zero(norm)])
         .by_combination([(
             Zero(sextic),

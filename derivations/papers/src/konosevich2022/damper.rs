@@ -45,11 +45,11 @@ fn reduction(page: &mut Page, s: &Letters, bars: u32, slug: &'static str) {
     let lumped_rates = lump(&rates);
     let says = if lines == 1 {
         format!(
-            r"with $n_2={bars}$ all bars lie along one line, and the torque and the rates of the currents are those of one winding with the flux $a_2\sqrt{{{bars}}}$"
+            r"With $n_2={bars}$ all bars lie along one line, and the torque and the rates of the currents are those of one winding with the flux $a_2\sqrt{{{bars}}}$"
         )
     } else {
         format!(
-            r"with $n_2={bars}$ the torque and the rates of the currents are those of two equal windings at right angles with the flux $a_2\sqrt{{{bars}/2}}$"
+            r"With $n_2={bars}$ the torque and the rates of the currents are those of two equal windings at right angles with the flux $a_2\sqrt{{{bars}/2}}$"
         )
     };
     page.claim("beyond-damper", slug, says).in_words().follows(
@@ -94,7 +94,7 @@ fn every_number(page: &mut Page, s: &Letters) {
     let gamma = s.angle();
     let (a2, l2, r2, i) = (letter("a2"), letter("L2"), letter("R2"), current(1));
     let rate = (a2 * s.dgamma * (gamma + t).cos - r2 * i) / l2;
-    page.claim("beyond-damper", "closure", r"a bar at any angle $t$ with the direction $u=(\cos t,\sin t)$ has the torque $-a_2\,(i\,u)\cdot(\cos\gamma,-\sin\gamma)$, and $L_2(i\,u)' = -R_2\,i\,u + a_2\dot\gamma\,uu^T(\cos\gamma,-\sin\gamma)$. Summed over the bars, the damper acts through $\sum i_nu_n$ alone, for any angles and any $N$")
+    page.claim("beyond-damper", "closure", r"A bar at any angle $t$ with the direction $u=(\cos t,\sin t)$ has the torque $-a_2\,(i\,u)\cdot(\cos\gamma,-\sin\gamma)$, and $L_2(i\,u)' = -R_2\,i\,u + a_2\dot\gamma\,uu^T(\cos\gamma,-\sin\gamma)$. Summed over the bars, the damper acts through $\sum i_nu_n$ alone, for any angles and any $N$")
         .in_words()
         .under(&symbolic::Hypotheses::none().on_circle(t))
         .follows([
@@ -124,7 +124,7 @@ fn other_modes(page: &mut Page, s: &Letters) {
             decays.push(Equal(along(&rates), -(letter("R2") / letter("L2") * along(&currents))));
         }
     }
-    page.claim("beyond-damper", "other-modes", r"combinations of currents that are orthogonal to the bars' directions feel no field and die out as $e^{-R_2t/L_2}$: $i_1+i_2$ for $n_2=2$, $i_1+i_2+i_3$ for 3, $i_1+i_3$ and $i_2+i_4$ for 4")
+    page.claim("beyond-damper", "other-modes", r"Combinations of currents that are orthogonal to the bars' directions feel no field and die out as $e^{-R_2t/L_2}$: $i_1+i_2$ for $n_2=2$, $i_1+i_2+i_3$ for 3, $i_1+i_3$ and $i_2+i_4$ for 4")
         .in_words()
         .follows(decays);
 }
@@ -142,14 +142,14 @@ fn constant_slip(page: &mut Page, s: &Letters) {
     let motor = s.motor(1);
     let currents = [Sym::ZERO, steady(motor.bars[0])];
     let (_, rates) = driven(motor, s, &currents);
-    page.claim("beyond-damper", "constant-slip", r"at constant $\dot\gamma$ the equation of a bar at any angle $t_n$ has the solution $i_n = a_2\dot\gamma\,\frac{R_2\cos(\gamma+t_n) + L_2\dot\gamma\sin(\gamma+t_n)}{R_2^2 + L_2^2\dot\gamma^2}$")
+    page.claim("beyond-damper", "constant-slip", r"At constant $\dot\gamma$ the equation of a bar at any angle $t_n$ has the solution $i_n = a_2\dot\gamma\,\frac{R_2\cos(\gamma+t_n) + L_2\dot\gamma\sin(\gamma+t_n)}{R_2^2 + L_2^2\dot\gamma^2}$")
         .in_words()
         .given([Positive(r2)])
         .follows([Equal(rates[1], currents[1].diff(s.gamma) * slip)]);
     for (bars, slug) in [(3u32, "kloss-three"), (4, "kloss-four"), (6, "kloss-six")] {
         let motor = s.evenly_spaced(bars);
         let moment = motor.bars.iter().fold(Sym::ZERO, |sum, &bar| sum - a2 * steady(bar) * (gamma + bar).cos);
-        page.claim("beyond-damper", slug, format!(r"at constant $\dot\gamma$ the torque of $n_2={bars}$ evenly spaced bars is constant and is that of Kloss with the critical slip $R_2/L_2$: $-\frac{{n_2}}2\,\frac{{a_2^2R_2\dot\gamma}}{{R_2^2+L_2^2\dot\gamma^2}}$"))
+        page.claim("beyond-damper", slug, format!(r"At constant $\dot\gamma$ the torque of $n_2={bars}$ evenly spaced bars is constant and is that of Kloss with the critical slip $R_2/L_2$: $-\frac{{n_2}}2\,\frac{{a_2^2R_2\dot\gamma}}{{R_2^2+L_2^2\dot\gamma^2}}$"))
             .in_words()
             .follows([Equal(moment, -(number(bars.into(), 2) * a2.powi(2) * r2 * slip / norm))]);
     }
@@ -159,7 +159,7 @@ fn constant_slip(page: &mut Page, s: &Letters) {
     page.claim(
         "beyond-damper",
         "pulsating",
-        r"at constant $\dot\gamma$ the torque of one bar is $-\frac{a_2^2\dot\gamma}{2(R_2^2+L_2^2\dot\gamma^2)}(R_2+R_2\cos2p+L_2\dot\gamma\sin2p)$, $p=\gamma+t_1$, which pulsates with the double angle about its mean",
+        r"At constant $\dot\gamma$ the torque of one bar is $-\frac{a_2^2\dot\gamma}{2(R_2^2+L_2^2\dot\gamma^2)}(R_2+R_2\cos2p+L_2\dot\gamma\sin2p)$, $p=\gamma+t_1$, which pulsates with the double angle about its mean",
     )
     .in_words()
     .follows([Equal(

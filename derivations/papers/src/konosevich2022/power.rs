@@ -55,7 +55,7 @@ fn circuits(page: &mut Page, s: &Letters) {
     let lost = joule_heat(&machine, &currents);
     let friction_power = friction(speed) * speed;
     let supplied = s.omega_field * (moment - friction(speed));
-    page.claim("beyond-power", "balance", r"three bars at any angles, with the circuits' energy $-b_0\cos\gamma + \frac12L_1x^2 + \frac12L_2\sum i_n^2$, have $\dot E = \Omega(M - M_2) + \dot\varphi'M_2 - \mu\dot\gamma^2 - R_1x^2 - R_2\sum i_n^2$. The terms are the supply of the turning field, friction and heat")
+    page.claim("beyond-power", "balance", r"Three bars at any angles, with the circuits' energy $-b_0\cos\gamma + \frac12L_1x^2 + \frac12L_2\sum i_n^2$, have $\dot E = \Omega(M - M_2) + \dot\varphi'M_2 - \mu\dot\gamma^2 - R_1x^2 - R_2\sum i_n^2$. The terms are the supply of the turning field, friction and heat")
         .in_words()
         .follows([Equal(
             moment * speed + stored.slope,
@@ -79,11 +79,11 @@ fn circuits(page: &mut Page, s: &Letters) {
             .given([NonZero(moved)])
             .by_signs([Positive(-decreasing(s, falling(s, 1), secant))]);
     }
-    page.claim("beyond-power", "bar", r"a further bar at any angle adds $-R_2i_n^2$ to $\dot W$ and nothing else, here the second and the third. With any number of bars $-\dot W>0$ unless $\dot\gamma$ and all currents vanish")
+    page.claim("beyond-power", "bar", r"A further bar at any angle adds $-R_2i_n^2$ to $\dot W$ and nothing else, here the second and the third. With any number of bars $-\dot W>0$ unless $\dot\gamma$ and all currents vanish")
         .in_words()
         .follows([2, 3].map(|n| Equal(falling(s, n) - falling(s, n - 1), -(letter("R2") * current(n).powi(2)))));
     let potential = -(s.b0 * s.angle().cos);
-    page.claim("beyond-power", "minimum", r"as a function of $\gamma$ the function $W$ has the slope $b_0\sin\gamma + c_0$ and the curvature $b_0\cos\gamma$, which is positive at $\gamma^{(0)}$ and negative at $\gamma^{(1)}$ (section6-gamma/ranges)")
+    page.claim("beyond-power", "minimum", r"As a function of $\gamma$ the function $W$ has the slope $b_0\sin\gamma + c_0$ and the curvature $b_0\cos\gamma$, which is positive at $\gamma^{(0)}$ and negative at $\gamma^{(1)}$ (section6-gamma/ranges)")
         .in_words()
         .follows([
             Equal((potential + s.c0 * s.gamma).diff(s.gamma), s.b0 * s.angle().sin + s.c0),
@@ -106,27 +106,27 @@ fn falling(s: &Letters, bars: u32) -> Sym {
 fn every_machine(page: &mut Page, s: &Letters) {
     let [k, f, pull_out, pull_out_slip] = ["k", "f", "Mk", "sk"].map(letter);
     let field_speed = s.omega_field;
-    balance(page, s, "free-rotor", "a free rotor", &FreeRotor::default());
-    balance(page, s, "asynchronous", "a linear asynchronous motor", &Asynchronous { field_speed, k, f });
-    balance(page, s, "kloss", "an asynchronous motor after Kloss", &Kloss { field_speed, pull_out, pull_out_slip, f });
-    balance(page, s, "synchronous", "a synchronous motor without currents", &Synchronous { field_speed, b0: s.b0, f });
+    balance(page, s, "free-rotor", "A free rotor", &FreeRotor::default());
+    balance(page, s, "asynchronous", "A linear asynchronous motor", &Asynchronous { field_speed, k, f });
+    balance(page, s, "kloss", "An asynchronous motor after Kloss", &Kloss { field_speed, pull_out, pull_out_slip, f });
+    balance(page, s, "synchronous", "A synchronous motor without currents", &Synchronous { field_speed, b0: s.b0, f });
     let windings = EquivalentWindings::new(s.windings(), 3, Circle::zero());
-    balance(page, s, "equivalent-windings", "a motor with two equivalent windings", &windings);
-    balance(page, s, "multi-current", "a motor with three bars at any angles", &s.motor(3));
+    balance(page, s, "equivalent-windings", "A motor with two equivalent windings", &windings);
+    balance(page, s, "multi-current", "A motor with three bars at any angles", &s.motor(3));
     let [flux, inductance, resistance, voltage] = ["a1", "L1", "R1", "V"].map(letter);
     let crossed = CrossedWindings { field_speed, flux, inductance, resistance, f };
-    balance(page, s, "crossed-windings", "a motor with two windings at right angles", &crossed);
+    balance(page, s, "crossed-windings", "A motor with two windings at right angles", &crossed);
     let magnets = Magnets { field_speed, voltage, flux, along: inductance, across: letter("L2"), resistance, f };
     let magnets = PermanentMagnet { magnets, pole_pairs: 2 };
-    balance(page, s, "permanent-magnet", "a motor with magnets with two pairs of poles, in Park's axes,", &magnets);
+    balance(page, s, "permanent-magnet", "A motor with magnets with two pairs of poles, in Park's axes,", &magnets);
     let brushed = Brushed { voltage, flux, inductance, resistance, f };
-    balance(page, s, "brushed", "a motor with brushes on a constant voltage", &brushed);
+    balance(page, s, "brushed", "A motor with brushes on a constant voltage", &brushed);
     let form = SecondForm::new(s.a_star, s.l, s.axial, s.e * s.big_gamma);
     let (dw, reaction) = form.prescribed(s.w, s.nu, field_speed);
     let w = Vector3::from(along(s.w.into(), dw.into()));
     let nu = Vector3::from(along(s.nu.into(), s.nu.cross(&s.w).into()));
     let energy = form.energy(w, nu, Tangent::fixed(field_speed));
-    page.claim("beyond-power", "constant-speed", r"at constant rotor speed $\dot E = \Omega M$ along the motion that the program integrates, with the reaction $M = A'\,l\cdot\dot\omega = (A'p')'$, so that $E - \Omega A'p'$ is conserved")
+    page.claim("beyond-power", "constant-speed", r"At constant rotor speed $\dot E = \Omega M$ along the motion that the program integrates, with the reaction $M = A'\,l\cdot\dot\omega = (A'p')'$, so that $E - \Omega A'p'$ is conserved")
         .in_words()
         .follows([Equal(energy.slope, field_speed * reaction), Equal(reaction, s.axial * s.l.dot(&dw))]);
 }

@@ -25,7 +25,7 @@ pub fn claims(page: &mut Page, s: &Letters) {
     let motion = MotionInstant { vertical: vertical(&euler([angles[0], angles[1], angles[2]])), ..s.motion() };
     let at_angles = g.by_momentum(&motion);
     let by_hamel = g.by_hamel(angles, &motion);
-    page.claim("beyond-routes", "hamel", r"the equations of Boltzmann and Hamel in the quasi-velocities $(\omega, \dot\varphi')$, with brackets from Euler's angles, are the theorem of angular momentum for the carrier and the rotor")
+    page.claim("beyond-routes", "hamel", r"The equations of Boltzmann and Hamel in the quasi-velocities $(\omega, \dot\varphi')$, with brackets from Euler's angles, are the theorem of angular momentum for the carrier and the rotor")
         .in_words()
         .under(&s.unit_axis)
         .follows((0..4).map(|i| Equal(by_hamel[i], at_angles[i])));

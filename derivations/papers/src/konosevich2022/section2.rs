@@ -28,7 +28,7 @@ pub fn claims(page: &mut Page, s: &Letters) {
     page.claim(
         "eq2.2",
         "momentum",
-        "the angular momentum about $O$, integrated over all mass points, has the components (2.2)",
+        "The angular momentum about $O$, integrated over all mass points, has the components (2.2)",
     )
     .under(&s.unit_axis)
     .holds(formulas(x, momentum, printed));
@@ -76,7 +76,7 @@ pub fn claims(page: &mut Page, s: &Letters) {
     page.claim("eq2.7", "absolute-spin", "$p'$ is the projection of the rotor's absolute angular velocity on $l$")
         .under(&s.unit_axis)
         .holds([Line::formula(axial_spin, letter("p′"), w.x * l.x + w.y * l.y + w.z * l.z + s.dphi)]);
-    page.claim("eq2.7", "spin-momentum", r"the rotor's own angular momentum along $l$ is $A'p'$")
+    page.claim("eq2.7", "spin-momentum", r"The rotor's own angular momentum along $l$ is $A'p'$")
         .under(&s.unit_axis)
         .holds([Line::formula(spin.dot(&l), letter("x1"), s.axial * p)]);
 
@@ -98,7 +98,7 @@ fn components(page: &mut Page, s: &Letters, slug: &'static str, tensor: Matrix3<
     let mixed = cyclic(|i, j, _| a0[(i, j)] - s.m_rotor * h[i] * h[j] + (axial - s.transverse) * l[i] * l[j]);
     let names = super::alphabet::tensor(if slug == "full" { "A⋆" } else { "A" });
     let says = if slug == "full" { "$A^*$ are (2.8)" } else { "$A$ are (2.8) without the terms in $A'$" };
-    page.claim("eq2.8", slug, format!("the components of {says}, in the order 11, 12, 22, 23, 33, 31"))
+    page.claim("eq2.8", slug, format!("The components of {says}, in the order 11, 12, 22, 23, 33, 31"))
         .under(&s.unit_axis)
         .holds((0..3).flat_map(|i| {
             let j = (i + 1) % 3;
@@ -108,7 +108,7 @@ fn components(page: &mut Page, s: &Letters, slug: &'static str, tensor: Matrix3<
             ]
         }));
     if slug == "full" {
-        page.claim("eq2.8", "symmetric", "the components 21, 32 and 13 of $A^*$ equal 12, 23 and 31")
+        page.claim("eq2.8", "symmetric", "The components 21, 32 and 13 of $A^*$ equal 12, 23 and 31")
             .under(&s.unit_axis)
             .follows((0..3).map(|i| {
                 let j = (i + 1) % 3;
@@ -129,12 +129,12 @@ fn rotor(page: &mut Page, s: &Letters) {
     page.claim(
         "eq2.9",
         "rotor",
-        r"the rotor's equation about $l$ is (2.9), with $\ddot\varphi' = \dot p' - \dot\omega\cdot l$ from (2.7)",
+        r"The rotor's equation about $l$ is (2.9), with $\ddot\varphi' = \dot p' - \dot\omega\cdot l$ from (2.7)",
     )
     .under(&s.unit_axis)
     .holds([Line::equation(with_dp, s.axial * dp, s.torque)]);
     for (slug, residual, route) in [
-        ("by-momentum", by_momentum, "the angular momentum of the rotor gives"),
+        ("by-momentum", by_momentum, "The angular momentum of the rotor gives"),
         ("by-appell", by_appell, "Appell's equations give"),
     ] {
         page.claim("eq2.10", slug, format!("{route} (2.10), the equation of the rotor's rotation"))

@@ -81,7 +81,7 @@ fn currentless(page: &mut Page, s: &Letters) {
     page.claim(
         "eq3.1",
         "moment",
-        r"the torque of the synchronous motor is (3.1), from $U = -b_0\cos\gamma$ and friction, with $\Delta M_2 = M_2(\dot\gamma+\Omega) + c_0$ and $c_0 = -M_2(\Omega)$",
+        r"The torque of the synchronous motor is (3.1), from $U = -b_0\cos\gamma$ and friction, with $\Delta M_2 = M_2(\dot\gamma+\Omega) + c_0$ and $c_0 = -M_2(\Omega)$",
     )
     .holds([Line::formula(moment, s.torque, excess_friction(s) - s.b0 * s.angle().sin - c0)]);
 }
@@ -97,7 +97,7 @@ fn signs(page: &mut Page, s: &Letters) {
     .given([Condition::Positive(secant), Condition::NonZero(s.dgamma)])
     .note("Strictness is needed: a law that is constant between two speeds makes the product zero.")
     .by_signs([Condition::Positive(-(s.dgamma * decreasing(s, excess_friction(s), secant)))]);
-    page.claim("eq3.2", "at-synchronism", r"at synchronism $\Delta M_2(0) = 0$")
+    page.claim("eq3.2", "at-synchronism", r"At synchronism $\Delta M_2(0) = 0$")
         .follows([Condition::Zero(excess_friction(s).substitute(&[(s.dgamma, Sym::ZERO)]))]);
     page.claim(
         "section3-motors",
@@ -126,9 +126,9 @@ fn multi_current(page: &mut Page, s: &Letters, bars: u32, slug: &'static str) {
         - s.b0 * gamma.sin
         + friction(s.omega_field);
     let rotor = Line::equation(s.axial * s.ddgamma - moment, s.axial * s.ddgamma, printed);
-    page.claim("eq3.3", slug, format!("the equations of Lagrange and Maxwell give (3.3) for the motor alone with $n_2 = {bars}$, the rotor and the currents"))
+    page.claim("eq3.3", slug, format!("The equations of Lagrange and Maxwell give (3.3) for the motor alone with $n_2 = {bars}$, the rotor and the currents"))
         .holds([rotor].into_iter().chain(current_equations(s, bars, &rates)));
-    page.claim("eq3.4", slug, format!(r"the torque of the motor with $n_2 = {bars}$ is (3.4), from the fluxes $a_1\cos\gamma$ and $-a_2\sin(\gamma+t_n)$ with any angles $t_n$ (the paper: $-\pi/4+2\pi n/n_2$)"))
+    page.claim("eq3.4", slug, format!(r"The torque of the motor with $n_2 = {bars}$ is (3.4), from the fluxes $a_1\cos\gamma$ and $-a_2\sin(\gamma+t_n)$ with any angles $t_n$ (the paper: $-\pi/4+2\pi n/n_2$)"))
         .holds([Line::formula(moment, s.torque, printed)]);
 }
 
@@ -160,7 +160,7 @@ fn asynchronous(page: &mut Page, s: &Letters) {
     page.claim(
         "section3-motors",
         "linear",
-        r"if the torques are linear in the speed, $\Omega' = k\Omega/(k+f)$ lies between $0$ and $\Omega$, and $-\dot\gamma M > 0$ about $\Omega'$",
+        r"If the torques are linear in the speed, $\Omega' = k\Omega/(k+f)$ lies between $0$ and $\Omega$, and $-\dot\gamma M > 0$ about $\Omega'$",
     )
     .given([k, f, omega].map(Condition::Positive))
     .given([Condition::NonZero(s.dgamma)])
@@ -188,7 +188,7 @@ fn kloss(page: &mut Page, s: &Letters) {
     page.claim(
         "section3-motors",
         "slip-sign",
-        r"the torque of Kloss' motor without friction has the sign opposite to $\dot\varphi' - \Omega$",
+        r"The torque of Kloss' motor without friction has the sign opposite to $\dot\varphi' - \Omega$",
     )
     .given([pull_out, critical, omega].map(Condition::Positive))
     .given([Condition::NonZero(s.dgamma)])

@@ -78,7 +78,7 @@ fn first_form(page: &mut Page, s: &Letters) {
     page.claim(
         "eq4.3",
         "carrier",
-        "the first form of the carrier's equations is (4.3), where the rotor's equation (2.9) is used",
+        "The first form of the carrier's equations is (4.3), where the rotor's equation (2.9) is used",
     )
     .under(&s.unit_axis)
     .holds((0..3).map(|i| Line::equation(by_momentum[i], a[i] * s.dw[i], right(p)[i])));
@@ -97,13 +97,13 @@ fn first_form(page: &mut Page, s: &Letters) {
     page.claim(
         "eq4.4",
         "carrier",
-        r"the first form of the carrier's equations with $p' = \omega\cdot l + \dot\gamma + \Omega$ is (4.4)",
+        r"The first form of the carrier's equations with $p' = \omega\cdot l + \dot\gamma + \Omega$ is (4.4)",
     )
     .under(&s.unit_axis)
     .holds((0..3).map(|i| Line::equation(from_field[i], a[i] * s.dw[i], right(spin)[i])));
     let rotor = g.by_momentum(&s.motion_from_field())[3];
     let right = -(s.axial * (l.x * s.dw.x + l.y * s.dw.y + l.z * s.dw.z)) + s.torque;
-    page.claim("eq4.5", "rotor", "the rotor's equation in the angle from the field is (4.5)")
+    page.claim("eq4.5", "rotor", "The rotor's equation in the angle from the field is (4.5)")
         .under(&s.unit_axis)
         .holds([Line::equation(rotor, s.axial * s.ddgamma, right)]);
 }
@@ -116,7 +116,7 @@ fn kinematics(page: &mut Page, s: &Letters) {
         Vector3::new(w.z * nu.y - w.y * nu.z, w.x * nu.z - w.z * nu.x, w.y * nu.x - w.x * nu.y)
     };
     let right = printed(w, nu);
-    page.claim("eq4.6", "vertical", "the vertical is at rest in space")
+    page.claim("eq4.6", "vertical", "The vertical is at rest in space")
         .holds((0..3).map(|i| Line::equation(absolute[i], dnu[i], right[i])));
 
     let angles = ["ψ", "θ", "φ"].map(letter);
@@ -141,7 +141,7 @@ fn currents(page: &mut Page, s: &Letters) {
     page.claim(
         "eq4.7",
         "currents",
-        "the equations of the currents that the program integrates with $n_2 = 3$ are those of (4.7)",
+        "The equations of the currents that the program integrates with $n_2 = 3$ are those of (4.7)",
     )
     .holds(current_equations(s, bars, &rates[mechanical.len()..]));
 }
@@ -152,7 +152,7 @@ fn solved(page: &mut Page, s: &Letters) {
     let form = FirstForm::new(s.a, s.l, s.axial, s.e * s.big_gamma);
     let (dw, ddphi) = form.accelerations(s.w, s.nu, s.dphi, s.torque);
     let motion = systems::gyrostat::MotionInstant { angular_acceleration: dw, rotor_acceleration: ddphi, ..s.motion() };
-    page.claim("eq4.3", "runs", "in the first form, the accelerations that the program integrates satisfy the angular momentum equations of the mass points")
+    page.claim("eq4.3", "runs", "In the first form, the accelerations that the program integrates satisfy the angular momentum equations of the mass points")
         .under(&s.unit_axis)
         .follows(g.by_momentum(&motion).map(Condition::Zero));
     let (dw, reaction) = form.prescribed(s.w, s.nu, s.dphi);
@@ -162,7 +162,7 @@ fn solved(page: &mut Page, s: &Letters) {
         torque: reaction,
         ..s.motion()
     };
-    page.claim("eq4.3", "runs-prescribed", "in the first form with prescribed rotor speed, the accelerations and the reaction that the program integrates satisfy the angular momentum equations of the mass points")
+    page.claim("eq4.3", "runs-prescribed", "In the first form with prescribed rotor speed, the accelerations and the reaction that the program integrates satisfy the angular momentum equations of the mass points")
         .under(&s.unit_axis)
         .follows(g.by_momentum(&motion).map(Condition::Zero));
 }

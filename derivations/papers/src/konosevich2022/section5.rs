@@ -48,7 +48,7 @@ fn second_form(page: &mut Page, s: &Letters) {
     for (slug, says, residual) in [
         (
             "carrier",
-            "the theorem of angular momentum gives (5.2), the second form of the carrier's equations",
+            "The theorem of angular momentum gives (5.2), the second form of the carrier's equations",
             g.by_momentum(&motion),
         ),
         (
@@ -64,7 +64,7 @@ fn second_form(page: &mut Page, s: &Letters) {
     let form = SecondForm::new(s.a_star, l, s.axial, s.e * s.big_gamma);
     let (dw, ddphi) = form.accelerations(s.w, s.nu, s.dphi, s.torque);
     let motion = MotionInstant { angular_acceleration: dw, rotor_acceleration: ddphi, ..s.motion() };
-    page.claim("eq5.2", "runs", "in the second form, the accelerations that the program integrates satisfy the angular momentum equations of the mass points")
+    page.claim("eq5.2", "runs", "In the second form, the accelerations that the program integrates satisfy the angular momentum equations of the mass points")
         .under(&s.unit_axis)
         .follows(g.by_momentum(&motion).map(Condition::Zero));
 }
@@ -91,7 +91,7 @@ fn rotor(page: &mut Page, s: &Letters) {
         - s.axial * s.big_gamma * weighted(e.cross(&nu))
         + s.torque;
     let derived = eliminated(s);
-    page.claim("eq5.3", "rotor", "the rotor's equation with the carrier's accelerations eliminated is (5.3)")
+    page.claim("eq5.3", "rotor", "The rotor's equation with the carrier's accelerations eliminated is (5.3)")
         .under(&s.unit_axis)
         .holds([Line::equation(derived, left, right)]);
     page.claim(
@@ -107,7 +107,7 @@ fn rotor(page: &mut Page, s: &Letters) {
             + s.axial * cyclic(|i, _, _| l[i] * (self::right(s)[i] - s.axial * s.ddgamma * l[i]) / a[i]).sum()
             - s.torque,
     )]);
-    page.claim("eq5.4", "coefficient", r"the coefficient of $\ddot\gamma$ in (5.3) is $A'D$")
+    page.claim("eq5.4", "coefficient", r"The coefficient of $\ddot\gamma$ in (5.3) is $A'D$")
         .reading(r"The text has $AD$ here; (5.3) shows the prime.")
         .under(&s.unit_axis)
         .holds([Line::formula(derived.diff(s.ddgamma) / s.axial, letter("D"), singularity(s))]);
@@ -119,7 +119,7 @@ fn determinant_identity(page: &mut Page, s: &Letters) {
     page.claim(
         "section5.2-det",
         "components",
-        r"the components are $\tilde A_{ii} = A^*_i - A'l_i^2$ and $\tilde A_{ij} = -A'l_il_j$",
+        r"The components are $\tilde A_{ii} = A^*_i - A'l_i^2$ and $\tilde A_{ij} = -A'l_il_j$",
     )
     .under(&s.unit_axis)
     .follows((0..3).flat_map(|i| {
@@ -132,7 +132,7 @@ fn determinant_identity(page: &mut Page, s: &Letters) {
     }));
     let product = a.x * a.y * a.z;
     let name = letter("det Ã");
-    page.claim("section5.2-det", "determinant", r"the determinant is $\det\tilde A = A_1^*A_2^*A_3^*D$")
+    page.claim("section5.2-det", "determinant", r"The determinant is $\det\tilde A = A_1^*A_2^*A_3^*D$")
         .under(&s.unit_axis)
         .holds([Line::formula(determinant(&tensor), name, product * singularity(s))]);
     // e_i = l_i sqrt(A'), so e_i e_j = A' l_i l_j
@@ -162,7 +162,7 @@ fn singular(page: &mut Page, s: &Letters) {
     page.claim(
         "section5.2-singular",
         "regular",
-        "if $A$ is positive definite, $0 < D < 1$. Here $A = CC^T$ in axes with the first along $l$",
+        "If $A$ is positive definite, $0 < D < 1$. Here $A = CC^T$ in axes with the first along $l$",
     )
     .given(positive)
     .by_signs([Condition::Positive(d), Condition::Positive(one() - d)]);
@@ -178,7 +178,7 @@ fn singular(page: &mut Page, s: &Letters) {
     page.claim(
         "section5.2-singular",
         "bound-data",
-        r"expressed by the data of the bodies, $l\cdot A\,l = l\cdot A^0l + m'|h\times l|^2$",
+        r"Expressed by the data of the bodies, $l\cdot A\,l = l\cdot A^0l + m'|h\times l|^2$",
     )
     .in_words()
     .under(&s.unit_axis)
@@ -186,7 +186,7 @@ fn singular(page: &mut Page, s: &Letters) {
         s.l.dot(&(g.reduced_tensor() * s.l)),
         s.l.dot(&(g.carrier.inertia * s.l)) + s.m_rotor * s.h.cross(&s.l).dot(&s.h.cross(&s.l)),
     )]);
-    page.claim("section5.2-singular", "by-definition", r"the principal components of $A$ are positive by definition, so $D \neq 0$ for every body $S^0$")
+    page.claim("section5.2-singular", "by-definition", r"The principal components of $A$ are positive by definition, so $D \neq 0$ for every body $S^0$")
         .given([Condition::Equal(letter("l1"), one())])
         .why(r"The carrier may be a thin rod along the rotor's axis through $O$ (moments 0, 1, 1), on which the rotor's centre lies. $A$ then has the moment 0 about $l$, $A^*$ has $A'$ there, and $D = 0$. The statement needs that the carrier has inertia about the rotor's axis: as that inertia goes to zero, so does $D$.")
         .refuted([Condition::NonZero(singularity(s))], rod(s));
@@ -230,7 +230,7 @@ fn agree(page: &mut Page, s: &Letters) {
     };
     let rotor = s.axial * (s.l.dot(&s.dw) + s.ddphi) - s.torque;
     let gap = second(full) - first(tensor, s.w, s.dw, s.l, weight, s.nu) - s.l * rotor;
-    page.claim("forms-agree", "common-axes", "the second form minus the first form minus $l$ times the rotor's equation is zero, with full symmetric tensors in arbitrary common axes, all parameters and $M$ free")
+    page.claim("forms-agree", "common-axes", "The second form minus the first form minus $l$ times the rotor's equation is zero, with full symmetric tensors in arbitrary common axes, all parameters and $M$ free")
         .follows(gap.iter().map(|&x| Condition::Zero(x)));
 
     // own axes: the axes of A* are turned by R against those of A
@@ -240,7 +240,7 @@ fn agree(page: &mut Page, s: &Letters) {
     let back = turn.transpose();
     let covariant = turn * first(back * tensor * turn, back * s.w, back * s.dw, back * s.l, back * weight, back * s.nu);
     let here = first(tensor, s.w, s.dw, s.l, weight, s.nu);
-    page.claim("forms-agree", "rotated", "the first form written in axes turned by any rotation $R(q)$, then turned back, is the first form. Each form may therefore stand in its own principal axes")
+    page.claim("forms-agree", "rotated", "The first form written in axes turned by any rotation $R(q)$, then turned back, is the first form. Each form may therefore stand in its own principal axes")
         .in_words()
         .given([Condition::NonZero(norm)])
         .follows((0..3).map(|i| Condition::Equal(covariant[i], here[i])));
@@ -258,7 +258,7 @@ fn agree(page: &mut Page, s: &Letters) {
     page.claim(
         "forms-agree",
         "own-axes",
-        r"the two forms with full tensors become (4.3) and (5.2) as printed where the tensors are diagonal",
+        r"The two forms with full tensors become (4.3) and (5.2) as printed where the tensors are diagonal",
     )
     .in_words()
     .follows((0..3).flat_map(|i| {

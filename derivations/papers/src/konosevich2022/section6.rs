@@ -27,11 +27,11 @@ fn currents(page: &mut Page, s: &Letters) {
     let windings = [(letter("L1"), letter("R1"), letter("x")), (letter("L2"), letter("R2"), current(1))];
     let (_, rates) = driven(s.motor(1), s, &s.currents(1));
     let at_rest = [0, 1].map(|k| (windings[k].0 * rates[k]).substitute(&[(s.dgamma, Sym::ZERO)]));
-    page.claim("eq6.1", "currents", r"with $R_1, R_2 > 0$ the constant currents of the excitation and of a bar at any angle vanish at $\dot\gamma = 0$. By (3.3) no winding's equation contains another winding's current, so that one bar stands for each, for every $n_2$")
+    page.claim("eq6.1", "currents", r"With $R_1, R_2 > 0$ the constant currents of the excitation and of a bar at any angle vanish at $\dot\gamma = 0$. By (3.3) no winding's equation contains another winding's current, so that one bar stands for each, for every $n_2$")
         .given(windings.map(|(_, resistance, _)| Condition::Positive(resistance)))
         .given(at_rest.map(Condition::Zero))
         .by_combination([0, 1].map(|k| (Condition::Zero(windings[k].2), vec![k], vec![(k + 2, number(-1, 1))])));
-    page.claim("section6-currents", "resistances", r"both resistances are needed: with $R_1 = 0$ every constant current of the excitation satisfies its equation at $\dot\gamma = 0$, and with $R_2 = 0$ so does every constant current of a bar")
+    page.claim("section6-currents", "resistances", r"Both resistances are needed: with $R_1 = 0$ every constant current of the excitation satisfies its equation at $\dot\gamma = 0$, and with $R_2 = 0$ so does every constant current of a bar")
         .in_words()
         .follows([0, 1].map(|k| Condition::Zero(at_rest[k].substitute(&[(windings[k].1, Sym::ZERO)]))));
     let bars = 3;
@@ -39,7 +39,7 @@ fn currents(page: &mut Page, s: &Letters) {
     page.claim(
         "section6-currents",
         "apart",
-        r"no winding's equation contains another winding's current, here with $n_2 = 3$ bars at any angles",
+        r"No winding's equation contains another winding's current, here with $n_2 = 3$ bars at any angles",
     )
     .in_words()
     .follows((0..=bars as usize).flat_map(|k| {
@@ -48,7 +48,7 @@ fn currents(page: &mut Page, s: &Letters) {
         let currents = s.currents(bars);
         others.map(move |j| Condition::Zero(rate.diff(currents[j])))
     }));
-    page.claim("eq6.2", "state", r"a stationary state has constant $\omega^0, \nu^0, \gamma^0$, and zeros elsewhere")
+    page.claim("eq6.2", "state", r"A stationary state has constant $\omega^0, \nu^0, \gamma^0$, and zeros elsewhere")
         .defines([]);
 }
 
@@ -65,7 +65,7 @@ fn angles(page: &mut Page, s: &Letters) {
         r"$M = 0$ at rest without currents is $b_0\sin\gamma^0 + c_0 = 0$, with $c_0 = -M_2(\Omega)$",
     )
     .holds([Line::equation(-at_rest, s.b0 * sine - friction(s.omega_field), Sym::ZERO)]);
-    page.claim("eq6.3", "rotor", "the rotor's equation (4.5), derived from the bodies, is $M = 0$ at a constant state")
+    page.claim("eq6.3", "rotor", "The rotor's equation (4.5), derived from the bodies, is $M = 0$ at a constant state")
         .in_words()
         .under(&s.unit_axis)
         .follows([Condition::Equal(
@@ -88,7 +88,7 @@ fn angles(page: &mut Page, s: &Letters) {
     .in_words()
     .given([Condition::Zero(s.b0 * ratio - s.c0)])
     .by_combination([first, second].map(|p| (Condition::Zero(balance(p)), vec![], vec![(0, number(-1, 1))])));
-    page.claim("section6-gamma", "ranges", r"if $0 < r < 1$, so that $C = \sqrt{1-r^2} > 0$, the quadrants follow from $\cos\gamma^{(0)} > 0 > \sin\gamma^{(0)}$ and $\cos\gamma^{(1)} < 0$, $\sin\gamma^{(1)} < 0$")
+    page.claim("section6-gamma", "ranges", r"If $0 < r < 1$, so that $C = \sqrt{1-r^2} > 0$, the quadrants follow from $\cos\gamma^{(0)} > 0 > \sin\gamma^{(0)}$ and $\cos\gamma^{(1)} < 0$, $\sin\gamma^{(1)} < 0$")
         .in_words()
         .given([Condition::Positive(cosine), Condition::Positive(ratio)])
         .by_signs([first.cos, -first.sin, -second.cos, -second.sin].map(Condition::Positive));
@@ -96,7 +96,7 @@ fn angles(page: &mut Page, s: &Letters) {
     page.claim(
         "section6-gamma",
         "no-others",
-        r"a point $(c,s)$ of the circle with $b_0s + c_0 = 0$ has $(c-C)(c+C) = 0$, so that up to turns the families $\gamma^{(0)}$ and $\gamma^{(1)}$ are the only ones",
+        r"A point $(c,s)$ of the circle with $b_0s + c_0 = 0$ has $(c-C)(c+C) = 0$, so that up to turns the families $\gamma^{(0)}$ and $\gamma^{(1)}$ are the only ones",
     )
     .given([Condition::NonZero(s.b0), Condition::Zero(s.b0 * ratio - s.c0), on_circle])
     .given([Condition::Zero(any.defect()), Condition::Zero(balance(any))])
@@ -128,7 +128,7 @@ fn rotation_about_the_vertical(page: &mut Page, s: &Letters) {
         .in_words()
         .follows(nu.cross(&(nu * s.omega0)).iter().map(|&x| Condition::Zero(x)));
     let x = s.in_axes_of_a_star().angular_momentum(nu * s.omega0, s.omega_field)[0];
-    page.claim("statement1", "rest-or-rotation", r"at $\omega = \omega^0\nu$ the weight has no power, $\omega\cdot(\Gamma e\times\nu) = 0$, and the vertical part of the angular momentum has no rate, $\nu\cdot(x\times\omega) = 0$. With $\omega^0 = 0$ the carrier rests, otherwise it turns about the vertical")
+    page.claim("statement1", "rest-or-rotation", r"At $\omega = \omega^0\nu$ the weight has no power, $\omega\cdot(\Gamma e\times\nu) = 0$, and the vertical part of the angular momentum has no rate, $\nu\cdot(x\times\omega) = 0$. With $\omega^0 = 0$ the carrier rests, otherwise it turns about the vertical")
         .in_words()
         .under(&s.unit_axis)
         .follows([
@@ -151,11 +151,11 @@ fn conditions(page: &mut Page, s: &Letters) {
         let (l, r) = if k == 0 { ("L1", "R1") } else { ("L2", "R2") };
         Condition::Equal(-(letter(l) * rates[k]).substitute(&[(s.dgamma, Sym::ZERO)]), letter(r) * currents[k])
     });
-    page.claim("eq6.5", "relations", "the carrier's equations at a constant state are (6.5)")
+    page.claim("eq6.5", "relations", "The carrier's equations at a constant state are (6.5)")
         .reading("The third relation is damaged in the text at hand; cyclic permutation of the other two restores it.")
         .under(&s.unit_axis)
         .holds((0..3).map(|i| Line::equation(-residual[i], printed[i], Sym::ZERO)));
-    page.claim("statement2", "conditions", r"at a constant state the residual of (5.2) is that of (6.5), the residual of (4.5) is $-M$ of (6.3), that of (4.6) at any constant $\omega$ is $\omega\times\nu$ of (6.4), and those of (4.7) are $R_1x$, $R_2i_n$ of (6.1), here with $n_2 = 3$. No further condition remains")
+    page.claim("statement2", "conditions", r"At a constant state the residual of (5.2) is that of (6.5), the residual of (4.5) is $-M$ of (6.3), that of (4.6) at any constant $\omega$ is $\omega\times\nu$ of (6.4), and those of (4.7) are $R_1x$, $R_2i_n$ of (6.1), here with $n_2 = 3$. No further condition remains")
         .in_words()
         .under(&s.unit_axis)
         .follows(
@@ -169,7 +169,7 @@ fn conditions(page: &mut Page, s: &Letters) {
     page.claim("remark3", "identity", r"$\nu\cdot(6.5) = 0$ holds identically")
         .follows([Condition::Zero(s.nu.dot(&printed))]);
     let zero = [Condition::Zero(printed.x), Condition::Zero(printed.y)];
-    page.claim("remark3", "any-one", "each of the three relations (6.5) follows from the other two")
+    page.claim("remark3", "any-one", "Each of the three relations (6.5) follows from the other two")
         .given(zero)
         .given([Condition::Zero(s.nu.dot(&s.nu) - one())])
         .why(r"Where $\nu_3 = 0$ the third relation is independent of the first two.")
@@ -177,7 +177,7 @@ fn conditions(page: &mut Page, s: &Letters) {
     page.claim(
         "remark3",
         "where",
-        r"the third relation of (6.5) follows from the other two where $\nu_3 \neq 0$. Cyclic permutation of the axes gives the other cases, and $|\nu| = 1$ implies that some $\nu_k \neq 0$",
+        r"The third relation of (6.5) follows from the other two where $\nu_3 \neq 0$. Cyclic permutation of the axes gives the other cases, and $|\nu| = 1$ implies that some $\nu_k \neq 0$",
     )
     .given(zero)
     .given([Condition::NonZero(s.nu.z)])
@@ -217,7 +217,7 @@ fn remarks(page: &mut Page, s: &Letters) {
     page.claim(
         "remark2",
         "asynchronous",
-        r"the moment of the linear asynchronous motor about $\Omega'$ is a function of the speed alone",
+        r"The moment of the linear asynchronous motor about $\Omega'$ is a function of the speed alone",
     )
     .under(&Hypotheses::none().given(working, k * s.omega_field / (k + f)))
     .holds([Line::formula(moment, s.torque, -((k + f) * s.dgamma))]);
@@ -226,7 +226,7 @@ fn remarks(page: &mut Page, s: &Letters) {
     page.claim(
         "remark2",
         "conditions",
-        r"the stationary motions with an asynchronous motor satisfy (6.5) with $\Omega'$ in the place of $\Omega$",
+        r"The stationary motions with an asynchronous motor satisfy (6.5) with $\Omega'$ in the place of $\Omega$",
     )
     .under(&s.unit_axis)
     .follows((0..3).map(|i| Condition::Equal(-by_momentum[i], printed[i])));

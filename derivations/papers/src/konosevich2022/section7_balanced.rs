@@ -24,7 +24,7 @@ fn functions(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "eq7.1",
         "v-and-delta",
-        r"in components, $V^* = l\cdot(A^*\nu\times\nu)$ and $\Delta^* = |A^*\nu\times\nu|^2$ are (7.1)",
+        r"In components, $V^* = l\cdot(A^*\nu\times\nu)$ and $\Delta^* = |A^*\nu\times\nu|^2$ are (7.1)",
     )
     .holds([
         Line::formula(s.l.dot(&f.tilt), letter("V⋆"), f.v),
@@ -34,7 +34,7 @@ fn functions(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "eq7.2",
         "necessary",
-        r"if $\Gamma=0$, the relations (6.5) multiplied by $l_i$ and added have the sum $\omega^{0\,2}V^*$, so that $V^*=0$ where $\omega^0\ne0$",
+        r"If $\Gamma=0$, the relations (6.5) multiplied by $l_i$ and added have the sum $\omega^{0\,2}V^*$, so that $V^*=0$ where $\omega^0\ne0$",
     )
     .given(zeros(f.all.map(|x| x.substitute(&balanced))))
     .given([NonZero(s.omega0)])
@@ -49,14 +49,14 @@ fn statement3(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement3A",
         "rest",
-        r"without weight $\omega^0=0$ satisfies (6.5) for every $\nu$, which is variant 1 of statement 3A",
+        r"Without weight $\omega^0=0$ satisfies (6.5) for every $\nu$, which is variant 1 of statement 3A",
     )
     .in_words()
     .follows(f.all.iter().map(|x| Zero(x.substitute(&at_rest))));
     page.claim(
         "statement3A",
         "rotation",
-        r"without weight (6.5) gives $\omega^{0\,2}V^*=0$: either the carrier rests (variant 1) or (7.2) holds (variant 2), and there is no third case",
+        r"Without weight (6.5) gives $\omega^{0\,2}V^*=0$: either the carrier rests (variant 1) or (7.2) holds (variant 2), and there is no third case",
     )
     .given(zeros(f.all.map(|x| x.substitute(&balanced))))
     .by_combination([(Zero(s.omega0.powi(2) * f.v), vec![], vec![(0, s.l.x), (1, s.l.y), (2, s.l.z)])]);
@@ -69,7 +69,7 @@ fn statement3b(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement3B",
         "identity",
-        r"under (7.3) the condition (7.2) restricts nothing: $V^* = \sum(A_2^*-A_3^*)l_1\,\nu_2\nu_3$",
+        r"Under (7.3) the condition (7.2) restricts nothing: $V^* = \sum(A_2^*-A_3^*)l_1\,\nu_2\nu_3$",
     )
     .given(zeros(vanishing))
     .by_combination([(Zero(f.v), vec![], vec![(0, s.nu.y * s.nu.z), (1, s.nu.z * s.nu.x), (2, s.nu.x * s.nu.y)])]);
@@ -81,7 +81,7 @@ fn statement3b(page: &mut Page, s: &Letters, f: &Relations) {
                 "statement3B",
                 slug,
                 format!(
-                    r"under (7.3) every direction is an axis of rotation: (6.5) has a solution $\omega^0\ne0$ ({})",
+                    r"Under (7.3) every direction is an axis of rotation: (6.5) has a solution $\omega^0\ne0$ ({})",
                     example.name
                 ),
             )
@@ -91,7 +91,7 @@ fn statement3b(page: &mut Page, s: &Letters, f: &Relations) {
             .why(r"(7.2) is one projection of (6.5), along $l$. Under (7.3) it is empty, and the other components of (6.5) decide.");
         no_speed(draft, s, f, &example);
         if slug == "any-direction" {
-            page.claim("statement3B", "spherical", r"with equal moments (6.5) is $\omega^0A'\Omega\,l\times\nu = 0$, so that the rotor's axis is the only axis of rotation (for the converse see statement3E/parallel)")
+            page.claim("statement3B", "spherical", r"With equal moments (6.5) is $\omega^0A'\Omega\,l\times\nu = 0$, so that the rotor's axis is the only axis of rotation (for the converse see statement3E/parallel)")
                 .given([Zero(s.a_star.x - s.a_star.y), Zero(s.a_star.y - s.a_star.z), NonZero(s.omega0), NonZero(f.spin)])
                 .given(zeros(f.all.map(|x| x.substitute(&[(s.big_gamma, Sym::ZERO)]))))
                 .by_combination((0..3).map(|i| {
@@ -114,7 +114,7 @@ fn statement3b(page: &mut Page, s: &Letters, f: &Relations) {
                 (s.a_star.z, s.a_star.y),
             ];
             let factor = (s.a_star.x - s.a_star.y) * s.omega0 * s.nu.x + f.spin;
-            page.claim("statement3B", "symmetric", r"with $A_2^*=A_3^*\ne A_1^*$, $l=\xi_1$ (6.5) is $\omega^0[(A_1^*-A_2^*)\omega^0\nu_1 + A'\Omega]\,(0,-\nu_3,\nu_2) = 0$. A direction with $\nu_1\ne0$ that is not the axis has exactly one $\omega^0\ne0$, the bracket's zero. A direction across the axis has none, and on the axis every $\omega^0$ is a solution")
+            page.claim("statement3B", "symmetric", r"With $A_2^*=A_3^*\ne A_1^*$, $l=\xi_1$ (6.5) is $\omega^0[(A_1^*-A_2^*)\omega^0\nu_1 + A'\Omega]\,(0,-\nu_3,\nu_2) = 0$. A direction with $\nu_1\ne0$ that is not the axis has exactly one $\omega^0\ne0$, the bracket's zero. A direction across the axis has none, and on the axis every $\omega^0$ is a solution")
         .in_words()
                 .follows((0..3).map(|i| {
                     let direction = [Sym::ZERO, -s.nu.z, s.nu.y][i];
@@ -129,17 +129,17 @@ fn statement3c(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement3C",
         "cone",
-        r"where (7.3) fails, $V^*=0$ is a cone of the second order: $V^*$ is a quadratic form that is not zero",
+        r"Where (7.3) fails, $V^*=0$ is a cone of the second order: $V^*$ is a quadratic form that is not zero",
     )
     .follows(coefficients_of(s, f.v, s.l).into_iter().chain([scaling(s, f.v, 2)]));
     let example = gyrostats::principal_axis();
     let draft = page
-        .claim("statement3C", "every-axis", format!(r"about every axis of the cone there is a rotation with some $\omega^0\neq0$ ({})", example.name))
+        .claim("statement3C", "every-axis", format!(r"About every axis of the cone there is a rotation with some $\omega^0\neq0$ ({})", example.name))
         .given([Zero(f.v), Zero(s.big_gamma), NonZero(f.spin)])
         .given(unit(s))
         .why(r"The principal axes lie on every such cone, since $V^*$ has no squares; none of them is an axis of rotation unless it is the rotor's.");
     no_speed(draft, s, f, &example);
-    page.claim("statement3C", "which-axes", r"on the cone, where $\Delta^*\ne0$, $\omega^0 = -A'\Omega\,G\cdot(l\times\nu)/\Delta^*$ satisfies $\omega^0G + A'\Omega\,l\times\nu = 0$ with $G=A^*\nu\times\nu$, by which it is zero only where $l\parallel\nu$ (for $\Delta^*=0$ see statement3E)")
+    page.claim("statement3C", "which-axes", r"On the cone, where $\Delta^*\ne0$, $\omega^0 = -A'\Omega\,G\cdot(l\times\nu)/\Delta^*$ satisfies $\omega^0G + A'\Omega\,l\times\nu = 0$ with $G=A^*\nu\times\nu$, by which it is zero only where $l\parallel\nu$ (for $\Delta^*=0$ see statement3E)")
         .in_words()
         .given([Zero(f.v), NonZero(f.delta), Equal(s.omega0 * f.delta, -(f.spin * f.tilt.dot(&f.axis)))])
         .by_combination((0..3).map(|i| {
@@ -154,7 +154,7 @@ fn formula_for_w0(page: &mut Page, s: &Letters, f: &Relations) {
     let bracket = f.tilt.dot(&f.axis);
     let premises = || zeros(f.balanced).into_iter().chain([NonZero(f.delta), NonZero(s.omega0)]).collect::<Vec<_>>();
     let example = gyrostats::opposite_sign();
-    page.claim("statement3D", "formula", format!(r"statement 3D gives $\omega^0 = +\frac{{A'\Omega}}{{\Delta^*}}[(A_2^*-A_3^*)\nu_2\nu_3(l_2\nu_3-l_3\nu_2)+\dots]$, with the sign as printed ({})", example.name))
+    page.claim("statement3D", "formula", format!(r"Statement 3D gives $\omega^0 = +\frac{{A'\Omega}}{{\Delta^*}}[(A_2^*-A_3^*)\nu_2\nu_3(l_2\nu_3-l_3\nu_2)+\dots]$, with the sign as printed ({})", example.name))
         .given(premises())
         .given([Zero(s.big_gamma), Zero(f.v)])
         .given(unit(s))
@@ -176,7 +176,7 @@ fn formula_for_w0(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement3D",
         "opposite-direction",
-        r"under $\nu\to-\nu$ the product $G\cdot(l\times\nu)$ changes its sign, while $\Delta^*$ and $V^*$ do not. Therefore $\omega^0$ of statement 3D changes its sign",
+        r"Under $\nu\to-\nu$ the product $G\cdot(l\times\nu)$ changes its sign, while $\Delta^*$ and $V^*$ do not. Therefore $\omega^0$ of statement 3D changes its sign",
     )
     .in_words()
     .follows([
@@ -187,7 +187,7 @@ fn formula_for_w0(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement3E",
         "parallel",
-        r"where $\Delta^*=0$, the sum of the squares of $G=A^*\nu\times\nu$, and $l\times\nu=0$, every $\omega^0$ satisfies $\omega^0G + A'\Omega\,l\times\nu=0$",
+        r"Where $\Delta^*=0$, the sum of the squares of $G=A^*\nu\times\nu$, and $l\times\nu=0$, every $\omega^0$ satisfies $\omega^0G + A'\Omega\,l\times\nu=0$",
     )
     .in_words()
     .given(zeros(f.tilt))
@@ -196,7 +196,7 @@ fn formula_for_w0(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement3E",
         "not-parallel",
-        r"where $\Delta^*=0$, so that $G=A^*\nu\times\nu=0$, a rotation without weight needs $l\times\nu=0$",
+        r"Where $\Delta^*=0$, so that $G=A^*\nu\times\nu=0$, a rotation without weight needs $l\times\nu=0$",
     )
     .given(zeros(f.tilt))
     .given(zeros(f.balanced))
@@ -221,7 +221,7 @@ fn staude(page: &mut Page, s: &Letters) {
     let moments: Vec<(Sym, Sym)> = (0..3).map(|i| (s.a_star[i], s.a[i])).collect();
     let to_weight: Vec<(Sym, Sym)> = (0..3).map(|i| (s.l[i], s.e[i])).collect();
     let cone = s.v_star().substitute(&to_weight).substitute(&moments);
-    page.claim("section7.1-staude", "analogy", r"a heavy body without rotor (moments here $A_i$) rotates uniformly only about axes of the cone that $V^*$ becomes with $l\to e$: $e\cdot(6.5) = \omega^{0\,2}\,V^*|_{l\to e}$")
+    page.claim("section7.1-staude", "analogy", r"A heavy body without rotor (moments here $A_i$) rotates uniformly only about axes of the cone that $V^*$ becomes with $l\to e$: $e\cdot(6.5) = \omega^{0\,2}\,V^*|_{l\to e}$")
         .in_words()
         .under(&s.unit_axis)
         .follows([Equal(-s.e.dot(&Vector3::new(x, y, z)), s.omega0.powi(2) * cone)]);

@@ -26,10 +26,10 @@ pub fn claims(page: &mut Page, s: &Letters) {
 
 fn statement4(page: &mut Page, s: &Letters, f: &Relations) {
     let rest = f.all.map(|x| x.substitute(&[(s.omega0, Sym::ZERO)]));
-    page.claim("statement4", "rest", r"for $\Gamma\ne0$ and $\omega^0=0$, (6.5) holds if $e\times\nu=0$")
+    page.claim("statement4", "rest", r"For $\Gamma\ne0$ and $\omega^0=0$, (6.5) holds if $e\times\nu=0$")
         .given(zeros(f.weight))
         .by_combination((0..3).map(|i| (Zero(rest[i]), vec![], vec![(i, s.big_gamma)])));
-    page.claim("statement4", "only-if", r"for $\Gamma\ne0$ and $\omega^0=0$, (6.5) holds only if $e\times\nu=0$")
+    page.claim("statement4", "only-if", r"For $\Gamma\ne0$ and $\omega^0=0$, (6.5) holds only if $e\times\nu=0$")
         .given(zeros(rest))
         .given([NonZero(s.big_gamma)])
         .by_combination((0..3).map(|i| (Zero(f.weight[i]), vec![3], vec![(i, one())])));
@@ -80,7 +80,7 @@ fn derived(s: &Letters, f: &Relations) -> [Sym; 2] {
 
 fn statement5(page: &mut Page, s: &Letters, f: &Relations) {
     let vanishing = cyclic(|i, j, k| (s.a_star[j] - s.a_star[k]) * s.e[i]);
-    page.claim("statement5", "condition", r"under (7.8) $S^*\equiv0$, and (7.4) becomes $A'\Omega\,\Pi^* = 0$")
+    page.claim("statement5", "condition", r"Under (7.8) $S^*\equiv0$, and (7.4) becomes $A'\Omega\,\Pi^* = 0$")
         .in_words()
         .given(zeros(vanishing))
         .by_combination([(
@@ -92,7 +92,7 @@ fn statement5(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement5",
         "only-parallel",
-        format!(r"under (7.8) a rotation needs $\Pi^*\equiv0$, that is $l\parallel e$ ({})", example.name),
+        format!(r"Under (7.8) a rotation needs $\Pi^*\equiv0$, that is $l\parallel e$ ({})", example.name),
     )
     .given(zeros(vanishing))
     .given(zeros(f.all))
@@ -103,7 +103,7 @@ fn statement5(page: &mut Page, s: &Letters, f: &Relations) {
     let along_first = [(s.e.x, one()), (s.e.y, Sym::ZERO), (s.e.z, Sym::ZERO), (s.a_star.z, s.a_star.y)];
     let stretch = s.omega0.powi(2) * (s.a_star.x - s.a_star.y) * s.nu.x + s.big_gamma;
     let vector = Vector3::new(stretch, Sym::ZERO, Sym::ZERO) + s.l * (f.spin * s.omega0);
-    page.claim("statement5", "degenerate-motions", r"under (7.8) the axes can be numbered so that $A_2^*=A_3^*$, $e=\xi_1$, equal moments included. Then (6.5) is $([\omega^{0\,2}(A_1^*-A_2^*)\nu_1+\Gamma]\,e + A'\Omega\omega^0l)\times\nu = 0$. With equal moments $\nu$ is parallel to $\Gamma e + A'\Omega\omega^0l$, which gives two directions for each $\omega^0$ at which that vector is not zero, whatever the angle between $l$ and $e$")
+    page.claim("statement5", "degenerate-motions", r"Under (7.8) the axes can be numbered so that $A_2^*=A_3^*$, $e=\xi_1$, equal moments included. Then (6.5) is $([\omega^{0\,2}(A_1^*-A_2^*)\nu_1+\Gamma]\,e + A'\Omega\omega^0l)\times\nu = 0$. With equal moments $\nu$ is parallel to $\Gamma e + A'\Omega\omega^0l$, which gives two directions for each $\omega^0$ at which that vector is not zero, whatever the angle between $l$ and $e$")
         .in_words()
         .follows((0..3).map(|i| Equal(f.all[i].substitute(&along_first), vector.cross(&s.nu)[i])));
     page.correct();
@@ -114,7 +114,7 @@ fn statement5(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement5",
         "derived-relations",
-        r"under (7.8) and $l = l^0e$ (7.4) and (7.7) hold for all $\nu$ and $\omega^0$",
+        r"Under (7.8) and $l = l^0e$ (7.4) and (7.7) hold for all $\nu$ and $\omega^0$",
     )
     .in_words()
     .given(zeros(vanishing))
@@ -131,7 +131,7 @@ fn statement5(page: &mut Page, s: &Letters, f: &Relations) {
         "statement5",
         "original-conditions",
         format!(
-            r"under (7.8) and $l\parallel e$ every $\nu$ and $\omega^0$ give a rotation, that is (6.5) holds ({})",
+            r"Under (7.8) and $l\parallel e$ every $\nu$ and $\omega^0$ give a rotation, that is (6.5) holds ({})",
             example.name
         ),
     )
@@ -145,7 +145,7 @@ fn statement5(page: &mut Page, s: &Letters, f: &Relations) {
     let factor = (s.a_star.x - s.a_star.y) * s.omega0.powi(2) * s.nu.x + f.spin * s.omega0 * sign + s.big_gamma;
     let axes: Vec<(Sym, Sym)> =
         along_first.into_iter().chain([(s.l.x, sign), (s.l.y, Sym::ZERO), (s.l.z, Sym::ZERO)]).collect();
-    page.claim("statement5", "original-corrected", r"where $A_2^*=A_3^*$, $e=\xi_1$, $l=l^0e$, (6.5) is $[(A_1^*-A_2^*)\nu_1\omega^{0\,2} + A'\Omega l^0\omega^0 + \Gamma]\,e\times\nu = 0$. Then either $\nu=\pm e$ with any $\omega^0$, or $\omega^0$ is a zero of the bracket")
+    page.claim("statement5", "original-corrected", r"Where $A_2^*=A_3^*$, $e=\xi_1$, $l=l^0e$, (6.5) is $[(A_1^*-A_2^*)\nu_1\omega^{0\,2} + A'\Omega l^0\omega^0 + \Gamma]\,e\times\nu = 0$. Then either $\nu=\pm e$ with any $\omega^0$, or $\omega^0$ is a zero of the bracket")
         .in_words()
         .follows((0..3).map(|i| {
             let direction = [Sym::ZERO, -s.nu.z, s.nu.y][i];
@@ -156,7 +156,7 @@ fn statement5(page: &mut Page, s: &Letters, f: &Relations) {
 
 fn statement6(page: &mut Page, s: &Letters, f: &Relations) {
     let [first, second] = derived(s, f);
-    page.claim("statement6", "necessary", r"where $S^*=0$, (7.4) and (7.7) give $\Pi^*=0$ and $V^*=0$")
+    page.claim("statement6", "necessary", r"Where $S^*=0$, (7.4) and (7.7) give $\Pi^*=0$ and $V^*=0$")
         .given([Zero(first), Zero(second), Zero(f.s), NonZero(f.spin), NonZero(s.omega0)])
         .by_combination([
             (Zero(f.pi), vec![3], vec![(0, number(-1, 1)), (2, s.omega0)]),
@@ -165,7 +165,7 @@ fn statement6(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement6",
         "derived-relations",
-        r"where $S^*=\Pi^*=V^*=0$, every $\omega^0$ satisfies (7.4) and (7.7)",
+        r"Where $S^*=\Pi^*=V^*=0$, every $\omega^0$ satisfies (7.4) and (7.7)",
     )
     .in_words()
     .given([Zero(f.s), Zero(f.pi), Zero(f.v)])
@@ -177,7 +177,7 @@ fn statement6(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement6",
         "original-conditions",
-        format!(r"where $S^*=\Pi^*=V^*=0$ every $\omega^0$ gives a rotation, that is (6.5) holds ({})", example.name),
+        format!(r"Where $S^*=\Pi^*=V^*=0$ every $\omega^0$ gives a rotation, that is (6.5) holds ({})", example.name),
     )
     .given([Zero(f.s), Zero(f.pi), Zero(f.v)])
     .given(unit(s))
@@ -186,7 +186,7 @@ fn statement6(page: &mut Page, s: &Letters, f: &Relations) {
     .refuted(zeros(f.all), example.point(s));
     let n = f.weight;
     let quadratic = |v: Vector3<Sym>| v.dot(&n);
-    page.claim("statement6", "original-corrected", r"where $S^*=\Pi^*=0$ and $n = e\times\nu\ne0$, (6.5) is one equation, $|n|^2F = (F\cdot n)\,n$. Then $\omega^0$ is a root of $(G\cdot n)\,\omega^{0\,2} + A'\Omega(u\cdot n)\,\omega^0 + \Gamma|n|^2 = 0$ with $G=A^*\nu\times\nu$, $u=l\times\nu$, which has at most two values")
+    page.claim("statement6", "original-corrected", r"Where $S^*=\Pi^*=0$ and $n = e\times\nu\ne0$, (6.5) is one equation, $|n|^2F = (F\cdot n)\,n$. Then $\omega^0$ is a root of $(G\cdot n)\,\omega^{0\,2} + A'\Omega(u\cdot n)\,\omega^0 + \Gamma|n|^2 = 0$ with $G=A^*\nu\times\nu$, $u=l\times\nu$, which has at most two values")
         .in_words()
         .given([Zero(f.s), Zero(f.pi)])
         .by_combination((0..3).map(|i| {
@@ -231,7 +231,7 @@ fn statement7(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "eq7.11",
         "runs",
-        r"the program's surface is $\Gamma$ times (7.11), its angular velocity is (7.10) with $\Gamma$ in both terms of the fraction, and its missing moment is the left side of (6.5)",
+        r"The program's surface is $\Gamma$ times (7.11), its angular velocity is (7.10) with $\Gamma$ in both terms of the fraction, and its missing moment is the left side of (6.5)",
     )
     .in_words()
     .follows(
@@ -247,7 +247,7 @@ fn statement7(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement7",
         "sufficient",
-        r"where $S^*\ne0$ and (7.11) holds, $\omega^0$ of (7.10) satisfies the original (6.5), so that $\nu$ is an axis of rotation",
+        r"Where $S^*\ne0$ and (7.11) holds, $\omega^0$ of (7.10) satisfies the original (6.5), so that $\nu$ is an axis of rotation",
     )
     .in_words()
     .given([Zero(surface), NonZero(f.s)])
@@ -257,7 +257,7 @@ fn statement7(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement7",
         "necessary",
-        r"a rotation satisfies (7.4) and (7.7), by (6.5). Where $S^*\ne0$ it satisfies (7.10) and (7.11) by the claims eq7.10/velocity and eq7.11/surface",
+        r"A rotation satisfies (7.4) and (7.7), by (6.5). Where $S^*\ne0$ it satisfies (7.10) and (7.11) by the claims eq7.10/velocity and eq7.11/surface",
     )
     .given(zeros(f.all))
     .given([NonZero(s.omega0)])
@@ -265,7 +265,7 @@ fn statement7(page: &mut Page, s: &Letters, f: &Relations) {
         (Zero(first), vec![3], vec![(0, s.e.x), (1, s.e.y), (2, s.e.z)]),
         (Zero(second), vec![], vec![(0, s.l.x), (1, s.l.y), (2, s.l.z)]),
     ]);
-    page.claim("statement7", "formulas-defined", r"the formulas (7.10) and (7.12) are both defined where $S^*\ne0$, $\Gamma\ne0$ and (7.11) holds: $V^*\neq0$ by (7.11)")
+    page.claim("statement7", "formulas-defined", r"The formulas (7.10) and (7.12) are both defined where $S^*\ne0$, $\Gamma\ne0$ and (7.11) holds: $V^*\neq0$ by (7.11)")
         .given([Zero(surface), NonZero(f.s), NonZero(s.big_gamma)])
         .nonvanishing(f.v, -(f.spin.powi(2) * f.pi), vec![2, 1, 1], vec![(0, number(-1, 1))]);
 }
@@ -282,7 +282,7 @@ fn degree(page: &mut Page, s: &Letters, f: &Relations) {
     let even = s.big_gamma * f.s.powi(2);
     let rule = &s.unit_vertical;
     let norm = s.nu.dot(&s.nu);
-    page.claim("section7.2-degree", "cone", r"the cone over the spherical line and its mirror image has degree 8: $\Gamma^2S^{*4} - (A'\Omega)^4|\nu|^2\Pi^{*2}V^{*2}$ is on the sphere the product of the left side of (7.11) at $\nu$ and at $-\nu$")
+    page.claim("section7.2-degree", "cone", r"The cone over the spherical line and its mirror image has degree 8: $\Gamma^2S^{*4} - (A'\Omega)^4|\nu|^2\Pi^{*2}V^{*2}$ is on the sphere the product of the left side of (7.11) at $\nu$ and at $-\nu$")
         .in_words()
         .under(rule)
         .follows([
@@ -291,12 +291,12 @@ fn degree(page: &mut Page, s: &Letters, f: &Relations) {
         ]);
     let example = gyrostats::on_the_line();
     let draft = page
-        .claim("section7.2-degree", "every-point", format!(r"every point of the spherical line is a semi-axis of rotation ({})", example.name))
+        .claim("section7.2-degree", "every-point", format!(r"Every point of the spherical line is a semi-axis of rotation ({})", example.name))
         .given([Zero(even + odd), NonZero(s.big_gamma), NonZero(f.spin)])
         .given(unit(s))
         .why(r"The six principal directions lie on the line whatever the data, since $S^*$ and $V^*$ have no squares. Where $S^*=0$ statement 6 decides.");
     no_speed(draft, s, f, &example);
-    page.claim("section7.2-degree", "which-points", r"the points of the spherical line with $S^*\ne0$ are axes of rotation (statement7/sufficient). Those with $S^*=0$ have $\Pi^*V^*=0$, and a rotation needs both to vanish (statement6/necessary)")
+    page.claim("section7.2-degree", "which-points", r"The points of the spherical line with $S^*\ne0$ are axes of rotation (statement7/sufficient). Those with $S^*=0$ have $\Pi^*V^*=0$, and a rotation needs both to vanish (statement6/necessary)")
         .given([Zero(even + odd), Zero(f.s), NonZero(f.spin)])
         .by_combination([(
             Zero(f.pi * f.v),

@@ -36,7 +36,7 @@ fn constant_speed(page: &mut Page, s: &Letters) {
     let absolute = absolute_rate(Vector3::from_fn(|i, _| field::Tangent::moving(s.nu[i], dnu[i])), s.w);
     page.claim("eq8.1", "vertical", r"(8.1) contains $\dot\nu = \nu\times\omega$")
         .holds((0..3).map(|i| Line::equation(absolute[i], dnu[i], s.nu.cross(&s.w)[i])));
-    page.claim("section8.1", "reaction", r"at constant rotor speed the rotor's equation gives the moment that keeps it, $M = A'\,l\cdot\dot\omega$, and restricts nothing")
+    page.claim("section8.1", "reaction", r"At constant rotor speed the rotor's equation gives the moment that keeps it, $M = A'\,l\cdot\dot\omega$, and restricts nothing")
         .in_words()
         .under(&s.unit_axis)
         .follows([Condition::Equal(residual[3], s.axial * s.l.dot(&s.dw) - s.torque)]);
@@ -45,7 +45,7 @@ fn constant_speed(page: &mut Page, s: &Letters) {
     page.claim(
         "section8.1",
         "conditions",
-        "stationary motions of the gyrostat with a constant rotor speed satisfy (6.5), as those with the synchronous motor do",
+        "Stationary motions of the gyrostat with a constant rotor speed satisfy (6.5), as those with the synchronous motor do",
     )
     .in_words()
     .under(&s.unit_axis)
@@ -69,7 +69,7 @@ fn free_rotor(page: &mut Page, s: &Letters) {
     page.claim(
         "section8.2",
         "first-form",
-        r"the first form is $A\dot\omega = (A\omega + \lambda)\times\omega + \Gamma e\times\nu$, where $\lambda = A'p'l$ with constant $p'$",
+        r"The first form is $A\dot\omega = (A\omega + \lambda)\times\omega + \Gamma e\times\nu$, where $\lambda = A'p'l$ with constant $p'$",
     )
     .under(&s.unit_axis)
     .holds((0..3).map(|i| Line::equation(residual[i], s.a[i] * s.dw[i], right[i])));
@@ -94,7 +94,7 @@ fn free_rotor(page: &mut Page, s: &Letters) {
     page.claim(
         "section8.2",
         "conditions-first",
-        r"stationary motions of a free rotor in the axes of $A$ satisfy (6.5) with $A_i$ for $A_i^*$ and $p'$ for $\Omega$",
+        r"Stationary motions of a free rotor in the axes of $A$ satisfy (6.5) with $A_i$ for $A_i^*$ and $p'$ for $\Omega$",
     )
     .in_words()
     .under(&s.unit_axis)
@@ -103,7 +103,7 @@ fn free_rotor(page: &mut Page, s: &Letters) {
     page.claim(
         "section8.2",
         "cones-first",
-        r"with $A_i$ and $p'$ in (6.5), $e\cdot(6.5) = \omega^0(\omega^0 S - A'p'\Pi)$. A rotation of a free rotor has $\omega^0 S = A'p'\Pi$, which is a cone of its own for each $p'$",
+        r"With $A_i$ and $p'$ in (6.5), $e\cdot(6.5) = \omega^0(\omega^0 S - A'p'\Pi)$. A rotation of a free rotor has $\omega^0 S = A'p'\Pi$, which is a cone of its own for each $p'$",
     )
     .in_words()
     .follows([Condition::Equal(s.e.dot(&printed), s.omega0 * (s.omega0 * s_star - s.axial * p * pi_star))]);
@@ -117,22 +117,22 @@ fn free_rotor(page: &mut Page, s: &Letters) {
             + s.big_gamma * (s.e[j] * s.nu[k] - s.e[k] * s.nu[j])
     });
     let still = second.by_momentum(&s.stationary(rest, Sym::ZERO));
-    page.claim("eq8.2", "conditions", r"the stationary motions of a free rotor in the axes of $A^*$ satisfy (6.5) with the arbitrary $\Omega^0 = \dot\varphi'(t_0)$ and $\omega = \omega^0\nu$")
+    page.claim("eq8.2", "conditions", r"The stationary motions of a free rotor in the axes of $A^*$ satisfy (6.5) with the arbitrary $\Omega^0 = \dot\varphi'(t_0)$ and $\omega = \omega^0\nu$")
         .under(&s.unit_axis)
         .holds((0..3).map(|i| Line::equation(-still[i], conditions[i], Sym::ZERO)));
     let w = s.w;
     let absolute = absolute_rate(s.nu.map(field::Tangent::fixed), w);
     let kinematic = cyclic(|_, j, k| w[k] * s.nu[j] - w[j] * s.nu[k]);
-    page.claim("eq8.3", "vertical", r"for a constant vertical $\omega_3\nu_2 - \omega_2\nu_3 = 0$ and cyclically")
+    page.claim("eq8.3", "vertical", r"For a constant vertical $\omega_3\nu_2 - \omega_2\nu_3 = 0$ and cyclically")
         .holds((0..3).map(|i| Line::equation(-absolute[i], kinematic[i], Sym::ZERO)));
-    page.claim("section8.2", "second-form", r"the rotor's equation with $M = 0$ holds at any constant state")
+    page.claim("section8.2", "second-form", r"The rotor's equation with $M = 0$ holds at any constant state")
         .under(&s.unit_axis)
         .follows([Condition::Zero(still[3])]);
     let same = s.l * (s.axial * (s.omega0 * s.l.dot(&s.nu) + rest));
     let dyad = s.l * s.l.transpose() * s.axial;
     let nu = s.nu * s.omega0;
     let difference = (dyad * nu + s.l * (s.axial * rest) - same).cross(&nu);
-    page.claim("section8.2", "same-motions", r"both forms give the same stationary motions of a free rotor: $(A^*-A)\omega + A'\Omega^0l - A'p'l$, the difference of the momenta, is zero in its vector product with $\omega=\omega^0\nu$ where $p' = \omega^0\,l\cdot\nu + \Omega^0$")
+    page.claim("section8.2", "same-motions", r"Both forms give the same stationary motions of a free rotor: $(A^*-A)\omega + A'\Omega^0l - A'p'l$, the difference of the momenta, is zero in its vector product with $\omega=\omega^0\nu$ where $p' = \omega^0\,l\cdot\nu + \Omega^0$")
         .in_words()
         .follows(difference.iter().map(|&x| Condition::Zero(x)));
 }

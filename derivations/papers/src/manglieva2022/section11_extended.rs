@@ -25,7 +25,7 @@ fn combination(page: &mut Page, s: &RodLetters) {
     let along = r1 - of_rod;
     let friction = parts.of_friction;
 
-    page.claim("eq1.6", "along-the-guide", r"the friction at $M$ has the line of action $Ox$, since $\vec\rho\,\delta t/m$ is a virtual displacement")
+    page.claim("eq1.6", "along-the-guide", r"The friction at $M$ has the line of action $Ox$, since $\vec\rho\,\delta t/m$ is a virtual displacement")
         .note(r"In the lines before, $\vec\rho_1'$ in the force of friction at $M$ stands for $\vec R_1'$, as the repetition of the formula shows.")
         .holds([Line::formula(friction[1] / s.m, letter("ρy") / s.m, Sym::ZERO)]);
     page.claim("eq1.7", "vertical", r"$R_y - Y = \rho_1\sin\theta$, with the guide's normal force $Y$ and the rod's friction $\rho_1 = R_1-R'_1$ as they are combined")
@@ -39,29 +39,29 @@ fn combination(page: &mut Page, s: &RodLetters) {
     page.claim(
         "eq1.8",
         "equal-projections",
-        r"the displacements $\vec\rho\,\delta t/m$, $\vec\rho_1\delta t/m_1$ have equal projections on the rod",
+        r"The displacements $\vec\rho\,\delta t/m$, $\vec\rho_1\delta t/m_1$ have equal projections on the rod",
     )
     .holds([Line::equation(stretched([rho, Sym::ZERO, rho1 * c, rho1 * sin]), rho / s.m * c, rho1 / s.m1)]);
-    page.claim("eq1.8", "along-the-rod", r"equal projections give $\rho_1 = \frac{m_1}{m}\rho\cos\theta$")
+    page.claim("eq1.8", "along-the-rod", r"Equal projections give $\rho_1 = \frac{m_1}{m}\rho\cos\theta$")
         .follows([Equal(along, s.m1 / s.m * friction[0] * c)]);
     let general = stretched([rx - rho1 * c, ry - y - rho1 * sin, rho1 * c, rho1 * sin]);
     page.claim(
         "eq1.9",
         "projections",
-        "the equal projections of the displacements on the rod, expressed by the reactions, are (1.9)",
+        "The equal projections of the displacements on the rod, expressed by the reactions, are (1.9)",
     )
     .holds([Line::equation(general, (rx * c + (ry - y) * sin - rho1) / s.m, rho1 / s.m1)]);
     let with_vertical = general.substitute(&[(ry, y + rho1 * sin)]) * s.m;
-    page.claim("eq1.10", "with-vertical", "the equal projections with the vertical balance (1.7) put in give (1.10)")
+    page.claim("eq1.10", "with-vertical", "The equal projections with the vertical balance (1.7) put in give (1.10)")
         .holds([Line::equation(with_vertical, rx * c + rho1 * sin.powi(2), (s.m / s.m1 + int(1)) * rho1)]);
-    page.claim("eq1.11", "solved", r"the relation (1.10) collected in $\rho_1$ is (1.11)").holds([Line::equation(
+    page.claim("eq1.11", "solved", r"The relation (1.10) collected in $\rho_1$ is (1.11)").holds([Line::equation(
         with_vertical,
         rx * c,
         (s.m / s.m1 + c.powi(2)) * rho1,
     )]);
-    page.claim("eq1.12", "friction-along-the-rod", r"the friction $\rho_1$ at $M_1$, along the rod, is (1.12)")
+    page.claim("eq1.12", "friction-along-the-rod", r"The friction $\rho_1$ at $M_1$, along the rod, is (1.12)")
         .holds([Line::formula(along, rho1, s.m1 * c / (s.m + s.m1 * c.powi(2)) * rx)]);
-    page.claim("eq1.13", "friction-at-the-guide", r"the friction $\rho$ at $M$, along the guide, is (1.13)")
+    page.claim("eq1.13", "friction-at-the-guide", r"The friction $\rho$ at $M$, along the guide, is (1.13)")
         .holds([Line::formula(friction[0], rho, s.m * rx / (s.m + s.m1 * c.powi(2)))]);
 }
 
@@ -73,7 +73,7 @@ fn components(page: &mut Page, s: &RodLetters) {
     page.claim(
         "eq1.14",
         "constraint-at-m",
-        r"the force of constraint at $M$ is (1.14), with $Y=\lambda$, $R'_1=\lambda_1$",
+        r"The force of constraint at $M$ is (1.14), with $Y=\lambda$, $R'_1=\lambda_1$",
     )
     .holds([
         Line::formula(normal[0], letter("R′x"), -s.lambda1 * c),
@@ -82,14 +82,14 @@ fn components(page: &mut Page, s: &RodLetters) {
     page.claim(
         "eq1.15",
         "friction-at-m",
-        r"the friction at $M$ is (1.15) with $\mu = R_x/(m+m_1\cos^2\theta)$, an acceleration here and a force in (1.1)",
+        r"The friction at $M$ is (1.15) with $\mu = R_x/(m+m_1\cos^2\theta)$, an acceleration here and a force in (1.1)",
     )
     .holds([Line::formula(friction[0], letter("ρx"), s.m * s.mu), Line::formula(friction[1], letter("ρy"), Sym::ZERO)]);
-    page.claim("eq1.16", "constraint-at-m1", "the force of constraint at $M_1$ is (1.16)").holds([
+    page.claim("eq1.16", "constraint-at-m1", "The force of constraint at $M_1$ is (1.16)").holds([
         Line::formula(normal[2], letter("R′1x"), s.lambda1 * c),
         Line::formula(normal[3], letter("R′1y"), s.lambda1 * sin),
     ]);
-    page.claim("eq1.17", "friction-at-m1", "the friction at $M_1$ is (1.17)").holds([
+    page.claim("eq1.17", "friction-at-m1", "The friction at $M_1$ is (1.17)").holds([
         Line::formula(friction[2], letter("ρ1x"), s.m1 * s.mu * c.powi(2)),
         Line::formula(friction[3], letter("ρ1y"), s.m1 * s.mu * c * sin),
     ]);
@@ -99,7 +99,7 @@ fn motion(page: &mut Page, s: &RodLetters) {
     let (c, sin) = (s.point.cos, s.point.sin);
     let [ddx, ddy, ddx1, ddy1] = letters(["ẍ", "ÿ", "ẍ1", "ÿ1"]);
     let newton = s.newton([ddx, ddy, ddx1, ddy1], s.friction());
-    page.claim("eq1.18", "motion", "the equations of motion of both points by the extended method are (1.18)").holds([
+    page.claim("eq1.18", "motion", "The equations of motion of both points by the extended method are (1.18)").holds([
         Line::equation(newton[0], s.m * ddx, -s.lambda1 * c + s.m * s.mu),
         Line::equation(newton[1], s.m * ddy, s.lambda - s.lambda1 * sin + s.m * s.g),
         Line::equation(newton[2], s.m1 * ddx1, s.lambda1 * c + s.m1 * c.powi(2) * s.mu),
@@ -109,7 +109,7 @@ fn motion(page: &mut Page, s: &RodLetters) {
     let [x, y, x1, y1] = place;
     let at = State { time: Sym::ZERO, place, velocity: [Sym::ZERO; 4] };
     let [length, _] = s.rod.constraints(&at).map(|constraint| constraint.value());
-    page.claim("eq1.19", "constraints", "the rod on the guide $y=0$ keeps its length").defines([Line::equation(
+    page.claim("eq1.19", "constraints", "The rod on the guide $y=0$ keeps its length").defines([Line::equation(
         length + length,
         (x1 - x).powi(2) + (y1 - y).powi(2) - s.l.powi(2),
         Sym::ZERO,

@@ -30,7 +30,7 @@ fn law(page: &mut Page, s: &RodLetters) {
     page.claim(
         "eq1.21",
         "by-multipliers",
-        r"the components $R_x$ and $R_y$ of the law, expressed by $\lambda$ and $\mu$, are (1.21)",
+        r"The components $R_x$ and $R_y$ of the law, expressed by $\lambda$ and $\mu$, are (1.21)",
     )
     .holds([
         Line::formula(rx, name_x, s.mu * (s.m + s.m1 * c.powi(2))),
@@ -60,7 +60,7 @@ fn law(page: &mut Page, s: &RodLetters) {
             ("λ", -25, 17),
             ("μ", -625 * way, 952),
         ]);
-        page.claim(equation, slug, format!(r"for {when} on a floor that pushes $M$ upwards, the friction $\mu$ is ({}) as printed, with the sign of a guide above", equation.trim_start_matches("eq")))
+        page.claim(equation, slug, format!(r"For {when} on a floor that pushes $M$ upwards, the friction $\mu$ is ({}) as printed, with the sign of a guide above", equation.trim_start_matches("eq")))
             .why("On a floor the printed sign makes friction push along the velocity.")
             .reading("The source does not say from which side the guide holds $M$. A floor is judged, $R_y<0$ with $y$ downwards. For a guide that holds $M$ down the printed formula is right.")
             .given([
@@ -72,7 +72,7 @@ fn law(page: &mut Page, s: &RodLetters) {
             equation,
             corrected,
             format!(
-                r"for {when} on a floor that pushes, $R_y<0$, the reactions $R_x$ and $R_y$ have {} sign",
+                r"For {when} on a floor that pushes, $R_y<0$, the reactions $R_x$ and $R_y$ have {} sign",
                 if way > 0 { "one" } else { "opposite" }
             ),
         )
@@ -89,9 +89,9 @@ fn law(page: &mut Page, s: &RodLetters) {
         page.correct();
     }
     let reaction = |way: i64| ry.substitute(&[(s.mu, int(way) * s.f * s.lambda / denominator(-way))]);
-    page.claim("eq1.23", "pushing", r"with the corrected $\mu$ the floor pushes, $R_y<0$, where $\lambda$ and the denominator have different signs. The values of $R_y$ are those for $\dot x>0$ and $\dot x<0$")
+    page.claim("eq1.23", "pushing", r"With the corrected $\mu$ the floor pushes, $R_y<0$, where $\lambda$ and the denominator have different signs. The values of $R_y$ are those for $\dot x>0$ and $\dot x<0$")
         .follows([1, -1].map(|way| Equal(reaction(way), s.lambda * s.mobile() / denominator(-way))));
-    page.claim("eq1.23", "paradox",r"for a rod of positive masses $m+m_1\cos^2\theta < f m_1\sin\theta\cos\theta$ is possible. In an example where $M$ slides forward the law $R_x=fR_y$ needs a floor that pulls, and $R_x=-fR_y$ a guide above that pulls").note(r"This is Painlevé's paradox.")
+    page.claim("eq1.23", "paradox",r"For a rod of positive masses $m+m_1\cos^2\theta < f m_1\sin\theta\cos\theta$ is possible. In an example where $M$ slides forward the law $R_x=fR_y$ needs a floor that pulls, and $R_x=-fR_y$ a guide above that pulls").note(r"This is Painlevé's paradox.")
         .given([Positive(s.m), Positive(s.m1), Positive(s.f), Positive(s.g), Equal(s.lambda, lambda)])
         .exists(
             [Positive(-denominator(-1)), Positive(reaction(1)), Positive(-reaction(-1))],
@@ -118,7 +118,7 @@ fn multipliers(page: &mut Page, s: &RodLetters) {
     .follows(closed.map(|constraint| Zero(constraint.value())));
     let friction = s.friction();
     let balance = s.newton(s.acceleration(), friction)[1];
-    page.claim("eq1.25", "guide", "the second equation (1.18) on the guide is (1.25)").holds([Line::equation(
+    page.claim("eq1.25", "guide", "The second equation (1.18) on the guide is (1.25)").holds([Line::equation(
         -balance,
         s.lambda - s.lambda1 * sin + s.m * s.g,
         Sym::ZERO,
@@ -144,10 +144,10 @@ fn multipliers(page: &mut Page, s: &RodLetters) {
     let motion = s.motion();
     let masses: [Sym; 4] = s.rod.masses();
     let any = std::array::from_fn(|i| masses[i] * (p * motion.fields[0][i] + q / s.l * motion.fields[1][i]));
-    page.claim("section1.1-extended", "multipliers", r"with the extended method $\lambda$ and $\lambda_1$ never depend on friction. The friction here is $m_k\delta\vec r_k$ along any virtual displacement (two magnitudes), and the masses are arbitrary")
+    page.claim("section1.1-extended", "multipliers", r"With the extended method $\lambda$ and $\lambda_1$ never depend on friction. The friction here is $m_k\delta\vec r_k$ along any virtual displacement (two magnitudes), and the masses are arbitrary")
         .follows(s.multipliers(any).into_iter().flat_map(|multiplier| [Zero(multiplier.diff(p)), Zero(multiplier.diff(q))]));
     let [_, ry] = s.contact();
-    page.claim("section1.1-extended", "normal-reaction",r"the guide's own normal reaction $R_y = \lambda + m_1\mu\sin\theta\cos\theta$ depends on friction. It equals $\lambda$ only without friction, or with the rod along or across the guide")
+    page.claim("section1.1-extended", "normal-reaction",r"The guide's own normal reaction $R_y = \lambda + m_1\mu\sin\theta\cos\theta$ depends on friction. It equals $\lambda$ only without friction, or with the rod along or across the guide")
         .follows([Equal(ry - s.lambda, s.m1 * s.mu * sin * c)]);
 }
 
@@ -160,7 +160,7 @@ fn differentiated(page: &mut Page, s: &RodLetters) {
     let [derived, _] = rates(&s.rod, &State { time: Sym::ZERO, place, velocity }, acceleration);
     let from = |of: [Sym; 4]| [of[2] - of[0], of[3] - of[1]];
     let ([x, y], [dx, dy], [ddx, ddy]) = (from(place), from(velocity), from(acceleration));
-    page.claim("eq1.26", "differentiated", "the constraint of the length, differentiated twice, gives (1.26)")
+    page.claim("eq1.26", "differentiated", "The constraint of the length, differentiated twice, gives (1.26)")
         .holds([Line::equation(derived, x * ddx + y * ddy + dx.powi(2) + dy.powi(2), Sym::ZERO)]);
 
     let (masses, weights, friction): ([Sym; 4], _, _) = (s.rod.masses(), s.given_force(), s.friction());
@@ -170,7 +170,7 @@ fn differentiated(page: &mut Page, s: &RodLetters) {
     page.claim(
         "eq1.26",
         "substituted",
-        "the length differentiated twice takes this form with the accelerations of (1.18)",
+        "The length differentiated twice takes this form with the accelerations of (1.18)",
     )
     .holds([Line::equation(
         derived,
@@ -180,7 +180,7 @@ fn differentiated(page: &mut Page, s: &RodLetters) {
             + l.powi(2) * sin.powi(2) * turn,
         Sym::ZERO,
     )]);
-    page.claim("eq1.26", "expanded", r"in the differentiated length, multiplied out, the terms in $\mu$ cancel").holds(
+    page.claim("eq1.26", "expanded", r"In the differentiated length, multiplied out, the terms in $\mu$ cancel").holds(
         [Line::equation(
             derived,
             l / s.m1 * lambda1 + l * c.powi(2) / s.m * lambda1 - l * mu * c * sin.powi(2)
@@ -193,7 +193,7 @@ fn differentiated(page: &mut Page, s: &RodLetters) {
     page.claim(
         "eq1.26",
         "reduced",
-        r"the differentiated length determines $\lambda_1$ once the terms in $\mu$ have cancelled",
+        r"The differentiated length determines $\lambda_1$ once the terms in $\mu$ have cancelled",
     )
     .holds([Line::equation(
         derived,
@@ -216,14 +216,14 @@ fn eliminated(page: &mut Page, s: &RodLetters) {
     let derived = factor * (s.ddx - at_m);
     page.claim(
         "eq1.29",
-        "sliding",r"the equation for $x$ by the law $R_x = \varepsilon fR_y$ of (1.22)-(1.23) is (1.29) as printed, with $+m_1\varepsilon f\sin\theta$",
+        "sliding",r"The equation for $x$ by the law $R_x = \varepsilon fR_y$ of (1.22)-(1.23) is (1.29) as printed, with $+m_1\varepsilon f\sin\theta$",
     ).why(r"The term $\varepsilon f\lambda$ brings $-m\varepsilon f\sin\theta$ into the bracket. The mass and the sign are wrong in the print.")
     .under(&unit)
     .fails([Line::equation(derived, factor * s.ddx, right(s.m1 * sign * s.f * sin))]);
     page.claim(
         "eq1.29",
         "sliding-corrected",
-        r"the equation for $x$ by the law $R_x = \varepsilon fR_y$ is (1.29) with $-m\varepsilon f\sin\theta$",
+        r"The equation for $x$ by the law $R_x = \varepsilon fR_y$ is (1.29) with $-m\varepsilon f\sin\theta$",
     )
     .holds([Line::equation(derived, factor * s.ddx, right(-s.m * sign * s.f * sin))]);
     page.correct();
@@ -231,15 +231,15 @@ fn eliminated(page: &mut Page, s: &RodLetters) {
     let missing = s.newton(s.acceleration(), s.friction());
     let turning = s.motion().generalised(missing)[1] / (s.m1 * s.l);
     let left = s.l * s.ddtheta - s.ddx * sin;
-    page.claim("eq1.29", "turning", r"the equation for $\theta$ is (1.29) as printed, with $-g\cos\theta$")
+    page.claim("eq1.29", "turning", r"The equation for $\theta$ is (1.29) as printed, with $-g\cos\theta$")
         .why(r"The sign of the weight is wrong: (1.37), which is right, has $+g\cos\theta$ with $y$ downwards.")
         .fails([Line::equation(turning, left, -s.g * c)]);
-    page.claim("eq1.29", "turning-corrected", r"the equation for $\theta$ is (1.29) with $+g\cos\theta$, as in (1.37)")
+    page.claim("eq1.29", "turning-corrected", r"The equation for $\theta$ is (1.29) with $+g\cos\theta$, as in (1.37)")
         .holds([Line::equation(turning, left, s.g * c)]);
     page.correct();
 
     let [rx, ry] = letters(["Rx", "Ry"]);
-    page.claim("eq1.29", "direction",r"friction, printed $R_x=\varepsilon fR_y$ with $\varepsilon=-1$ for $\dot x>0$, brakes on a floor that pushes $M$ upwards").why(r"On a floor $R_y<0$, so that $\varepsilon=-1$ makes $R_x$ positive for $\dot x>0$: friction drives.")
+    page.claim("eq1.29", "direction",r"Friction, printed $R_x=\varepsilon fR_y$ with $\varepsilon=-1$ for $\dot x>0$, brakes on a floor that pushes $M$ upwards").why(r"On a floor $R_y<0$, so that $\varepsilon=-1$ makes $R_x$ positive for $\dot x>0$: friction drives.")
         .given([Positive(s.f), Positive(s.dx), Positive(-ry), Equal(rx, -s.f * ry)])
         .refuted([Positive(-(rx * s.dx))], exact([("f", 1, 2), ("ẋ", 1, 1), ("Ry", -2, 1), ("Rx", 1, 1)]));
     let [normal, speed] = letters(["N", "v"]);

@@ -25,14 +25,14 @@ fn components(page: &mut Page, s: &RodLetters) {
     let mu = letter("μᴾ");
     let normal = s.of_constraints(s.lambda1, s.lambda);
     let friction = friction(s);
-    page.claim("eq1.1", "components", r"the forces of constraint and of friction at $M$ are (1.1), where $\mu$ is the horizontal force of friction there and $R_x = \mu(1+\cos^2\theta)$")
+    page.claim("eq1.1", "components", r"The forces of constraint and of friction at $M$ are (1.1), where $\mu$ is the horizontal force of friction there and $R_x = \mu(1+\cos^2\theta)$")
         .holds([
             Line::formula(normal[1], letter("R′y"), -s.lambda1 * sin + s.lambda),
             Line::formula(normal[0], letter("R′x"), -s.lambda1 * c),
             Line::formula(friction[1], letter("ρy"), Sym::ZERO),
             Line::formula(friction[0], letter("ρx"), mu),
         ]);
-    page.claim("eq1.2", "components", "the forces of constraint and of friction at $M_1$ are (1.2)").holds([
+    page.claim("eq1.2", "components", "The forces of constraint and of friction at $M_1$ are (1.2)").holds([
         Line::formula(normal[3], letter("R′1y"), s.lambda1 * sin),
         Line::formula(normal[2], letter("R′1x"), s.lambda1 * c),
         Line::formula(friction[3], letter("ρ1y"), mu * sin * c),
@@ -41,7 +41,7 @@ fn components(page: &mut Page, s: &RodLetters) {
     let [ddx, ddx1] = letters(["ẍ", "ẍ1"]);
     let ddy1 = letter("ÿ1");
     let newton = s.newton([ddx, Sym::ZERO, ddx1, ddy1], friction);
-    page.claim("eq1.3", "motion", "the equations of motion of both points by Painlevé's displacements are (1.3)")
+    page.claim("eq1.3", "motion", "The equations of motion of both points by Painlevé's displacements are (1.3)")
         .holds([
             Line::equation(newton[0], s.m * ddx, mu - s.lambda1 * c),
             Line::equation(-newton[1], s.m * s.g + s.lambda - s.lambda1 * sin, Sym::ZERO),
@@ -102,7 +102,7 @@ fn multipliers(page: &mut Page, s: &RodLetters) {
     page.claim(
         "section1.1-painleve",
         "equal-masses",
-        "with $m=m_1$ the multipliers do not depend on friction, and equal those without friction",
+        "With $m=m_1$ the multipliers do not depend on friction, and equal those without friction",
     )
     .in_words()
     .follows([lambda1, lambda].map(|multiplier| {
@@ -113,7 +113,7 @@ fn multipliers(page: &mut Page, s: &RodLetters) {
     let premises = [Positive(s.m), Positive(s.m1), Zero((s.m1 - s.m) * c / s.mobile())];
     page.claim(
         "section1.1-painleve",
-        "only-equal-masses",r"as printed, $\lambda_1$ is free of friction with equal masses only, so that $\partial\lambda_1/\partial\mu=0$ at one position gives $m=m_1$",
+        "only-equal-masses",r"As printed, $\lambda_1$ is free of friction with equal masses only, so that $\partial\lambda_1/\partial\mu=0$ at one position gives $m=m_1$",
     ).why(r"At the upright rod, $\cos\theta=0$, the derivative vanishes for any masses. As a statement about all positions the sentence is right.")
     .given(premises)
     .refuted([Equal(s.m1, s.m)], upright);

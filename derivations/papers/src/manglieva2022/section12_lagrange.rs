@@ -25,7 +25,7 @@ fn displacements(page: &mut Page) {
     let (gradient, displacement): ([Sym; 3], [Sym; 3]) = (indexed("f#"), indexed("δx#"));
     page.claim("eq1.43", "constraint", r"(1.43) are geometric constraints. The claims below have one in three coordinates, arbitrary to the second order. Its derivatives are $f_{,\gamma}$, $f_{,\gamma\delta}$, or $F_{,\gamma}$ where it is solved for $x_1=F(x_2,x_3,t)$")
         .defines([]);
-    page.claim("eq1.44", "displacement", r"virtual displacements satisfy the linear condition")
+    page.claim("eq1.44", "displacement", r"Virtual displacements satisfy the linear condition")
         .defines([Line::equation(Sym::ZERO, dot(gradient, displacement), Sym::ZERO)]);
     page.claim(
         "eq1.45",
@@ -44,7 +44,7 @@ fn displacements(page: &mut Page) {
     .in_words()
     .follows(motion.fields.map(|field| Zero(dot(row, field))));
     let [_, d2, d3] = displacement;
-    page.claim("eq1.46", "all",r"every virtual displacement has the form $\delta x_\gamma=\sum\frac{\partial x_\gamma}{\partial q_i}\delta q_i$ (one constraint on three coordinates, arbitrary to the second order)")
+    page.claim("eq1.46", "all",r"Every virtual displacement has the form $\delta x_\gamma=\sum\frac{\partial x_\gamma}{\partial q_i}\delta q_i$ (one constraint on three coordinates, arbitrary to the second order)")
         .in_words()
         .given([Zero(dot(row, displacement))])
         .by_combination([(
@@ -69,7 +69,7 @@ fn reactions(page: &mut Page) {
         .by_combination([(Zero(dot(gradient.map(|f| lambda * f), displacement)), vec![], vec![(0, lambda)])]);
     let [f1, f2, f3] = gradient;
     let (second, third) = ([-f2, f1, Sym::ZERO], [-f3, Sym::ZERO, f1]);
-    page.claim("eq1.48", "necessary", r"a reaction that does no work on two independent virtual displacements is $\lambda f_{,\gamma}$, $\lambda=R_1/f_{,1}$")
+    page.claim("eq1.48", "necessary", r"A reaction that does no work on two independent virtual displacements is $\lambda f_{,\gamma}$, $\lambda=R_1/f_{,1}$")
         .given([Zero(dot(reaction, second)), Zero(dot(reaction, third)), NonZero(f1)])
         .by_combination([1, 2].map(|i| (Equal(reaction[i], reaction[0] / f1 * gradient[i]), vec![2], vec![(i - 1, int(1))])));
     nowhere_zero(page, "eq1.49", r"with friction $\sum R_\gamma\delta x_\gamma\ne0$");
@@ -78,16 +78,16 @@ fn reactions(page: &mut Page) {
     let weighted = |a: [Sym; 3], b: [Sym; 3]| dot(a, std::array::from_fn(|i| b[i] / masses[i]));
     let rest: [Sym; 3] = std::array::from_fn(|i| reaction[i] - lambda * gradient[i]);
     let parts = or_undefined(extended(masses, [gradient], reaction));
-    page.claim("eq1.50", "exists",r"every reaction is a force of constraint $\lambda f_{,\gamma}$ and a friction with $R^\tau_\gamma/m_\gamma$ a virtual displacement (one constraint on three coordinates, arbitrary to the second order)").in_words()
+    page.claim("eq1.50", "exists",r"Every reaction is a force of constraint $\lambda f_{,\gamma}$ and a friction with $R^\tau_\gamma/m_\gamma$ a virtual displacement (one constraint on three coordinates, arbitrary to the second order)").in_words()
         .follows([Zero(weighted(gradient, parts.of_friction))]);
     page.claim(
         "eq1.50",
         "unique",
-        r"the splitting of a reaction into a force of constraint and friction is unique: $\lambda$ is determined",
+        r"The splitting of a reaction into a force of constraint and friction is unique: $\lambda$ is determined",
     )
     .given([Zero(weighted(gradient, rest)), NonZero(weighted(gradient, gradient))])
     .by_combination([(Equal(lambda, parts.multipliers[0]), vec![1], vec![(0, int(-1))])]);
-    page.claim("eq1.50", "no-work", r"the force of constraint does no work on virtual displacements")
+    page.claim("eq1.50", "no-work", r"The force of constraint does no work on virtual displacements")
         .in_words()
         .given([Zero(dot(gradient, displacement))])
         .by_combination([(Zero(dot(parts.of_constraints, displacement)), vec![], vec![(0, parts.multipliers[0])])]);
@@ -106,7 +106,7 @@ fn friction_and_multipliers(page: &mut Page) {
     let any: [Sym; 3] = indexed("R#");
     let weighted = std::array::from_fn(|i| any[i] / masses[i]);
     let replaced = [(letter("μ1"), any[1] / masses[1]), (letter("μ2"), any[2] / masses[2])];
-    page.claim("eq1.52", "all",r"every friction whose $R^\tau_\gamma/m_\gamma$ is a virtual displacement has the form (1.52) (one constraint on three coordinates, arbitrary to the second order)")
+    page.claim("eq1.52", "all",r"Every friction whose $R^\tau_\gamma/m_\gamma$ is a virtual displacement has the form (1.52) (one constraint on three coordinates, arbitrary to the second order)")
         .given([Zero(dot(row, weighted))])
         .by_combination([(Equal(any[0], found[0].substitute(&replaced)), vec![], vec![(0, masses[0])])]);
 
@@ -118,7 +118,7 @@ fn friction_and_multipliers(page: &mut Page) {
         f22 * v2.powi(2) + int(2) * f23 * v2 * v3 + f33 * v3.powi(2) + int(2) * f2t * v2 + int(2) * f3t * v3 + ftt;
     let [x1, x2, x3] = indexed("X#");
     let [m1, m2, m3] = masses;
-    page.claim("eq1.53", "multipliers", r"the constraint differentiated twice determines $\lambda$ by place, velocities and given forces, and friction drops out (constraint $x_1=F(x_2,x_3,t)$)").reading(r#"The text differentiates (1.43), then multiplies "each of (1.54)" by the displacements; (1.53) is read there."#)
+    page.claim("eq1.53", "multipliers", r"The constraint differentiated twice determines $\lambda$ by place, velocities and given forces, and friction drops out (constraint $x_1=F(x_2,x_3,t)$)").reading(r#"The text differentiates (1.43), then multiplies "each of (1.54)" by the displacements; (1.53) is read there."#)
         .holds([Line::formula(
             lagrange.multipliers[0],
             letter("λ"),
@@ -145,7 +145,7 @@ fn second_kind_equations(page: &mut Page) {
         .follows((0..2).map(|i| Equal(dot(missing, motion.fields[i]), lagrange[i])));
     let [mu1, mu2] = indexed("μ#");
     let names = letters(["Q1", "Q2"]);
-    page.claim("eq1.55", "friction",r"the generalised forces of friction are $Q_i^\tau=\sum_\gamma\mu_i\frac{\partial x_\gamma}{\partial q_i}$, as printed").why(r"The friction (1.52) is not put in, and the masses and the second factor $\frac{\partial x_\gamma}{\partial q_j}$ are missing.")
+    page.claim("eq1.55", "friction",r"The generalised forces of friction are $Q_i^\tau=\sum_\gamma\mu_i\frac{\partial x_\gamma}{\partial q_i}$, as printed").why(r"The friction (1.52) is not put in, and the masses and the second factor $\frac{\partial x_\gamma}{\partial q_j}$ are missing.")
         .fails((0..2).map(|i| {
             let printed = (0..3).fold(Sym::ZERO, |sum, k| sum + [mu1, mu2][i] * motion.fields[i][k]);
             Line::formula(dot(found, motion.fields[i]), names[i], printed)
@@ -170,7 +170,7 @@ fn second_kind_equations(page: &mut Page) {
     page.correct();
     let first = first_kind(&Resolved, &motion.state, force);
     let [_, a2, a3] = first.acceleration;
-    page.claim("eq1.56", "motion",r"the accelerations of Lagrange's equations of the first kind satisfy those of the second kind with friction (one constraint on three coordinates, arbitrary to the second order)")
+    page.claim("eq1.56", "motion",r"The accelerations of Lagrange's equations of the first kind satisfy those of the second kind with friction (one constraint on three coordinates, arbitrary to the second order)")
         .follows(second_kind::residual(&Resolved, at, force, [a2, a3]).map(Zero));
     let left = std::array::from_fn(|i| force[i] - masses[i] * first.acceleration[i]);
     page.claim("eq1.57", "general-equation",r"$\sum(X_\gamma+R^\tau_\gamma-m_\gamma\ddot x_\gamma)\delta x_\gamma=0$ along the motion (1.53), for all virtual displacements (one constraint on three coordinates, arbitrary to the second order)")

@@ -76,20 +76,20 @@ fn velocities(page: &mut Page, motion: &Motion<Sym, 3, 2>) {
         .follows([Zero(dot(row, displaced))]);
     let force = with_friction(motion.fields);
     let [multiplier] = first_kind(&Surface, &motion.state, force).multipliers;
-    page.claim("eq1.60", "independent",r"the force of constraint does not depend on friction: $\partial\lambda/\partial\mu_j=0$ (one constraint on three coordinates, arbitrary to the second order)")
+    page.claim("eq1.60", "independent",r"The force of constraint does not depend on friction: $\partial\lambda/\partial\mu_j=0$ (one constraint on three coordinates, arbitrary to the second order)")
         .in_words()
         .follows(indexed::<2>("μ#").map(|mu| Zero(multiplier.diff(mu))));
     let [_, v2, v3] = indexed("ẋ#");
     let [f1, f2, f3] = indexed("f#");
     let linear = -(f2 / f1) * v2 - f3 / f1 * v3;
     let name = letter("ẋ1");
-    page.claim("eq1.61", "velocities",r"the dependent velocity is $\dot x_1=A_{12}\dot x_2+A_{13}\dot x_3$, $A_{1j}=-f_{,j}/f_{,1}$, as printed, without a free term for $f(x,t)=0$").why(r"The constraint contains the time: its rate has the term $f_{,t}$, which is missing.")
+    page.claim("eq1.61", "velocities",r"The dependent velocity is $\dot x_1=A_{12}\dot x_2+A_{13}\dot x_3$, $A_{1j}=-f_{,j}/f_{,1}$, as printed, without a free term for $f(x,t)=0$").why(r"The constraint contains the time: its rate has the term $f_{,t}$, which is missing.")
         .fails([Line::formula(motion.state.velocity[0], name, linear)]);
-    page.claim("eq1.61", "velocities-corrected", r"the dependent velocity has the term $-f_{,t}/f_{,1}$")
+    page.claim("eq1.61", "velocities-corrected", r"The dependent velocity has the term $-f_{,t}/f_{,1}$")
         .holds([Line::formula(motion.state.velocity[0], name, linear - letter("ft") / f1)]);
     page.correct();
     let [d2, d3] = [letter("δx2"), letter("δx3")];
     let [first, second] = motion.fields.map(|field| field[0]);
-    page.claim("eq1.61", "variations",r"virtual displacements are $\delta x_1=A_{12}\delta x_2+A_{13}\delta x_3$, without a term in $f_{,t}$, since time is not varied")
+    page.claim("eq1.61", "variations",r"Virtual displacements are $\delta x_1=A_{12}\delta x_2+A_{13}\delta x_3$, without a term in $f_{,t}$, since time is not varied")
         .holds([Line::formula(first * d2 + second * d3, letter("δx1"), -(f2 / f1) * d2 - f3 / f1 * d3)]);
 }

@@ -23,13 +23,13 @@ fn constraints(page: &mut Page, s: &SteeredLetters) {
     let ([x1, y1, x2, y2], [u1, v1, u2, v2]) = (place, velocity);
     let at = State { time: Sym::ZERO, place, velocity };
     let [length, _, _] = s.rod.constraints(&at).map(|constraint| constraint.value());
-    page.claim("eq1.66", "constraints", "the rod with one end on the guide $y_1=0$ keeps its length").defines([
+    page.claim("eq1.66", "constraints", "The rod with one end on the guide $y_1=0$ keeps its length").defines([
         Line::equation(length, (int(1) / int(2)) * ((y2 - y1).powi(2) + (x2 - x1).powi(2) - s.l.powi(2)), Sym::ZERO),
     ]);
     // twice the velocity of the middle, crossed with the rod
     let moving = |a: Sym, b: Sym, p: Sym, q: Sym| ((Tangent::moving(a, p) + Tangent::moving(b, q)).half()).slope;
     let (u, v) = (moving(x1, x2, u1, u2), moving(y1, y2, v1, v2));
-    page.claim("eq1.67", "middle", "the velocity of the rod's middle has the direction of the rod").holds([
+    page.claim("eq1.67", "middle", "The velocity of the rod's middle has the direction of the rod").holds([
         Line::equation(
             int(2) * ((x2 - x1) * v - (y2 - y1) * u),
             (x2 - x1) * (v2 + v1) - (y2 - y1) * (u2 + u1),
@@ -56,13 +56,13 @@ fn combination(page: &mut Page, s: &SteeredLetters) {
     let vertical = friction[1];
     page.claim(
         "eq1.69",
-        "vertical",r"friction at $M_1$ has no vertical component, printed with $+\rho_{22}\cos\theta$",
+        "vertical",r"Friction at $M_1$ has no vertical component, printed with $+\rho_{22}\cos\theta$",
     ).why(r"By (1.68) friction at $M_1$ has $-\rho_{21}$ along the rod and $+\rho_{22}$ across it, so that the sign of $\rho_{22}\cos\theta$ is wrong.")
     .fails([Line::equation(vertical, ry - y, rho21 * sin + rho22 * c)]);
     page.claim(
         "eq1.69",
         "vertical-corrected",
-        r"friction at $M_1$ has no vertical component, with $-\rho_{22}\cos\theta$, which (1.73) and (1.74) use",
+        r"Friction at $M_1$ has no vertical component, with $-\rho_{22}\cos\theta$, which (1.73) and (1.74) use",
     )
     .holds([Line::equation(vertical, ry - y, rho21 * sin - rho22 * c)]);
     page.correct();
@@ -74,7 +74,7 @@ fn combination(page: &mut Page, s: &SteeredLetters) {
     };
     let along = |friction| -displaced([int(1), Sym::ZERO, Sym::ZERO], friction);
     let across = |friction| -displaced([Sym::ZERO, int(1), Sym::ZERO], friction);
-    page.claim("eq1.70", "along", "the displacements of both points have equal projections on the rod")
+    page.claim("eq1.70", "along", "The displacements of both points have equal projections on the rod")
         .holds([Line::equation(along(friction), (rx * c + (ry - y) * sin - rho21) / s.m1, rho21 / s.m2)]);
     let whole = [rho, Sym::ZERO, of_friction[2], of_friction[3]];
     let given = [
@@ -98,7 +98,7 @@ fn combination(page: &mut Page, s: &SteeredLetters) {
     )
     .holds([Line::equation(along(whole), rho * c / s.m1, rho21 / s.m2)]);
     page.correct();
-    page.claim("eq1.72", "across", "the projections across the rod cancel").holds([Line::equation(
+    page.claim("eq1.72", "across", "The projections across the rod cancel").holds([Line::equation(
         across(friction),
         (rx * sin - (ry - y) * c - rho22) / s.m1 - rho22 / s.m2,
         Sym::ZERO,
@@ -121,24 +121,24 @@ fn parts(page: &mut Page, s: &SteeredLetters) {
     page.claim("eq1.75", "ratio", r"(1.75) is $\rho_{22} = \operatorname{tg}\theta\,\rho_{21}$")
         .follows([Equal(rho22, sin / c * rho21)]);
     let share = |mass: Sym| mass * rx / (s.m1 + s.m2);
-    page.claim("eq1.76", "along", "the friction along the rod is (1.76)")
+    page.claim("eq1.76", "along", "The friction along the rod is (1.76)")
         .reading(r"The source's $R_\tau$ is read as the component $R_x$ of the guide's reaction.")
         .holds([Line::formula(rho21, letter("ρ21"), share(s.m2) * c)]);
-    page.claim("eq1.77", "across", "the friction across the rod is (1.77)")
+    page.claim("eq1.77", "across", "The friction across the rod is (1.77)")
         .reading(r"The source's $R_\tau$ is read as the component $R_x$ of the guide's reaction.")
         .holds([Line::formula(rho22, letter("ρ22"), share(s.m2) * sin)]);
-    page.claim("eq1.78", "at-m1", "the friction at $M_1$ is (1.78)")
+    page.claim("eq1.78", "at-m1", "The friction at $M_1$ is (1.78)")
         .reading(r"The source's $R_\tau$ is read as the component $R_x$ of the guide's reaction.")
         .holds([Line::formula(parts.of_friction[0], letter("ρ1"), share(s.m1))]);
     let friction = s.friction();
     let combined = s.extended([(s.m1 + s.m2) * s.mu, Sym::ZERO, Sym::ZERO, Sym::ZERO]).of_friction;
-    page.claim("eq1.79", "components-m1", r"with $\mu=R_x/(m_1+m_2)$ the friction at $M_1$ has the components (1.79)")
+    page.claim("eq1.79", "components-m1", r"With $\mu=R_x/(m_1+m_2)$ the friction at $M_1$ has the components (1.79)")
         .holds([
             Line::formula(combined[0], letter("ρ1x"), s.m1 * s.mu),
             Line::formula(combined[1], letter("ρ1y"), Sym::ZERO),
         ]);
     let double = s.point + s.point;
-    page.claim("eq1.80", "components-m2", "the friction at $M_2$ has the components (1.80)").holds([
+    page.claim("eq1.80", "components-m2", "The friction at $M_2$ has the components (1.80)").holds([
         Line::formula(friction[2], letter("ρ2x"), s.m2 * s.mu * double.cos),
         Line::formula(friction[3], letter("ρ2y"), s.m2 * s.mu * double.sin),
     ]);
@@ -146,7 +146,7 @@ fn parts(page: &mut Page, s: &SteeredLetters) {
     let (lambda, lambda1, lambda2) = (s.lambda, s.lambda1, s.lambda2);
     let names = letters(["R′1x", "R′1y", "R′2x", "R′2y"]);
     let lines = |right: [Sym; 4]| (0..4).map(move |i| Line::formula(normal[i], names[i], right[i]));
-    page.claim("eq1.80", "forces-of-constraint",r"the forces of constraint at $M_1$ and $M_2$ are those printed, with $\lambda$ in the horizontal component").why(r"$\lambda$ pushes across the guide, so it belongs to the vertical component. In the last line sine and cosine are exchanged, and (1.83) has them right.")
+    page.claim("eq1.80", "forces-of-constraint",r"The forces of constraint at $M_1$ and $M_2$ are those printed, with $\lambda$ in the horizontal component").why(r"$\lambda$ pushes across the guide, so it belongs to the vertical component. In the last line sine and cosine are exchanged, and (1.83) has them right.")
         .fails(lines([
             lambda - lambda1 * c - lambda2 * sin,
             -lambda1 * sin - lambda2 * c,
@@ -156,7 +156,7 @@ fn parts(page: &mut Page, s: &SteeredLetters) {
     page.claim(
         "eq1.80",
         "forces-of-constraint-corrected",
-        "the forces of constraint at $M_1$ and $M_2$ are those that stand in (1.83)",
+        "The forces of constraint at $M_1$ and $M_2$ are those that stand in (1.83)",
     )
     .holds(lines([
         -lambda1 * c - lambda2 * sin,
@@ -171,7 +171,7 @@ fn parts(page: &mut Page, s: &SteeredLetters) {
 fn law(page: &mut Page, s: &SteeredLetters) {
     let [rx, ry, r21, r22, y] = letters(["Rx", "Ry", "R1", "R2", "Y"]);
     let [_, _, of_guide] = s.extended([rx, ry, r21, r22]).multipliers;
-    page.claim("eq1.81", "vertical", r"the guide's normal reaction is its force of constraint: $R_y=Y=\lambda$, since by (1.75) the terms of (1.69) cancel")
+    page.claim("eq1.81", "vertical", r"The guide's normal reaction is its force of constraint: $R_y=Y=\lambda$, since by (1.75) the terms of (1.69) cancel")
         .holds([Line::formula(of_guide, y, ry)]);
     let sign = letter("ε");
     let mass = s.m1 + s.m2;
@@ -197,7 +197,7 @@ fn law(page: &mut Page, s: &SteeredLetters) {
     page.correct();
     let way = sign;
     let unit = Hypotheses::none().rule(way, 2, int(1));
-    page.claim("eq1.82", "direction",r"friction, printed $\mu=-f\lambda/(m_1+m_2)$ for $\dot x_1>0$, is against the velocity on a floor that pushes $M_1$ upwards ($\lambda<0$)").reading(r"The source names no side of the guide; the floor is judged, as in (1.22).").why(r"The sign is that of a guide which holds $M_1$ down, $\lambda>0$; on a floor the printed friction drives.")
+    page.claim("eq1.82", "direction",r"Friction, printed $\mu=-f\lambda/(m_1+m_2)$ for $\dot x_1>0$, is against the velocity on a floor that pushes $M_1$ upwards ($\lambda<0$)").reading(r"The source names no side of the guide; the floor is judged, as in (1.22).").why(r"The sign is that of a guide which holds $M_1$ down, $\lambda>0$; on a floor the printed friction drives.")
         .given([Positive(s.dx1), Positive(-s.lambda), Positive(s.f), Positive(s.m1), Positive(s.m2), Equal(s.mu, -(s.f * s.lambda / mass))])
         .refuted([Positive(-(s.mu * s.dx1))], exact([
             ("m1", 1, 1), ("m2", 1, 1), ("f", 1, 2), ("λ", -4, 1), ("μ", 1, 1), ("ẋ1", 1, 1),

@@ -24,7 +24,7 @@ fn friction(page: &mut Page, s: &LadderLetters) {
     page.claim(
         "eq1.101",
         "kinetic-energy",
-        "the velocity of the centre of mass and the kinetic energy are those of (1.101)",
+        "The velocity of the centre of mass and the kinetic energy are those of (1.101)",
     )
     .holds([
         Line::formula(motion.state.velocity[0], letter("ẋ"), l * c * s.dalpha),
@@ -40,10 +40,10 @@ fn friction(page: &mut Page, s: &LadderLetters) {
     page.claim(
         "eq1.101",
         "work",
-        "the work of friction, counted upwards at $A$ and towards $O$ at $B$, is that of (1.101)",
+        "The work of friction, counted upwards at $A$ and towards $O$ at $B$, is that of (1.101)",
     )
     .holds([Line::formula(work * turned, letter("δAτ"), -int(2) * l * (at_a * sin + at_b * c) * turned)]);
-    page.claim("eq1.102", "generalised-force", "the generalised force of friction is (1.102)").holds([Line::formula(
+    page.claim("eq1.102", "generalised-force", "The generalised force of friction is (1.102)").holds([Line::formula(
         work,
         letter("Qτ"),
         -int(2) * l * (at_a * sin + at_b * c),
@@ -51,7 +51,7 @@ fn friction(page: &mut Page, s: &LadderLetters) {
     let positive = [Positive(l), Positive(at_a), Positive(at_b), Positive(sin), Positive(c)];
     page.claim(
         "eq1.102",
-        "initial-motion",r"friction of the printed directions brakes the motion that the problem names, $B$ approaching $O$: $\dot\alpha<0$",
+        "initial-motion",r"Friction of the printed directions brakes the motion that the problem names, $B$ approaching $O$: $\dot\alpha<0$",
     ).why(r"The printed directions of friction are those of a ladder that slides down, $B$ moving away from $O$.")
     .given(positive)
     .given([Positive(-s.dalpha)])
@@ -63,7 +63,7 @@ fn friction(page: &mut Page, s: &LadderLetters) {
     let renamed = [(c, cos), (sin, sine), (s.dalpha, speed / l)];
     page.claim(
         "eq1.102",
-        "initial-motion-corrected",r"friction of the printed directions brakes a ladder that slides down, $\dot\alpha=v/l>0$, with $\alpha$ in the first quadrant",
+        "initial-motion-corrected",r"Friction of the printed directions brakes a ladder that slides down, $\dot\alpha=v/l>0$, with $\alpha$ in the first quadrant",
     )
     .given([Positive(l), Positive(at_a), Positive(at_b), Positive(sine), Positive(cos), Positive(speed)])
     .by_signs([Positive(tidy(-(work * s.dalpha)).substitute(&renamed))]);
@@ -87,13 +87,13 @@ fn reactions(page: &mut Page, s: &LadderLetters) {
     let [name_x, name_y] = letters(["ẍG", "ÿG"]);
     let named = [name_x, name_y, Sym::ZERO, Sym::ZERO];
     let (by_x, by_y) = (l * c * s.ddalpha - l * sin * s.dalpha.powi(2), -l * (sin * s.ddalpha + c * s.dalpha.powi(2)));
-    page.claim("eq1.104", "acceleration", "the acceleration of the centre is that of (1.104)")
+    page.claim("eq1.104", "acceleration", "The acceleration of the centre is that of (1.104)")
         .holds([Line::formula(ddx, name_x, by_x), Line::formula(ddy, name_y, by_y)]);
     let missing = s.newton(s.turning(), s.reactions([push_a, push_b], [at_a, at_b]));
     page.claim(
         "eq1.104",
         "centre",
-        "the theorem of the centre of mass, with the acceleration of the centre, is (1.104)",
+        "The theorem of the centre of mass, with the acceleration of the centre, is (1.104)",
     )
     .holds([
         Line::equation(missing[0], m * by_x, push_a - at_b),
@@ -105,7 +105,7 @@ fn reactions(page: &mut Page, s: &LadderLetters) {
     page.claim(
         "eq1.105",
         "by-centre",
-        "the normal reactions, expressed by the acceleration of the centre, are (1.105)",
+        "The normal reactions, expressed by the acceleration of the centre, are (1.105)",
     )
     .reading(r"The text names $R^\tau$; $R^n$ is read, since the formulas are the normal reactions.")
     .holds([
@@ -114,7 +114,7 @@ fn reactions(page: &mut Page, s: &LadderLetters) {
     ]);
     let [derived_a, derived_b] = s.normal_reactions();
     let (turn, spin) = (s.ddalpha, s.dalpha.powi(2));
-    page.claim("eq1.105", "by-angle", "the normal reactions, expressed by the angle, are (1.105)").holds([
+    page.claim("eq1.105", "by-angle", "The normal reactions, expressed by the angle, are (1.105)").holds([
         Line::formula(derived_b, push_b, -(m / both * (l * (sin + wall * c) * turn + l * (c - wall * sin) * spin - g))),
         Line::formula(
             derived_a,
@@ -131,7 +131,7 @@ fn normal_reactions_and_friction(page: &mut Page, s: &LadderLetters) {
     let still = tidy(s.uniform(tidy(at_rest.substitute(&[(s.dalpha, Sym::ZERO)]))));
     let f = letter("f");
     let smooth = tidy(still.substitute(&[(f, Sym::ZERO)]));
-    page.claim("eq1.105", "unjustified",r#"as printed, "a normal reaction that depends on friction is not justified". Then $R_A^n$ of the uniform ladder that begins to slide would be the one without friction"#).why(r"By (1.105) the normal reactions of rough walls depend on $f$. Only the multipliers of the constraints do not; they are not normal reactions.")
+    page.claim("eq1.105", "unjustified",r#"As printed, "a normal reaction that depends on friction is not justified". Then $R_A^n$ of the uniform ladder that begins to slide would be the one without friction"#).why(r"By (1.105) the normal reactions of rough walls depend on $f$. Only the multipliers of the constraints do not; they are not normal reactions.")
         .given([Positive(s.m), Positive(s.g), Positive(f)])
         .refuted([Equal(still, smooth)], exact([
             ("m", 1, 1), ("g", 1, 1), ("f", 1, 5), ("sin α", 4, 5), ("cos α", 3, 5),
@@ -146,7 +146,7 @@ fn normal_reactions_and_friction(page: &mut Page, s: &LadderLetters) {
     page.claim(
         "eq1.105",
         "unjustified-corrected",
-        r"the multipliers of rigidity, wall and floor do not depend on friction $m_k\delta\vec r_k$ of any size",
+        r"The multipliers of rigidity, wall and floor do not depend on friction $m_k\delta\vec r_k$ of any size",
     )
     .follows(free.map(|multiplier| Zero(multiplier.diff(p))));
     page.correct();
@@ -160,7 +160,7 @@ fn equation(page: &mut Page, s: &LadderLetters) {
     let two = int(2);
     let [push_a, push_b] = s.normal_reactions();
     let [work] = s.motion().generalised(s.reactions([Sym::ZERO; 2], [wall * push_a, floor * push_b]));
-    page.claim("eq1.106", "friction", "the generalised force of friction, expressed by the angle, is that of (1.106)")
+    page.claim("eq1.106", "friction", "The generalised force of friction, expressed by the angle, is that of (1.106)")
         .holds([Line::formula(
             work,
             letter("Qτ"),
@@ -171,13 +171,13 @@ fn equation(page: &mut Page, s: &LadderLetters) {
         )]);
     let weight: [Sym; 4] = s.ladder.force(&s.motion().state);
     let [fall] = s.motion().generalised(weight);
-    page.claim("eq1.106", "weight", "the generalised force of the weight is that of (1.106)").holds([Line::formula(
+    page.claim("eq1.106", "weight", "The generalised force of the weight is that of (1.106)").holds([Line::formula(
         fall,
         letter("Q"),
         m * g * l * sin,
     )]);
     let balance = s.balance();
-    page.claim("eq1.106", "motion", "the equation of motion of the ladder with friction is that of (1.106)").holds([
+    page.claim("eq1.106", "motion", "The equation of motion of the ladder with friction is that of (1.106)").holds([
         Line::equation(
             balance,
             (m * l.powi(2) + s.inertia + two * l.powi(2) * m / both * ((wall - floor) * sin * c - wall * floor)) * turn,
@@ -189,7 +189,7 @@ fn equation(page: &mut Page, s: &LadderLetters) {
     let f = letter("f");
     let equal = balance.substitute(&[(wall, f), (floor, f)]);
     let both = int(1) + f.powi(2);
-    page.claim("eq1.107", "equal-friction", "the equation of motion of the ladder with $f_A=f_B=f$ is (1.107)").holds(
+    page.claim("eq1.107", "equal-friction", "The equation of motion of the ladder with $f_A=f_B=f$ is (1.107)").holds(
         [Line::equation(
             equal,
             (m * l.powi(2) + s.inertia - two * l.powi(2) * m / both * f.powi(2)) * turn,
@@ -197,7 +197,7 @@ fn equation(page: &mut Page, s: &LadderLetters) {
         )],
     );
     let [third] = [m * l.powi(2) / int(3)];
-    page.claim("eq1.107", "denominator",r"the coefficient of $\ddot\alpha$ for the uniform ladder is $\frac23ml^2(2-f^2)/(1+f^2)$, which vanishes at $f^2=2$ alone").in_words()
+    page.claim("eq1.107", "denominator",r"The coefficient of $\ddot\alpha$ for the uniform ladder is $\frac23ml^2(2-f^2)/(1+f^2)$, which vanishes at $f^2=2$ alone").in_words()
         .given([NonZero(both)])
         .follows([Equal(
             equal.diff(turn).substitute(&[(s.inertia, third)]),

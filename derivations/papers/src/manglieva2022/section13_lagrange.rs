@@ -19,7 +19,7 @@ pub fn claims(page: &mut Page, s: &SteeredLetters) {
 
 fn integral(page: &mut Page, s: &SteeredLetters) {
     let sin = s.point.sin;
-    page.claim("eq1.92", "speed", r"the constraint of the middle, expressed by $\theta$, is (1.92)")
+    page.claim("eq1.92", "speed", r"The constraint of the middle, expressed by $\theta$, is (1.92)")
         .holds([Line::formula(s.speed(), s.dx1, s.l * s.dtheta / (int(2) * sin))]);
     // tg(theta/2) along the constraint, at theta' by x1'
     let half = (Tangent::moving(s.theta, s.turning()) / Tangent::fixed(int(2))).circle();
@@ -28,15 +28,15 @@ fn integral(page: &mut Page, s: &SteeredLetters) {
     page.claim(
         "section1.3-integral",
         "exponential",
-        r"the integral is $\operatorname{tg}\frac\theta2=e^{x_1}$ as printed, judged by its rate",
+        r"The integral is $\operatorname{tg}\frac\theta2=e^{x_1}$ as printed, judged by its rate",
     )
     .why(r"The factor $2/l$ of (1.92) and the constant of integration are missing. The printed exponent has a dimension.")
     .fails([Line::formula(tangent.slope, name, s.dx1 * tangent.value)]);
-    page.claim("section1.3-integral", "exponential-corrected",r"the integral is $\operatorname{tg}\frac\theta2=Ce^{2x_1/l}$, by its rate: $\frac{d}{dt}\operatorname{tg}\frac\theta2=\frac2l\dot x_1\operatorname{tg}\frac\theta2$")
+    page.claim("section1.3-integral", "exponential-corrected",r"The integral is $\operatorname{tg}\frac\theta2=Ce^{2x_1/l}$, by its rate: $\frac{d}{dt}\operatorname{tg}\frac\theta2=\frac2l\dot x_1\operatorname{tg}\frac\theta2$")
         .holds([Line::formula(tangent.slope, name, int(2) / s.l * s.dx1 * tangent.value)]);
     page.correct();
     let at_rest = [(s.dtheta, Sym::ZERO)];
-    page.claim("section1.3-integral", "geometric",r"where $\sin\theta=0$ and $\dot\theta=0$ the constraint of the middle leaves $\dot x_1$ free, and the rod along the guide slides without turning").note(r"The integral $\operatorname{tg}\frac\theta2=Ce^{2x_1/l}$ does not hold there.")
+    page.claim("section1.3-integral", "geometric",r"Where $\sin\theta=0$ and $\dot\theta=0$ the constraint of the middle leaves $\dot x_1$ free, and the rod along the guide slides without turning").note(r"The integral $\operatorname{tg}\frac\theta2=Ce^{2x_1/l}$ does not hold there.")
         .follows([Zero(s.turning().substitute(&[(sin, Sym::ZERO)]).substitute(&at_rest))]);
 }
 
@@ -59,11 +59,11 @@ fn work(page: &mut Page, s: &SteeredLetters) {
     page.claim(
         "eq1.93",
         "kinetic-energy",
-        r"the kinetic energy of the steered rod, expressed by $\theta$ and $\dot\theta$, is (1.93)",
+        r"The kinetic energy of the steered rod, expressed by $\theta$ and $\dot\theta$, is (1.93)",
     )
     .holds([Line::formula(energy, letter("T"), eighth * ((m1 + m2) * l.powi(2) / sin.powi(2)) * s.dtheta.powi(2))]);
     let two = int(2);
-    page.claim("eq1.93", "given-forces", "the generalised force of $X$ and the weights is that of (1.93)")
+    page.claim("eq1.93", "given-forces", "The generalised force of $X$ and the weights is that of (1.93)")
         .reading(r"The source prints $mgl$, where the index is missing; $m_2gl$ is read, as (1.96) has it.")
         .holds([Line::formula(
             along_angle(s, s.given_force()),
@@ -79,19 +79,19 @@ fn work(page: &mut Page, s: &SteeredLetters) {
     let across = l / (two * sin) * turned;
     let at_m1 = s.friction()[0];
     let guide = [(rx, (m1 + m2) * s.mu)];
-    page.claim("eq1.94", "work",r"the work of the reactions is (1.94) as printed, $\rho_1\delta x_1 = m_1\mu\,\delta x_1$ and terms that cancel, with $\delta x_1=\frac{l}{2\sin\theta}\delta\theta$").why(r"The work at $M_2$ is missing: in $\vec R+\vec R_{22}$ the text puts $\vec Y+\vec\rho_1$ for $\vec R$, without $\vec\rho_{21}-\vec\rho_{22}$ of (1.68).").note(r"The reaction across the rod does no work at all.")
+    page.claim("eq1.94", "work",r"The work of the reactions is (1.94) as printed, $\rho_1\delta x_1 = m_1\mu\,\delta x_1$ and terms that cancel, with $\delta x_1=\frac{l}{2\sin\theta}\delta\theta$").why(r"The work at $M_2$ is missing: in $\vec R+\vec R_{22}$ the text puts $\vec Y+\vec\rho_1$ for $\vec R$, without $\vec\rho_{21}-\vec\rho_{22}$ of (1.68).").note(r"The reaction across the rod does no work at all.")
         .fails([Line::formula(all.substitute(&guide) * turned, name, at_m1 * across)]);
     page.claim(
         "eq1.94",
         "work-corrected",
-        r"among the reactions the guide's $R_x$ alone does work, $R_x\delta x_1=(m_1+m_2)\mu\,\delta x_1$",
+        r"Among the reactions the guide's $R_x$ alone does work, $R_x\delta x_1=(m_1+m_2)\mu\,\delta x_1$",
     )
     .holds([Line::formula(all.substitute(&guide) * turned, name, (m1 + m2) * s.mu * across)]);
     page.correct();
-    page.claim("eq1.95", "friction", r"the generalised force of friction is (1.95) as printed, with $m_1\mu$")
+    page.claim("eq1.95", "friction", r"The generalised force of friction is (1.95) as printed, with $m_1\mu$")
         .why(r"The friction at $M_2$ works too and is missing.")
         .fails([Line::formula(along_angle(s, s.friction()), letter("Qτ"), m1 * s.mu * l / (two * sin))]);
-    page.claim("eq1.95", "friction-corrected", r"the generalised force of friction is (1.95) with $(m_1+m_2)\mu$")
+    page.claim("eq1.95", "friction-corrected", r"The generalised force of friction is (1.95) with $(m_1+m_2)\mu$")
         .holds([Line::formula(along_angle(s, s.friction()), letter("Qτ"), (m1 + m2) * s.mu * l / (two * sin))]);
     page.correct();
 }
@@ -140,7 +140,7 @@ fn equation(page: &mut Page, s: &SteeredLetters) {
     page.claim(
         "eq1.98",
         "motion",
-        r"the equation of motion with friction put in is (1.98) as printed, with $(m_1+m_2)\mu$ and $\sin^2\theta$",
+        r"The equation of motion with friction put in is (1.98) as printed, with $(m_1+m_2)\mu$ and $\sin^2\theta$",
     )
     .holds([Line::equation(
         balance(s, friction) / l,
@@ -156,16 +156,16 @@ fn redundant(page: &mut Page, s: &SteeredLetters) {
     let acceleration = s.motion().acceleration([s.ddx1]);
     let [derived] = s.motion().generalised(s.newton(acceleration, s.friction()));
     let left = (m1 + m2) * s.ddx1;
-    page.claim("eq1.99", "motion",r"the equation for $x_1$ is (1.99) as printed, with $m_1\mu+m_2lg\cos\theta$").why(r"The friction at $M_2$ is missing, and the weight falls by $2\sin\theta\cos\theta$ for a unit of $x_1$, not by $l\cos\theta$.")
+    page.claim("eq1.99", "motion",r"The equation for $x_1$ is (1.99) as printed, with $m_1\mu+m_2lg\cos\theta$").why(r"The friction at $M_2$ is missing, and the weight falls by $2\sin\theta\cos\theta$ for a unit of $x_1$, not by $l\cos\theta$.")
         .fails([Line::equation(derived, left, s.drive + m1 * s.mu + m2 * l * s.g * c)]);
-    page.claim("eq1.99", "motion-corrected", r"the equation for $x_1$ is (1.99) with $(m_1+m_2)\mu + m_2g\sin2\theta$")
+    page.claim("eq1.99", "motion-corrected", r"The equation for $x_1$ is (1.99) with $(m_1+m_2)\mu + m_2g\sin2\theta$")
         .holds([Line::equation(derived, left, s.drive + (m1 + m2) * s.mu + int(2) * m2 * s.g * sin * c)]);
     page.correct();
     let across = s.middle();
-    page.claim("eq1.99", "speed", r"the constraint of the middle is $\dot x_1\sin\theta=l\dot\theta$, as printed")
+    page.claim("eq1.99", "speed", r"The constraint of the middle is $\dot x_1\sin\theta=l\dot\theta$, as printed")
         .why(r"The factor 2 of (1.92) is missing.")
         .fails([Line::equation(across, s.dx1 * sin, l * s.dtheta)]);
-    page.claim("eq1.99", "speed-corrected", "the constraint of the middle has the factor 2, as in (1.92)")
+    page.claim("eq1.99", "speed-corrected", "The constraint of the middle has the factor 2, as in (1.92)")
         .holds([Line::equation(across, int(2) * s.dx1 * sin, l * s.dtheta)]);
     page.correct();
 }

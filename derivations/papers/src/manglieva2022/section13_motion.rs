@@ -29,7 +29,7 @@ fn motion(page: &mut Page, s: &SteeredLetters) {
         lambda1 * c - lambda2 * sin + s.m2 * mu * double.cos,
         s.m2 * s.g + lambda1 * sin + lambda2 * c + s.m2 * mu * double.sin,
     ];
-    page.claim("eq1.83", "motion", "the equations of motion of both points of the steered rod are (1.83)")
+    page.claim("eq1.83", "motion", "The equations of motion of both points of the steered rod are (1.83)")
         .holds((0..4).map(|i| Line::equation(newton[i], masses[i] * second[i], right[i])));
 }
 
@@ -44,7 +44,7 @@ fn differentiated(page: &mut Page, s: &SteeredLetters) {
     page.claim(
         "eq1.84",
         "constraints",
-        "the rod keeps its length. The guide and the middle are those of (1.66) and (1.67)",
+        "The rod keeps its length. The guide and the middle are those of (1.66) and (1.67)",
     )
     .defines([Line::equation(length + length, (x2 - x1).powi(2) + (y2 - y1).powi(2), s.l.powi(2))]);
     let [length, middle, _] = rates(&s.rod, &at, second);
@@ -70,7 +70,7 @@ fn differentiated(page: &mut Page, s: &SteeredLetters) {
     page.claim(
         "eq1.86",
         "substituted",
-        r"the differentiated constraints with the accelerations of (1.83) are (1.86), where $\mu$ drops out",
+        r"The differentiated constraints with the accelerations of (1.83) are (1.86), where $\mu$ drops out",
     )
     .holds([
         Line::equation(guide, s.m1 * s.g - lambda1 * sin + lambda2 * c + lambda, Sym::ZERO),
@@ -88,7 +88,7 @@ fn differentiated(page: &mut Page, s: &SteeredLetters) {
     let right = inverse(s.m1) * s.drive * sin + (int(2) * s.dx1 * s.dtheta - s.g) * c;
     let [across, along] = [s.multipliers(s.friction())[1], s.multipliers(s.friction())[0]];
     let premises = [Equal(lambda1, along), Equal(lambda2, across), Positive(s.m1), Positive(s.m2), Positive(s.l)];
-    page.claim("eq1.86", "third-zero",r#"the third line of (1.86) is printed with "= 0" after its right side"#).why(r#"The right side equals the left side $(\frac1{m_2}+\frac1{m_1}\sin^2\theta)\lambda_2+\dots$, which does not vanish; the "= 0" is a slip."#)
+    page.claim("eq1.86", "third-zero",r#"The third line of (1.86) is printed with "= 0" after its right side"#).why(r#"The right side equals the left side $(\frac1{m_2}+\frac1{m_1}\sin^2\theta)\lambda_2+\dots$, which does not vanish; the "= 0" is a slip."#)
         .given(premises)
         .refuted(
             [Zero(right)],
@@ -106,7 +106,7 @@ fn differentiated(page: &mut Page, s: &SteeredLetters) {
                 ("λ2", -1, 1),
             ]),
         );
-    page.claim("eq1.86", "third-zero-corrected", "the right side of (1.86), third line, equals its left side")
+    page.claim("eq1.86", "third-zero-corrected", "The right side of (1.86), third line, equals its left side")
         .in_words()
         .follows([Equal(
             inverse(s.m1) * c * sin * along + (inverse(s.m2) + inverse(s.m1) * sin.powi(2)) * across,
@@ -149,7 +149,7 @@ fn multipliers(page: &mut Page, s: &SteeredLetters) {
                     - int(2) * s.g * c.powi(2)),
         ),
     ]);
-    page.claim("eq1.88", "speed", r"the constraint of the middle expresses $\dot x_1$ by $\dot\theta$")
+    page.claim("eq1.88", "speed", r"The constraint of the middle expresses $\dot x_1$ by $\dot\theta$")
         .holds([Line::formula(s.speed(), s.dx1, s.l * s.dtheta / (int(2) * sin))]);
     let on_constraint = derived[2].substitute(&[(s.dx1, s.speed())]);
     let turn = s.l * s.dtheta.powi(2);
@@ -168,7 +168,7 @@ fn multipliers(page: &mut Page, s: &SteeredLetters) {
     page.claim(
         "eq1.89",
         "independent",
-        r"the multipliers of the steered rod do not depend on friction $m_k\delta\vec r_k$, for any masses",
+        r"The multipliers of the steered rod do not depend on friction $m_k\delta\vec r_k$, for any masses",
     )
     .follows(s.multipliers(any).map(|multiplier| Zero(multiplier.diff(p))));
 }
@@ -207,7 +207,7 @@ fn painleve(page: &mut Page, s: &SteeredLetters) {
     let at_guide = derived[2].diff(mu);
     page.claim(
         "eq1.91",
-        "at-the-guide",r"as printed, $\lambda$ depends on $\mu$ by Painlevé's displacements: $\partial\lambda/\partial\mu\ne0$ for unequal masses",
+        "at-the-guide",r"As printed, $\lambda$ depends on $\mu$ by Painlevé's displacements: $\partial\lambda/\partial\mu\ne0$ for unequal masses",
     )
     .why(r"The two terms in $\mu$ cancel in $\lambda = -m_1g+\lambda_1\sin\theta-\lambda_2\cos\theta$.")
     .given([Positive(s.m1), Positive(q), NonZero(q - one)])
@@ -216,6 +216,6 @@ fn painleve(page: &mut Page, s: &SteeredLetters) {
         .follows([Zero(at_guide)]);
     page.correct();
     let size = derived[0].diff(mu).powi(2) + derived[1].diff(mu).powi(2);
-    page.claim("eq1.91", "equal-masses",r"the squares of $\partial\lambda_1/\partial\mu$ and $\partial\lambda_2/\partial\mu$ add up to $\left(\frac{q-1}{q+1}\right)^2$, so that both vanish for $q=1$ alone")
+    page.claim("eq1.91", "equal-masses",r"The squares of $\partial\lambda_1/\partial\mu$ and $\partial\lambda_2/\partial\mu$ add up to $\left(\frac{q-1}{q+1}\right)^2$, so that both vanish for $q=1$ alone")
         .follows([Equal(size, ((q - one) / (q + one)).powi(2))]);
 }

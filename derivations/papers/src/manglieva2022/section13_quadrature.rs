@@ -96,7 +96,7 @@ fn variation(page: &mut Page, s: &LadderLetters, u: &Uniform) {
     page.claim(
         "section1.3-ladder-quadrature",
         "varied",
-        r"if $C_1$ varies, $d\dot\alpha/d\alpha$ contains $C_1'$, where $G=e^{af\alpha/(a-2/3)}$",
+        r"If $C_1$ varies, $d\dot\alpha/d\alpha$ contains $C_1'$, where $G=e^{af\alpha/(a-2/3)}$",
     )
     .under(&u.names)
     .holds([Line::formula(varied.slope, letter("dα̇/dα"), rate * grown + constant * u.a * u.f / u.inertia * grown)]);
@@ -105,14 +105,14 @@ fn variation(page: &mut Page, s: &LadderLetters, u: &Uniform) {
     let load = -(s.g / s.l * u.load(|x| x, s.point));
     page.claim(
         "section1.3-ladder-quadrature",
-        "constant",r"the equation for $C_1$ has $e^{+2af\alpha/(a-2/3)}=G^2$ on the right as printed, with $G=e^{af\alpha/(a-2/3)}$",
+        "constant",r"The equation for $C_1$ has $e^{+2af\alpha/(a-2/3)}=G^2$ on the right as printed, with $G=e^{af\alpha/(a-2/3)}$",
     ).why(r"$C_1C_1^{\prime}G^2$ stands on the left, so the right side is divided by $G^2$; the integrals that follow have the right exponent.")
     .under(&u.names)
     .fails([Line::equation(left / grown.powi(2), u.inertia * constant * rate, load * grown.powi(2))]);
     page.claim(
         "section1.3-ladder-quadrature",
         "constant-corrected",
-        r"the equation for $C_1$ has $e^{b\alpha}=e^{-2af\alpha/(a-2/3)}=G^{-2}$ on the right",
+        r"The equation for $C_1$ has $e^{b\alpha}=e^{-2af\alpha/(a-2/3)}=G^{-2}$ on the right",
     )
     .under(&u.names)
     .holds([Line::equation(left / grown.powi(2), u.inertia * constant * rate, load / grown.powi(2))]);
@@ -125,7 +125,7 @@ fn variation(page: &mut Page, s: &LadderLetters, u: &Uniform) {
     let cosine = (point.sin + fixed(u.b) * point.cos) * exponential / norm;
     page.claim(
         "section1.3-ladder-quadrature",
-        "integrals",r"the closed forms of $I_1=\int e^{b\alpha}\sin\alpha\,d\alpha$ and $I_2=\int e^{b\alpha}\cos\alpha\,d\alpha$ have these integrands as derivatives",
+        "integrals",r"The closed forms of $I_1=\int e^{b\alpha}\sin\alpha\,d\alpha$ and $I_2=\int e^{b\alpha}\cos\alpha\,d\alpha$ have these integrands as derivatives",
     )
     .in_words()
     .under(&u.names)
@@ -173,7 +173,7 @@ fn solution(page: &mut Page, s: &LadderLetters, u: &Uniform) {
     page.claim(
         "eq1.109",
         "constant",
-        r"the constant from the initial state is $\tilde C=e^{-b\alpha_0}[\dot\alpha_0^2-\dots]$, as printed",
+        r"The constant from the initial state is $\tilde C=e^{-b\alpha_0}[\dot\alpha_0^2-\dots]$, as printed",
     )
     .reading(r"The source prints $e^{-b\alpha}$ without the index; $\alpha_0$ is read.")
     .why(r"The sign of the exponent is wrong, as in $\dot\alpha^2$.")
@@ -182,7 +182,7 @@ fn solution(page: &mut Page, s: &LadderLetters, u: &Uniform) {
     page.claim(
         "eq1.109",
         "constant-corrected",
-        r"the constant from the initial state is $\tilde C=e^{b\alpha_0}[\dot\alpha_0^2-\dots]$",
+        r"The constant from the initial state is $\tilde C=e^{b\alpha_0}[\dot\alpha_0^2-\dots]$",
     )
     .under(&u.names)
     .holds([Line::formula(derived, constant, initial * begun)]);

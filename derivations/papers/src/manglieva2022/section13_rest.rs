@@ -49,13 +49,13 @@ pub fn claims(page: &mut Page, s: &SteeredLetters) {
     page.claim(
         "section1.3-static",
         "friction",
-        "the friction at $M_1$ that keeps the rod at rest has the printed value",
+        "The friction at $M_1$ that keeps the rod at rest has the printed value",
     )
     .holds([Line::formula(m1 * mu, m1 * s.mu, -(m1 / (m1 + m2) * (drive + m2 * g * double.sin)))]);
     page.claim(
         "section1.3-static",
         "by-multipliers",
-        r"the friction that keeps the rod at rest is $\lambda_1\cos\theta+\lambda_2\sin\theta-X$",
+        r"The friction that keeps the rod at rest is $\lambda_1\cos\theta+\lambda_2\sin\theta-X$",
     )
     .in_words()
     .follows([Equal(m1 * mu, pull - drive)]);
@@ -63,7 +63,7 @@ pub fn claims(page: &mut Page, s: &SteeredLetters) {
     page.claim(
         "eq1.100",
         "inequality",
-        r"the rod rests while $|R_x|\le f|\lambda|$. The data give both sides, which are squared here",
+        r"The rod rests while $|R_x|\le f|\lambda|$. The data give both sides, which are squared here",
     )
     .follows([
         Equal(((m1 + m2) * mu).powi(2), held.powi(2)),
@@ -74,7 +74,7 @@ pub fn claims(page: &mut Page, s: &SteeredLetters) {
     let [needed] = letters(["N"]);
     let name = s.lambda;
     let unit = Hypotheses::none().rule(sign, 2, int(1));
-    page.claim("section1.3-static", "start",r"as printed, beyond (1.100) the friction $R_x=\varepsilon f\lambda$ has the direction of the force $N$ that rest would need. The sign $\varepsilon$ is opposite to $N$").why(r"That holds where the floor pushes, $\lambda<0$; at $\theta=0$ with $m_2>m_1$ the guide pulls, $\lambda>0$.")
+    page.claim("section1.3-static", "start",r"As printed, beyond (1.100) the friction $R_x=\varepsilon f\lambda$ has the direction of the force $N$ that rest would need. The sign $\varepsilon$ is opposite to $N$").why(r"That holds where the floor pushes, $\lambda<0$; at $\theta=0$ with $m_2>m_1$ the guide pulls, $\lambda>0$.")
         .given([
             Positive(s.f), Positive(m1), Positive(m2), Positive(g), Equal(name, weight), Equal(needed, -held),
             Positive(held.powi(2) - (s.f * name).powi(2)), Equal(sign.powi(2), int(1)), Positive(-(sign * needed)),
@@ -84,7 +84,7 @@ pub fn claims(page: &mut Page, s: &SteeredLetters) {
             ("f", 1, 2), ("λ", 1, 1), ("ε", -1, 1), ("N", 1, 1),
         ]));
     let push = letter("Y");
-    page.claim("section1.3-static", "start-corrected",r"where the floor pushes, $\lambda=-Y<0$, and $N=-\varepsilon X$, $X>0$, friction $\varepsilon f\lambda$ has the direction of $N$").note(r"Where the guide pulls, the direction needs $\varepsilon$ to be the sign of $N$.")
+    page.claim("section1.3-static", "start-corrected",r"Where the floor pushes, $\lambda=-Y<0$, and $N=-\varepsilon X$, $X>0$, friction $\varepsilon f\lambda$ has the direction of $N$").note(r"Where the guide pulls, the direction needs $\varepsilon$ to be the sign of $N$.")
         .under(&unit)
         .given([Positive(s.f), Positive(push), Positive(drive)])
         .by_signs([Positive((sign * s.f * -push) * -(sign * drive))]);

@@ -17,12 +17,12 @@ pub fn claims(page: &mut Page, s: &LadderLetters) {
     page.claim(
         "section1.3-ladder-ideal",
         "motion",
-        "for $f=0$ the equation of motion of the ladder has the weight $P=mg$ alone",
+        "For $f=0$ the equation of motion of the ladder has the weight $P=mg$ alone",
     )
     .holds([Line::equation(balance, (m * l.powi(2) + s.inertia) * s.ddalpha, m * g * l * sin)]);
     let acceleration = tidy(s.acceleration().substitute(&smooth).substitute(&uniform));
     let quarter = int(3) * g / (int(4) * l);
-    page.claim("section1.3-ladder-ideal", "uniform", r"the smooth uniform ladder moves by its weight alone")
+    page.claim("section1.3-ladder-ideal", "uniform", r"The smooth uniform ladder moves by its weight alone")
         .holds([Line::formula(acceleration, s.ddalpha, quarter * sin)]);
     let half = int(1) / int(2);
     let energy =
@@ -31,7 +31,7 @@ pub fn claims(page: &mut Page, s: &LadderLetters) {
     page.claim(
         "section1.3-ladder-ideal",
         "energy",
-        r"along the motion $\frac12\dot\alpha^2+\frac{3g}{4l}\cos\alpha$ is constant",
+        r"Along the motion $\frac12\dot\alpha^2+\frac{3g}{4l}\cos\alpha$ is constant",
     )
     .in_words()
     .follows([Zero(energy.slope)]);
@@ -42,7 +42,7 @@ pub fn claims(page: &mut Page, s: &LadderLetters) {
     page.claim(
         "section1.3-ladder-ideal",
         "reactions",
-        "the normal reactions of wall and floor on the smooth ladder have the printed values",
+        "The normal reactions of wall and floor on the smooth ladder have the printed values",
     )
     .holds([
         Line::formula(wall, letter("RAn"), m * (three * g * c * sin - l * sin * spin)),
@@ -60,7 +60,7 @@ pub fn claims(page: &mut Page, s: &LadderLetters) {
     page.claim(
         "section1.3-ladder-ideal",
         "detachment",
-        r"from rest at $\alpha_0$ the ladder leaves the wall, $R_A^n=0$, at $\cos\alpha=2\cos\alpha_0$, as printed",
+        r"From rest at $\alpha_0$ the ladder leaves the wall, $R_A^n=0$, at $\cos\alpha=2\cos\alpha_0$, as printed",
     )
     .why(r"A factor 3 is missing. Besides, $\cos\alpha<\cos\alpha_0$ while the ladder slides down.")
     .given(premises)
@@ -80,7 +80,7 @@ pub fn claims(page: &mut Page, s: &LadderLetters) {
     page.claim(
         "section1.3-ladder-ideal",
         "detachment-corrected",
-        r"from rest at $\alpha_0$ the ladder leaves the wall, $R_A^n=0$, at $\cos\alpha=\frac23\cos\alpha_0$",
+        r"From rest at $\alpha_0$ the ladder leaves the wall, $R_A^n=0$, at $\cos\alpha=\frac23\cos\alpha_0$",
     )
     .given(premises)
     .by_combination([(

@@ -52,14 +52,14 @@ fn displacements(page: &mut Page) {
             Mixed.constraints(&State { time: Tangent::variable(time), place: places, velocity });
         moved[0].value().slope
     };
-    page.claim("eq2.4", "chart", r"the places $x_\gamma=a_\gamma(q,t)$ and velocities $\dot x_\gamma=b_\gamma(q,p,t)$ satisfy (2.1) and (2.2) identically, here with $q=(x_2,x_3,x_4)$, $p=(\dot x_3,\dot x_4)$")
+    page.claim("eq2.4", "chart", r"The places $x_\gamma=a_\gamma(q,t)$ and velocities $\dot x_\gamma=b_\gamma(q,p,t)$ satisfy (2.1) and (2.2) identically, here with $q=(x_2,x_3,x_4)$, $p=(\dot x_3,\dot x_4)$")
         .follows(closed.map(|constraint| Zero(constraint.value())).into_iter().chain([Zero(rows)]));
     let motion = Motion::at(&Mixed, time, q, [v3, v4]);
     let rows = jacobian(&Mixed, &motion.state);
     page.claim("eq2.5", "along-the-chart",r"$\delta x_\gamma=\sum\frac{\partial b_\gamma}{\partial p_j}\delta\pi_j$ satisfies (2.3) for every $\delta\pi$ (four coordinates, one geometric and one nonlinear kinematic constraint)").in_words()
         .follows(rows.into_iter().flat_map(|row| motion.fields.map(|field| Zero(dot(row, field)))));
     let combined = |i: usize| motion.fields[0][i] * displacement[2] + motion.fields[1][i] * displacement[3];
-    page.claim("eq2.5", "all",r"every virtual displacement has the form $\delta x_\gamma=\sum\frac{\partial b_\gamma}{\partial p_j}\delta\pi_j$ (four coordinates, one geometric and one nonlinear kinematic constraint)")
+    page.claim("eq2.5", "all",r"Every virtual displacement has the form $\delta x_\gamma=\sum\frac{\partial b_\gamma}{\partial p_j}\delta\pi_j$ (four coordinates, one geometric and one nonlinear kinematic constraint)")
         .in_words()
         .given(rows.map(|row| Zero(dot(row, displacement))))
         .by_combination([
@@ -147,7 +147,7 @@ fn dynamics(page: &mut Page) {
     let smooth = first_kind(&Mixed, &motion.state, indexed("X#"));
     page.claim(
         "section2.1-independence",
-        "same",r"the forces of constraint with friction are those of the system without friction (four coordinates, one geometric and one nonlinear kinematic constraint)",
+        "same",r"The forces of constraint with friction are those of the system without friction (four coordinates, one geometric and one nonlinear kinematic constraint)",
     )
     .follows((0..4).map(|i| {
         let of = |[lambda, u]: [Sym; 2]| lambda * rows[0][i] + u * rows[1][i];
@@ -160,7 +160,7 @@ fn dynamics(page: &mut Page) {
     let missing: [Sym; 4] = indexed("R#");
     let of_lambda = missing[0];
     let of_u = missing[1] - of_lambda * rows[0][1];
-    page.claim("eq2.9", "sufficient",r"forces $R$ that do no work on virtual displacements are $\lambda f_{,\gamma}+u\varphi_{,\dot\gamma}$, so that (2.9) gives (2.8) (four coordinates, one geometric and one nonlinear kinematic constraint)").in_words()
+    page.claim("eq2.9", "sufficient",r"Forces $R$ that do no work on virtual displacements are $\lambda f_{,\gamma}+u\varphi_{,\dot\gamma}$, so that (2.9) gives (2.8) (four coordinates, one geometric and one nonlinear kinematic constraint)").in_words()
         .given(motion.fields.map(|field| Zero(dot(missing, field))))
         .by_combination([(2, 0), (3, 1)].map(|(i, k)| {
             (Equal(missing[i], of_lambda * rows[0][i] + of_u * rows[1][i]), vec![], vec![(k, int(1))])

@@ -148,14 +148,14 @@ fn measures(page: &mut Page) {
             + (a.powi(2) - two * speed * a + x.powi(2));
         Line::equation(Sym::ZERO, masses[0] * ((x - a) * (x - y)), masses[0] / int(2) * squares)
     };
-    page.claim("eq2.18", "identity", "the product is the sum of squares (2.18) for each coordinate as printed, with single dots or none over most letters on the right")
+    page.claim("eq2.18", "identity", "The product is the sum of squares (2.18) for each coordinate as printed, with single dots or none over most letters on the right")
         .why("Dots are missing: the printed squares are those of velocities and places, not of accelerations.")
         .reading("The source shows single dots, or none, on the right and two on the left. As everywhere, lost dots are judged as printed and restored in the correction.")
         .fails([as_printed]);
     page.claim(
         "eq2.18",
         "identity-corrected",
-        "the product is the sum of squares (2.18) with accelerations throughout",
+        "The product is the sum of squares (2.18) with accelerations throughout",
     )
     .follows([Equal(product, expanded)]);
     page.correct();
@@ -201,12 +201,12 @@ fn least(page: &mut Page) {
     let half = int(1) / int(2);
     let printed = half * (0..4).fold(Sym::ZERO, |sum, i| sum + masses[i] * (second[i] - released[i]).powi(2));
     let [d_true, between, possible_free] = letters(["AdD", "Adμ", "AμD"]);
-    page.claim("eq2.21", "function", r"the function that the true accelerations make least is $A_{d\mu}$ as printed, the measure between true and possible accelerations")
+    page.claim("eq2.21", "function", r"The function that the true accelerations make least is $A_{d\mu}$ as printed, the measure between true and possible accelerations")
         .why(r"The printed right side is a measure from the released accelerations, not from the possible ones.")
         .reading(r"With the letters $\ddot x_\gamma$ of the true accelerations the right side is the constant $A_{dD}$, the value of the minimum. Read as the function that is minimised, its accelerations are the possible ones, $\ddot x'_\gamma$, and its name is $A_{\mu D}$.")
         .fails([Line::formula(measure(second, indexed("ẍ′#")), between, printed)]);
     let possible: Four = indexed("ẍ′#");
-    page.claim("eq2.21", "function-corrected", r"the function to be made least is $A_{\mu D}$ of the possible accelerations, with $a_\gamma=(X_\gamma+R^\tau_\gamma)/m_\gamma$. At $\ddot x'=\ddot x$ its value is $A_{dD}$")
+    page.claim("eq2.21", "function-corrected", r"The function to be made least is $A_{\mu D}$ of the possible accelerations, with $a_\gamma=(X_\gamma+R^\tau_\gamma)/m_\gamma$. At $\ddot x'=\ddot x$ its value is $A_{dD}$")
         .holds([(possible, possible_free), (second, d_true)].map(|(at, name)| {
             let pushed = std::array::from_fn(|i| given[i] + friction[i]);
             let squares = (0..4).fold(Sym::ZERO, |sum, i| sum + masses[i] * (at[i] - released[i]).powi(2));
@@ -218,7 +218,7 @@ fn least(page: &mut Page) {
     let slopes = gradient(|second| gauss::constraint(fixed(masses), fixed(force), second), second);
     let (by_place, by_velocity): (Four, Four) = (indexed("f#"), indexed("φ#"));
     let [lambda, u] = letters(["λ", "u"]);
-    page.claim("eq2.22", "stationary",r"the function (2.21) is stationary under (2.10), (2.11), with multipliers $\lambda$, $u$, where (2.8) holds").reading(r"The source prints $F_\gamma$ for $X_\gamma$; $X_\gamma$ is read. $R^\tau_\gamma$ stands for the sum of friction.")
+    page.claim("eq2.22", "stationary",r"The function (2.21) is stationary under (2.10), (2.11), with multipliers $\lambda$, $u$, where (2.8) holds").reading(r"The source prints $F_\gamma$ for $X_\gamma$; $X_\gamma$ is read. $R^\tau_\gamma$ stands for the sum of friction.")
         .holds((0..4).map(|i| {
             Line::equation(
                 (slopes[i] - lambda * by_place[i] - u * by_velocity[i]) / masses[i],
@@ -233,6 +233,6 @@ fn least(page: &mut Page) {
     let Some(split) = Split::<4, 2, 2>::new([0, 1]) else { return };
     let Ok(admissible) = accelerations(&Mixed, &split, &motion.state) else { return };
     let found = gauss::least(masses, force, &admissible).unwrap_or([Sym::UNDEFINED; 4]);
-    page.claim("section2.2-gauss", "minimum","under (2.10) and (2.11) with fixed friction the function (2.21) is least at the accelerations of (2.8) (four coordinates, one geometric and one nonlinear kinematic constraint)")
+    page.claim("section2.2-gauss", "minimum","Under (2.10) and (2.11) with fixed friction the function (2.21) is least at the accelerations of (2.8) (four coordinates, one geometric and one nonlinear kinematic constraint)")
         .follows((0..4).map(|i| Equal(found[i], first.acceleration[i])));
 }

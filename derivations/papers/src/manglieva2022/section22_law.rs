@@ -31,7 +31,7 @@ fn combined(page: &mut Page) {
         motion.fields.map(|field| (0..4).fold(Sym::ZERO, |sum, i| sum + (masses[i] * at[i] - force[i]) * field[i]))
     };
     let first = first_kind(&Mixed, &motion.state, force).acceleration;
-    page.claim("section2.2-gauss", "ideal",r"at the accelerations (2.8) the forces of constraint do no work on the displacements of friction, $\sum R^n_\gamma\,\partial\dot x_\gamma/\partial p_j=0$ (four coordinates, one geometric and one nonlinear kinematic constraint)")
+    page.claim("section2.2-gauss", "ideal",r"At the accelerations (2.8) the forces of constraint do no work on the displacements of friction, $\sum R^n_\gamma\,\partial\dot x_\gamma/\partial p_j=0$ (four coordinates, one geometric and one nonlinear kinematic constraint)")
         .in_words()
         .follows(works(first).map(Zero));
     let at: Four = indexed("a#");
@@ -79,12 +79,12 @@ fn of_the_guide(page: &mut Page, s: &RodLetters) {
         ("cos θ", 3, 5),
         ("sin θ", 4, 5),
     ]);
-    page.claim("section2.2-gauss", "held", "with the guide's tangential reaction $R_x$ as a force of fixed value in addition to the weights of the rod, (2.21) is stationary at the motion")
+    page.claim("section2.2-gauss", "held", "With the guide's tangential reaction $R_x$ as a force of fixed value in addition to the weights of the rod, (2.21) is stationary at the motion")
         .follows([s.ddx, s.ddtheta].map(|second| {
             let reaction = tidy(s.mobile() * law);
             Zero(along_motion(frozen.diff(second)).substitute(&[(held, reaction)]))
         }));
-    page.claim("section2.2-gauss", "not-held",r"with $R_x=fR_y$ and $R_y$ by the accelerations (1.39), the function (2.21) need not be stationary at the motion of the rod that slides forward on a floor. In an example $\partial/\partial\ddot\theta$ of it differs from zero").note(r"Coulomb's force as a function of the accelerations must be held, or combined into $R^\tau$ first.").in_words()
+    page.claim("section2.2-gauss", "not-held",r"With $R_x=fR_y$ and $R_y$ by the accelerations (1.39), the function (2.21) need not be stationary at the motion of the rod that slides forward on a floor. In an example $\partial/\partial\ddot\theta$ of it differs from zero").note(r"Coulomb's force as a function of the accelerations must be held, or combined into $R^\tau$ first.").in_words()
         .given([Positive(s.m), Positive(s.m1), Positive(s.l), Positive(s.g), Positive(s.f)])
         .exists([NonZero(along_motion(constraint.diff(s.ddtheta)))], at);
 }

@@ -41,11 +41,11 @@ fn energy(page: &mut Page, s: &ElasticLetters) {
         let printed = s.rates.map(|rate| energy.diff(rate));
         [0, 1].map(|i| Line::formula(derived[i], names[i], printed[i]))
     };
-    page.claim("eq3.14", "energy", r"the derivatives by $\dot\omega_1$ and $\ddot x$ of $S$ are those of the print, without the square of $\dot\omega_1$, with $x$ for $\dot x$ and $\dot x$ for $\ddot x$")
+    page.claim("eq3.14", "energy", r"The derivatives by $\dot\omega_1$ and $\ddot x$ of $S$ are those of the print, without the square of $\dot\omega_1$, with $x$ for $\dot x$ and $\dot x$ for $\ddot x$")
         .why(r"Dots and a square are missing: with the printed letters $S$ is no energy of accelerations.")
         .reading(r"The drum with the balls is read as the body 1 and the disc as 2, as in the formulas; the text before has them the other way round.")
         .fails(lines(printed));
-    page.claim("eq3.14", "energy-corrected", r"the derivatives by $\dot\omega_1$ and $\ddot x$ are those of $S$ with $\frac12\dot\omega_1^2$, $-\dot\omega_1\omega_1\dot x(\dots)$, $\frac12\ddot x^2(m+\dots)$ and $m_{sp}x\ddot x(\frac12\omega_1^2+2l^2\dot x^2(4l^2-x^2)^{-2})$. Here $m$ is the mass of the sleeve")
+    page.claim("eq3.14", "energy-corrected", r"The derivatives by $\dot\omega_1$ and $\ddot x$ are those of $S$ with $\frac12\dot\omega_1^2$, $-\dot\omega_1\omega_1\dot x(\dots)$, $\frac12\ddot x^2(m+\dots)$ and $m_{sp}x\ddot x(\frac12\omega_1^2+2l^2\dot x^2(4l^2-x^2)^{-2})$. Here $m$ is the mass of the sleeve")
         .holds(lines(corrected));
     page.correct();
     let [distance] = letters(["ϱ"]);
@@ -61,7 +61,7 @@ fn constraints(page: &mut Page, s: &ElasticLetters) {
     let [w2, dlambda, dpsi] = letters(["ω2", "λ̇ᵉ", "ψ̇"]);
     let [second, across, turn] = s.rolling();
     let rolled = s.drum * w;
-    page.claim("eq3.16", "no-slip", r"the contact's centre does not slip, across and along the wheel").defines([
+    page.claim("eq3.16", "no-slip", r"The contact's centre does not slip, across and along the wheel").defines([
         Line::equation(across - dlambda, dx - dlambda, rolled * psi),
         Line::equation((second - w2) * (x - s.offset), rolled, (x - s.offset) * w2),
     ]);
@@ -69,7 +69,7 @@ fn constraints(page: &mut Page, s: &ElasticLetters) {
     page.claim(
         "eq3.16",
         "curvature",
-        r"the curvature of the line of rolling, printed with dots as $\alpha\dot\lambda-\beta\dot\psi$, gives the law of (3.17)",
+        r"The curvature of the line of rolling, printed with dots as $\alpha\dot\lambda-\beta\dot\psi$, gives the law of (3.17)",
     )
     .why(r"With dots (3.16) contradicts (3.17). But the dots are slips, since the text says that the equation links the curvature with $\lambda$ and $\psi$.")
     .reading(r"Keldysh's model, to which the text refers, and (3.17) have $\alpha\lambda-\beta\psi$: that law is taken.")
@@ -77,7 +77,7 @@ fn constraints(page: &mut Page, s: &ElasticLetters) {
     page.claim(
         "eq3.16",
         "curvature-corrected",
-        r"without dots the constraint is $\dot\psi=(\alpha\lambda-\beta\psi)R\dot\varphi_1$, as in (3.17)",
+        r"Without dots the constraint is $\dot\psi=(\alpha\lambda-\beta\psi)R\dot\varphi_1$, as in (3.17)",
     )
     .holds([keldysh(lambda, psi)]);
     page.correct();
@@ -91,7 +91,7 @@ fn work(page: &mut Page, s: &ElasticLetters) {
     let derived = s.work();
     let printed = s.moments[0] + s.drum / rho * s.moments[1] - s.b * psi * s.drum / rho
         + s.b * psi * s.drum * (s.alpha * lambda - s.beta * psi);
-    page.claim("eq3.17", "work-of-rotation",r"the generalised force $Q_{\varphi_1}$ is the printed one, with the torques, the rim and the moment $-b\psi$ on the disc")
+    page.claim("eq3.17", "work-of-rotation",r"The generalised force $Q_{\varphi_1}$ is the printed one, with the torques, the rim and the moment $-b\psi$ on the disc")
         .under(&opposite)
         .why(r"$\delta\lambda=\delta x-R\psi\,\delta\varphi_1$ depends on $\varphi_1$ too: the work $-aR\lambda\psi$ of the rim's force is missing.")
         .reading(format!("The first line prints $+b\\psi\\,\\delta\\varphi_2$, the second and (3.17) the minus, which is taken. {AS_PRINTED}"))
@@ -124,28 +124,28 @@ fn names(page: &mut Page, s: &ElasticLetters) {
     let [theta, f, mobile] = letters(["θˣ", "Fˣ", "mˣ"]);
     let balls = int(2) * s.ball * s.link.powi(2) / height;
     let [turning, sliding] = s.balance;
-    page.claim("eq3.17", "theta", r"the factor $\theta(x)$ of $\dot\omega_1$ is the moment of inertia by the bodies")
+    page.claim("eq3.17", "theta", r"The factor $\theta(x)$ of $\dot\omega_1$ is the moment of inertia by the bodies")
         .holds([Line::formula(turning.diff(s.rates[0]), theta, s.theta(x))]);
     let coupling = tidy(turning.diff(dx).diff(w));
-    page.claim("eq3.17", "coupling", r"the factor of $\dot x\omega_1$ is $F(x)=J_2r_1^2/(x-c)^2+m_{sp}x$, as printed")
+    page.claim("eq3.17", "coupling", r"The factor of $\dot x\omega_1$ is $F(x)=J_2r_1^2/(x-c)^2+m_{sp}x$, as printed")
         .why(r"The minus and one power of $x-c$ are missing: $\frac{d}{dt}(x-c)^{-1}$ brings $-(x-c)^{-2}$ together with a further $(x-c)^{-1}$.")
         .fails([Line::formula(coupling, f, s.inertia[1] * s.drum.powi(2) / rho.powi(2) + s.ball * x)]);
     page.claim(
         "eq3.17",
         "coupling-corrected",
-        r"the factor of $\dot x\omega_1$ is $F(x)=-\frac{J_2r_1^2}{(x-c)^3}-m_{sp}x$",
+        r"The factor of $\dot x\omega_1$ is $F(x)=-\frac{J_2r_1^2}{(x-c)^3}-m_{sp}x$",
     )
     .note(r"$F(x)$ is not $\theta'(x)$, whose first term is twice as large: the rolling on the disc is not integrable.")
     .holds([Line::formula(coupling, f, s.coupling(x))]);
     page.correct();
     let derived = sliding.diff(s.rates[1]);
-    page.claim("eq3.17", "mobile-mass", r"the factor of $\ddot x$ is $m(x)=m_{sp}+2m_{sp}l^2/(4l^2-x^2)$, as printed")
+    page.claim("eq3.17", "mobile-mass", r"The factor of $\ddot x$ is $m(x)=m_{sp}+2m_{sp}l^2/(4l^2-x^2)$, as printed")
         .why(r"The first $m_{sp}$ stands where $m$ should stand, the mass of the sleeve with the wheel. The balls' part is the second term.")
         .fails([Line::formula(derived, mobile, s.ball + balls)]);
     page.claim(
         "eq3.17",
         "mobile-mass-corrected",
-        r"the factor of $\ddot x$ is $m(x)=m+2m_{sp}l^2/(4l^2-x^2)$, $m$ being the mass of the sleeve with the wheel",
+        r"The factor of $\ddot x$ is $m(x)=m+2m_{sp}l^2/(4l^2-x^2)$, $m$ being the mass of the sleeve with the wheel",
     )
     .holds([Line::formula(derived, mobile, s.mobile(x))]);
     page.correct();
@@ -161,7 +161,7 @@ fn motion(page: &mut Page, s: &ElasticLetters) {
     let left = |f: Sym| s.theta(x) * dw + f * dx * w;
     let f = letter("Fˣ");
     let names = opposite.clone().given(f, s.coupling(x));
-    page.claim("eq3.17", "rotation", r"the equation of $\omega_1$ has the printed moment $b\psi(R(\alpha\lambda-\beta\psi)-1)$ of the rim, with the right $F(x)$")
+    page.claim("eq3.17", "rotation", r"The equation of $\omega_1$ has the printed moment $b\psi(R(\alpha\lambda-\beta\psi)-1)$ of the rim, with the right $F(x)$")
         .under(&names)
         .why(r"The factor $\frac R{x-c}$ of the moment on the disc is printed as 1, against the work before, and $-aR\lambda\psi$ is missing.")
         .reading(AS_PRINTED)
@@ -169,7 +169,7 @@ fn motion(page: &mut Page, s: &ElasticLetters) {
     page.claim(
         "eq3.17",
         "rotation-corrected",
-        r"the equation of $\omega_1$ has $-\frac R{x-c}$ in the place of $-1$, and the term $-aR\lambda\psi$",
+        r"The equation of $\omega_1$ has $-\frac R{x-c}$ in the place of $-1$, and the term $-aR\lambda\psi$",
     )
     .under(&names)
     .reading(AS_PRINTED)
@@ -181,7 +181,7 @@ fn motion(page: &mut Page, s: &ElasticLetters) {
     page.correct();
     let mobile = letter("mˣ");
     let names = Hypotheses::none().given(mobile, s.mobile(x));
-    page.claim("eq3.17", "sleeve", r"the equation of $x$ has the rim's force $+a\lambda$ and the right $m(x)$")
+    page.claim("eq3.17", "sleeve", r"The equation of $x$ has the rim's force $+a\lambda$ and the right $m(x)$")
         .under(&names)
         .reading(AS_PRINTED)
         .holds([Line::equation(
@@ -203,7 +203,7 @@ fn power(page: &mut Page, s: &ElasticLetters) {
     let derived = tidy(rate - s.balance[0] * w - s.balance[1] * dx);
     let [name] = letters(["Ė"]);
     let shafts = s.moments[0] * w + s.moments[1] * second;
-    page.claim("eq3.17", "power",r"the rim of the printed (3.17) stores energy. Kinetic energy, springs and $-\frac12a\lambda^2-\frac12b\psi^2$ change by the shafts' power alone")
+    page.claim("eq3.17", "power",r"The rim of the printed (3.17) stores energy. Kinetic energy, springs and $-\frac12a\lambda^2-\frac12b\psi^2$ change by the shafts' power alone")
         .under(&Hypotheses::none().given(s.drill, -s.b))
         .why(r"With (3.16) nothing stores the power $-b\psi\omega_2$ of the moment on the disc.")
         .reading(AS_PRINTED)
@@ -212,7 +212,7 @@ fn power(page: &mut Page, s: &ElasticLetters) {
     page.claim(
         "eq3.17",
         "power-corrected",
-        r"with a moment $d\psi$ on the disc the rim's energy changes by the shafts' power and $d\psi\omega_2$. Without this moment it changes by the shafts' power alone",
+        r"With a moment $d\psi$ on the disc the rim's energy changes by the shafts' power and $d\psi\omega_2$. Without this moment it changes by the shafts' power alone",
     )
     .holds([Line::formula(derived, name, shafts + s.drill * psi * second)]);
     page.correct();

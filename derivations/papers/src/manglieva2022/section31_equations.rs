@@ -27,7 +27,7 @@ fn constraints(page: &mut Page, s: &GovernorLetters) {
     .defines([Line::equation(Sym::ZERO, s.speed, kept)]);
     let [w1, w2, w] = letters(["ω1", "ω2", "ω"]);
     let rolling = s.governor.constraints(&s.turning([w1, w2, w])).map(|constraint| constraint.value());
-    page.claim("eq3.2", "rolling", r"the wheel does not slip at either contact").defines([
+    page.claim("eq3.2", "rolling", r"The wheel does not slip at either contact").defines([
         Line::equation(rolling[4] - rolling[3], s.drum * w1, s.rho * w2),
         Line::equation(rolling[4], s.radius * w, s.rho * w2),
     ]);
@@ -46,7 +46,7 @@ fn energy(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         "eq3.3",
         "energy",
-        r"the energy of accelerations is $S=\frac12\sum J(\dot\omega^2+\omega^4)+\frac12m\dot\rho^2$ as printed, with the speed of the wheel",
+        r"The energy of accelerations is $S=\frac12\sum J(\dot\omega^2+\omega^4)+\frac12m\dot\rho^2$ as printed, with the speed of the wheel",
     )
     .reading(
         r"The source shows $\dot\rho$. As everywhere, a lost dot is judged as printed and restored in the correction.",
@@ -56,7 +56,7 @@ fn energy(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         "eq3.3",
         "energy-corrected",
-        r"the energy of accelerations of the discs' mass points is $S=\frac12\sum J(\dot\omega^2+\omega^4)+\frac12m\ddot\rho^2$",
+        r"The energy of accelerations of the discs' mass points is $S=\frac12\sum J(\dot\omega^2+\omega^4)+\frac12m\ddot\rho^2$",
     )
     .holds([Line::formula(s.acceleration_energy(), name, discs(s.ddrho))]);
     page.correct();
@@ -71,12 +71,12 @@ fn energy(page: &mut Page, s: &GovernorLetters) {
         let printed = [reduced(wheel).diff(s.dspeed), tidy(reduced(wheel).diff(s.ddrho))];
         [0, 1].map(|i| Line::formula(derived[i], names[i], printed[i]))
     };
-    page.claim("eq3.3", "reduced-energy",r"the derivatives by $\dot\omega_2$ and $\ddot\rho$ of $S$ with the constraints put in are those of the print, with $\frac12m\dot\rho^2$").why(r"A dot is missing, so that $\partial S/\partial\ddot\rho=0$: the inertia term $m\ddot\rho$ is missing.")
+    page.claim("eq3.3", "reduced-energy",r"The derivatives by $\dot\omega_2$ and $\ddot\rho$ of $S$ with the constraints put in are those of the print, with $\frac12m\dot\rho^2$").why(r"A dot is missing, so that $\partial S/\partial\ddot\rho=0$: the inertia term $m\ddot\rho$ is missing.")
         .fails(lines(s.drho));
     page.claim(
         "eq3.3",
         "reduced-energy-corrected",
-        r"the derivatives by $\dot\omega_2$ and $\ddot\rho$ of $S$ are those with $\frac12m\ddot\rho^2$",
+        r"The derivatives by $\dot\omega_2$ and $\ddot\rho$ of $S$ are those with $\frac12m\ddot\rho^2$",
     )
     .holds(lines(s.ddrho));
     page.correct();
@@ -87,9 +87,9 @@ fn appell(page: &mut Page, s: &GovernorLetters) {
     let force: [Sym; 7] = s.governor.force(&motion.state);
     let work = motion.generalised(force);
     let [turn, push] = letters(["Qφ2", "Qρ"]);
-    page.claim("eq3.3", "work", r"the elementary work of both shafts gives the generalised force of $\varphi_2$")
+    page.claim("eq3.3", "work", r"The elementary work of both shafts gives the generalised force of $\varphi_2$")
         .holds([Line::formula(work[0], turn, s.m2 + s.rho / s.drum * s.m1)]);
-    page.claim("eq3.3", "work-on-wheel", r"the generalised force of $\rho$ is the push less the friction across")
+    page.claim("eq3.3", "work-on-wheel", r"The generalised force of $\rho$ is the push less the friction across")
         .defines([Line::formula(work[1], push, s.push - s.friction)]);
     let [condition, wheel] = s.kept();
     let right = s.m2 + s.rho / s.drum * s.m1;
@@ -116,7 +116,7 @@ fn appell(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         "eq3.3",
         "power",
-        "kinetic energy changes by the power of torques, push and friction, which is an identity with Appell's equations",
+        "Kinetic energy changes by the power of torques, push and friction, which is an identity with Appell's equations",
     )
     .in_words()
     .follows([Equal(rate - power, turning * s.speed + sliding * s.drho)]);
@@ -131,14 +131,14 @@ fn reduced(page: &mut Page, s: &GovernorLetters) {
         Line::equation(Sym::ZERO, k2, square * s.m1 / s.drum),
     ]);
     let [condition, _] = s.kept();
-    page.claim("eq3.5", "law", "the condition of the kept speed, expressed by $k$, $k_1$, $k_2$, is (3.5)")
+    page.claim("eq3.5", "law", "The condition of the kept speed, expressed by $k$, $k_1$, $k_2$, is (3.5)")
         .under(&s.names())
         .holds([Line::equation(square * condition / s.rho, k * s.drho, k1 / s.rho + k2)]);
     let law = |rho: Sym| k1 / rho + k2;
     let third = law(s.rho).diff(s.rho).diff(s.rho).diff(s.rho);
     page.claim(
         "eq3.5",
-        "riccati",r"as printed, (3.5) is Riccati's equation, whose right side is of the second degree in $\rho$ and has no third derivative",
+        "riccati",r"As printed, (3.5) is Riccati's equation, whose right side is of the second degree in $\rho$ and has no third derivative",
     )
     .why(r"The right side is $k_1/\rho+k_2$, no polynomial in $\rho$.")
     .given([Positive(k1), Positive(s.rho)])
@@ -148,7 +148,7 @@ fn reduced(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         "eq3.5",
         "riccati-corrected",
-        r"with $y=1/\rho$ (3.5) is Abel's equation of the first kind, $k\dot y=-k_1y^3-k_2y^2$",
+        r"With $y=1/\rho$ (3.5) is Abel's equation of the first kind, $k\dot y=-k_1y^3-k_2y^2$",
     )
     .follows([Equal(-law(s.rho) / s.rho.powi(2), -k1 * y.powi(3) - k2 * y.powi(2))]);
     page.correct();

@@ -22,7 +22,7 @@ fn kinematics(page: &mut Page, s: &GovernorLetters) {
     let [w1, w2, w, dw1, dw] = letters(["ω1", "ω2", "ω", "ω̇1", "ω̇"]);
     let [.., first, second] = s.governor.constraints(&s.turning([w1, w2, w])).map(|constraint| constraint.value());
     let far = s.distance - s.rho;
-    page.claim(ENTRY, "rolling", r"the wheel does not slip at either disc").defines([
+    page.claim(ENTRY, "rolling", r"The wheel does not slip at either disc").defines([
         Line::equation(first, s.radius * w, s.rho * w1),
         Line::equation(second - first, s.rho * w1, far * w2),
     ]);
@@ -31,7 +31,7 @@ fn kinematics(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         ENTRY,
         "speeds",
-        r"with $\omega_2$ kept, $\omega$, $\dot\omega$, $\omega_1$ and $\dot\omega_1$ (in both steps) have these values",
+        r"With $\omega_2$ kept, $\omega$, $\dot\omega$, $\omega_1$ and $\dot\omega_1$ (in both steps) have these values",
     )
     .holds([
         Line::formula(of_wheel, w, far / s.radius * s.speed),
@@ -64,7 +64,7 @@ fn contacts(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         ENTRY,
         "discs",
-        "the theorem of angular momentum for both discs contains the contacts' forces $F_1$ and $F_2$",
+        "The theorem of angular momentum for both discs contains the contacts' forces $F_1$ and $F_2$",
     )
     .holds([
         Line::equation(
@@ -79,25 +79,25 @@ fn contacts(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         ENTRY,
         "wheel",
-        r"the theorem of angular momentum for the wheel is $-J\frac{\dot\rho_1}r\omega_2=r(F_1+F_2)$",
+        r"The theorem of angular momentum for the wheel is $-J\frac{\dot\rho_1}r\omega_2=r(F_1+F_2)$",
     )
     .holds([Line::equation(on_wheel - pushed, inertia, s.radius * (f1 + f2))]);
     page.claim(
         ENTRY,
         "wheel-half",
-        r"the middle of the chain for the wheel is $J\dot\omega=-\frac{J\omega_2}2\dot\rho_1$, as printed",
+        r"The middle of the chain for the wheel is $J\dot\omega=-\frac{J\omega_2}2\dot\rho_1$, as printed",
     )
     .why(r"The divisor $r$ is printed as 2.")
     .fails([Line::formula(on_wheel, spin, -s.wheel * s.speed / int(2) * s.drho)]);
     page.claim(
         ENTRY,
         "wheel-half-corrected",
-        r"the middle of the chain for the wheel is $J\dot\omega=-\frac{J\omega_2}r\dot\rho_1$",
+        r"The middle of the chain for the wheel is $J\dot\omega=-\frac{J\omega_2}r\dot\rho_1$",
     )
     .holds([Line::formula(on_wheel, spin, -s.wheel * s.speed / s.radius * s.drho)]);
     page.correct();
     let [by_first, by_second] = contact_forces(s);
-    page.claim(ENTRY, "forces", "the forces in the contacts are $F_2$ and $F_1$ as follows").holds([
+    page.claim(ENTRY, "forces", "The forces in the contacts are $F_2$ and $F_1$ as follows").holds([
         Line::formula(by_second, f2, s.m2 / far),
         Line::formula(by_first, f1, s.m1 / s.rho + s.speed * s.distance * s.drho / s.rho.powi(3) * s.first),
     ]);
@@ -114,7 +114,7 @@ fn motion(page: &mut Page, s: &GovernorLetters) {
         (s.wheel * s.speed / s.radius * s.drho, s.radius * (pull - of_first * s.drho)),
         ((s.wheel * s.speed / s.radius + of_first * s.radius) * s.drho, s.radius * pull),
     ];
-    page.claim(ENTRY, "equation",r"the equation of $\rho_1$ holds in both printed forms").why(r"The minus of $J\dot\omega=-J\omega_2\dot\rho_1/r$ is missing on the way: moments that drive make $\rho_1$ fall, so that $\omega_1$ grows.")
+    page.claim(ENTRY, "equation",r"The equation of $\rho_1$ holds in both printed forms").why(r"The minus of $J\dot\omega=-J\omega_2\dot\rho_1/r$ is missing on the way: moments that drive make $\rho_1$ fall, so that $\omega_1$ grows.")
         .fails(printed.map(|(left, right)| Line::equation(-derived, left, right)));
     page.claim(ENTRY, "equation-corrected", r"Appell's equations give the equation of $\rho_1$ in both forms").holds([
         Line::equation(-derived, printed[0].0, -(s.radius * (pull + of_first * s.drho))),
@@ -128,14 +128,14 @@ fn motion(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         ENTRY,
         "wheel-axis",
-        r"for $\dot\rho_1>0$ the wheel moves along its axis by $m\ddot\rho_1=u+f(N_1+N_2)$, as printed",
+        r"For $\dot\rho_1>0$ the wheel moves along its axis by $m\ddot\rho_1=u+f(N_1+N_2)$, as printed",
     )
     .why(r"Friction is against the motion, so its sign is wrong.")
     .fails([Line::equation(outwards, s.mass * s.ddrho, s.push + f * normal)]);
     page.claim(
         ENTRY,
         "wheel-axis-corrected",
-        r"for $\dot\rho_1>0$ the wheel moves along its axis by $m\ddot\rho_1=u-f(N_1+N_2)$",
+        r"For $\dot\rho_1>0$ the wheel moves along its axis by $m\ddot\rho_1=u-f(N_1+N_2)$",
     )
     .holds([Line::equation(outwards, s.mass * s.ddrho, s.push - f * normal)]);
     page.correct();
@@ -152,22 +152,22 @@ fn quadrature(page: &mut Page, s: &GovernorLetters) {
         let law = Between { moments: with, ..law };
         Line::formula(int(1) / drift(with), int(1) / s.drho, law.slope(&by(&law), s.rho))
     };
-    page.claim(ENTRY, "quadrature", r"under constant torques $t$ is an elementary function of $\rho_1$, a sum of terms in $\rho_1$, $\rho_1^2$, $1/\rho_1$, $\ln\rho_1$ and $\ln|M_1(a-\rho_1)+M_2\rho_1|$. Its slope is $1/\dot\rho_1$").note(r"The quadrature holds for $M_1\ne0$, $M_1\ne M_2$.")
+    page.claim(ENTRY, "quadrature", r"Under constant torques $t$ is an elementary function of $\rho_1$, a sum of terms in $\rho_1$, $\rho_1^2$, $1/\rho_1$, $\ln\rho_1$ and $\ln|M_1(a-\rho_1)+M_2\rho_1|$. Its slope is $1/\dot\rho_1$").note(r"The quadrature holds for $M_1\ne0$, $M_1\ne M_2$.")
         .holds([slow([s.m1, s.m2], Between::general)]);
-    page.claim(ENTRY, "quadrature-equal",r"with $M_1=M_2$ the time is a function of $\rho_1^2$, $\rho_1^3$, $1/\rho_1$ and $\ln\rho_1$. Its slope is $1/\dot\rho_1$")
+    page.claim(ENTRY, "quadrature-equal",r"With $M_1=M_2$ the time is a function of $\rho_1^2$, $\rho_1^3$, $1/\rho_1$ and $\ln\rho_1$. Its slope is $1/\dot\rho_1$")
         .holds([slow([s.m1, s.m1], Between::equal)]);
-    page.claim(ENTRY, "quadrature-free",r"with $M_1=0$ the time is a function of $\rho_1$, $\rho_1^2$, $1/\rho_1$ and $1/\rho_1^2$. Its slope is $1/\dot\rho_1$")
+    page.claim(ENTRY, "quadrature-free",r"With $M_1=0$ the time is a function of $\rho_1$, $\rho_1^2$, $1/\rho_1$ and $1/\rho_1^2$. Its slope is $1/\dot\rho_1$")
         .holds([slow([Sym::ZERO, s.m2], Between::free_first)]);
     let far = s.distance - s.rho;
     let inertia = s.wheel * s.speed / s.radius + s.speed * s.distance * s.radius * s.first / s.rho.powi(3);
     let both = drift([s.m1, s.m2]);
-    page.claim(ENTRY, "first-axis",r"the equation of $\rho_1$, multiplied by $(a-\rho_1)\rho_1^3$, is $\dot\rho_1(a-\rho_1)\left(J\omega_2\rho_1^3/r+J_1\omega_2ar\right)=-r\rho_1^2\left(M_1(a-\rho_1)+M_2\rho_1\right)$").note(r"Near the axis of the first disc $\dot\rho_1$ falls as $\rho_1^2$: the first shaft moves alone under its moment.")
+    page.claim(ENTRY, "first-axis",r"The equation of $\rho_1$, multiplied by $(a-\rho_1)\rho_1^3$, is $\dot\rho_1(a-\rho_1)\left(J\omega_2\rho_1^3/r+J_1\omega_2ar\right)=-r\rho_1^2\left(M_1(a-\rho_1)+M_2\rho_1\right)$").note(r"Near the axis of the first disc $\dot\rho_1$ falls as $\rho_1^2$: the first shaft moves alone under its moment.")
         .in_words()
         .follows([Condition::Equal(
             both * (s.wheel * s.speed * s.rho.powi(3) / s.radius + s.speed * s.distance * s.radius * s.first) * far,
             -(s.radius * s.rho.powi(2) * (s.m1 * far + s.m2 * s.rho)),
         )]);
-    page.claim(ENTRY, "second-axis",r"the equation of $\rho_1$, multiplied by $a-\rho_1$, is $(a-\rho_1)\dot\rho_1\left(J\omega_2/r+J_1\omega_2ar/\rho_1^3\right)=-r\left(M_2+M_1(a-\rho_1)/\rho_1\right)$").note(r"Near the axis of the second disc $(a-\rho_1)\dot\rho_1$ tends to a number of the sign of $-M_2$.")
+    page.claim(ENTRY, "second-axis",r"The equation of $\rho_1$, multiplied by $a-\rho_1$, is $(a-\rho_1)\dot\rho_1\left(J\omega_2/r+J_1\omega_2ar/\rho_1^3\right)=-r\left(M_2+M_1(a-\rho_1)/\rho_1\right)$").note(r"Near the axis of the second disc $(a-\rho_1)\dot\rho_1$ tends to a number of the sign of $-M_2$.")
         .in_words()
         .follows([Condition::Equal(both * far * inertia, -(s.radius * (s.m2 + s.m1 * far / s.rho)))]);
 }

@@ -106,19 +106,19 @@ fn coefficients_of_hurwitz(page: &mut Page, q: &Quintic) {
         ),
     ];
     for (slug, corrected, k, value, why) in printed {
-        page.claim(entry, slug, format!("the coefficient $a_{k}$ of Hurwitz' matrix is right as printed"))
+        page.claim(entry, slug, format!("The coefficient $a_{k}$ of Hurwitz' matrix is right as printed"))
             .why(why)
             .reading(AS_STIFFNESS)
             .fails([Line::formula(q.derived[k], names[k], value)]);
         page.claim(
             entry,
             corrected,
-            format!("for a rim that resists, the coefficient $a_{k}$ of the determinant is as follows"),
+            format!("For a rim that resists, the coefficient $a_{k}$ of the determinant is as follows"),
         )
         .holds([Line::formula(q.derived[k], names[k], right[k])]);
         page.correct();
     }
-    page.claim(entry, "a3", r"the coefficient $a_3=\beta_1Z-\Phi_3\Phi_2$ of Hurwitz' matrix is right as printed")
+    page.claim(entry, "a3", r"The coefficient $a_3=\beta_1Z-\Phi_3\Phi_2$ of Hurwitz' matrix is right as printed")
         .reading(AS_STIFFNESS)
         .holds([Line::formula(q.derived[3], names[3], beta * z - phi3 * phi2)]);
 }
@@ -139,10 +139,10 @@ fn determinants(page: &mut Page, q: &Quintic) {
     let a = q.right();
     let derived = |size: usize| tidy(minor(&a, size));
     let inertia = theta * m0;
-    page.claim(entry, "delta1", r"the first minor is $\Delta_1=a_1=\theta m_0$, as printed")
+    page.claim(entry, "delta1", r"The first minor is $\Delta_1=a_1=\theta m_0$, as printed")
         .why(r"The factor $\beta_1$ of $a_1$ is missing.")
         .fails([Line::formula(derived(1), first, inertia)]);
-    page.claim(entry, "delta1-corrected", r"the first minor is $\Delta_1=\theta m_0\beta_1$").holds([Line::formula(
+    page.claim(entry, "delta1-corrected", r"The first minor is $\Delta_1=\theta m_0\beta_1$").holds([Line::formula(
         derived(1),
         first,
         inertia * beta,
@@ -151,14 +151,14 @@ fn determinants(page: &mut Page, q: &Quintic) {
     page.claim(
         entry,
         "delta2",
-        r"the second minor is $\Delta_2=\theta m_0(\Phi_3\Phi_2-\theta m_0\alpha_1V_0\beta_1V_0)$, as printed",
+        r"The second minor is $\Delta_2=\theta m_0(\Phi_3\Phi_2-\theta m_0\alpha_1V_0\beta_1V_0)$, as printed",
     )
     .why(r"The sign is that of the printed $a_2$, and $V_0$ stands twice.")
     .fails([Line::formula(derived(2), second, inertia * (phi3 * phi2 - inertia * alpha * v * beta * v))]);
     page.claim(
         entry,
         "delta2-corrected",
-        r"the second minor is $\Delta_2=\theta m_0(\Phi_3\Phi_2+\theta m_0\alpha_1\beta_1V_0)$",
+        r"The second minor is $\Delta_2=\theta m_0(\Phi_3\Phi_2+\theta m_0\alpha_1\beta_1V_0)$",
     )
     .holds([Line::formula(derived(2), second, inertia * (phi3 * phi2 + inertia * alpha * beta * v))]);
     page.correct();
@@ -168,14 +168,14 @@ fn determinants(page: &mut Page, q: &Quintic) {
         * (int(2) * m0.powi(2) * beta * alpha * theta.powi(2) * v + inertia * beta * z - inertia * coupling
             + beta.powi(3) * inertia.powi(2))
         - alpha * beta.powi(2) * inertia.powi(2) * (q.b * phi3 + v * q.a * theta);
-    page.claim(entry, "delta3", r"the third minor is the bracket that $a_4$ multiplies in $\Delta_4$, as printed")
+    page.claim(entry, "delta3", r"The third minor is the bracket that $a_4$ multiplies in $\Delta_4$, as printed")
         .why(r"The signs of $2m_0^2\theta^2\alpha_1\beta_1V_0$ and of $V_0a\theta$ are wrong, and the factor $R/\rho_0$ of $b$ is missing.")
         .reading(AS_STIFFNESS)
         .fails([Line::formula(derived(3), third, third_of_paper)]);
     page.claim(
         entry,
         "delta3-corrected",
-        r"the third minor is $\Delta_3=\theta m_0\left(\Phi_2\Phi_3\left(\beta_1Z-\Phi_2\Phi_3+\theta m_0\beta_1(\beta_1^2-2\alpha_1V_0)\right)-\theta m_0\alpha_1\beta_1^2\left(b\frac R{\rho_0}\Phi_3-aV_0\theta\right)\right)$",
+        r"The third minor is $\Delta_3=\theta m_0\left(\Phi_2\Phi_3\left(\beta_1Z-\Phi_2\Phi_3+\theta m_0\beta_1(\beta_1^2-2\alpha_1V_0)\right)-\theta m_0\alpha_1\beta_1^2\left(b\frac R{\rho_0}\Phi_3-aV_0\theta\right)\right)$",
     )
     .note(r"In addition to $a_0,\dots,a_5>0$ the third minor is not needed, by Liénard and Chipart: $\Delta_2$ and $\Delta_4$ suffice.")
     .holds([Line::formula(
@@ -211,7 +211,7 @@ fn determinants(page: &mut Page, q: &Quintic) {
         one("R", 1),
         one("ϱ₀", 1),
     ]);
-    page.claim(entry, "delta4", "the fourth minor is the printed one, whose first term is $a_4$ times the bracket")
+    page.claim(entry, "delta4", "The fourth minor is the printed one, whose first term is $a_4$ times the bracket")
         .why(r"It is put together from the printed $a_2$, $a_4$, $a_5$ and $\Delta_3$, whose signs are wrong.")
         .reading(AS_STIFFNESS)
         .given(positive)
@@ -220,18 +220,18 @@ fn determinants(page: &mut Page, q: &Quintic) {
     page.claim(
         entry,
         "delta4-corrected",
-        r"the fourth minor is $\Delta_4=(a_1a_2-a_0a_3)(a_3a_4-a_2a_5)-(a_1a_4-a_0a_5)^2$ with the right $a_k$",
+        r"The fourth minor is $\Delta_4=(a_1a_2-a_0a_3)(a_3a_4-a_2a_5)-(a_1a_4-a_0a_5)^2$ with the right $a_k$",
     )
     .holds([Line::formula(derived(4), fourth, by_pairs)]);
     page.correct();
-    page.claim(entry, "delta5", r"the fifth minor is $\Delta_5=a_5=\alpha_1V_0\Phi_3\Phi_2$, as printed")
+    page.claim(entry, "delta5", r"The fifth minor is $\Delta_5=a_5=\alpha_1V_0\Phi_3\Phi_2$, as printed")
         .why(r"The factor $\Delta_4$ is missing, and the sign of $a_5$ is wrong.")
         .reading(AS_STIFFNESS)
         .fails([Line::formula(derived(5), fifth, alpha * v * phi3 * phi2)]);
     page.claim(
         entry,
         "delta5-corrected",
-        r"the fifth minor is $\Delta_5=a_5\Delta_4$ with $a_5=-\alpha_1V_0\Phi_3\Phi_2$",
+        r"The fifth minor is $\Delta_5=a_5\Delta_4$ with $a_5=-\alpha_1V_0\Phi_3\Phi_2$",
     )
     .holds([Line::formula(derived(5), fifth, by_pairs * a[5])]);
     page.correct();

@@ -63,12 +63,12 @@ fn force(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         "eq3.9",
         "force",
-        r"the push is $u=m\ddot\rho=\frac mk\frac d{dt}(k_1/\rho+k_2)-(F_{11}+F_{22})$, as printed",
+        r"The push is $u=m\ddot\rho=\frac mk\frac d{dt}(k_1/\rho+k_2)-(F_{11}+F_{22})$, as printed",
     )
     .why(r"By (3.3) $u=m\ddot\rho+(F_{11}+F_{22})$: the push has to overcome friction, and is not $m\ddot\rho$.")
     .under(&names)
     .fails([Line::formula(derived, s.push, s.mass / k * differentiated - s.friction)]);
-    page.claim("eq3.9", "force-corrected", r"the push is $u=\frac mk\frac d{dt}(k_1/\rho+k_2)+(F_{11}+F_{22})$")
+    page.claim("eq3.9", "force-corrected", r"The push is $u=\frac mk\frac d{dt}(k_1/\rho+k_2)+(F_{11}+F_{22})$")
         .under(&names)
         .holds([Line::formula(derived, s.push, s.mass / k * differentiated + s.friction)]);
     page.correct();
@@ -79,7 +79,7 @@ fn force(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         "section3.1-control-force",
         "variable",
-        r"the push with the derivative carried out has $-\dot k_2$, as printed",
+        r"The push with the derivative carried out has $-\dot k_2$, as printed",
     )
     .why(r"The signs of $\dot k_2$ and of friction are wrong.")
     .under(&small)
@@ -87,7 +87,7 @@ fn force(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         "section3.1-control-force",
         "variable-corrected",
-        r"the push with the derivative carried out has $+\dot k_2$ and $+(F_{11}+F_{22})$",
+        r"The push with the derivative carried out has $+\dot k_2$ and $+(F_{11}+F_{22})$",
     )
     .under(&small)
     .holds([Line::formula(derived, s.push, expanded(rate2, s.friction))]);
@@ -112,15 +112,15 @@ fn quadrature(page: &mut Page, s: &GovernorLetters) {
     let logarithm = |value: Sym| Tangent::moving(value, argument.slope / argument.value);
     let time = |log: Tangent<Sym>| fixed(k / k2) * (rho - fixed(start) - fixed(k1 / k2) * log);
     let drift: Sym = tidy(s.governor.programme(Sym::ZERO, s.rho, s.speed));
-    page.claim("eq3.10", "quadrature", r"the condition of the kept speed has the quadrature $t=\frac k{k_2}\left(\rho-\rho_0-\frac{k_1}{k_2}\ln\left|\frac{k_2\rho+k_1}{k_2\rho_0+k_1}\right|\right)$, whose $dt/d\rho$ is $1/\dot\rho$")
+    page.claim("eq3.10", "quadrature", r"The condition of the kept speed has the quadrature $t=\frac k{k_2}\left(\rho-\rho_0-\frac{k_1}{k_2}\ln\left|\frac{k_2\rho+k_1}{k_2\rho_0+k_1}\right|\right)$, whose $dt/d\rho$ is $1/\dot\rho$")
         .under(&s.names())
         .note(r"The quadrature holds for $k_2\ne0$. With $k_2=0$ it is $\rho^2=\rho_0^2+2k_1t/k$.")
         .holds([Line::formula(int(1) / drift, int(1) / s.drho, time(logarithm(log)).slope)]);
     let at_start = time(logarithm(Sym::ZERO)).value.substitute(&[(s.rho, start)]);
-    page.claim("eq3.10", "start", r"the quadrature (3.10) gives $t=0$ at $\rho=\rho_0$")
+    page.claim("eq3.10", "start", r"The quadrature (3.10) gives $t=0$ at $\rho=\rho_0$")
         .follows([Condition::Zero(at_start)]);
     let free = drift.substitute(&[(s.m1, Sym::ZERO)]);
-    page.claim("eq3.10", "no-first-moment", r"with $M_1=0$ the rate of $\rho^2$ is constant")
+    page.claim("eq3.10", "no-first-moment", r"With $M_1=0$ the rate of $\rho^2$ is constant")
         .under(&s.names())
         .follows([Equal(int(2) * s.rho * free, int(2) * k1 / k)]);
 }
@@ -142,14 +142,14 @@ fn perturbed(page: &mut Page, s: &GovernorLetters) {
         scaled,
         s.radius.squared() * s.m2 / (s.speed * (s.wheel + s.first * s.radius.squared() / s.drum.squared())),
     );
-    page.claim("eq3.13", "first-approximation", r"the coefficient of $\rho'$ is $-k_1'/\rho_0^2$")
+    page.claim("eq3.13", "first-approximation", r"The coefficient of $\rho'$ is $-k_1'/\rho_0^2$")
         .under(&names)
         .holds([Line::formula(tidy(law(start).diff(start)), letter("ν"), -scaled / start.powi(2))]);
     let rest = law(start + more) - law(start) - law(start).diff(start) * more;
     page.claim(
         "eq3.13",
         "remainder",
-        r"the remainder is exactly $R=k_1'\rho'^2/(\rho_0^2(\rho_0+\rho'))$, of the second order",
+        r"The remainder is exactly $R=k_1'\rho'^2/(\rho_0^2(\rho_0+\rho'))$, of the second order",
     )
     .under(&names)
     .follows([Equal(rest, scaled * more.powi(2) / (start.powi(2) * (start + more)))]);
@@ -171,12 +171,12 @@ fn persidskii(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         entry,
         "exponent",
-        r"the exponent in $|\rho'|=|\rho_0'|\exp(-\int k_1\rho_0^{-2}d\tau)$ has $k_1$, as printed",
+        r"The exponent in $|\rho'|=|\rho_0'|\exp(-\int k_1\rho_0^{-2}d\tau)$ has $k_1$, as printed",
     )
     .why(r"$k_1$ stands where $k_1'=k_1/k$ of (3.13) should stand.")
     .under(&names)
     .fails([Line::formula(exponent, nu, k1 / start.powi(2))]);
-    page.claim(entry, "exponent-corrected", r"the exponent has $k_1'=k_1/k$, as in (3.13)")
+    page.claim(entry, "exponent-corrected", r"The exponent has $k_1'=k_1/k$, as in (3.13)")
         .under(&names)
         .holds([Line::formula(exponent, nu, k1 / (k * start.powi(2)))]);
     page.correct();
@@ -185,7 +185,7 @@ fn persidskii(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         entry,
         "contraction",
-        r"any two motions satisfy $\frac d{dt}(\rho_a-\rho_b)=-\frac{k_1}{k\rho_a\rho_b}(\rho_a-\rho_b)$ exactly",
+        r"Any two motions satisfy $\frac d{dt}(\rho_a-\rho_b)=-\frac{k_1}{k\rho_a\rho_b}(\rho_a-\rho_b)$ exactly",
     )
     .under(&names)
     .follows([Equal(law(a) - law(b), -k1 / (k * a * b) * (a - b))]);
@@ -202,7 +202,7 @@ fn persidskii(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         entry,
         "stays",
-        r"as printed, with $M_2>M_2'>0$ the motion keeps $0<\rho<r_2$ for all time and satisfies Persidskii's criterion",
+        r"As printed, with $M_2>M_2'>0$ the motion keeps $0<\rho<r_2$ for all time and satisfies Persidskii's criterion",
     )
     .why(r"With $M_1=0$ the wheel leaves the disc at $t=k(r_2^2-\rho_0^2)/(2k_1)$.")
     .given(premises)
@@ -215,12 +215,12 @@ fn persidskii(page: &mut Page, s: &GovernorLetters) {
     let rate = s.radius.powi(2) * (least + more) / (k * a * b);
     let bound = |edge_a: Sym, edge_b: Sym| s.radius.powi(2) * least / (k * edge_a * edge_b);
     let positive = [least, more, from_a, from_b, a, b, k, s.radius].map(Positive);
-    page.claim(entry, "stays-corrected", r"while both motions are on the disc, $\rho_{a,b}=r_2-s_{a,b}$, and $M_2=M_2'+\Delta M_2$, the exact rate of contraction exceeds $\alpha=r^2M_2'/(kr_2^2)$")
+    page.claim(entry, "stays-corrected", r"While both motions are on the disc, $\rho_{a,b}=r_2-s_{a,b}$, and $M_2=M_2'+\Delta M_2$, the exact rate of contraction exceeds $\alpha=r^2M_2'/(kr_2^2)$")
         .given(positive)
         .by_signs([Positive(rate - bound(a + from_a, b + from_b))]);
     page.correct();
     let free = |rho: Sym| rho * law(rho).substitute(&[(s.m1, Sym::ZERO)]);
-    page.claim(entry, "algebraic", r"with $M_1=0$ the difference $\rho_a^2-\rho_b^2$ of two motions does not change")
+    page.claim(entry, "algebraic", r"With $M_1=0$ the difference $\rho_a^2-\rho_b^2$ of two motions does not change")
         .in_words()
         .follows([Condition::Zero(free(a) - free(b))]);
 }

@@ -29,7 +29,7 @@ fn linearised(page: &mut Page, s: &ElasticLetters) {
     let [rho, f, theta, m0] = letters(["ϱ₀", "Fˣ", "θ₀", "m₀"]);
     let names = s.names(&["θ₀", "ϱ₀", "Fˣ"]);
     let fall = s.drum / rho.powi(2) * s.moments[1];
-    page.claim("eq3.20", "rotation", r"the linear equation of $\omega_1$ has the printed terms $\dot x'$ with $M_2$ and $-b\psi$, with the right $F(x_0)$")
+    page.claim("eq3.20", "rotation", r"The linear equation of $\omega_1$ has the printed terms $\dot x'$ with $M_2$ and $-b\psi$, with the right $F(x_0)$")
         .under(&names)
         .why(r"The moment $M_2R/(x-c)$ varies with $x$, not with $\dot x$; $-b\psi\frac R{x-c}$ on the right of (3.17) comes to the left with a plus.")
         .reading(format!("{AS_PRINTED} For a rim that resists, the sign $-b$ is right and the factor $R/\\rho_0$ alone is missing."))
@@ -37,7 +37,7 @@ fn linearised(page: &mut Page, s: &ElasticLetters) {
     page.claim(
         "eq3.20",
         "rotation-corrected",
-        r"the linear equation of $\omega_1$ has $x'$ with $M_2$ and $+b\frac R{\rho_0}\psi$, which the moment $-b\psi$ on the disc gives",
+        r"The linear equation of $\omega_1$ has $x'$ with $M_2$ and $+b\frac R{\rho_0}\psi$, which the moment $-b\psi$ on the disc gives",
     )
     .under(&names)
     .reading(AS_PRINTED)
@@ -45,7 +45,7 @@ fn linearised(page: &mut Page, s: &ElasticLetters) {
     page.correct();
     let [c1, c2] = s.springs;
     let half = s.ball / int(2);
-    page.claim("eq3.21", "sleeve", r"the linear equation of $x$ has dots over $x'$ and $\omega_1'$ and no $m_{sp}$, as printed")
+    page.claim("eq3.21", "sleeve", r"The linear equation of $x$ has dots over $x'$ and $\omega_1'$ and no $m_{sp}$, as printed")
         .under(&s.names(&["m₀"]))
         .why(r"The centrifugal force and the springs vary with $x$ and $\omega_1$, not with their rates; $m_{sp}$ is missing in front of $2x_0\omega_1^0\omega_1'$.")
         .reading(AS_PRINTED)
@@ -57,7 +57,7 @@ fn linearised(page: &mut Page, s: &ElasticLetters) {
     page.claim(
         "eq3.21",
         "sleeve-corrected",
-        r"the linear equation of $x$ is $m_0\ddot x'+\frac12m_{sp}(x'(\omega_1^0)^2+2x_0\omega_1^0\omega_1')+(c_1+c_2)x'-a\lambda=0$",
+        r"The linear equation of $x$ is $m_0\ddot x'+\frac12m_{sp}(x'(\omega_1^0)^2+2x_0\omega_1^0\omega_1')+(c_1+c_2)x'-a\lambda=0$",
     )
     .reading(AS_PRINTED)
     .under(&s.names(&["m₀"]))
@@ -72,14 +72,14 @@ fn linearised(page: &mut Page, s: &ElasticLetters) {
     page.claim(
         "eq3.21",
         "slip",
-        r"the linear constraint of no slipping across is $\dot x'-\dot\lambda-r_1\omega_1^0\psi=0$",
+        r"The linear constraint of no slipping across is $\dot x'-\dot\lambda-r_1\omega_1^0\psi=0$",
     )
     .holds([Line::equation(across - dlambda, dx - dlambda - rolled * psi, Sym::ZERO)]);
     let line = |a: Sym| Line::equation(dpsi - turn, dpsi - rolled * s.alpha * a + rolled * s.beta * psi, Sym::ZERO);
-    page.claim("eq3.21", "line", r"the linear equation of the line of rolling has $\dot\lambda$, as printed")
+    page.claim("eq3.21", "line", r"The linear equation of the line of rolling has $\dot\lambda$, as printed")
         .why(r"The dot over $\lambda$ is a slip: (3.17) and (3.22) have $\lambda$.")
         .fails([line(dlambda)]);
-    page.claim("eq3.21", "line-corrected", r"the linear equation of the line of rolling has $\lambda$")
+    page.claim("eq3.21", "line-corrected", r"The linear equation of the line of rolling has $\lambda$")
         .holds([line(lambda)]);
     page.correct();
 }
@@ -102,17 +102,17 @@ fn matrix(page: &mut Page, s: &ElasticLetters) {
         .filter(|&place| place != (0, 3))
         .map(|(i, j)| Line::formula(derived[i][j], name, printed[i][j]))
         .collect();
-    page.claim("eq3.22", "entries", r"every entry of the matrix but that of $\psi$ in the first row follows from (3.17), with the right $F(x_0)$ and with $-a$ as the factor of $\lambda$")
+    page.claim("eq3.22", "entries", r"Every entry of the matrix but that of $\psi$ in the first row follows from (3.17), with the right $F(x_0)$ and with $-a$ as the factor of $\lambda$")
         .in_words()
         .reading(AS_PRINTED)
         .under(&names)
         .follows(lines.iter().map(|line| Condition::Equal(line.derived, line.right)));
-    page.claim("eq3.22", "twist", r"the entry of $\psi$ in the first row is $-b$, as printed")
+    page.claim("eq3.22", "twist", r"The entry of $\psi$ in the first row is $-b$, as printed")
         .under(&s.names(&["ϱ₀"]))
         .why(r"Sign and factor are those of (3.20): $-b\psi\frac R{\rho_0}$ on the right side comes to the left with a plus.")
         .reading(format!("{AS_PRINTED} For a rim that resists, the sign $-b$ is right and the factor $R/\\rho_0$ alone is missing."))
         .fails([Line::formula(derived[0][3], name, printed[0][3])]);
-    page.claim("eq3.22", "twist-corrected", r"the entry of $\psi$ in the first row is $+b\frac R{\rho_0}$")
+    page.claim("eq3.22", "twist-corrected", r"The entry of $\psi$ in the first row is $+b\frac R{\rho_0}$")
         .under(&s.names(&["ϱ₀"]))
         .holds([Line::formula(derived[0][3], name, s.b * s.drum / rho)]);
     page.correct();
@@ -124,7 +124,7 @@ fn polynomial(page: &mut Page, s: &ElasticLetters, q: &Quintic) {
     page.claim(
         entry,
         "names",
-        r"the coefficients of the characteristic polynomial by $\theta$, $m_0$, $\Phi_k$, $\alpha_1$, $\beta_1$, $V_0$ are those by the data, for a rim that resists",
+        r"The coefficients of the characteristic polynomial by $\theta$, $m_0$, $\Phi_k$, $\alpha_1$, $\beta_1$, $V_0$ are those by the data, for a rim that resists",
     )
     .in_words()
     .reading(AS_STIFFNESS)
@@ -135,7 +135,7 @@ fn polynomial(page: &mut Page, s: &ElasticLetters, q: &Quintic) {
     let names = letters(["a₀", "a₁", "a₂", "a₃", "a₄", "a₅"]);
     let (right, core) = (q.right(), phi3 * phi1 - phi4 * theta - q.a * theta);
     sign_of_rim(page, q);
-    page.claim(entry, "mu5-and-1", r"the coefficients of $\mu^5$ and of 1 are right as printed").holds([
+    page.claim(entry, "mu5-and-1", r"The coefficients of $\mu^5$ and of 1 are right as printed").holds([
         Line::formula(q.derived[0], names[0], theta * m0),
         Line::formula(q.derived[5], names[5], -(alpha * v * phi3 * phi2)),
     ]);
@@ -167,14 +167,14 @@ fn polynomial(page: &mut Page, s: &ElasticLetters, q: &Quintic) {
         ),
     ];
     for (slug, corrected, of, k, printed, why) in wrong {
-        page.claim(entry, slug, format!("the coefficient {of} of the characteristic polynomial is right as printed"))
+        page.claim(entry, slug, format!("The coefficient {of} of the characteristic polynomial is right as printed"))
             .why(why)
             .reading(AS_STIFFNESS)
             .fails([Line::formula(q.derived[k], names[k], printed)]);
         page.claim(
             entry,
             corrected,
-            format!("for a rim that resists, the coefficient {of} of the determinant is as follows"),
+            format!("For a rim that resists, the coefficient {of} of the determinant is as follows"),
         )
         .holds([Line::formula(q.derived[k], names[k], right[k])]);
         page.correct();
@@ -191,7 +191,7 @@ fn sign_of_rim(page: &mut Page, q: &Quintic) {
     let of_pushing = tidy(of_resisting.substitute(&[(q.a, -q.a), (q.b, -q.b)]));
     page.claim(
         entry,
-        "z",r"the printed $Z=-\Phi_3\Phi_1+\Phi_4\theta+a\theta$ follows from (3.17) and (3.22), where the rim's force is $+a\lambda$",
+        "z",r"The printed $Z=-\Phi_3\Phi_1+\Phi_4\theta+a\theta$ follows from (3.17) and (3.22), where the rim's force is $+a\lambda$",
     )
     .why(r"The force $+a\lambda$ gives $-a\theta$: (3.17) and $Z$ contradict each other in the sign of $a$.")
     .reading(AS_PRINTED)
@@ -212,11 +212,11 @@ fn sign_of_rim(page: &mut Page, q: &Quintic) {
         tidy(a1 * a2 * a3 - a0 * a3.powi(2) - a1.powi(2) * a4)
     };
     let data = || [m0, v, alpha, beta, phi4, q.a].map(Condition::Positive);
-    page.claim(entry, "kept-speed-resists", r"at a kept speed $\omega_1$ a rim of the force $-a\lambda$, $a>0$, has a positive third minor of Hurwitz, $\Delta_3>0$")
+    page.claim(entry, "kept-speed-resists", r"At a kept speed $\omega_1$ a rim of the force $-a\lambda$, $a>0$, has a positive third minor of Hurwitz, $\Delta_3>0$")
         .reading(AS_STIFFNESS)
         .given(data())
         .by_signs([Condition::Positive(third(q.a))]);
-    page.claim(entry, "kept-speed-pushes", r"at a kept speed $\omega_1$ a rim of the force $+a\lambda$, $a>0$, has a negative third minor of Hurwitz, $-\Delta_3>0$, for any other positive data, so that Hurwitz' condition fails")
+    page.claim(entry, "kept-speed-pushes", r"At a kept speed $\omega_1$ a rim of the force $+a\lambda$, $a>0$, has a negative third minor of Hurwitz, $-\Delta_3>0$, for any other positive data, so that Hurwitz' condition fails")
         .reading(AS_PRINTED)
         .given(data())
         .by_signs([Condition::Positive(-third(-q.a))]);

@@ -41,7 +41,7 @@ fn criterion(page: &mut Page, r: &ReleasedLetters) {
     page.claim(
         "eq3.34",
         "names",
-        r"the abbreviations are $n_1=\frac n{\omega\rho_0^2+J^2}$ and $S_1'=\frac{M_1-n\omega_2^0\dot\rho_0}{n\rho_0^2+J_2}$, as printed",
+        r"The abbreviations are $n_1=\frac n{\omega\rho_0^2+J^2}$ and $S_1'=\frac{M_1-n\omega_2^0\dot\rho_0}{n\rho_0^2+J_2}$, as printed",
     )
     .why(r"$\omega$ stands where $n$ should stand, $J^2$ where $J_2$ should stand, and the divisor $R$ of $M_1$ is missing.")
     .under(&r.names())
@@ -49,7 +49,7 @@ fn criterion(page: &mut Page, r: &ReleasedLetters) {
         Line::formula(lever, n1, r.n / (s.speed * r.rho.powi(2) + s.wheel.powi(2))),
         Line::formula(row[1], slope, (s.m1 - r.n * s.speed * r.drho) / inertia),
     ]);
-    page.claim("eq3.34", "names-corrected", r"the abbreviations have $n\rho_0^2+J_2$ below and $M_1/R$")
+    page.claim("eq3.34", "names-corrected", r"The abbreviations have $n\rho_0^2+J_2$ below and $M_1/R$")
         .under(&r.names())
         .holds([Line::formula(lever, n1, r.n / inertia), Line::formula(row[1], slope, r.slope() / inertia)]);
     page.correct();
@@ -133,14 +133,14 @@ fn function(page: &mut Page, r: &ReleasedLetters) {
     page.correct();
     let slope = regulator.bellman(r.value, r.deviation, u).diff(u);
     let push = letter("u₁");
-    page.claim(entry, "least",r"the condition of the minimum is $\partial B/\partial u_1=2u_1+2C_{22}z+2C_{13}\xi+2C_{23}\rho^{\prime}=0$, as printed")
+    page.claim(entry, "least",r"The condition of the minimum is $\partial B/\partial u_1=2u_1+2C_{22}z+2C_{13}\xi+2C_{23}\rho^{\prime}=0$, as printed")
         .under(&with_unit_weights(r, Hypotheses::none()))
         .why(r"By $m\dot z=u_1$ the bracket has the factor $1/m$, which is missing.")
         .fails([Line::equation(slope, two * price * push, -gradient[2])]);
     page.claim(
         entry,
         "least-corrected",
-        r"the condition of the minimum is $\partial B/\partial u_1=2su_1+\frac1m(2C_{22}z+2C_{13}\zeta+2C_{23}\rho')=0$",
+        r"The condition of the minimum is $\partial B/\partial u_1=2su_1+\frac1m(2C_{22}z+2C_{13}\zeta+2C_{23}\rho')=0$",
     )
     .holds([Line::equation(slope, two * price * push, -gradient[2] / s.mass)]);
     page.correct();
@@ -208,7 +208,7 @@ fn riccati(page: &mut Page, r: &ReleasedLetters) {
     let right = of(price * s.mass.powi(2));
     let names = r.normal_names();
     for (k, (slug, corrected, says, why, derived, name)) in lines.into_iter().enumerate() {
-        page.claim("eq3.36", slug, format!("{says} is right as printed"))
+        page.claim("eq3.36", slug, format!("As printed, {says} is right"))
             .under(&with_unit_weights(r, names.clone()))
             .why(why)
             .reading(match slug {
@@ -224,14 +224,14 @@ fn riccati(page: &mut Page, r: &ReleasedLetters) {
     }
     let [zeta, more, z] = r.deviation;
     let optimal = r.regulator().optimal(r.value, r.deviation);
-    page.claim("eq3.37", "control", r"the optimal control is $u_1=-(c_{33}z+c_{13}\xi+c_{23}\rho')$, as printed")
+    page.claim("eq3.37", "control", r"The optimal control is $u_1=-(c_{33}z+c_{13}\xi+c_{23}\rho')$, as printed")
         .under(&with_unit_weights(r, Hypotheses::none()))
         .why(r"$c_{33}$ stands where $c_{22}$ should stand, and the factor $1/m$ is missing.")
         .fails([Line::formula(optimal, r.control, -(c33 * z + c13 * zeta + c23 * more) / price)]);
     page.claim(
         "eq3.37",
         "control-corrected",
-        r"the optimal control is $u_1=-\frac1{sm}(C_{22}z+C_{13}\zeta+C_{23}\rho')$",
+        r"The optimal control is $u_1=-\frac1{sm}(C_{22}z+C_{13}\zeta+C_{23}\rho')$",
     )
     .holds([Line::formula(optimal, r.control, -(c22 * z + c13 * zeta + c23 * more) / (price * s.mass))]);
     page.correct();
@@ -249,7 +249,7 @@ fn ends(page: &mut Page, r: &ReleasedLetters) {
     page.claim(
         "eq3.36",
         "initial",
-        "as printed, $c_{ij}(0)=0$ and $V$ is positive definite at any time, therefore also at $t=0$",
+        "As printed, $c_{ij}(0)=0$ and $V$ is positive definite at any time, therefore also at $t=0$",
     )
     .why(r"With $c_{ij}(0)=0$ the form vanishes at $t=0$; the condition belongs to the other end of the interval.")
     .given(letters::<6>(names).map(Zero))
@@ -276,7 +276,7 @@ fn ends(page: &mut Page, r: &ReleasedLetters) {
     page.claim(
         "eq3.36",
         "initial-corrected",
-        r"where $C$ satisfies Riccati's equation, $B=s(u_1-u_1^{opt})^2$ for every $u_1$",
+        r"Where $C$ satisfies Riccati's equation, $B=s(u_1-u_1^{opt})^2$ for every $u_1$",
     )
     .note(
         r"Integrated, the criterion from 0 to $T$ is $V(0)-V(T)+\int s(u_1-u_1^{opt})^2dt$: the condition is $C(T)=0$.",

@@ -41,7 +41,7 @@ fn release(page: &mut Page, r: &ReleasedLetters) {
     let [[first, _], _, [wheel, _]] = s.spins();
     let rolled = s.rho * (s.speed + zeta);
     let names = letters(["ω1", "ω"]);
-    page.claim("eq3.24", "passive", r"the wheel does not slip at the speed $\omega_2^0+\zeta$ either").defines([
+    page.claim("eq3.24", "passive", r"The wheel does not slip at the speed $\omega_2^0+\zeta$ either").defines([
         Line::formula(s.drum * released(r, first), s.drum * names[0], rolled),
         Line::formula(s.radius * released(r, wheel), s.radius * names[1], rolled),
     ]);
@@ -63,7 +63,7 @@ fn energy(page: &mut Page, r: &ReleasedLetters) {
     page.claim(
         "eq3.25",
         "energy",
-        r"the derivatives by $\dot\zeta$ and $\ddot\rho$ of $S'$ are those of the print, with $\frac12m\dot\rho^2$",
+        r"The derivatives by $\dot\zeta$ and $\ddot\rho$ of $S'$ are those of the print, with $\frac12m\dot\rho^2$",
     )
     .why(r"A dot is missing, so that $\partial S'/\partial\ddot\rho=0$: the inertia term $m\ddot\rho$ is missing.")
     .under(&r.names())
@@ -71,7 +71,7 @@ fn energy(page: &mut Page, r: &ReleasedLetters) {
     page.claim(
         "eq3.25",
         "energy-corrected",
-        r"the derivatives by $\dot\zeta$ and $\ddot\rho$ of $S'$ are those with $\frac12m\ddot\rho^2$",
+        r"The derivatives by $\dot\zeta$ and $\ddot\rho$ of $S'$ are those with $\frac12m\ddot\rho^2$",
     )
     .under(&r.names())
     .holds(lines(s.ddrho));
@@ -79,9 +79,9 @@ fn energy(page: &mut Page, r: &ReleasedLetters) {
     let motion = s.motion();
     let work = motion.generalised(s.governor.force(&motion.state)).map(|force| released(r, force));
     let names = letters(["Qζ", "Qρ"]);
-    page.claim("eq3.25", "work", r"the work of both shafts gives the generalised force $Q'_\zeta$")
+    page.claim("eq3.25", "work", r"The work of both shafts gives the generalised force $Q'_\zeta$")
         .holds([Line::formula(work[0], names[0], s.m2 + s.rho / s.drum * s.m1)]);
-    page.claim("eq3.25", "work-on-wheel", r"the generalised force of $\rho$ also contains the stabilising push $u_1$")
+    page.claim("eq3.25", "work-on-wheel", r"The generalised force of $\rho$ also contains the stabilising push $u_1$")
         .defines([Line::formula(work[1], names[1], s.push + r.control - s.friction)]);
 }
 
@@ -94,7 +94,7 @@ fn equations(page: &mut Page, r: &ReleasedLetters) {
     page.claim(
         "eq3.26",
         "rotation",
-        r"the first equation is $(n\rho^2+J_2)\dot\zeta+n(\zeta+\omega_2^0)\dot\rho=M_2+\frac\rho RM_1$, as printed",
+        r"The first equation is $(n\rho^2+J_2)\dot\zeta+n(\zeta+\omega_2^0)\dot\rho=M_2+\frac\rho RM_1$, as printed",
     )
     .why(r"A factor $\rho$ is missing. (3.27) has it.")
     .under(&r.names())
@@ -102,20 +102,20 @@ fn equations(page: &mut Page, r: &ReleasedLetters) {
     page.claim(
         "eq3.26",
         "rotation-corrected",
-        r"the first equation has $n(\zeta+\omega_2^0)\rho\dot\rho$, as in (3.27)",
+        r"The first equation has $n(\zeta+\omega_2^0)\rho\dot\rho$, as in (3.27)",
     )
     .under(&r.names())
     .holds([Line::equation(turning, left(s.rho), right)]);
     page.correct();
-    page.claim("eq3.26", "wheel", r"the second equation is $m\ddot\rho=F_1+F_2+u+u_1$, as printed")
+    page.claim("eq3.26", "wheel", r"The second equation is $m\ddot\rho=F_1+F_2+u+u_1$, as printed")
         .reading(r"$F_1+F_2$ is read as the friction $F_{11}+F_{22}$ across.")
         .why(r"The sign of friction is wrong. (3.3) and (3.27) have the minus.")
         .fails([Line::equation(sliding, s.mass * s.ddrho, s.friction + s.push + r.control)]);
-    page.claim("eq3.26", "wheel-corrected", r"the second equation has $-(F_{11}+F_{22})$, as in (3.3) and (3.27)")
+    page.claim("eq3.26", "wheel-corrected", r"The second equation has $-(F_{11}+F_{22})$, as in (3.3) and (3.27)")
         .holds([Line::equation(sliding, s.mass * s.ddrho, -s.friction + s.push + r.control)]);
     page.correct();
     let shifted = |side: Sym| side.substitute(&[(s.rho, start + more)]);
-    page.claim("eq3.27", "equations", r"the equations with $\rho=\rho_0+\rho'$ are (3.27)").under(&r.names()).holds([
+    page.claim("eq3.27", "equations", r"The equations with $\rho=\rho_0+\rho'$ are (3.27)").under(&r.names()).holds([
         Line::equation(shifted(turning), shifted(left(s.rho)), shifted(right)),
         Line::equation(sliding, s.mass * s.ddrho, -s.friction + s.push + r.control),
     ]);
@@ -134,7 +134,7 @@ fn linearised(page: &mut Page, r: &ReleasedLetters) {
         sum.substitute(&programme)
     });
     let lever = r.n * r.rho;
-    page.claim("eq3.28", "linear", "the first approximation about the programme is (3.28)")
+    page.claim("eq3.28", "linear", "The first approximation about the programme is (3.28)")
         .reading(r"The source prints $J_3$; there is no third body, so $J_2$ is read, as in (3.27).")
         .under(&r.names())
         .holds([
@@ -147,7 +147,7 @@ fn linearised(page: &mut Page, r: &ReleasedLetters) {
         ]);
     let rates = r.linear.apply(r.deviation);
     let driven: [Sym; 3] = std::array::from_fn(|i| rates[i] + r.linear.control[i] * r.control);
-    page.claim("eq3.29", "normal", r"the first approximation solved for $\dot\zeta$ and $\dot z$ is (3.29)")
+    page.claim("eq3.29", "normal", r"The first approximation solved for $\dot\zeta$ and $\dot z$ is (3.29)")
         .reading(r"The source prints $J_3$; $J_2$ is read, as in (3.27). $z$ is a name for $\dot\rho'$.")
         .under(&r.names())
         .holds([

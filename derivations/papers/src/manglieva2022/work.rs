@@ -15,7 +15,7 @@ pub fn nowhere_zero(page: &mut Page, entry: &'static str, says: &str) {
     let masses: [Sym; 3] = indexed("m#");
     let weighted = std::array::from_fn(|i| reaction[i] / masses[i]);
     let positive = masses.map(Positive);
-    page.claim(entry, "every-displacement", format!("as printed in ({}), {says} for every virtual displacement", entry.trim_start_matches("eq")))
+    page.claim(entry, "every-displacement", format!("As printed in ({}), {says} for every virtual displacement", entry.trim_start_matches("eq")))
         .given(positive)
         .given([
             Zero(dot(gradient, displacement)),
@@ -32,7 +32,7 @@ pub fn nowhere_zero(page: &mut Page, entry: &'static str, says: &str) {
             ]),
         );
     let place = entry.trim_start_matches("eq");
-    own_displacement(page, entry, &format!("in the place of ({place}), the work of friction differs from zero"));
+    own_displacement(page, entry, &format!("In the place of ({place}), the work of friction differs from zero"));
     page.correct();
 }
 

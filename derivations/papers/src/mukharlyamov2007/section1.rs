@@ -37,7 +37,7 @@ fn production(page: &mut Page) {
     let t = letter("t");
     let now = m + dm * t;
     let steady = supply / (wear * now);
-    page.claim("eq1", "steady", r"with a constant share $\delta$ of the funds worn out and a constant supply, $\dot Y=u/(\delta m(t))$ solves (1) for $m=m_0+\dot mt$, so that the funds $m\dot Y$ are constant")
+    page.claim("eq1", "steady", r"With a constant share $\delta$ of the funds worn out and a constant supply, $\dot Y=u/(\delta m(t))$ solves (1) for $m=m_0+\dot mt$, so that the funds $m\dot Y$ are constant")
         .in_words()
         .given([NonZero(wear), NonZero(now)])
         .follows([Zero(along(&plant, y, steady, by_time))]);
@@ -59,13 +59,13 @@ fn learning(page: &mut Page) {
     let grown = Tangent::moving(inertia, change) * Tangent::moving(di, ddi);
     let around = |denial: Sym| grown.slope + denial * di + i / permeability - potential;
     let glossed = inertia * ddi + denial * di + i / permeability;
-    page.claim("eq2", "gloss", r"the terms of (2) as printed are those which the text names below it, $L\ddot I$ (denial of denial), $\tau\dot I$ (denial) and $I/G$, for $L(t)$ that varies")
+    page.claim("eq2", "gloss", r"The terms of (2) as printed are those which the text names below it, $L\ddot I$ (denial of denial), $\tau\dot I$ (denial) and $I/G$, for $L(t)$ that varies")
         .why(r"$\frac{d}{dt}(L\dot I)=L\ddot I+\dot L\dot I$ has a third term, which $-\dot I^2$ does not cancel and $-\dot L\dot I$ does: $\tau-\frac{dI}{dt}$ is probably a misprint of $\tau-\frac{dL}{dt}$.")
         .fails([Line::equation(around(denial - di), glossed, potential)]);
     page.claim(
         "eq2",
         "gloss-corrected",
-        r"with $\tau-\dot L$ in the place of $\tau-\dot I$ the terms of (2) are those which the text names",
+        r"With $\tau-\dot L$ in the place of $\tau-\dot I$ the terms of (2) are those which the text names",
     )
     .holds([Line::equation(around(denial - change), glossed, potential)]);
     page.correct();
@@ -75,14 +75,14 @@ fn learning(page: &mut Page) {
     page.claim(
         "eq2",
         "closed-form",
-        r"where $M=I/G$ and $L$ is constant, $\dot I=\tau/(1+cE)$ with $\dot E=\tau E/L$, $E=e^{\tau t/L}$, solves (2) as printed, for every $c$",
+        r"Where $M=I/G$ and $L$ is constant, $\dot I=\tau/(1+cE)$ with $\dot E=\tau E/L$, $E=e^{\tau t/L}$, solves (2) as printed, for every $c$",
     )
     .in_words()
     .given([NonZero(int(1) + c * e)])
     .follows([Zero(along(&open, i, speed, |v| v.diff(e) * denial * e / inertia))]);
     let (t, v0) = (letter("t"), letter("v0"));
     let runaway = inertia * v0 / (inertia - v0 * t);
-    page.claim("eq2", "runaway", r"where $M=I/G$, $L$ is constant and $\tau=0$, $\dot I=Lv_0/(L-v_0t)$ solves (2) as printed and ends at the time $L/v_0$, because the square of $\dot I$ feeds itself")
+    page.claim("eq2", "runaway", r"Where $M=I/G$, $L$ is constant and $\tau=0$, $\dot I=Lv_0/(L-v_0t)$ solves (2) as printed and ends at the time $L/v_0$, because the square of $\dot I$ feeds itself")
         .in_words()
         .given([NonZero(inertia - v0 * t)])
         .follows([Zero(along(&Learning { denial: Sym::ZERO, ..open }, i, runaway, by_time))]);
@@ -118,7 +118,7 @@ fn joint(page: &mut Page) {
     page.claim(
         "eq3",
         "growth",
-        "the program's law of a joint, in the form of (1), is Lagrange's equation of the link with its load",
+        "The program's law of a joint, in the form of (1), is Lagrange's equation of the link with its load",
     )
     .in_words()
     .follows([Equal(joint.residual(Sym::ZERO, [angle, speed, acceleration]), derived)]);
@@ -141,7 +141,7 @@ fn point(page: &mut Page) {
     page.claim("eq4", "variable-mass", "(4) is the equation of a point of variable mass without other forces. It is judged by the momentum of the point and of the mass that has left with the velocity $u$ in space")
         .why(r"The mass that leaves takes its momentum $\dot mu$ along, a force on the point that (4) lacks.")
         .fails([Line::equation(balance, left, push)]);
-    page.claim("eq4", "variable-mass-corrected", r"a point of variable mass has the reactive force $\dot mu$ on the right. (4) is the case $u=0$, in which what leaves or joins stands still in space. Where it leaves with the point's own velocity, $u=\dot x$, the equation is $m\ddot x+\beta\dot x+kx=R$")
+    page.claim("eq4", "variable-mass-corrected", r"A point of variable mass has the reactive force $\dot mu$ on the right. (4) is the case $u=0$, in which what leaves or joins stands still in space. Where it leaves with the point's own velocity, $u=\dot x$, the equation is $m\ddot x+\beta\dot x+kx=R$")
         .holds([Line::equation(balance, left, push + dm * u)]);
     page.correct();
 }
@@ -184,6 +184,6 @@ fn closed_forms(page: &mut Page) {
 
 /// The form in which the laws are integrated.
 fn runs(page: &mut Page) {
-    page.claim("eq4", "runs", r"the program integrates (1)-(4) solved for the acceleration, $\ddot y=-(\dot m\dot y+w-u)/m$ in the letters of (1)")
+    page.claim("eq4", "runs", r"The program integrates (1)-(4) solved for the acceleration, $\ddot y=-(\dot m\dot y+w-u)/m$ in the letters of (1)")
         .defines([]);
 }

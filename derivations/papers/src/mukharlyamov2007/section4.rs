@@ -44,14 +44,14 @@ fn multipliers(page: &mut Page) {
     let minor = row[0] * across[1] - row[1] * across[0];
     let lambda = [missing[0] * across[1] - missing[1] * across[0], missing[1] * row[0] - missing[0] * row[1]];
     let free = [row[1] * across[2] - row[2] * across[1], row[2] * across[0] - row[0] * across[2], minor];
-    page.claim("eq7", "multipliers", r"by d'Alembert's and Lagrange's principle, forces $R_i$ of constraint that do no work on any displacement with $\frac{\partial\dot f^\kappa}{\partial\dot q^i}\delta q^i=0$ are $\lambda_\kappa\frac{\partial\dot f^\kappa}{\partial\dot q^i}$, here with three coordinates, one geometric and one kinematic constraint")
+    page.claim("eq7", "multipliers", r"By d'Alembert's and Lagrange's principle, forces $R_i$ of constraint that do no work on any displacement with $\frac{\partial\dot f^\kappa}{\partial\dot q^i}\delta q^i=0$ are $\lambda_\kappa\frac{\partial\dot f^\kappa}{\partial\dot q^i}$, here with three coordinates, one geometric and one kinematic constraint")
         .in_words()
         .given([NonZero(minor), Zero(dot(missing, free))])
         .by_combination((0..3).map(|i| {
             let of = lambda[0] * row[i] + lambda[1] * across[i];
             (Equal(missing[i], of / minor), vec![0], if i == 2 { vec![(1, int(1))] } else { vec![] })
         }));
-    page.claim("eq7", "displacements", r"every displacement that a geometric and a kinematic constraint of three coordinates allow is a multiple of the vector product of their two rows, here where $\delta q^3$ is free").in_words()
+    page.claim("eq7", "displacements", r"Every displacement that a geometric and a kinematic constraint of three coordinates allow is a multiple of the vector product of their two rows, here where $\delta q^3$ is free").in_words()
         .given([Zero(dot(row, displacement)), Zero(dot(across, displacement)), NonZero(minor)])
         .by_combination((0..2).map(|i| {
             let (a, b) = if i == 0 { (across[1], -row[1]) } else { (-across[0], row[0]) };
@@ -87,7 +87,7 @@ fn multipliers(page: &mut Page) {
     page.claim(
         "eq7",
         "reaction-corrected",
-        r"the reaction is $\lambda\frac{\partial\dot f^\kappa}{\partial\dot q^i}$ with $\dot f^\kappa$ from (5), for $\frac{\partial\dot f}{\partial\dot q^i}=\frac{\partial f}{\partial q^i}$",
+        r"The reaction is $\lambda\frac{\partial\dot f^\kappa}{\partial\dot q^i}$ with $\dot f^\kappa$ from (5), for $\frac{\partial\dot f}{\partial\dot q^i}=\frac{\partial f}{\partial q^i}$",
     )
     .in_words()
     .follows((0..3).map(|i| Equal(first_rate[i], row[i])));
@@ -109,7 +109,7 @@ fn programme(page: &mut Page) {
     let wanted = indexed("Y#");
     let reaction = led(wanted);
     let moved = rates(&General, &at, reaction.acceleration);
-    page.claim("eq10", "exact", r"for every $Y$ there are multipliers with which (10), $\ddot y=Y$, $\dot\varphi=Y$, holds exactly, off the constraints too, wherever $\det JM^{-1}J^T\ne0$. Masses and forces are arbitrary, with one geometric and one kinematic constraint arbitrary to the second order")
+    page.claim("eq10", "exact", r"For every $Y$ there are multipliers with which (10), $\ddot y=Y$, $\dot\varphi=Y$, holds exactly, off the constraints too, wherever $\det JM^{-1}J^T\ne0$. Masses and forces are arbitrary, with one geometric and one kinematic constraint arbitrary to the second order")
         .in_words()
         .follows((0..2).map(|k| Equal(moved[k], wanted[k])));
     let masses: [Sym; 3] = General.masses();
@@ -117,7 +117,7 @@ fn programme(page: &mut Page) {
     page.claim(
         "eq10",
         "reactions",
-        r"the accelerations of eq10/exact are those of the given forces together with $\lambda_\kappa\frac{\partial\dot f^\kappa}{\partial\dot q^i}$",
+        r"The accelerations of eq10/exact are those of the given forces together with $\lambda_\kappa\frac{\partial\dot f^\kappa}{\partial\dot q^i}$",
     )
     .in_words()
     .follows((0..3).map(|i| {
@@ -133,7 +133,7 @@ fn programme(page: &mut Page) {
     // on the constraints: f = 0, f' = 0, phi = 0, by the letters of their values
     let [f, ft, phi] = letters(["f", "ft", "ϕ"]);
     let kept = [(f, Sym::ZERO), (ft, ft - found.rate[0]), (phi, phi - found.rate[1])];
-    page.claim("eq10", "trivial", r"with $Y=-c\dot y-ky$ and any matrices, the multipliers are Lagrange's wherever both constraints and the rate of the geometric one are kept. A motion that begins there is that of Lagrange's equations")
+    page.claim("eq10", "trivial", r"With $Y=-c\dot y-ky$ and any matrices, the multipliers are Lagrange's wherever both constraints and the rate of the geometric one are kept. A motion that begins there is that of Lagrange's equations")
         .in_words()
         .follows((0..2).map(|k| {
             let lagrange = led([Sym::ZERO; 2]).multipliers[k];
@@ -145,13 +145,13 @@ fn programme(page: &mut Page) {
 fn instability(page: &mut Page) {
     let at = instant();
     let moved = rates(&General, &at, led([Sym::ZERO; 2]).acceleration);
-    page.claim("section5-instability", "rates", r"with multipliers from the differentiated constraints, $\ddot f=0$ and $\dot\varphi=0$, the rates off the constraints are exactly $\ddot y=0$, $\dot\varphi=0$, hence $y=y_0+\dot y_0t$ and $\varphi=\varphi_0$")
+    page.claim("section5-instability", "rates", r"With multipliers from the differentiated constraints, $\ddot f=0$ and $\dot\varphi=0$, the rates off the constraints are exactly $\ddot y=0$, $\dot\varphi=0$, hence $y=y_0+\dot y_0t$ and $\varphi=\varphi_0$")
         .in_words()
         .follows(moved.map(Zero));
     let [dy0, b, t] = letters(["ẏ₀", "b", "t"]);
     let drifted = dy0 * t;
     let reached = drifted.substitute(&[(t, b / dy0)]);
-    page.claim("section5-instability", "geometric", r"a geometric constraint is unstable. The error $y=\dot y_0t$ has the rate $\ddot y$ that multipliers from $\ddot f=0$ leave, and reaches any bound $b>0$ at the time $b/\dot y_0$, however small $\dot y_0>0$ is")
+    page.claim("section5-instability", "geometric", r"A geometric constraint is unstable. The error $y=\dot y_0t$ has the rate $\ddot y$ that multipliers from $\ddot f=0$ leave, and reaches any bound $b>0$ at the time $b/\dot y_0$, however small $\dot y_0>0$ is")
         .in_words()
         .given([Positive(b), Positive(dy0)])
         .follows([Equal(drifted.diff(t).diff(t), moved[0]), Equal(reached, b)]);
@@ -161,7 +161,7 @@ fn instability(page: &mut Page) {
     let kept = lagrange(&point, &at, point.force(&at)).map_or([Sym::UNDEFINED; 2], |reaction| reaction.acceleration);
     let [rate]: [Sym; 1] = rates(&point, &at, kept);
     let [error]: [Sym; 1] = violation(&point, &at).rate;
-    page.claim("section5-instability", "kinematic", r"multipliers from $\dot\varphi=0$ make a kinematic constraint unstable: where $\varphi\ne0$, $|\varphi|$ grows, $\varphi\dot\varphi>0$. The point that keeps its speed is judged, $\varphi=\frac12(\dot q_1^2+\dot q_2^2-v_0^2)$")
+    page.claim("section5-instability", "kinematic", r"Multipliers from $\dot\varphi=0$ make a kinematic constraint unstable: where $\varphi\ne0$, $|\varphi|$ grows, $\varphi\dot\varphi>0$. The point that keeps its speed is judged, $\varphi=\frac12(\dot q_1^2+\dot q_2^2-v_0^2)$")
         .in_words()
         .given([NonZero(error)])
         .why(r"Multipliers from $\dot\varphi=0$ keep $\varphi$ as it is; only a method of integration adds errors to it, step by step.")
@@ -172,7 +172,7 @@ fn instability(page: &mut Page) {
     page.claim(
         "section5-instability",
         "kinematic-corrected",
-        r"the error of a kinematic constraint stays as it is, stable but not asymptotically stable: $\dot\varphi=0$ for every velocity, place and force",
+        r"The error of a kinematic constraint stays as it is, stable but not asymptotically stable: $\dot\varphi=0$ for every velocity, place and force",
     )
     .in_words()
     .follows([Zero(moved[1])]);
@@ -188,7 +188,7 @@ fn euler(page: &mut Page) {
     let square = u * u + v * v;
     let lambda = -(square / (x * x + y * y));
     let (after, moved) = ((x + h * u, y + h * v), (u + h * lambda * x, v + h * lambda * y));
-    page.claim("section5-instability", "euler", r"for a point on a circle with multipliers from $\ddot f=0$, and with $\dot f=0$, each step of Euler's method adds $\frac12h^2v^2$ to $f=\frac12(x^2+y^2-\rho^2)$ and nothing to $\dot f$. The sum over a time $t$, about $\frac12thv^2$ while $v$ changes little, is an estimate and not proved")
+    page.claim("section5-instability", "euler", r"For a point on a circle with multipliers from $\ddot f=0$, and with $\dot f=0$, each step of Euler's method adds $\frac12h^2v^2$ to $f=\frac12(x^2+y^2-\rho^2)$ and nothing to $\dot f$. The sum over a time $t$, about $\frac12thv^2$ while $v$ changes little, is an estimate and not proved")
         .in_words()
         .given([Zero(x * u + y * v)])
         .by_combination([

@@ -43,7 +43,7 @@ fn displacements(page: &mut Page) {
 fn principle(page: &mut Page) {
     let [e1, e2, ey, f1, f2, lambda] = letters(["E1", "E2", "Ey", "f1", "f2", "λ"]);
     let work = [Zero(e1 + f1 * ey), Zero(e2 + f2 * ey)];
-    page.claim("eq12", "principle", r"d'Alembert's and Lagrange's principle, $\sum E_i\delta q^i+E_y\delta y=0$ for all displacements (11), gives $E_i=-\frac{\partial\dot y}{\partial\dot q^i}E_y$. This is (12) with $\lambda=-E_y$, where $E=\frac{d}{dt}\frac{\partial T}{\partial\dot q}-\frac{\partial T}{\partial q}+\frac{\partial P}{\partial q}+\frac{\partial D}{\partial\dot q}-Q$")
+    page.claim("eq12", "principle", r"D'Alembert's and Lagrange's principle, $\sum E_i\delta q^i+E_y\delta y=0$ for all displacements (11), gives $E_i=-\frac{\partial\dot y}{\partial\dot q^i}E_y$. This is (12) with $\lambda=-E_y$, where $E=\frac{d}{dt}\frac{\partial T}{\partial\dot q}-\frac{\partial T}{\partial q}+\frac{\partial P}{\partial q}+\frac{\partial D}{\partial\dot q}-Q$")
         .given(work)
         .given([Equal(lambda, -ey)])
         .by_combination([
@@ -59,13 +59,13 @@ fn principle(page: &mut Page) {
     .given([Equal(e1, f1 * lambda), Equal(e2, f2 * lambda), NonZero(f1)])
     .why(r"$y$ is varied with $q$ by (11), so that the principle has no equation of its own for $y$.")
     .refuted([Zero(ey)], exact([("E1", -1, 1), ("E2", 0, 1), ("Ey", 1, 1), ("f1", 1, 1), ("f2", 0, 1), ("λ", -1, 1)]));
-    page.claim("eq13", "principle-corrected", r"the principle with (12) gives $E_y=-\lambda$: the multipliers act on $y$ as well. (13) would mean $\lambda=0$, no constraint. It is a programme for $y$, a postulate, and the forces $f_i^\kappa\lambda_\kappa$ are a control, given forces in the principle, and not reactions")
+    page.claim("eq13", "principle-corrected", r"The principle with (12) gives $E_y=-\lambda$: the multipliers act on $y$ as well. (13) would mean $\lambda=0$, no constraint. It is a programme for $y$, a postulate, and the forces $f_i^\kappa\lambda_\kappa$ are a control, given forces in the principle, and not reactions")
         .given(work)
         .given([Equal(e1, f1 * lambda), NonZero(f1)])
         .by_combination([(Equal(ey, -lambda), vec![3], vec![(0, int(1)), (2, int(-1))])]);
     page.correct();
     let force = letter("R1");
-    page.claim("eq13", "control", r"with control forces $R_i$ among the given ones, the principle is $E_i-R_i+\frac{\partial\dot y}{\partial\dot q^i}E_y=0$, and (13) leaves $E_i=R_i$. This is (12) with $R_i=f_i\lambda$ at the engineer's disposal")
+    page.claim("eq13", "control", r"With control forces $R_i$ among the given ones, the principle is $E_i-R_i+\frac{\partial\dot y}{\partial\dot q^i}E_y=0$, and (13) leaves $E_i=R_i$. This is (12) with $R_i=f_i\lambda$ at the engineer's disposal")
         .given([Zero(e1 - force + f1 * ey), Zero(ey)])
         .by_combination([(Equal(e1, force), vec![], vec![(0, int(1)), (1, -f1)])]);
 }
@@ -77,7 +77,7 @@ fn expansion(page: &mut Page) {
     let d = dy_1 * y + (dyy * y * y + c * dy * dy).half() + mixed * y * dy;
     let origin = [(y, Sym::ZERO), (dy, Sym::ZERO)];
     let at_rest = |e: Sym| e.substitute(&origin);
-    page.claim("eq13", "expansion", r"from $D=D^0$, $\frac{\partial D}{\partial\dot y}=0$, $\frac{\partial^2D}{\partial\dot y^2}=c$ at $y=\dot y=0$ follows $D=D^0+\frac12c\dot y^2+D^{(3)}$, without a term $y\dot y$")
+    page.claim("eq13", "expansion", r"From $D=D^0$, $\frac{\partial D}{\partial\dot y}=0$, $\frac{\partial^2D}{\partial\dot y^2}=c$ at $y=\dot y=0$ follows $D=D^0+\frac12c\dot y^2+D^{(3)}$, without a term $y\dot y$")
         .in_words()
         .why(r"The assumptions leave $\frac{\partial^2D}{\partial y\partial\dot y}$ free, as they do not for $T$.")
         .refuted(
@@ -85,7 +85,7 @@ fn expansion(page: &mut Page) {
             exact([("Dy", 0, 1), ("Dyy", 0, 1), ("Dyẏ", 1, 1), ("c₀", 1, 1)]),
         );
     let force = letter("Fy");
-    page.claim("eq13", "expansion-corrected", r"the force of $D$ is $-\frac{\partial D}{\partial\dot y}=-c\dot y-D_{,y\dot y}y$. The condition $\frac{\partial^2D}{\partial y\partial\dot y}=0$ is to be assumed too, as it is of $T$. The terms $\frac{\partial D}{\partial y}$ and $\frac{\partial^2D}{\partial y^2}$ do not enter")
+    page.claim("eq13", "expansion-corrected", r"The force of $D$ is $-\frac{\partial D}{\partial\dot y}=-c\dot y-D_{,y\dot y}y$. The condition $\frac{\partial^2D}{\partial y\partial\dot y}=0$ is to be assumed too, as it is of $T$. The terms $\frac{\partial D}{\partial y}$ and $\frac{\partial^2D}{\partial y^2}$ do not enter")
         .holds([Line::formula(-d.diff(dy), force, -(c * dy) - mixed * y)]);
     page.correct();
 }
@@ -156,7 +156,7 @@ impl Model {
             .note(r"In $dy^\kappa/dt=\dot y^\kappa$ the index goes to $m$ only, as in (10): a kinematic constraint has no $y$, and its row of $k_{\mu\nu}$ is zero.")
             .holds([Line::equation(self.left[2] / a, self.acceleration[2], damping * dy + stiffness * y)]);
         let b = (-(friction + change) / a).substitute(&[(c1, Sym::ZERO), (c2, Sym::ZERO)]);
-        page.claim("eq15", "inertia", r"a positive friction $c$ is not enough for stability of (15). There are $a$, $c>0$ with a positive coefficient $b$ of $\dot y$, where the inertia $a$ falls fast enough")
+        page.claim("eq15", "inertia", r"A positive friction $c$ is not enough for stability of (15). There are $a$, $c>0$ with a positive coefficient $b$ of $\dot y$, where the inertia $a$ falls fast enough")
             .given([Positive(a), Positive(c)])
             .exists([Positive(b)], exact([("a", 1, 1), ("c₀", 1, 1), ("a1", -2, 1), ("a2", 0, 1), ("q̇1", 1, 1), ("q̇2", 0, 1)]));
         let [a0, s, t, w] = letters(["a", "s", "t", "W"]);
@@ -165,7 +165,7 @@ impl Model {
         // b of (15) with c = s/2 and a' = -s
         let falling = [(c, s / int(2)), (c1, Sym::ZERO), (c2, Sym::ZERO), (v1, Sym::ONE), (a1, -s), (a2, Sym::ZERO)];
         let growth = -(self.left[2].diff(dy) / a).substitute(&falling).substitute(&[(a, inertia)]);
-        page.claim("eq15", "grows", r"a kinematic constraint with $a=a_0-st$ and $c=s/2>0$ has by (15) $\dot y^2=Wa_0/(a_0-st)$, which grows without bound as $t\to a_0/s$")
+        page.claim("eq15", "grows", r"A kinematic constraint with $a=a_0-st$ and $c=s/2>0$ has by (15) $\dot y^2=Wa_0/(a_0-st)$, which grows without bound as $t\to a_0/s$")
             .in_words()
             .given([NonZero(inertia)])
             .follows([Zero(square.diff(t) - int(2) * growth * square)]);
@@ -191,13 +191,13 @@ fn multipliers(page: &mut Page) {
 
 /// a y'' + c y' + k y = 0
 fn stability(page: &mut Page) {
-    page.claim("section5-stability", "necessary", "stabilisation of the constraints (5) means asymptotic stability of the trivial solution of (15). The condition is necessary and sufficient by definition, as long as the multipliers exist")
+    page.claim("section5-stability", "necessary", "Stabilisation of the constraints (5) means asymptotic stability of the trivial solution of (15). The condition is necessary and sufficient by definition, as long as the multipliers exist")
         .note("Lyapunov's theorem on a part of the variables needs what the sentence lists ($V$ positive definite, its derivative negative definite, an infinitely small upper limit, all in $y,\\dot y$) and that $q,\\dot q$ exist for all time. $y$ and $\\dot y$ have an infinitely small upper limit in themselves.")
         .defines([]);
     let [a, c, k, y, dy] = letters(["a", "c₀", "k", "y", "ẏ"]);
     let rate = |v: Sym| v.diff(y) * dy - v.diff(dy) * (c * dy + k * y) / a;
     let energy = (a * dy * dy + k * y * y).half();
-    page.claim("section5-stability", "energy", r"the energy $\frac12(a\dot y^2+ky^2)$ that (13) suggests has no negative definite derivative along (15): its derivative $-c\dot y^2$ vanishes where $\dot y=0$, $y\ne0$")
+    page.claim("section5-stability", "energy", r"The energy $\frac12(a\dot y^2+ky^2)$ that (13) suggests has no negative definite derivative along (15): its derivative $-c\dot y^2$ vanishes where $\dot y=0$, $y\ne0$")
         .given([Positive(a), Positive(c), Positive(k), NonZero(y)])
         .exists([Zero(rate(energy))], exact([("a", 1, 1), ("c₀", 1, 1), ("k", 1, 1), ("y", 1, 1), ("ẏ", 0, 1)]));
     let v = energy + (c * y * dy).half() + c * c * y * y / (int(4) * a);
@@ -205,7 +205,7 @@ fn stability(page: &mut Page) {
         .given([Positive(a), Positive(c), Positive(k)])
         .follows([Equal(rate(v), -(c * dy * dy).half() - (c * k * y * y / a).half())]);
     let square = dy + c * y / (int(2) * a);
-    page.claim("section5-stability", "definite", r"the function $V$ of section5-stability/function is positive definite for $a,c,k>0$: $V=\frac a2\left(\dot y+\frac c{2a}y\right)^2+\left(\frac k2+\frac{c^2}{8a}\right)y^2$")
+    page.claim("section5-stability", "definite", r"The function $V$ of section5-stability/function is positive definite for $a,c,k>0$: $V=\frac a2\left(\dot y+\frac c{2a}y\right)^2+\left(\frac k2+\frac{c^2}{8a}\right)y^2$")
         .given([Positive(a), Positive(c), Positive(k)])
         .follows([Equal(v, (a * square * square).half() + (k.half() + c * c / (int(8) * a)) * y * y)]);
 }

@@ -65,7 +65,7 @@ fn function(page: &mut Page) {
     let rest = |x: Vector| form(&c, x) - eps * form(&a, x);
     let rate = (0..N).fold(Sym::ZERO, |sum, i| sum + v.diff(y[i]) * dy[i] + v.diff(dy[i]) * ddy[i]);
     let motion = |i: usize| dot(a[i], ddy) + dot(c[i], dy) + dot(k[i], y);
-    page.claim("section5-stability", "matrices-rate", r"for three constraints, $a\ddot y+c\dot y+ky=0$ with constant symmetric matrices, $V=\frac12\dot y'a\dot y+\frac12y'ky+\varepsilon y'a\dot y+\frac\varepsilon2y'cy$ has $\dot V=-\dot y'(c-\varepsilon a)\dot y-\varepsilon y'ky$, for every $\varepsilon$")
+    page.claim("section5-stability", "matrices-rate", r"For three constraints, $a\ddot y+c\dot y+ky=0$ with constant symmetric matrices, $V=\frac12\dot y'a\dot y+\frac12y'ky+\varepsilon y'a\dot y+\frac\varepsilon2y'cy$ has $\dot V=-\dot y'(c-\varepsilon a)\dot y-\varepsilon y'ky$, for every $\varepsilon$")
         .in_words()
         .given((0..N).map(|i| Zero(motion(i))))
         .by_combination([(
@@ -74,7 +74,7 @@ fn function(page: &mut Page) {
             (0..N).map(|i| (i, dy[i] + eps * y[i])).collect(),
         )]);
     let moved: Vector = std::array::from_fn(|i| dy[i] + eps * y[i]);
-    page.claim("section5-stability", "matrices-definite", r"the function $V$ of section5-stability/matrices-rate is $V=\frac12(\dot y+\varepsilon y)'a(\dot y+\varepsilon y)+\frac12y'ky+\frac\varepsilon2y'(c-\varepsilon a)y$. Where $a$, $k$, $c-\varepsilon a$ are positive definite and $\varepsilon>0$, so are $V$ and $-\dot V$")
+    page.claim("section5-stability", "matrices-definite", r"The function $V$ of section5-stability/matrices-rate is $V=\frac12(\dot y+\varepsilon y)'a(\dot y+\varepsilon y)+\frac12y'ky+\frac\varepsilon2y'(c-\varepsilon a)y$. Where $a$, $k$, $c-\varepsilon a$ are positive definite and $\varepsilon>0$, so are $V$ and $-\dot V$")
         .in_words()
         .follows([Equal(v, (form(&a, moved) + form(&k, y) + eps * rest(y)).half())]);
 }
@@ -105,7 +105,7 @@ fn gain(page: &mut Page) {
         sum + column[i]
     });
     let positive = d.into_iter().chain(alpha).map(Positive);
-    page.claim("section5-stability", "matrices-gain", r"an $\varepsilon>0$ with $c-\varepsilon a$ positive definite exists, here for three constraints. With $\tau=\mathrm{tr}(c^{-1}a)$ the form $\tau\,x'cx-x'ax$ is a sum of squares for all positive definite $a=GM\,\mathrm{diag}(\alpha)M'G'$, $c=G\,\mathrm{diag}(d)G'$. So $x'(c-\varepsilon a)x\ge(1-\varepsilon\tau)x'cx$, and every $0<\varepsilon<1/\tau$ will do. By Lyapunov's theorem, which is cited, the perturbations of (15) are then asymptotically stable for constant symmetric positive definite $a,c,k$")
+    page.claim("section5-stability", "matrices-gain", r"An $\varepsilon>0$ with $c-\varepsilon a$ positive definite exists, here for three constraints. With $\tau=\mathrm{tr}(c^{-1}a)$ the form $\tau\,x'cx-x'ax$ is a sum of squares for all positive definite $a=GM\,\mathrm{diag}(\alpha)M'G'$, $c=G\,\mathrm{diag}(d)G'$. So $x'(c-\varepsilon a)x\ge(1-\varepsilon\tau)x'cx$, and every $0<\varepsilon<1/\tau$ will do. By Lyapunov's theorem, which is cited, the perturbations of (15) are then asymptotically stable for constant symmetric positive definite $a,c,k$")
         .in_words()
         .given(positive)
         .follows([Equal(solved, trace), Equal(trace * form(&c, x) - form(&a, x), squares)]);

@@ -13,7 +13,7 @@ use systems::crank_slider::CrankSlider;
 
 pub fn claims(page: &mut Page) {
     page.section("6. Electromechanical drive");
-    page.claim("section6-drive", "model", "the drive consists of supply, alternating-current motor, rectifier, direct-current motor and crank mechanism under gravity. Its 9 equations of the first order with 9 unknowns were made with MAPLE 7 and integrated by Euler's method with $h=0.01$. They are completed here as the system `crank_drive`")
+    page.claim("section6-drive", "model", "The drive consists of supply, alternating-current motor, rectifier, direct-current motor and crank mechanism under gravity. Its 9 equations of the first order with 9 unknowns were made with MAPLE 7 and integrated by Euler's method with $h=0.01$. They are completed here as the system `crank_drive`")
         .note(r"The paper gives the parts and their order, gravity, the rod's constraint, the names $q^3,q^6,f^6,q^7,f^7$, the number of equations, the method and its step. Added here are a transformer that feeds the rectifier, four diodes, capacitor and choke, a motor with a constant field, viscous friction, the rod's mass shared between its ends, the electrical unknowns $f^1,f^2,q^3,f^4,f^5$, and all data. Equations, data and the scale of the figures are not in the text, so that no number can be compared with them.")
         .defines([]);
     constraint(page);
@@ -41,14 +41,14 @@ fn constraint(page: &mut Page) {
     page.claim(
         "section6-drive",
         "row",
-        r"the gradient of the rod's constraint by $(q^6,q^7)$ is $(2q^7r\sin q^6,\ 2(q^7-r\cos q^6))$",
+        r"The gradient of the rod's constraint by $(q^6,q^7)$ is $(2q^7r\sin q^6,\ 2(q^7-r\cos q^6))$",
     )
     .in_words()
     .follows([
         Condition::Equal(by_crank, int(2) * slider * radius * point.sin),
         Condition::Equal(by_slider, int(2) * offset),
     ]);
-    page.claim("section6-drive", "regular", r"the gradient of the rod's constraint vanishes nowhere if the rod is longer than the crank, for on the constraint $q^7=r\cos q^6$ requires $r^2-l^2=r^2\cos^2q^6\ge0$")
+    page.claim("section6-drive", "regular", r"The gradient of the rod's constraint vanishes nowhere if the rod is longer than the crank, for on the constraint $q^7=r\cos q^6$ requires $r^2-l^2=r^2\cos^2q^6\ge0$")
         .in_words()
         .given([Condition::Equal(printed, length * length), Condition::Zero(offset)])
         .by_combination([(
@@ -99,19 +99,19 @@ fn completed(page: &mut Page) {
     let [.., crank, slider] = at.place;
     let [radius, length] = letters(["rᶜ", "l"]);
     let point = crank.circle();
-    page.claim("section6-drive", "closure", "the completed drive has the printed constraint").defines([
+    page.claim("section6-drive", "closure", "The completed drive has the printed constraint").defines([
         Line::equation(
             drive.constraints(at.time, at.place)[0],
             (slider - radius * point.cos).powi(2) + (radius * point.sin).powi(2),
             length.powi(2),
         ),
     ]);
-    page.claim("section6-drive", "nine", r"the completed drive has nine equations of the first order. With $q^3=q^4-q^5$, $\dot q^3=f^4-f^5$ they close in $f^1,f^2,q^3,f^4,f^5,q^6,f^6,q^7,f^7$, for no force depends on another charge")
+    page.claim("section6-drive", "nine", r"The completed drive has nine equations of the first order. With $q^3=q^4-q^5$, $\dot q^3=f^4-f^5$ they close in $f^1,f^2,q^3,f^4,f^5,q^6,f^6,q^7,f^7$, for no force depends on another charge")
         .in_words()
         .follows(close_in_nine(&drive, &at));
     let accelerations = letters(["ḟᵈ1", "ḟᵈ2", "ḟᵈ4", "ḟᵈ5", "ḟ⁶", "ḟ⁷"]);
     let supplied = drive.source(at.time) * at.velocity[0] - heat(&drive, at.velocity);
-    page.claim("section6-drive", "power", r"in the completed drive the energy of windings, capacitor, crank and slider grows by $Ef^1$ less the heat in resistances, diodes and bearings, plus $\lambda\dot f$, which vanishes where the constraint holds. The program monitors runs of the drive by that power")
+    page.claim("section6-drive", "power", r"In the completed drive the energy of windings, capacitor, crank and slider grows by $Ef^1$ less the heat in resistances, diodes and bearings, plus $\lambda\dot f$, which vanishes where the constraint holds. The program monitors runs of the drive by that power")
         .in_words()
         .follows([
             balance(&drive, &at, accelerations, letter("λᵈ")),

@@ -50,7 +50,7 @@ fn equations(page: &mut Page, s: &TopLetters) {
         moment.z + others.z,
     ];
     let left = [a * rates.x, a * rates.y, c * rates.z];
-    page.claim("eq16", "momentum", r"the moment of momentum of a body with the gyroscope $\nu$ and a particle $m(t)$ that moves in it gives (16). The reactive, inertial and Coriolis moment is $M=\dot m\,\xi\times(w-\dot\xi)-m\,\xi\times\ddot\xi-2m\,\xi\times(\omega\times\dot\xi)$, where the mass leaves with the velocity $w$ relative to the body. $\dot A$ does not stand on the left")
+    page.claim("eq16", "momentum", r"The moment of momentum of a body with the gyroscope $\nu$ and a particle $m(t)$ that moves in it gives (16). The reactive, inertial and Coriolis moment is $M=\dot m\,\xi\times(w-\dot\xi)-m\,\xi\times\ddot\xi-2m\,\xi\times(\omega\times\dot\xi)$, where the mass leaves with the velocity $w$ relative to the body. $\dot A$ does not stand on the left")
         .note("$A$, $B=A$, $C$ are the moments of body and particles at the instant, whose axes are taken to stay principal. Several particles add up. $\\dot\\gamma_i=\\Gamma_i$ is left open by the paper; on a motion $\\dot\\gamma=\\gamma\\times\\omega$.")
         .in_words()
         .follows((0..3).map(|i| Condition::Equal(derived[i], left[i] - right[i])));
@@ -59,7 +59,7 @@ fn equations(page: &mut Page, s: &TopLetters) {
     page.claim(
         "eq16",
         "solidified",
-        "the first three equations of (16) hold, with $M_x$, $M_y$, $M_z$ the moments of eq16/momentum",
+        "The first three equations of (16) hold, with $M_x$, $M_y$, $M_z$ the moments of eq16/momentum",
     )
     .holds([
         Line::equation(solidified.x, left[0], (a - c) * q * r - nu * q + moment.x + mx),
@@ -89,7 +89,7 @@ fn integrals(page: &mut Page, s: &TopLetters) {
         .note("The value of $f_3$ is not printed. It is a constant in general, and zero on the motion that is studied. The constant $\\mu$ below (17) is $\\mu_1$.")
         .defines([]);
     let law = s.top.map(|x| x.value).integrals(&s.at, s.aim);
-    page.claim("eq17", "law", "the program's integrals of the body are $f_1$, $f_2$, $f_3$ of (17)")
+    page.claim("eq17", "law", "The program's integrals of the body are $f_1$, $f_2$, $f_3$ of (17)")
         .in_words()
         .follows([
             Condition::Equal(law.energy, f1),

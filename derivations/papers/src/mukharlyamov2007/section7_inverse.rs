@@ -22,12 +22,12 @@ fn perturbations(page: &mut Page) {
     page.claim(
         "section7-perturbations",
         "constants",
-        r"under $\dot f_1=k_{11}f_1+k_{12}f_2+k_{13}f_3$ the constant value $f_1=C_1$ of (17) is a solution, $\dot f_1=0$ (with $f_2=f_3=0$)",
+        r"Under $\dot f_1=k_{11}f_1+k_{12}f_2+k_{13}f_3$ the constant value $f_1=C_1$ of (17) is a solution, $\dot f_1=0$ (with $f_2=f_3=0$)",
     )
     .given([Equal(f1, c1), Equal(df1, k11 * f1)])
     .why(r"The perturbation of the integral is $f_1-C_1$ and not $f_1$.")
     .refuted([Zero(df1)], exact([("f₁", 1, 1), ("C₁", 1, 1), ("k₁₁", 1, 1), ("ḟ₁", 1, 1)]));
-    page.claim("section7-perturbations", "constants-corrected", r"with the perturbation $f_1-C_1$ in the place of $f_1$, $\dot f_1=k_{11}(f_1-C_1)+k_{12}f_2+k_{13}f_3$, the constant value $f_1=C_1$ is a solution (with $f_2=f_3=0$)")
+    page.claim("section7-perturbations", "constants-corrected", r"With the perturbation $f_1-C_1$ in the place of $f_1$, $\dot f_1=k_{11}(f_1-C_1)+k_{12}f_2+k_{13}f_3$, the constant value $f_1=C_1$ is a solution (with $f_2=f_3=0$)")
         .given([Equal(f1, c1), Equal(df1, k11 * (f1 - c1))])
         .by_combination([(Zero(df1), vec![], vec![(0, k11), (1, int(1))])]);
     page.correct();
@@ -49,7 +49,7 @@ fn system(page: &mut Page, s: &TopLetters) {
     let [h1, h2, h3] = letters(["h₁", "h₂", "h₃"]);
     let ([p, q, r], [g1, g2, g3]): ([Sym; 3], [Sym; 3]) = (s.at.spin.into(), s.at.vertical.into());
     let (energy, momentum) = (half(with.energy - without.energy), with.vertical_momentum - without.vertical_momentum);
-    page.claim("eq18", "moments", r"by (18) the moments enter $\frac12\dot f_1$ and $\dot f_2$ as printed").holds([
+    page.claim("eq18", "moments", r"By (18) the moments enter $\frac12\dot f_1$ and $\dot f_2$ as printed").holds([
         Line::equation(energy - h1, p * moment.x + q * moment.y + r * moment.z, h1),
         Line::equation(momentum - h2, g1 * moment.x + g2 * moment.y + g3 * moment.z, h2),
     ]);
@@ -58,7 +58,7 @@ fn system(page: &mut Page, s: &TopLetters) {
         let with = found(s, Vector3::new(Sym::ZERO, Sym::ZERO, moment), free()).axial_momentum;
         with - without.axial_momentum
     };
-    page.claim("eq18", "axial", "by (18) as printed, $Z=h_3$")
+    page.claim("eq18", "axial", "By (18) as printed, $Z=h_3$")
         .why(r"The moment $M_z$ of the variable mass is missing: $\tilde Z=Z+M_z$.")
         .fails([Line::equation(axial(z + mz) - h3, z, h3)]);
     page.claim("eq18", "axial-corrected", r"(18) has $\tilde Z=h_3$, as (19) does").holds([Line::equation(
@@ -72,7 +72,7 @@ fn system(page: &mut Page, s: &TopLetters) {
     page.claim(
         "eq18",
         "length",
-        r"by (18) as printed, $\gamma\cdot\Gamma=k_{44}f_4$ follows from $\dot f_4=k_{44}f_4$",
+        r"By (18) as printed, $\gamma\cdot\Gamma=k_{44}f_4$ follows from $\dot f_4=k_{44}f_4$",
     )
     .why(r"$\dot f_4=2\gamma\cdot\Gamma$, for $f_4$ is a sum of squares: the half is missing.")
     .fails([Line::equation(half(without.length - k44 * f4), along, k44 * f4)]);
@@ -127,7 +127,7 @@ fn right_sides(page: &mut Page, s: &TopLetters) {
     ]);
     page.correct();
     let moving = found(s, Vector3::zeros(), poisson(&s.at));
-    page.claim("section7-h2-h3", "poisson", r"with $\Gamma=\gamma\times\omega$, $h_2$ is the printed sum and two terms with $\dot A$ and $\dot C$, so that the print is right for a body of constant mass")
+    page.claim("section7-h2-h3", "poisson", r"With $\Gamma=\gamma\times\omega$, $h_2$ is the printed sum and two terms with $\dot A$ and $\dot C$, so that the print is right for a body of constant mass")
         .holds([Line::formula(
             wanted[1] - moving.vertical_momentum,
             h2,

@@ -147,7 +147,7 @@ impl Bundle {
         let squares = a * (shift(x1, x4, n / (a + a)) + shift(x2, x5, n / (a + a)))
             + (c * x3 - half(n * x6)).powi(2) / a
             + rest * (x4 * x4 + x5 * x5 + x6 * x6);
-        page.claim("section7-lyapunov", "squares", r"the quadratic form of $V$ corrected is $A\left(x_1-\frac{N}{2A}x_4\right)^2+A\left(x_2-\frac N{2A}x_5\right)^2+\frac1A\left(Cx_3-\frac N2x_6\right)^2+\frac{D}{4A}(x_4^2+x_5^2+x_6^2)$ with $N=Cr_0+\nu$, $D=N^2-4A\left(Mgz_c-\frac{3g}R(A-C)\right)$. It is positive definite if and only if $D>0$")
+        page.claim("section7-lyapunov", "squares", r"The quadratic form of $V$ corrected is $A\left(x_1-\frac{N}{2A}x_4\right)^2+A\left(x_2-\frac N{2A}x_5\right)^2+\frac1A\left(Cx_3-\frac N2x_6\right)^2+\frac{D}{4A}(x_4^2+x_5^2+x_6^2)$ with $N=Cr_0+\nu$, $D=N^2-4A\left(Mgz_c-\frac{3g}R(A-C)\right)$. It is positive definite if and only if $D>0$")
             .in_words()
             .given([Positive(a), Positive(c)])
             .follows([Equal(self.quadratic(), squares)]);
@@ -155,13 +155,13 @@ impl Bundle {
         page.claim(
             "section7-lyapunov",
             "only-if",
-            r"where $D\le0$ the quadratic form of $V$ corrected is not positive definite. At $x_1=\frac N{2A}x_4$, $x_4\ne0$, the other $x$ zero, its value is $\frac D{4A}x_4^2$",
+            r"Where $D\le0$ the quadratic form of $V$ corrected is not positive definite. At $x_1=\frac N{2A}x_4$, $x_4\ne0$, the other $x$ zero, its value is $\frac D{4A}x_4^2$",
         )
         .in_words()
         .given([Positive(a)])
         .follows([Equal(self.quadratic().substitute(&bowed), rest * x4 * x4)]);
         let v = self.corrected();
-        page.claim("section7-stability", "constant", r"for constant $A$, $C$, $Mz_c$, $\dot V=0$ along (21) corrected. Where $D>0$, $V$ is a positive definite integral and the permanent rotation is stable in $p,q,r,\gamma$ by Lyapunov's theorem, which is cited")
+        page.claim("section7-stability", "constant", r"For constant $A$, $C$, $Mz_c$, $\dot V=0$ along (21) corrected. Where $D>0$, $V$ is a positive definite integral and the permanent rotation is stable in $p,q,r,\gamma$ by Lyapunov's theorem, which is cited")
             .in_words()
             .follows([Zero(self.along(v))]);
     }
@@ -230,7 +230,7 @@ fn linearised(page: &mut Page, s: &TopLetters) {
     page.claim(
         "section7-stability",
         "neutral",
-        "the linearised equations keep $x_3$ and $x_6$, so that two zero roots come in addition to the four of section7-stability/first-corrected",
+        "The linearised equations keep $x_3$ and $x_6$, so that two zero roots come in addition to the four of section7-stability/first-corrected",
     )
     .in_words()
     .under(&Hypotheses::none())

@@ -58,7 +58,7 @@ fn kinematics(page: &mut Page, s: &TopLetters) {
         .given([NonZero(square)])
         .follows([Equal(gamma.dot(&general), along)]);
     let turned = gamma.cross(&free.cross(&gamma));
-    page.claim("eq19", "vertical-all", r"every solution of $\gamma\cdot\Gamma=k_{44}f_4$ has the form of (19), with $c=\gamma^{-2}\,\Gamma\times\gamma$")
+    page.claim("eq19", "vertical-all", r"Every solution of $\gamma\cdot\Gamma=k_{44}f_4$ has the form of (19), with $c=\gamma^{-2}\,\Gamma\times\gamma$")
         .given([NonZero(square), Equal(gamma.dot(&free), along)])
         .by_combination(
             (0..3).map(|i| (Equal(free[i], (turned[i] + gamma[i] * along) / square), vec![0], vec![(1, gamma[i])])),
@@ -90,7 +90,7 @@ fn moments(page: &mut Page, s: &TopLetters) {
             spinning - int(2) * m * g * g3 * dz + half(s.tide * (da - dc) * g3 * g3),
         )]);
     let right = spinning - int(2) * g * g3 * (m * dz + dm * z) + s.tide * (da - dc) * g3 * g3;
-    page.claim("section7-moments", "h1-corrected", r"the rates of $A$, $C$ and $Mz_c$ give $2\tilde h_1$: the last term is twice the printed one, and $\dot M$ occurs")
+    page.claim("section7-moments", "h1-corrected", r"The rates of $A$, $C$ and $Mz_c$ give $2\tilde h_1$: the last term is twice the printed one, and $\dot M$ occurs")
         .holds([Line::formula(twice, letter("2h̃₁"), right)]);
     page.correct();
 
@@ -99,7 +99,7 @@ fn moments(page: &mut Page, s: &TopLetters) {
     let others = needed - field;
     let [mx, my, mz] = letters(["Mx", "My", "Mz"]);
     let (h1, delta) = (half(right), s.delta());
-    page.claim("section7-moments", "others", r"the moments are $M_x=\gamma_2\tilde h_1/\Delta$, $M_y=p\tilde h_1/\Delta$, $M_z=0$ as printed, with $\Delta=p\gamma_2-q\gamma_1$ and the right $\tilde h_1$")
+    page.claim("section7-moments", "others", r"The moments are $M_x=\gamma_2\tilde h_1/\Delta$, $M_y=p\tilde h_1/\Delta$, $M_z=0$ as printed, with $\Delta=p\gamma_2-q\gamma_1$ and the right $\tilde h_1$")
         .why(r"In $M_y$, $p$ stands where $-\gamma_1$ should stand, and $\tilde h_2$, $\tilde h_3$, the changes of $f_2$, $f_3$ with $A$ and $C$, are left out.")
         .fails([
             Line::formula(others.x, mx, g2 * h1 / delta),
@@ -107,7 +107,7 @@ fn moments(page: &mut Page, s: &TopLetters) {
             Line::formula(others.z, mz, Sym::ZERO),
         ]);
     let (h2, h3) = (-da * (p * g1 + q * g2) - dc * r * g3, -dc * (r - s.aim));
-    page.claim("section7-moments", "others-corrected", r"these moments, added to $X$, $Y$, $Z$, keep $f_1,f_2,f_3$ while $A$, $C$, $Mz_c$ change, with $\tilde h_2=-\dot A(p\gamma_1+q\gamma_2)-\dot Cr\gamma_3$ and $\tilde h_3=-\dot C(r-r_0)$. With constant $A$, $C$ they are $\gamma_2\tilde h_1/\Delta$, $-\gamma_1\tilde h_1/\Delta$, $0$")
+    page.claim("section7-moments", "others-corrected", r"These moments, added to $X$, $Y$, $Z$, keep $f_1,f_2,f_3$ while $A$, $C$, $Mz_c$ change, with $\tilde h_2=-\dot A(p\gamma_1+q\gamma_2)-\dot Cr\gamma_3$ and $\tilde h_3=-\dot C(r-r_0)$. With constant $A$, $C$ they are $\gamma_2\tilde h_1/\Delta$, $-\gamma_1\tilde h_1/\Delta$, $0$")
         .holds([
             Line::formula(others.x, mx, (g2 * h1 - q * h2 + (q * g3 - r * g2) * h3) / delta),
             Line::formula(others.y, my, (p * h2 - g1 * h1 + (r * g1 - p * g3) * h3) / delta),
@@ -126,7 +126,7 @@ fn moments(page: &mut Page, s: &TopLetters) {
     page.claim(
         "section7-moments",
         "constant",
-        r"for constant $A$, $C$, $Mz_c$ the moments that keep the integrals are $X$, $Y$, $Z$ as printed, because $\Delta$ cancels",
+        r"For constant $A$, $C$, $Mz_c$ the moments that keep the integrals are $X$, $Y$, $Z$ as printed, because $\Delta$ cancels",
     )
     .in_words()
     .given([NonZero(delta)])
@@ -151,7 +151,7 @@ fn force_function(page: &mut Page, s: &TopLetters) {
     let constant = strength * mass / radius + strength * mass * across / radius.powi(3);
     let printed = -(strength * mass / radius.powi(2) * gamma.dot(&place))
         - int(3) / int(2) * (strength / radius.powi(3)) * about(gamma);
-    page.claim("eq20", "newton", r"each mass point has $U=-\frac{\mu_1m}{R^2}\,\xi\cdot\gamma-\frac32\frac{\mu_1}{R^3}J_\gamma$ in the field of a centre at the distance $R$, to the second order in $\xi/R$ and up to what does not contain $\gamma$. $J_\gamma$ is its moment of inertia about $\gamma$, $A\gamma_1^2+B\gamma_2^2+C\gamma_3^2$ for the body, so that (20) is the sum")
+    page.claim("eq20", "newton", r"Each mass point has $U=-\frac{\mu_1m}{R^2}\,\xi\cdot\gamma-\frac32\frac{\mu_1}{R^3}J_\gamma$ in the field of a centre at the distance $R$, to the second order in $\xi/R$ and up to what does not contain $\gamma$. $J_\gamma$ is its moment of inertia about $\gamma$, $A\gamma_1^2+B\gamma_2^2+C\gamma_3^2$ for the body, so that (20) is the sum")
         .under(&s.unit)
         .holds([Line::formula(strength * mass * series - constant, letter("U"), printed)]);
     let (now, [a, c, m, z]) = (s.now(), letters(["A", "C", "M", "zc"]));
@@ -160,7 +160,7 @@ fn force_function(page: &mut Page, s: &TopLetters) {
     page.claim(
         "eq20",
         "body",
-        r"the program's force function of the body is (20) with $g=\mu_1/R^2$, $x_c=y_c=0$, $A=B$",
+        r"The program's force function of the body is (20) with $g=\mu_1/R^2$, $x_c=y_c=0$, $A=B$",
     )
     .defines([Line::formula(
         now.force_function(gamma).substitute(&gravity),
@@ -178,7 +178,7 @@ fn singular(page: &mut Page, s: &TopLetters) {
     page.claim("eq19", "denominator", r"$p\gamma_2-q\gamma_1=-\dot\gamma_3$. (19) therefore does not exist where the inclination of the axis is stationary, with axis, vertical and angular velocity in one plane")
         .in_words()
         .follows([Equal(delta, -poisson(&s.at).z)]);
-    page.claim("eq19", "compatible", r"where $p\gamma_2=q\gamma_1$ (18) has a solution only if $p(h_2-\gamma_3h_3)=\gamma_1(h_1-rh_3)$ and $q(h_2-\gamma_3h_3)=\gamma_2(h_1-rh_3)$")
+    page.claim("eq19", "compatible", r"Where $p\gamma_2=q\gamma_1$ (18) has a solution only if $p(h_2-\gamma_3h_3)=\gamma_1(h_1-rh_3)$ and $q(h_2-\gamma_3h_3)=\gamma_2(h_1-rh_3)$")
         .given([
             Equal(p * x + q * y + r * z, h1),
             Equal(g1 * x + g2 * y + g3 * z, h2),
@@ -197,7 +197,7 @@ fn singular(page: &mut Page, s: &TopLetters) {
                 vec![(0, g2), (1, -q), (2, q * g3 - r * g2), (3, -x)],
             ),
         ]);
-    page.claim("eq19", "not-unique", r"where $p\gamma_2=q\gamma_1$ a solution of (18) is not the only one. Moments along $(-q,p,0)$ and $(-\gamma_2,\gamma_1,0)$, across the plane of axis, vertical and angular velocity, change neither $f_1$ nor $f_2$")
+    page.claim("eq19", "not-unique", r"Where $p\gamma_2=q\gamma_1$ a solution of (18) is not the only one. Moments along $(-q,p,0)$ and $(-\gamma_2,\gamma_1,0)$, across the plane of axis, vertical and angular velocity, change neither $f_1$ nor $f_2$")
         .given([Zero(delta)])
         .by_combination([
             (Zero(dot([p, q], [-g2, g1])), vec![], vec![(0, int(-1))]),
@@ -214,7 +214,7 @@ fn permanent(page: &mut Page, s: &TopLetters) {
     let [da, dc, g] = letters(["Ȧ", "Ċ", "g"]);
     let [_, change] = s.static_moment();
     let names = letters(["ḟ₁", "ḟ₂", "ḟ₃"]);
-    page.claim("eq19", "permanent", r"on the permanent rotation (22), $p=q=\gamma_1=\gamma_2=0$, (19) is 0/0. $X$, $Y$ do not enter at all, $\dot f_2-\dot f_3=\dot Cr_0$ and $\dot f_1-2r_0\dot f_3=\dot Cr_0^2+2g(Mz_c)^{\textstyle\cdot}-\frac{3g}R(\dot A-\dot C)$ whatever the moments. There are therefore integrals (17) only if $\dot Cr_0=0$ and $2g(Mz_c)^{\textstyle\cdot}=\frac{3g}R(\dot A-\dot C)$")
+    page.claim("eq19", "permanent", r"On the permanent rotation (22), $p=q=\gamma_1=\gamma_2=0$, (19) is 0/0. $X$, $Y$ do not enter at all, $\dot f_2-\dot f_3=\dot Cr_0$ and $\dot f_1-2r_0\dot f_3=\dot Cr_0^2+2g(Mz_c)^{\textstyle\cdot}-\frac{3g}R(\dot A-\dot C)$ whatever the moments. There are therefore integrals (17) only if $\dot Cr_0=0$ and $2g(Mz_c)^{\textstyle\cdot}=\frac{3g}R(\dot A-\dot C)$")
         .holds([
             Line::equation(
                 names[1] - names[2] - found.vertical_momentum + found.axial_momentum,

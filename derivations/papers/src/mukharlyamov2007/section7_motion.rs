@@ -24,15 +24,15 @@ fn equations(page: &mut Page, s: &TopLetters) {
     let derived = now.residual(s.at.spin, acceleration, now.moment_of_field(s.at.vertical));
     let weight = m * g * z;
     let first = (a - c) * q * r - nu * q + weight * g2 + s.tide * (c - a) * g2 * g3;
-    page.claim("eq21", "first", "the first and the third equation of (21) are right as printed").holds([
+    page.claim("eq21", "first", "The first and the third equation of (21) are right as printed").holds([
         Line::equation(derived.x, a * acceleration.x, first),
         Line::equation(derived.z, c * acceleration.z, Sym::ZERO),
     ]);
     let rest = nu * p - weight * g1 + s.tide * (a - c) * g3 * g1;
-    page.claim("eq21", "second", "the second equation of (21) has $(A-C)rp$, as printed")
+    page.claim("eq21", "second", "The second equation of (21) has $(A-C)rp$, as printed")
         .why("The sign is wrong: (16) has $(C-A)rp$.")
         .fails([Line::equation(derived.y, a * acceleration.y, (a - c) * r * p + rest)]);
-    page.claim("eq21", "second-corrected", "the second equation of (21) has $(C-A)rp$, as in (16)")
+    page.claim("eq21", "second-corrected", "The second equation of (21) has $(C-A)rp$, as in (16)")
         .holds([Line::equation(derived.y, a * acceleration.y, (c - a) * r * p + rest)]);
     page.correct();
     let moving = poisson(&s.at);
@@ -98,7 +98,7 @@ fn perturbed_motion(page: &mut Page, s: &TopLetters) {
     page.claim(
         "section7-perturbations",
         "lost",
-        r"the equations of perturbed motion are $x_1=0,\dots,x_6=0$, (22) once more, so that every perturbation is zero",
+        r"The equations of perturbed motion are $x_1=0,\dots,x_6=0$, (22) once more, so that every perturbation is zero",
     )
     .why("The text prints (22) twice, in the place of the equations of perturbed motion too.")
     .refuted([Zero(x1)], exact([("ω1", 1, 1)]));
@@ -118,7 +118,7 @@ fn perturbed_motion(page: &mut Page, s: &TopLetters) {
     page.claim(
         "section7-perturbations",
         "lost-corrected",
-        r"the equations of perturbed motion are (21) corrected with $x=(p,q,r-r_0,\gamma_1,\gamma_2,\gamma_3-1)$",
+        r"The equations of perturbed motion are (21) corrected with $x=(p,q,r-r_0,\gamma_1,\gamma_2,\gamma_3-1)$",
     )
     .holds((0..6).map(|i| Line::formula(found[i], names[i], printed[i])));
     page.correct();

@@ -47,13 +47,13 @@ fn not_asymptotic(page: &mut Page, s: &TopLetters) {
     let [x1, x2, x3, x4, x5, x6] = perturbations();
     let on_axis = |e: Sym| e.substitute(&[x1, x2, x4, x5, x6].map(|x| (x, Sym::ZERO)));
     let rates = field(s).map(|rate| on_axis(perturbed(rate)));
-    page.claim("section7-stability", "asymptotic", r"under the four inequalities the rotation is asymptotically stable: a perturbation $x_3$ of the axial speed decays, $x_3\dot x_3<0$")
+    page.claim("section7-stability", "asymptotic", r"Under the four inequalities the rotation is asymptotically stable: a perturbation $x_3$ of the axial speed decays, $x_3\dot x_3<0$")
         .reading("The text says stable with respect to (21); the particular integrals (22) are meant.")
         .why(r"$C\dot r=0$ in (21): every perturbation of $r$ stays.")
         .given(printed(&bundle).map(Positive))
         .given([NonZero(x3)])
         .refuted([Positive(-(x3 * rates[2]))], point(instant([("ω3", 1, 1)])));
-    page.claim("section7-stability", "asymptotic-corrected", r"the rotation is never asymptotically stable, for any $A(t)$, $C(t)$, $Mz_c(t)$. (21) has the motion $p=q=\gamma_1=\gamma_2=0$, $\gamma_3=1$ with every constant $r$, and $\dot r=0$ on all motions")
+    page.claim("section7-stability", "asymptotic-corrected", r"The rotation is never asymptotically stable, for any $A(t)$, $C(t)$, $Mz_c(t)$. (21) has the motion $p=q=\gamma_1=\gamma_2=0$, $\gamma_3=1$ with every constant $r$, and $\dot r=0$ on all motions")
         .in_words()
         .follows(rates.into_iter().chain([perturbed(field(s)[2])]).map(Zero));
     page.correct();
@@ -68,7 +68,7 @@ fn rate(page: &mut Page, bundle: &Bundle) {
         + varying(directions) * (x4 * x4 + x5 * x5 + x6 * x6)
         - varying(n) * (x1 * x4 + x2 * x5)
         - varying(n * c / a) * x3 * x6;
-    page.claim("section7-stability", "rate", r"along (21) with varying $A$, $C$, $Mz_c$ and no other moments $\dot V=\frac{\partial V}{\partial t}$, exactly, and its quadratic form is $\dot A(x_1^2+x_2^2)+\left(\frac{C^2}A\right)^{\textstyle\cdot}x_3^2+\dot\kappa(x_4^2+x_5^2+x_6^2)-\dot N(x_1x_4+x_2x_5)-\left(\frac{NC}A\right)^{\textstyle\cdot}x_3x_6$. On $|\gamma|=1$ the part beyond it, $\frac34(\omega^2(A-C))^{\textstyle\cdot}(f_4^2-4x_6^2)$, is $-3(\omega^2(A-C))^{\textstyle\cdot}x_6^2$")
+    page.claim("section7-stability", "rate", r"Along (21) with varying $A$, $C$, $Mz_c$ and no other moments $\dot V=\frac{\partial V}{\partial t}$, exactly, and its quadratic form is $\dot A(x_1^2+x_2^2)+\left(\frac{C^2}A\right)^{\textstyle\cdot}x_3^2+\dot\kappa(x_4^2+x_5^2+x_6^2)-\dot N(x_1x_4+x_2x_5)-\left(\frac{NC}A\right)^{\textstyle\cdot}x_3x_6$. On $|\gamma|=1$ the part beyond it, $\frac34(\omega^2(A-C))^{\textstyle\cdot}(f_4^2-4x_6^2)$, is $-3(\omega^2(A-C))^{\textstyle\cdot}x_6^2$")
         .in_words()
         .follows([Zero(bundle.along(bundle.corrected())), Equal(varying(bundle.quadratic()), form)]);
     let length = x4 * x4 + x5 * x5 + x6 * x6 + x6 + x6;
@@ -76,7 +76,7 @@ fn rate(page: &mut Page, bundle: &Bundle) {
     let lean = varying(n) / (da + da);
     let on_sphere =
         da * ((x1 - lean * x4).powi(2) + (x2 - lean * x5).powi(2)) + de * x3 * x3 - last / da * (x4 * x4 + x5 * x5);
-    page.claim("section7-stability", "on-the-sphere", r"on motions with $f_4=0$, $x_6=-\frac12(x_4^2+x_5^2+x_6^2)$ is of the second order, and the quadratic form of $\dot V$ is $\dot A\left(x_1-\frac{\dot N}{2\dot A}x_4\right)^2+\dot A\left(x_2-\frac{\dot N}{2\dot A}x_5\right)^2+\left(\frac{C^2}A\right)^{\textstyle\cdot}x_3^2+\frac1{\dot A}\left(\dot A\dot\kappa-\frac14\dot N^2\right)(x_4^2+x_5^2)$ with $N=Cr_0+\nu$. It is negative definite if and only if the last three printed inequalities hold")
+    page.claim("section7-stability", "on-the-sphere", r"On motions with $f_4=0$, $x_6=-\frac12(x_4^2+x_5^2+x_6^2)$ is of the second order, and the quadratic form of $\dot V$ is $\dot A\left(x_1-\frac{\dot N}{2\dot A}x_4\right)^2+\dot A\left(x_2-\frac{\dot N}{2\dot A}x_5\right)^2+\left(\frac{C^2}A\right)^{\textstyle\cdot}x_3^2+\frac1{\dot A}\left(\dot A\dot\kappa-\frac14\dot N^2\right)(x_4^2+x_5^2)$ with $N=Cr_0+\nu$. It is negative definite if and only if the last three printed inequalities hold")
         .in_words()
         .given([Zero(length), NonZero(varying(a))])
         .by_combination([
@@ -92,7 +92,7 @@ fn definite(page: &mut Page, bundle: &Bundle) {
     let (da, de, dk) = (varying(a), varying(c * c / a), varying(bundle.of_directions()));
     let (dn, dm) = (varying(n), varying(n * c / a));
     let states = [("ω1", 0, 1), ("ω2", 0, 1), ("ω3", 1, 1), ("η4", 0, 1), ("η5", 0, 1), ("η6", 1, 1)];
-    page.claim("section7-stability", "fifth", r"the four inequalities make the quadratic form of $\dot V$ negative in all six perturbations, $f_4\ne0$ included")
+    page.claim("section7-stability", "fifth", r"The four inequalities make the quadratic form of $\dot V$ negative in all six perturbations, $f_4\ne0$ included")
         .given(printed(bundle).map(Positive))
         .why(r"$x_3$ and $x_6$ are coupled by $\left(\frac{NC}A\right)^{\textstyle\cdot}x_3x_6$, which none of the four inequalities bounds.")
         .refuted([Positive(-form)], point(instant(states)));
@@ -101,7 +101,7 @@ fn definite(page: &mut Page, bundle: &Bundle) {
         + de * shift(x3, x6, dm / (de + de))
         + (dk - dn * dn / (int(4) * da)) * (x4 * x4 + x5 * x5)
         + (dk - dm * dm / (int(4) * de)) * x6 * x6;
-    page.claim("section7-stability", "fifth-corrected", r"the quadratic form of $\dot V$ in six perturbations needs a fifth inequality, $\left(\frac{C^2}A\right)^{\textstyle\cdot}\dot\kappa-\frac14\left(\left(\frac{NC}A\right)^{\textstyle\cdot}\right)^2>0$. It is a sum of squares whose coefficients $\dot A$, $\left(\frac{C^2}A\right)^{\textstyle\cdot}$, $\dot\kappa-\frac{\dot N^2}{4\dot A}$ and that of $x_6^2$ are negative if and only if the last three printed inequalities and the fifth hold")
+    page.claim("section7-stability", "fifth-corrected", r"The quadratic form of $\dot V$ in six perturbations needs a fifth inequality, $\left(\frac{C^2}A\right)^{\textstyle\cdot}\dot\kappa-\frac14\left(\left(\frac{NC}A\right)^{\textstyle\cdot}\right)^2>0$. It is a sum of squares whose coefficients $\dot A$, $\left(\frac{C^2}A\right)^{\textstyle\cdot}$, $\dot\kappa-\frac{\dot N^2}{4\dot A}$ and that of $x_6^2$ are negative if and only if the last three printed inequalities and the fifth hold")
         .in_words()
         .given([NonZero(da), NonZero(de)])
         .follows([Equal(form, squares)]);
@@ -129,7 +129,7 @@ fn stable(page: &mut Page, bundle: &Bundle) {
         + across * (x4 * x4 + x5 * x5)
         + along * x6 * x6;
     let length = x4 * x4 + x5 * x5 + x6 * x6 + x6 + x6;
-    page.claim("section7-stability", "stable", r"on $|\gamma|=1$ along (21) corrected $\dot V=\dot A\left(x_1-\frac{\dot N}{2\dot A}x_4\right)^2+\dot A\left(x_2-\frac{\dot N}{2\dot A}x_5\right)^2+\dot E\left(x_3-\frac{\dot F}{2\dot E}x_6\right)^2+\left(\dot\kappa-\frac{\dot N^2}{4\dot A}\right)(x_4^2+x_5^2)+\left(\dot\chi-\frac{\dot F^2}{4\dot E}\right)x_6^2$ with $E=\frac{C^2}A$, $F=\frac{NC}A$, $\chi=\frac{N^2}{2A}-Mgz_c$. Where $\dot A<0$, $\dot E<0$, $\dot A\dot\kappa\ge\frac14\dot N^2$, $\dot E\dot\chi\ge\frac14\dot F^2$, $V$ never grows; with $D(t)$ above a positive number the rotation is stable by Lyapunov's theorem, which is cited")
+    page.claim("section7-stability", "stable", r"On $|\gamma|=1$ along (21) corrected $\dot V=\dot A\left(x_1-\frac{\dot N}{2\dot A}x_4\right)^2+\dot A\left(x_2-\frac{\dot N}{2\dot A}x_5\right)^2+\dot E\left(x_3-\frac{\dot F}{2\dot E}x_6\right)^2+\left(\dot\kappa-\frac{\dot N^2}{4\dot A}\right)(x_4^2+x_5^2)+\left(\dot\chi-\frac{\dot F^2}{4\dot E}\right)x_6^2$ with $E=\frac{C^2}A$, $F=\frac{NC}A$, $\chi=\frac{N^2}{2A}-Mgz_c$. Where $\dot A<0$, $\dot E<0$, $\dot A\dot\kappa\ge\frac14\dot N^2$, $\dot E\dot\chi\ge\frac14\dot F^2$, $V$ never grows; with $D(t)$ above a positive number the rotation is stable by Lyapunov's theorem, which is cited")
         .in_words()
         .given([NonZero(da), NonZero(de), Zero(length)])
         .by_combination([(

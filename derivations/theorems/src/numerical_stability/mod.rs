@@ -57,48 +57,48 @@ fn functions(page: &mut Page) {
     let mut say = |slug: &'static str, says: &str, method: OneStep, printed: Sym| {
         page.claim("function", slug, says).holds([Line::formula(method.run(z), r, printed)]);
     };
-    say("euler", "a step of Euler on $y'=zy$ has the factor $R$ below", EULER, z + n(1));
+    say("euler", "A step of Euler on $y'=zy$ has the factor $R$ below", EULER, z + n(1));
     say(
         "runge-kutta-4",
-        "a step of the classical Runge-Kutta method on $y'=zy$ has the factor $R$ below, the series of the exponential up to $z^4$",
+        "A step of the classical Runge-Kutta method on $y'=zy$ has the factor $R$ below, the series of the exponential up to $z^4$",
         RUNGE_KUTTA_4,
         n(1) + z + z.powi(2) / n(2) + z.powi(3) / n(6) + z.powi(4) / n(24),
     );
     say(
         "midpoint",
-        "a step of the implicit midpoint rule, which is Gauss with one stage, on $y'=zy$ has the factor $R$ below",
+        "A step of the implicit midpoint rule, which is Gauss with one stage, on $y'=zy$ has the factor $R$ below",
         MIDPOINT,
         (n(2) + z) / (n(2) - z),
     );
     say(
         "backward-euler",
-        "a step of backward Euler, which is Radau IIA with one stage, on $y'=zy$ has the factor $R$ below",
+        "A step of backward Euler, which is Radau IIA with one stage, on $y'=zy$ has the factor $R$ below",
         BACKWARD_EULER,
         n(1) / (n(1) - z),
     );
     let squares = |z: Sym| n(12) + n(6) * z + z.powi(2);
     say(
         "gauss-2",
-        "a step of Gauss with two stages on $y'=zy$ has the factor $R$ below",
+        "A step of Gauss with two stages on $y'=zy$ has the factor $R$ below",
         gauss(2),
         squares(z) / squares(-z),
     );
     let cubes = |z: Sym| n(120) + n(60) * z + n(12) * z.powi(2) + z.powi(3);
     say(
         "gauss-3",
-        "a step of Gauss with three stages on $y'=zy$ has the factor $R$ below",
+        "A step of Gauss with three stages on $y'=zy$ has the factor $R$ below",
         gauss(3),
         cubes(z) / cubes(-z),
     );
     say(
         "radau-2",
-        "a step of Radau IIA with two stages on $y'=zy$ has the factor $R$ below",
+        "A step of Radau IIA with two stages on $y'=zy$ has the factor $R$ below",
         radau(2),
         (n(6) + n(2) * z) / (n(6) - n(4) * z + z.powi(2)),
     );
     say(
         "radau-3",
-        "a step of Radau IIA with three stages on $y'=zy$ has the factor $R$ below",
+        "A step of Radau IIA with three stages on $y'=zy$ has the factor $R$ below",
         radau(3),
         (n(60) + n(24) * z + n(3) * z.powi(2)) / (n(60) - n(36) * z + n(9) * z.powi(2) - z.powi(3)),
     );
@@ -109,14 +109,14 @@ fn functions(page: &mut Page) {
             Equal(u.diff(c) - z * u, -z.powi(power) * nodal(family, stages.into(), c))
         })
     });
-    page.claim("function", "collocation", r"for collocation with $N$ the polynomial of the nodes, $u=\sum_kN^{(k)}z^{s-k}$ has degree $s$ and $u'-zu=-z^{s+1}N$, which vanishes at the nodes, so that $R=u(1)/u(0)$. The methods are Gauss and Radau IIA with one to three stages")
+    page.claim("function", "collocation", r"For collocation with $N$ the polynomial of the nodes, $u=\sum_kN^{(k)}z^{s-k}$ has degree $s$ and $u'-zu=-z^{s+1}N$, which vanishes at the nodes, so that $R=u(1)/u(0)$. The methods are Gauss and Radau IIA with one to three stages")
         .in_words()
         .follows(defect);
     let one = |method: OneStep| method.run(z);
     page.claim(
         "function",
         "one-stage",
-        "with one stage the collocation methods are the midpoint rule and backward Euler",
+        "With one stage the collocation methods are the midpoint rule and backward Euler",
     )
     .in_words()
     .follows([Equal(one(gauss(1)), one(MIDPOINT)), Equal(one(radau(1)), one(BACKWARD_EULER))]);
@@ -134,13 +134,13 @@ fn axis(page: &mut Page) {
     say("euler", r"Euler makes an undamped mode, $z=\mathrm iy$, grow at every step", EULER, n(1) + square);
     say(
         "runge-kutta-4",
-        r"the classical Runge-Kutta method damps an undamped mode, $z=\mathrm iy$, for $0<y<2\sqrt2$ and makes it grow beyond",
+        r"The classical Runge-Kutta method damps an undamped mode, $z=\mathrm iy$, for $0<y<2\sqrt2$ and makes it grow beyond",
         RUNGE_KUTTA_4,
         n(1) - y.powi(6) * (n(8) - square) / n(576),
     );
     say(
         "backward-euler",
-        r"backward Euler damps an undamped mode, $z=\mathrm iy$, at every step",
+        r"Backward Euler damps an undamped mode, $z=\mathrm iy$, at every step",
         BACKWARD_EULER,
         n(1) / (n(1) + square),
     );
@@ -158,7 +158,7 @@ fn axis(page: &mut Page) {
         radau(3),
         three / (three + y.powi(6)),
     );
-    page.claim("axis", "symmetric", r"the midpoint rule and Gauss with two and three stages keep an undamped mode, $|R(\mathrm iy)|=1$, at every step")
+    page.claim("axis", "symmetric", r"The midpoint rule and Gauss with two and three stages keep an undamped mode, $|R(\mathrm iy)|=1$, at every step")
         .in_words()
         .under(&rules)
         .follows([MIDPOINT, gauss(2), gauss(3)].map(|method| Equal(size(method), n(1))));
@@ -194,7 +194,7 @@ fn plane(page: &mut Page) {
     say(
         "grows",
         "backward-euler",
-        r"backward Euler hides a growing mode, $z=h\mu=a+\mathrm ib$ with $a>0$, for $h>2\,\mathrm{Re}\,\mu/|\mu|^2$ (phantom stability), and lets every decaying mode decay, $a<0$",
+        r"Backward Euler hides a growing mode, $z=h\mu=a+\mathrm ib$ with $a>0$, for $h>2\,\mathrm{Re}\,\mu/|\mu|^2$ (phantom stability), and lets every decaying mode decay, $a<0$",
         BACKWARD_EULER,
         n(1) / (n(1) - n(2) * a + square),
     );
@@ -211,7 +211,7 @@ fn plane(page: &mut Page) {
     say(
         "correct",
         "midpoint",
-        r"the midpoint rule never hides a growing mode and never makes a decaying one grow, because $|R|^2-1$ has the sign of $a$, $z=h\mu=a+\mathrm ib$, at every step",
+        r"The midpoint rule never hides a growing mode and never makes a decaying one grow, because $|R|^2-1$ has the sign of $a$, $z=h\mu=a+\mathrm ib$, at every step",
         MIDPOINT,
         n(1) + n(8) * a / modulus(n(2) - a, b),
     );
@@ -243,7 +243,7 @@ fn real(page: &mut Page) {
     let [z, a] = letters(["z", "a"]);
     let cubic = |z: Sym| z.powi(3) - n(12) * z.powi(2) + n(12) * z - n(120);
     let below = n(60) - n(36) * z + n(9) * z.powi(2) - z.powi(3);
-    page.claim("grows", "radau-3-real", r"for Radau IIA with three stages on a real mode, $z=h\mu$, $(R^2-1)N^2 = -z\,((z-3)^2+51)(z^3-12z^2+12z-120)$ with the denominator $N=60-36z+9z^2-z^3$ of $R$. A growing mode, $z>0$, is therefore hidden where $z^3-12z^2+12z-120>0$")
+    page.claim("grows", "radau-3-real", r"For Radau IIA with three stages on a real mode, $z=h\mu$, $(R^2-1)N^2 = -z\,((z-3)^2+51)(z^3-12z^2+12z-120)$ with the denominator $N=60-36z+9z^2-z^3$ of $R$. A growing mode, $z>0$, is therefore hidden where $z^3-12z^2+12z-120>0$")
         .in_words()
         .follows([Equal(
             (radau(3).run(z).powi(2) - n(1)) * below.powi(2),
@@ -270,12 +270,12 @@ fn real(page: &mut Page) {
 fn kick_and_drift(page: &mut Page) {
     let [kappa, t] = letters(["κ", "T"]);
     let [[p, q], [r, s]] = step(Splitting::Strang, kappa);
-    page.claim("splitting", "strang", r"a step of Strang's splitting of $\ddot q=-kq$ into kick and drift has the trace below, $\kappa=h^2k$. With the determinant one (numerical_stability/splitting/area) the eigenvalues are a pair on the unit circle, not real, if and only if $|T|<2$, that is $0<\kappa<4$")
+    page.claim("splitting", "strang", r"A step of Strang's splitting of $\ddot q=-kq$ into kick and drift has the trace below, $\kappa=h^2k$. With the determinant one (numerical_stability/splitting/area) the eigenvalues are a pair on the unit circle, not real, if and only if $|T|<2$, that is $0<\kappa<4$")
         .holds([Line::formula(p + s, t, n(2) - kappa)]);
     page.claim(
         "splitting",
         "area",
-        r"the determinant of a step of Strang's splitting of $\ddot q=-kq$ into kick and drift is one",
+        r"The determinant of a step of Strang's splitting of $\ddot q=-kq$ into kick and drift is one",
     )
     .in_words()
     .follows([Equal(p * s - q * r, n(1))]);

@@ -33,24 +33,24 @@ pub fn claims(page: &mut Page) {
     all.add::<3, 1>();
     all.add::<3, 2>();
     all.add::<4, 2>();
-    page.claim("combining", "exists", r"every reaction is $R = J^T\lambda + R^\tau$ with $JM^{-1}R^\tau=0$ (the extended choice) and also with $JR^\tau=0$ (Painlevé's), where $J$ has full rank, for the sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
+    page.claim("combining", "exists", r"Every reaction is $R = J^T\lambda + R^\tau$ with $JM^{-1}R^\tau=0$ (the extended choice) and also with $JR^\tau=0$ (Painlevé's), where $J$ has full rank, for the sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
         .in_words()
         .follows(all.exists);
-    page.claim("combining", "rank", "the determinant of $JM^{-1}J^T$ is the sum of the squares of the minors of $J$, each over its masses. It is positive if and only if $J$ has full rank, for the sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
+    page.claim("combining", "rank", "The determinant of $JM^{-1}J^T$ is the sum of the squares of the minors of $J$, each over its masses. It is positive if and only if $J$ has full rank, for the sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
         .in_words()
         .follows(all.rank);
     unique::<2, 1>(page, "unique-2-1");
     unique::<3, 2>(page, "unique-3-2");
     unique::<4, 2>(page, "unique-4-2");
     unique_parts::<4, 2>(page);
-    page.claim("combining", "multipliers", r"with the extended friction $R^\tau$ in addition to the given forces the multipliers are those without friction, for any masses, kinematic constraints included, for the sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
+    page.claim("combining", "multipliers", r"With the extended friction $R^\tau$ in addition to the given forces the multipliers are those without friction, for any masses, kinematic constraints included, for the sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
         .in_words()
         .follows(all.multipliers);
-    page.claim("combining", "motion", r"a force of friction $R$ changes the accelerations by $M^{-1}R^\tau$ and the multipliers by those of its own part $R^n=J^T\lambda^n$: $\ddot x(X+R) = \ddot x(X)+M^{-1}R^\tau$, $\lambda(X+R)=\lambda(X)-\lambda^n(R)$, for the sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$. The motion depends on $R^\tau$ alone, and the multipliers do not depend on $R$ if and only if $\lambda^n=0$, that is $JM^{-1}R=0$")
+    page.claim("combining", "motion", r"A force of friction $R$ changes the accelerations by $M^{-1}R^\tau$ and the multipliers by those of its own part $R^n=J^T\lambda^n$: $\ddot x(X+R) = \ddot x(X)+M^{-1}R^\tau$, $\lambda(X+R)=\lambda(X)-\lambda^n(R)$, for the sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$. The motion depends on $R^\tau$ alone, and the multipliers do not depend on $R$ if and only if $\lambda^n=0$, that is $JM^{-1}R=0$")
         .in_words()
         .follows(all.motion);
     painleves_choice(page);
-    page.claim("combining", "commutes", "with the projector $P$ onto the virtual displacements, $JM^{-1}P = J(M^{-1}P-PM^{-1})$ and $M^{-1}P-PM^{-1} = J^T(JJ^T)^{-1}K - K^T(JJ^T)^{-1}J$ with $K=JM^{-1}P$. Painlevé's choice leaves the multipliers alone if and only if $M$ commutes with $P$, for the sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
+    page.claim("combining", "commutes", "With the projector $P$ onto the virtual displacements, $JM^{-1}P = J(M^{-1}P-PM^{-1})$ and $M^{-1}P-PM^{-1} = J^T(JJ^T)^{-1}K - K^T(JJ^T)^{-1}J$ with $K=JM^{-1}P$. Painlevé's choice leaves the multipliers alone if and only if $M$ commutes with $P$, for the sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
         .in_words()
         .follows(all.commutes);
     rod(page);
@@ -149,7 +149,7 @@ fn unique<const N: usize, const C: usize>(page: &mut Page, slug: &'static str) {
     };
     let lambdas = (0..C).map(|k| (Zero(lambda[k]), vec![0], of_multiplier(k)));
     let frictions = (0..N).map(|i| (Zero(friction[i]), vec![0], of_friction(i)));
-    page.claim("combining", slug, format!(r"the extended decomposition is unique, $(N,C)=({N},{C})$, where $\det JM^{{-1}}J^T\ne0$, since the difference of two, $J^T\lambda+R^\tau=0$ with $JM^{{-1}}R^\tau=0$, is zero"))
+    page.claim("combining", slug, format!(r"The extended decomposition is unique, $(N,C)=({N},{C})$, where $\det JM^{{-1}}J^T\ne0$, since the difference of two, $J^T\lambda+R^\tau=0$ with $JM^{{-1}}R^\tau=0$, is zero"))
         .in_words()
         .given([NonZero(det)].into_iter().chain(sums).chain(orthogonal))
         .by_combination(lambdas.chain(frictions));
@@ -179,14 +179,14 @@ fn painleves_choice(page: &mut Page) {
     let change = any.under(friction).multipliers[0] - any.under([Sym::ZERO; 2]).multipliers[0];
     let [[j1, j2]] = any.rows;
     let ([m1, m2], [r1, r2]) = (any.masses, reaction);
-    page.claim("combining", "painleve", r"with Painlevé's choice the multipliers are those without friction, for any masses. With two coordinates and one constraint, $\lambda_1$ does not change")
+    page.claim("combining", "painleve", r"With Painlevé's choice the multipliers are those without friction, for any masses. With two coordinates and one constraint, $\lambda_1$ does not change")
         .why(r"Painlevé's $R^\tau$ has $JR^\tau=0$; the multipliers depend on $JM^{-1}R^\tau$.")
         .fails([Line::formula(change, letter("λ1"), Sym::ZERO)]);
     let square = j1 * j1 + j2 * j2;
     page.claim(
         "combining",
         "painleve-change",
-        "with Painlevé's choice, two coordinates and one constraint, the multiplier changes by the value below. It does not change where the masses are equal or where the constraint concerns one coordinate",
+        "With Painlevé's choice, two coordinates and one constraint, the multiplier changes by the value below. It does not change where the masses are equal or where the constraint concerns one coordinate",
     )
     .holds([Line::formula(
         change,
@@ -215,11 +215,11 @@ fn rod(page: &mut Page) {
     let split = extended(masses, rows, contact).unwrap_or(undefined);
     let mu = push / (m + m1 * cos * cos);
     let expected = [m * mu, Sym::ZERO, m1 * mu * cos * cos, m1 * mu * sin * cos];
-    page.claim("combining", "rod", r"the guide's reaction $(R_1,R_2)$ on the rod's point $M$ has $R^\tau = \mu\,(m, 0, m_1\cos^2\theta, m_1\sin\theta\cos\theta)$ with $\mu = R_1/(m+m_1\cos^2\theta)$")
+    page.claim("combining", "rod", r"The guide's reaction $(R_1,R_2)$ on the rod's point $M$ has $R^\tau = \mu\,(m, 0, m_1\cos^2\theta, m_1\sin\theta\cos\theta)$ with $\mu = R_1/(m+m_1\cos^2\theta)$")
         .in_words()
         .follows((0..4).map(|i| Equal(split.of_friction[i], expected[i])));
     // the second row is the gap -y, so that its multiplier is -lambda_2 here
-    page.claim("combining", "rod-normal", r"the guide's reaction across itself on the rod's point $M$ is $R_2 = \lambda_2 + m_1\mu\sin\theta\cos\theta$ with $\mu = R_1/(m+m_1\cos^2\theta)$. The contact's normal force is not the multiplier")
+    page.claim("combining", "rod-normal", r"The guide's reaction across itself on the rod's point $M$ is $R_2 = \lambda_2 + m_1\mu\sin\theta\cos\theta$ with $\mu = R_1/(m+m_1\cos^2\theta)$. The contact's normal force is not the multiplier")
         .holds([Line::formula(up + split.multipliers[1], up - letter("λ2"), m1 * mu * sin * cos)]);
 
     let friction = letter("F");
@@ -228,14 +228,14 @@ fn rod(page: &mut Page) {
     page.claim(
         "combining",
         "contact",
-        r"the guide's push on the rod does not change with the friction $F$ along the guide: $R_2=0$ for the change",
+        r"The guide's push on the rod does not change with the friction $F$ along the guide: $R_2=0$ for the change",
     )
     .why(r"The friction at the contact has a part $R^n$ along the rows of $J$, which the multipliers take up.")
     .fails([Line::formula(change, letter("R2"), Sym::ZERO)]);
     page.claim(
         "combining",
         "contact-change",
-        r"the guide's push on the rod changes with the friction $F$ along the guide by the value below",
+        r"The guide's push on the rod changes with the friction $F$ along the guide by the value below",
     )
     .holds([Line::formula(change, letter("R2"), -(m1 * friction * sin * cos / (m + m1 * cos * cos)))]);
     page.correct();

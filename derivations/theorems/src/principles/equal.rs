@@ -64,7 +64,7 @@ where
         page.claim(
             self.entry,
             "chart",
-            format!("the coordinates and quasi-velocities of {} keep every constraint", self.name),
+            format!("The coordinates and quasi-velocities of {} keep every constraint", self.name),
         )
         .in_words()
         .follows(values.into_iter().chain(first).map(Zero));
@@ -79,19 +79,19 @@ where
         let moved = |rates: Option<[Sym; R]>| motion.acceleration(rates.unwrap_or([Sym::UNDEFINED; R]));
         let name = self.name;
         let pushed = newton(&self.system, &motion.state, force).map(|pushed| pushed.acceleration);
-        page.claim(self.entry, "newton", format!("for {name}, Newton's equations, with each reaction acting where the body is touched, give the accelerations of Lagrange's multipliers"))
+        page.claim(self.entry, "newton", format!("For {name}, Newton's equations, with each reaction acting where the body is touched, give the accelerations of Lagrange's multipliers"))
             .in_words()
             .follows(same(pushed.unwrap_or([Sym::UNDEFINED; N])));
         page.claim(
             self.entry,
             "lagrange",
             format!(
-                "for {name}, Lagrange's equations of the second kind (Maggi's, where a kinematic constraint is left) give the accelerations of Lagrange's multipliers"
+                "For {name}, Lagrange's equations of the second kind (Maggi's, where a kinematic constraint is left) give the accelerations of Lagrange's multipliers"
             ),
         )
         .in_words()
         .follows(same(moved(second_kind::rates(&self.system, self.at, force).ok())));
-        page.claim(self.entry, "appell", format!(r"for {name}, Appell's equations, $\partial S'/\partial\dot p_j = Q'_j$, give the accelerations of Lagrange's multipliers"))
+        page.claim(self.entry, "appell", format!(r"For {name}, Appell's equations, $\partial S'/\partial\dot p_j = Q'_j$, give the accelerations of Lagrange's multipliers"))
             .in_words()
             .follows(same(moved(appell::rates(&self.system, &motion, force).ok())));
         self.combining(page, &motion);
@@ -104,7 +104,7 @@ where
             (0..R).fold(Sym::ZERO, |sum, j| sum + self.friction[j] * masses[i] * motion.fields[j][i])
         });
         let (with, without) = (self.by_multipliers(friction), self.by_multipliers([Sym::ZERO; N]));
-        page.claim(self.entry, "friction", format!(r"{} with the friction $R^\tau = \sum\mu_j\,m\,\partial\dot x/\partial p_j$ has the multipliers of the system without friction", self.name))
+        page.claim(self.entry, "friction", format!(r"With the friction $R^\tau = \sum\mu_j\,m\,\partial\dot x/\partial p_j$, {} has the multipliers of the system without friction", self.name))
             .in_words()
             .follows((0..C).map(|k| Equal(with.multipliers[k], without.multipliers[k])));
     }
@@ -117,7 +117,7 @@ where
         let admissible =
             Split::<N, C, R>::new(self.dependent).and_then(|split| accelerations(&self.system, &split, &state).ok());
         let least = admissible.and_then(|admissible| gauss::least(masses, force, &admissible).ok());
-        page.claim(self.entry, "gauss", format!("for {}, the stationary point of $Z = \\frac12\\sum m(\\ddot x - X/m)^2$ over the accelerations that the constraints admit (Gauss) is the acceleration of Lagrange's multipliers", self.name))
+        page.claim(self.entry, "gauss", format!("For {}, the stationary point of $Z = \\frac12\\sum m(\\ddot x - X/m)^2$ over the accelerations that the constraints admit (Gauss) is the acceleration of Lagrange's multipliers", self.name))
             .in_words()
             .follows((0..N).map(|i| Equal(least.unwrap_or([Sym::UNDEFINED; N])[i], expected[i])));
         let directions = admissible.map_or([[Sym::UNDEFINED; N]; R], |admissible| admissible.directions);
@@ -125,7 +125,7 @@ where
             std::array::from_fn(|i| (0..R).fold(Sym::ZERO, |sum, j| sum + self.variations[j] * directions[j][i]));
         let moved = std::array::from_fn(|i| expected[i] + varied[i]);
         let more = gauss::constraint(masses, force, moved) - gauss::constraint(masses, force, expected);
-        page.claim(self.entry, "least", format!(r"for {}, the acceleration of Lagrange's multipliers is the minimum of $Z$ (Gauss): $Z(\ddot x+\delta)-Z(\ddot x) = \frac12\sum m\,\delta^2$ for every admissible $\delta$", self.name))
+        page.claim(self.entry, "least", format!(r"For {}, the acceleration of Lagrange's multipliers is the minimum of $Z$ (Gauss): $Z(\ddot x+\delta)-Z(\ddot x) = \frac12\sum m\,\delta^2$ for every admissible $\delta$", self.name))
             .in_words()
             .follows([Equal(more, kinetic_energy(masses, varied))]);
     }
@@ -139,7 +139,7 @@ where
         page.claim(
             self.entry,
             "energy",
-            format!("for {}, the reactions of Lagrange's multipliers do no work", self.name),
+            format!("For {}, the reactions of Lagrange's multipliers do no work", self.name),
         )
         .in_words()
         .follows([Zero(power)]);
@@ -162,7 +162,7 @@ where
             self.entry,
             "shulgin",
             format!(
-                "for {}, Shulgin's equations in redundant coordinates, with the term that they lose put back, give the accelerations of Lagrange's multipliers",
+                "For {}, Shulgin's equations in redundant coordinates, with the term that they lose put back, give the accelerations of Lagrange's multipliers",
                 self.name
             ),
         )

@@ -37,7 +37,7 @@ fn frozen<const N: usize, const C: usize>(page: &mut Page, slug: &'static str) {
     let moved = std::array::from_fn(|i| w[i] + delta[i]);
     let more = constraint(any.masses, force, moved) - constraint(any.masses, force, w);
     let cofactors = (0..N).map(|i| (i, delta[i])).chain((0..C).map(|k| (N + k, lambda[k]))).collect();
-    page.claim("gauss-friction", slug, format!(r"with friction frozen, $(N,C)=({N},{C})$, let $X$ be the given forces and any friction together, as it is at the true motion. Then $Z(\ddot x+\delta)-Z(\ddot x)=\frac12\sum m\,\delta^2$ for all $\delta$ with $J\delta=0$, so that the motion is the only minimum"))
+    page.claim("gauss-friction", slug, format!(r"With friction frozen, $(N,C)=({N},{C})$, let $X$ be the given forces and any friction together, as it is at the true motion. Then $Z(\ddot x+\delta)-Z(\ddot x)=\frac12\sum m\,\delta^2$ for all $\delta$ with $J\delta=0$, so that the motion is the only minimum"))
         .in_words()
         .given(motion.chain(admissible))
         .by_combination([(Equal(more, kinetic_energy(any.masses, delta)), vec![], cofactors)]);
@@ -60,7 +60,7 @@ fn substituted<const N: usize, const C: usize>(page: &mut Page, slug: &'static s
     let right = of_constraints + kinetic_energy(any.masses, missed);
     // the mixed term is lambda . J (w - w0 - M^-1 R^tau)
     let cofactors = (0..C).flat_map(|k| [(k, lambda[k]), (C + k, -lambda[k]), (2 * C + k, -lambda[k])]).collect();
-    page.claim("gauss-friction", slug, format!(r"with the law of friction substituted, $(N,C)=({N},{C})$, and $R^\tau(\ddot x)$ that of the extended decomposition, $Z = \frac12\sum (J^T\lambda)^2/m + \frac12\sum m\,(\ddot x-\ddot x_0-R^\tau/m)^2$ for all accelerations that the constraints admit, with $\ddot x_0$, $\lambda$ of the motion without friction. The first sum does not depend on $\ddot x$. The second is zero at the motions with friction and nowhere else, so that they are the minima, wherever one exists"))
+    page.claim("gauss-friction", slug, format!(r"With the law of friction substituted, $(N,C)=({N},{C})$, and $R^\tau(\ddot x)$ that of the extended decomposition, $Z = \frac12\sum (J^T\lambda)^2/m + \frac12\sum m\,(\ddot x-\ddot x_0-R^\tau/m)^2$ for all accelerations that the constraints admit, with $\ddot x_0$, $\lambda$ of the motion without friction. The first sum does not depend on $\ddot x$. The second is zero at the motions with friction and nowhere else, so that they are the minima, wherever one exists"))
         .in_words()
         .given(keeps(w).into_iter().chain(keeps(w0)).chain(orthogonal))
         .by_combination([(Equal(constraint(any.masses, with_friction, w), right), vec![], cofactors)]);
@@ -85,7 +85,7 @@ fn contact(page: &mut Page) {
     let z = |rates| constraint(case.system.masses(), rubbed(rates), lifted.acceleration(rates));
     let at_motion = root(|rates| residual(&case.system, &lifted, rubbed(rates), rates)).unwrap_or([Sym::UNDEFINED; 2]);
     let slope = gradient(z, at_motion)[1];
-    page.claim("gauss-friction", "contact", r"with the contact's friction $F=-fN(\ddot x)$ itself in $Z$, and not the $R^\tau$ of a decomposition, the rod's motion makes $Z$ stationary: $\partial Z/\partial\ddot\theta=0$ there")
+    page.claim("gauss-friction", "contact", r"With the contact's friction $F=-fN(\ddot x)$ itself in $Z$, and not the $R^\tau$ of a decomposition, the rod's motion makes $Z$ stationary: $\partial Z/\partial\ddot\theta=0$ there")
         .why(r"$F$ depends on $\ddot x$, and varying it adds $-(\ddot x-F/m)\,\partial F/\partial\ddot\theta$ to the slope.")
         .fails([Line::formula(slope, letter("slope"), Sym::ZERO)]);
     let point = letter("θ").circle();
@@ -95,7 +95,7 @@ fn contact(page: &mut Page) {
     page.claim(
         "gauss-friction",
         "contact-slope",
-        r"with the contact's friction $F=-fN(\ddot x)$ in $Z$ the rod's motion has the slope $\partial Z/\partial\ddot\theta = f l (m_1/m) \cos^2\theta$ times the compressive force of the rod",
+        r"With the contact's friction $F=-fN(\ddot x)$ in $Z$ the rod's motion has the slope $\partial Z/\partial\ddot\theta = f l (m_1/m) \cos^2\theta$ times the compressive force of the rod",
     )
     .holds([Line::formula(slope, letter("slope"), f * l * m1 * cos * cos / m * push)]);
     page.correct();
@@ -105,7 +105,7 @@ fn contact(page: &mut Page) {
     let slopes = gradient(z, rates);
     let excess = motion.acceleration(rates)[0] - forces[0] / m;
     let of_law = |j: usize| law(lifted.acceleration(along(rates, unit(j)))).slope;
-    page.claim("gauss-friction", "contact-frozen", r"with the contact's friction $F(\ddot x)$ in $Z$, $\partial Z/\partial\ddot q_j$ of the rod is the equation of motion less $(\ddot x - F/m)\,\partial F/\partial\ddot q_j$. The friction must therefore be held while $Z$ is varied")
+    page.claim("gauss-friction", "contact-frozen", r"With the contact's friction $F(\ddot x)$ in $Z$, $\partial Z/\partial\ddot q_j$ of the rod is the equation of motion less $(\ddot x - F/m)\,\partial F/\partial\ddot q_j$. The friction must therefore be held while $Z$ is varied")
         .in_words()
         .follows((0..2).map(|j| Equal(slopes[j], moving[j] - excess * of_law(j))));
 }
@@ -125,7 +125,7 @@ fn paradox(page: &mut Page) {
     let point = letter("θ").circle();
     let inertia = m + m1 * point.cos * point.cos;
     let sigma = (inertia - f * m1 * point.sin * point.cos) / inertia;
-    page.claim("gauss-friction", "paradox", r"on the rod Coulomb's law $R_1=fR_2$ for the motion with $R^\tau$ is $\sigma R_1 = f\lambda_2$ with $\sigma = (m+m_1\cos^2\theta-f m_1\sin\theta\cos\theta)/(m+m_1\cos^2\theta)$ and $\lambda_2$ of the motion without friction. Where $\sigma=0$ and $\lambda_2\ne0$ no $R_1$ satisfies it (Painlevé's paradox)")
+    page.claim("gauss-friction", "paradox", r"On the rod Coulomb's law $R_1=fR_2$ for the motion with $R^\tau$ is $\sigma R_1 = f\lambda_2$ with $\sigma = (m+m_1\cos^2\theta-f m_1\sin\theta\cos\theta)/(m+m_1\cos^2\theta)$ and $\lambda_2$ of the motion without friction. Where $\sigma=0$ and $\lambda_2\ne0$ no $R_1$ satisfies it (Painlevé's paradox)")
         .in_words()
         .follows([Equal(along - f * across, sigma * along + f * free.multipliers[1])]);
 }

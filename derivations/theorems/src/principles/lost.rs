@@ -88,7 +88,7 @@ fn knife_edge(page: &mut Page) {
     let [m, j, d, g, v, dtheta, ddx] = letters(["m", "J", "d", "g", "v", "θ̇", "ẍ"]);
     let point = letter("θ").circle();
     let (in_all, is) = redundant(&case, [ddx, letter("κ1")]);
-    page.claim("shulgin", "identity", r"on the knife edge $\frac{d}{dt}\frac{\partial T^*}{\partial\dot x_j} - E_j(T^*) - \sum m\ddot x\frac{\partial\dot x}{\partial\dot x_j} = \sum_\alpha m_\alpha\dot x_\alpha\bigl(\frac{dA_{\alpha j}}{dt} - E_j(\dot x_\alpha)\bigr)$, the lost term, at all accelerations")
+    page.claim("shulgin", "identity", r"On the knife edge $\frac{d}{dt}\frac{\partial T^*}{\partial\dot x_j} - E_j(T^*) - \sum m\ddot x\frac{\partial\dot x}{\partial\dot x_j} = \sum_\alpha m_\alpha\dot x_\alpha\bigl(\frac{dA_{\alpha j}}{dt} - E_j(\dot x_\alpha)\bigr)$, the lost term, at all accelerations")
         .in_words()
         .follows((0..2).map(|j| Equal(in_all.energy[j] - is[j], in_all.lost[j])));
     page.claim(
@@ -101,7 +101,7 @@ fn knife_edge(page: &mut Page) {
     page.claim(
         "shulgin",
         "knife-edge-lost",
-        r"the first of Shulgin's equations loses a term of the inertia of the knife edge",
+        r"The first of Shulgin's equations loses a term of the inertia of the knife edge",
     )
     .holds([Line::formula(
         in_all.lost[0],
@@ -129,10 +129,10 @@ fn knife_edge(page: &mut Page) {
         Line::equation(is[1] - weight[1], (j + m * d * d) * ddtheta, -(m * g * d * point.sin) - m * d * v * dtheta),
     ]);
     page.correct();
-    page.claim("shulgin", "momentum", r"on the knife edge with its centre on the blade, $d=0$, nothing is lost in $v$, $\dot\theta$, although its constraint is not integrable: integrability is enough, not necessary")
+    page.claim("shulgin", "momentum", r"On the knife edge with its centre on the blade, $d=0$, nothing is lost in $v$, $\dot\theta$, although its constraint is not integrable: integrability is enough, not necessary")
         .in_words()
         .follows(in_blade.lost.map(|term| Zero(term.substitute(&[(d, Sym::ZERO)]))));
-    page.claim("shulgin", "coordinates", r"the lost term depends on the velocities chosen. In $\dot x$ of the redundant coordinates the knife edge loses a term with $d=0$ too")
+    page.claim("shulgin", "coordinates", r"The lost term depends on the velocities chosen. In $\dot x$ of the redundant coordinates the knife edge loses a term with $d=0$ too")
         .holds([Line::formula(
             in_all.lost[0].substitute(&[(d, Sym::ZERO)]),
             letter("lost1"),
@@ -149,7 +149,7 @@ fn condition(page: &mut Page) {
     );
     let pairs = of_sleigh.into_iter().zip(by_brackets(&sleigh.system, sleigh.at));
     let all = pairs.chain(of_disc.into_iter().zip(by_brackets(&disc.system, disc.at)));
-    page.claim("shulgin", "brackets", r"the lost term on the knife edge and on the disc is $\sum_k p_k\sum_i m_i\dot x_i\,(X_kX_j-X_jX_k)x_i$, the momentum along the brackets of the fields. It vanishes where these do, which is Frobenius' condition, or where the momentum along them does")
+    page.claim("shulgin", "brackets", r"The lost term on the knife edge and on the disc is $\sum_k p_k\sum_i m_i\dot x_i\,(X_kX_j-X_jX_k)x_i$, the momentum along the brackets of the fields. It vanishes where these do, which is Frobenius' condition, or where the momentum along them does")
         .in_words()
         .follows(all.map(|(lost, brackets)| Equal(lost, brackets)));
 }
@@ -185,16 +185,16 @@ fn disc(page: &mut Page) {
     let lines = |sides: [(Sym, Sym); 3]| -> Vec<Line> {
         sides.into_iter().enumerate().map(|(i, (left, r))| Line::equation(is[i] - weight[i], left, r)).collect()
     };
-    page.claim("museum", "disc-wrong", r"if the velocity of the rolling disc's centre is put into $T$, which is a fault, Lagrange's equations for $\psi$, $\theta$, $\varphi$ are those of principles/museum/disc")
+    page.claim("museum", "disc-wrong", r"If the velocity of the rolling disc's centre is put into $T$, which is a fault, Lagrange's equations for $\psi$, $\theta$, $\varphi$ are those of principles/museum/disc")
         .in_words()
         .follows((0..3).map(|i| Equal(found.energy[i] - weight[i], wrong[i].0 - wrong[i].1)));
     page.claim("museum", "disc", r"Lagrange's equations for $\psi$, $\theta$, $\varphi$, with the rolling put into $T$, are the equations of motion of the rolling disc")
         .why("Rolling is not integrable, and the momentum along the brackets of its fields is missing from the energy.")
         .fails(lines(wrong));
-    page.claim("museum", "disc-right", r"the equations of motion of the rolling disc have $-m a^2\sin\theta\,\dot\theta\dot\varphi$ in the first and $m a^2\sin\theta\,\dot\theta\dot\psi$ in the third in addition to those of Lagrange with the rolling put into $T$")
+    page.claim("museum", "disc-right", r"The equations of motion of the rolling disc have $-m a^2\sin\theta\,\dot\theta\dot\varphi$ in the first and $m a^2\sin\theta\,\dot\theta\dot\psi$ in the third in addition to those of Lagrange with the rolling put into $T$")
         .holds(lines(right));
     page.correct();
-    page.claim("museum", "disc-lost", r"the terms that Lagrange's equations of the rolling disc lose with the rolling put into $T$ are $\sum m\dot x\bigl(\frac{d}{dt}\frac{\partial\dot x}{\partial p_j} - X_j(\dot x)\bigr)$")
+    page.claim("museum", "disc-lost", r"The terms that Lagrange's equations of the rolling disc lose with the rolling put into $T$ are $\sum m\dot x\bigl(\frac{d}{dt}\frac{\partial\dot x}{\partial p_j} - X_j(\dot x)\bigr)$")
         .in_words()
         .follows([
             Equal(found.lost[0], -(m * a * a * sin * dtheta * dphi)),
@@ -213,7 +213,7 @@ fn prescribed_speed_point(page: &mut Page) {
     page.claim(
         "shulgin",
         "nonlinear",
-        r"with a prescribed speed $v=u+bt$, $T^*=\frac12mv^2$ contains no $\chi$, so that the whole term $m v^2\dot\chi$ is missing",
+        r"With a prescribed speed $v=u+bt$, $T^*=\frac12mv^2$ contains no $\chi$, so that the whole term $m v^2\dot\chi$ is missing",
     )
     .follows([
         Zero(found.energy[0]),

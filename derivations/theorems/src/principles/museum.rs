@@ -89,7 +89,7 @@ fn kinematics_of_the_code(page: &mut Page) {
         m * (rates[0] + d * dtheta * dtheta) - m * g * cos,
         (j + m * d * d) * rates[1] - m * d * v * dtheta - m * g * d * sin,
     ];
-    page.claim("museum", "kinematics-agree", r"the knife edge has the wrong velocities $\dot x = v\cos\theta + d\dot\theta\sin\theta$, $\dot y = v\sin\theta - d\dot\theta\cos\theta$ here. Appell's equations from code with these velocities agree with those derived from them on paper, so that a comparison of both passes")
+    page.claim("museum", "kinematics-agree", r"The knife edge has the wrong velocities $\dot x = v\cos\theta + d\dot\theta\sin\theta$, $\dot y = v\sin\theta - d\dot\theta\cos\theta$ here. Appell's equations from code with these velocities agree with those derived from them on paper, so that a comparison of both passes")
         .in_words()
         .follows((0..2).map(|i| Equal(found[i], expected[i])));
     let slip = first_rates(&case.system, &motion.state)[1];
@@ -99,7 +99,7 @@ fn kinematics_of_the_code(page: &mut Page) {
     page.claim(
         "museum",
         "kinematics-right",
-        r"the blade of the knife edge slips at the rate below with $\dot x = v\cos\theta + d\dot\theta\sin\theta$, $\dot y = v\sin\theta - d\dot\theta\cos\theta$",
+        r"The blade of the knife edge slips at the rate below with $\dot x = v\cos\theta + d\dot\theta\sin\theta$, $\dot y = v\sin\theta - d\dot\theta\cos\theta$",
     )
     .holds([Line::formula(slip, letter("slip"), -(d * dtheta + d * dtheta))]);
     page.correct();
@@ -127,7 +127,7 @@ fn appell_from_kinetic_energy(page: &mut Page) {
     page.claim(
         "museum",
         "appell-right",
-        r"the equations of motion of a free point in polar coordinates have the centrifugal and the Coriolis term, which stand in the acceleration at $\ddot q=0$",
+        r"The equations of motion of a free point in polar coordinates have the centrifugal and the Coriolis term, which stand in the acceleration at $\ddot q=0$",
     )
     .holds([
         Line::equation(right[0], inertia[0], m * r * dtheta * dtheta),
@@ -138,7 +138,7 @@ fn appell_from_kinetic_energy(page: &mut Page) {
         let forces: [Sym; 2] = std::array::from_fn(|i| m * motion.drift[i]);
         motion.generalised(forces)
     };
-    page.claim("museum", "appell-lost", r"the term that is lost where $S$ is made of $T$ by writing $\ddot q$ for $\dot q$ is $\sum m\ddot x|_{\dot p=0}\,\partial\dot x/\partial p_j$, here in polar coordinates")
+    page.claim("museum", "appell-lost", r"The term that is lost where $S$ is made of $T$ by writing $\ddot q$ for $\dot q$ is $\sum m\ddot x|_{\dot p=0}\,\partial\dot x/\partial p_j$, here in polar coordinates")
         .in_words()
         .follows((0..2).map(|j| Equal(right[j] - wrong[j], of_drift[j])));
 }

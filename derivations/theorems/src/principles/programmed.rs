@@ -19,7 +19,7 @@ pub fn claims(page: &mut Page) {
     page.section("Programmed constraints");
     let mut exact = Vec::new();
     exact.extend(led::<2, 1>().into_iter().chain(led::<3, 1>()).chain(led::<3, 2>()).chain(led::<4, 2>()));
-    page.claim("programmed", "exact", r"with $JM^{-1}J^T\lambda = Y-(\text{rates at }M^{-1}X)$ the violations satisfy $\ddot y=Y$ ($\dot\varphi=Y$ for a kinematic constraint) exactly, for all masses, rows and $Y$, $(N,C)=(2,1),(3,1),(3,2),(4,2)$; $\lambda-\lambda^{(0)}$, the excess over Lagrange's, is $(JM^{-1}J^T)^{-1}Y$")
+    page.claim("programmed", "exact", r"With $JM^{-1}J^T\lambda = Y-(\text{rates at }M^{-1}X)$ the violations satisfy $\ddot y=Y$ ($\dot\varphi=Y$ for a kinematic constraint) exactly, for all masses, rows and $Y$, $(N,C)=(2,1),(3,1),(3,2),(4,2)$; $\lambda-\lambda^{(0)}$, the excess over Lagrange's, is $(JM^{-1}J^T)^{-1}Y$")
         .in_words()
         .follows(exact);
     least::<3, 1>(page, "least-3-1");
@@ -65,7 +65,7 @@ fn least<const N: usize, const C: usize>(page: &mut Page, slug: &'static str) {
     let moved = std::array::from_fn(|i| first.acceleration[i] + shift[i]);
     let growth = gauss::constraint(any.masses, force, moved) - gauss::constraint(any.masses, force, first.acceleration);
     let square = mechanics::constrained::kinetic_energy(any.masses, shift);
-    page.claim("programmed", slug, format!(r"among all accelerations with $\ddot y=Y$ that by $J^T\lambda$ has the least constraint $Z$ (Gauss), since $Z(\ddot x+\delta)-Z(\ddot x)=\frac12\sum m\delta^2$ for every $\delta$ with $J\delta=0$; $(N,C)=({N},{C})$"))
+    page.claim("programmed", slug, format!(r"Among all accelerations with $\ddot y=Y$ that by $J^T\lambda$ has the least constraint $Z$ (Gauss), since $Z(\ddot x+\delta)-Z(\ddot x)=\frac12\sum m\delta^2$ for every $\delta$ with $J\delta=0$; $(N,C)=({N},{C})$"))
         .in_words()
         .given(any.along_rows(shift).map(Zero))
         .by_combination([(Equal(growth, square), vec![], first.multipliers.into_iter().enumerate().collect())]);
@@ -109,7 +109,7 @@ fn affine(page: &mut Page) {
     let lengths: [Sym; 4] = numbered("ẍ");
     let ladder = letters(["ẍ1", "ẍ2", "c̈", "s̈"]);
     let disc = letters(["ẍ1", "ẍ2", "ẍ3", "ë1", "ë2", "ë3", "n̈1", "n̈2", "n̈3"]);
-    page.claim("programmed", "affine", r"the rates of the constraints of the rod, the steered rod, the ladder and the rolling disc are $J\ddot x$ and what does not contain $\ddot x$, on the constraints or off them, so that principles/programmed/exact applies wherever the rows are independent")
+    page.claim("programmed", "affine", r"The rates of the constraints of the rod, the steered rod, the ladder and the rolling disc are $J\ddot x$ and what does not contain $\ddot x$, on the constraints or off them, so that principles/programmed/exact applies wherever the rows are independent")
         .in_words()
         .follows(
             affine_at::<_, 4, 2>(&cases::rod().system, &at.four, lengths)
@@ -167,7 +167,7 @@ fn linear(page: &mut Page) {
     let found = law.map(|law| programmed(&any, &law, &at, numbered("X")));
     let acceleration = found.map_or([Sym::UNDEFINED; 3], |r| r.map_or([Sym::UNDEFINED; 3], |r| r.acceleration));
     let (moved, y) = (rates(&any, &at, acceleration), violation(&any, &at));
-    page.claim("programmed", "energies", r"for violations $y$ with an inertia $a$ and a friction $\gamma$, symmetric and not diagonal, $a\ddot y+\gamma\dot y=0$ holds as it is written for the kinematic constraints of any system, $(N,C)=(3,2)$")
+    page.claim("programmed", "energies", r"For violations $y$ with an inertia $a$ and a friction $\gamma$, symmetric and not diagonal, $a\ddot y+\gamma\dot y=0$ holds as it is written for the kinematic constraints of any system, $(N,C)=(3,2)$")
         .in_words()
         .follows((0..2).map(|row| Zero(dot(a[row], moved) + dot(c[row], y.rate))));
 }

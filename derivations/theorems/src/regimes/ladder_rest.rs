@@ -128,7 +128,7 @@ impl Case {
         let motion = [Sym::ZERO, -(two * l * alpha.sin * turned), Sym::ZERO, two * l * alpha.cos * turned];
         let names = ["anA", "atA", "anB", "atB"].map(letter);
         let sense = self.sense;
-        page.claim("ladder-rest", self.slugs[0], format!(r"for every number $P$ there are reactions of the ladder at rest and of its slide {sense}, on the limits of friction, whose difference turns it with $|\ddot\alpha| = \varepsilon$ and gives the contacts the normal and tangential accelerations below"))
+        page.claim("ladder-rest", self.slugs[0], format!(r"For every number $P$ there are reactions of the ladder at rest and of its slide {sense}, on the limits of friction, whose difference turns it with $|\ddot\alpha| = \varepsilon$ and gives the contacts the normal and tangential accelerations below"))
             .under(&circle)
             .holds((0..4).map(|j| {
                 let form = |reactions: &Reactions| Form { ..dry.acceleration(j / 2, j % 2) }.at(reactions);
@@ -149,7 +149,7 @@ impl Case {
             "ladder-rest",
             self.slugs[1],
             format!(
-                r"the two limits of friction of the ladder at rest that the slide {} would pass have these margins for the reactions with the number $P$. For ${steep}$ both grow with $P$",
+                r"The two limits of friction of the ladder at rest that the slide {} would pass have these margins for the reactions with the number $P$. For ${steep}$ both grow with $P$",
                 self.sense
             ),
         )
@@ -174,7 +174,7 @@ impl Case {
         let (wall, floor) = if self.decides == 0 { ("A", "B") } else { ("B", "A") };
         let (c, s) = if self.decides == 0 { (r"\cos\alpha", r"\sin\alpha") } else { (r"\sin\alpha", r"\cos\alpha") };
         let (steep, sense) = (self.steep, self.sense);
-        page.claim("ladder-rest", self.slugs[2], format!(r"for ${steep}$, all friction $f_{floor}>0$ and every moment of inertia $ml^2/\kappa$, $\kappa>1$, one load lets the ladder stay, within all limits of friction, or slide {sense}. With $P = \varepsilon ml\,({c} + h/{c} + ({s})^2/u)$, $h = (\kappa-1)/(2\kappa)$, $u = f_{wall}\,{s} - {c} > 0$, and $n_{floor}$ larger by $P/(2f_{floor})$, all normal reactions and all margins are positive. Each $f_{wall}>0$ has such angles"))
+        page.claim("ladder-rest", self.slugs[2], format!(r"For ${steep}$, all friction $f_{floor}>0$ and every moment of inertia $ml^2/\kappa$, $\kappa>1$, one load lets the ladder stay, within all limits of friction, or slide {sense}. With $P = \varepsilon ml\,({c} + h/{c} + ({s})^2/u)$, $h = (\kappa-1)/(2\kappa)$, $u = f_{wall}\,{s} - {c} > 0$, and $n_{floor}$ larger by $P/(2f_{floor})$, all normal reactions and all margins are positive. Each $f_{wall}>0$ has such angles"))
             .given([m, l, eps, u, v, cos, sin, f2, n1, n2].map(Positive))
             .in_words()
             .by_signs(limits.chain(slides.map(|[normal, _]| normal)).map(Positive));
@@ -195,7 +195,7 @@ impl Case {
         let (c, s) = if self.decides == 0 { (r"\cos\alpha", r"\sin\alpha") } else { (r"\sin\alpha", r"\cos\alpha") };
         let flat = self.steep.replace('>', r"\le").replace('<', r"\ge");
         let sense = self.sense;
-        page.claim("ladder-rest", self.slugs[3], format!(r"for the ladder at rest and its slide {sense}, the limits $f_{a}N_{a}+T_{a}$, $f_{b}N_{b}-T_{b}$ times $({s} + f_{b}{c})$, $({c} - f_{a}{s})$, added, are $-\varepsilon ml\,m^2/(2\kappa)$ times the determinant of the slide. If ${flat}$, both agree with one load only if that determinant is not positive"))
+        page.claim("ladder-rest", self.slugs[3], format!(r"For the ladder at rest and its slide {sense}, the limits $f_{a}N_{a}+T_{a}$, $f_{b}N_{b}-T_{b}$ times $({s} + f_{b}{c})$, $({c} - f_{a}{s})$, added, are $-\varepsilon ml\,m^2/(2\kappa)$ times the determinant of the slide. If ${flat}$, both agree with one load only if that determinant is not positive"))
             .under(&circle)
             .in_words()
             .follows([Equal(both, derived)]);

@@ -45,18 +45,18 @@ fn painleve(page: &mut Page) {
     let place = [x, Sym::ZERO, x + l * c, l * s];
     for (slug, name, direction) in [("forwards", "D+", Forwards), ("backwards", "D-", Backwards)] {
         let printed = (m + m1 * c.powi(2) - direction.sign::<Sym>() * f * m1 * s * c) / (m * (m + m1));
-        page.claim("painleve-rod", slug, format!(r"the rod of two mass points has the determinant below for the slip {slug}. For $0<\theta<\pi/2$ only that forwards can fail to be positive"))
+        page.claim("painleve-rod", slug, format!(r"The rod of two mass points has the determinant below for the slip {slug}. For $0<\theta<\pi/2$ only that forwards can fail to be positive"))
             .under(&circle)
             .holds([Line::formula(slip_determinant(&rod, place, direction), letter(name), printed)]);
     }
     let critical = critical::two_masses(k, theta);
     let derived =
         critical_friction(|friction| slip_determinant(&Rod { friction, guided: k * m1, ..rod }, place, Forwards));
-    page.claim("painleve-rod", "critical", "for the rod of two mass points, $k = m/m_1$, the determinant of the slip forwards vanishes at the critical friction $f_*$")
+    page.claim("painleve-rod", "critical", "For the rod of two mass points, $k = m/m_1$, the determinant of the slip forwards vanishes at the critical friction $f_*$")
         .under(&circle)
         .holds([Line::formula(derived, letter("f*"), critical)]);
     let room = ((k + Sym::int(1)) * c.powi(2) - k * s.powi(2)) / (s * c);
-    page.claim("painleve-rod", "minimum", r"for the rod of two mass points, $k = m/m_1$, $f_*^2 - 4k(k+1)$ is a square, so that the least critical friction is $2\sqrt{k(k+1)}$, at $\tan^2\theta = (k+1)/k$ and nowhere else")
+    page.claim("painleve-rod", "minimum", r"For the rod of two mass points, $k = m/m_1$, $f_*^2 - 4k(k+1)$ is a square, so that the least critical friction is $2\sqrt{k(k+1)}$, at $\tan^2\theta = (k+1)/k$ and nowhere else")
         .under(&circle)
         .follows([Equal(critical.powi(2) - Sym::int(4) * k * (k + Sym::int(1)), room.powi(2))]);
 }
@@ -78,7 +78,7 @@ fn rod(page: &mut Page) {
     let (c, s) = (theta.cos, theta.sin);
     for (slug, name, direction) in [("forwards", "D+", Forwards), ("backwards", "D-", Backwards)] {
         let printed = (Sym::int(1) + kappa * c.powi(2) + direction.sign::<Sym>() * f * kappa * s * c) / m;
-        page.claim("rod", slug, format!(r"a rod of moment of inertia $ml^2/\kappa$ about its centre, its lower end on the line at an angle $0<\theta<\pi/2$, has the determinant below for the slip {slug}. That backwards can vanish"))
+        page.claim("rod", slug, format!(r"A rod of moment of inertia $ml^2/\kappa$ about its centre, its lower end on the line at an angle $0<\theta<\pi/2$, has the determinant below for the slip {slug}. That backwards can vanish"))
             .under(&circle)
             .holds([Line::formula(slip_determinant(&with_inertia(kappa, f), standing(theta), direction), letter(name), printed)]);
     }
@@ -87,13 +87,13 @@ fn rod(page: &mut Page) {
     page.claim(
         "rod",
         "critical",
-        r"for a rod of moment of inertia $ml^2/\kappa$ about its centre the slip backwards is critical at this friction",
+        r"For a rod of moment of inertia $ml^2/\kappa$ about its centre the slip backwards is critical at this friction",
     )
     .under(&circle)
     .holds([Line::formula(derived, letter("f*"), critical::rod(kappa, theta))]);
     let square = critical::rod(kappa, theta).powi(2) - Sym::int(4) * (kappa + Sym::int(1)) / kappa.powi(2);
     let room = ((kappa + Sym::int(1)) * c.powi(2) - s.powi(2)) / (kappa * s * c);
-    page.claim("rod", "minimum", r"for a rod of moment of inertia $ml^2/\kappa$ about its centre $f_*^2 - 4(\kappa+1)/\kappa^2$ is a square, so that the least critical friction is $2\sqrt{\kappa+1}/\kappa$, at $\tan^2\theta = \kappa+1$ and nowhere else")
+    page.claim("rod", "minimum", r"For a rod of moment of inertia $ml^2/\kappa$ about its centre $f_*^2 - 4(\kappa+1)/\kappa^2$ is a square, so that the least critical friction is $2\sqrt{\kappa+1}/\kappa$, at $\tan^2\theta = \kappa+1$ and nowhere else")
         .under(&circle)
         .follows([Equal(square, room.powi(2))]);
 }
@@ -109,13 +109,13 @@ fn uniform(page: &mut Page) {
     for (slug, says, slope, value) in [
         (
             "least",
-            r"for the uniform rod the critical friction at $\tan\theta = 2$, where it is least, is $4/3$",
+            r"For the uniform rod the critical friction at $\tan\theta = 2$, where it is least, is $4/3$",
             2,
             Sym::ratio(4, 3),
         ),
         (
             "45-degrees",
-            r"for the uniform rod the critical friction at $\theta = 45^\circ$ is $5/3$",
+            r"For the uniform rod the critical friction at $\theta = 45^\circ$ is $5/3$",
             1,
             Sym::ratio(5, 3),
         ),

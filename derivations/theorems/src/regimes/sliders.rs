@@ -26,14 +26,14 @@ pub fn claims(page: &mut Page) {
         let cramer = Cramer::of(&dry, &regime);
         let sign: Sym = face.sign();
         let total = m1 + m2;
-        page.claim("sliders", slug, format!(r"two masses on guides, sliding forwards with the rough guide {slug}, have the determinant below. For $0<\theta<\pi/2$ one face only can lose its sign, at $f m_2\tan\theta = m_1+m_2$"))
+        page.claim("sliders", slug, format!(r"Two masses on guides, sliding forwards with the rough guide {slug}, have the determinant below. For $0<\theta<\pi/2$ one face only can lose its sign, at $f m_2\tan\theta = m_1+m_2$"))
             .under(&circle)
             .holds([Line::formula(cramer.determinant, letter("det M"), c * (c * total + sign * f * m2 * s) / (m1 * m2 * total))]);
         let list = conditions(&dry, &[Touch::Slides(Forwards); 2], &regime);
         let Some((_, presses)) = list[0][0] else { continue };
         let slug = if face == Face::Front { "reaction-pressed" } else { "reaction-pulled" };
         let load = s * c * (p1 * m2 - p2 * m1) / (m1 * m2 * total);
-        page.claim("sliders", slug, format!(r"if two masses on guides slide forwards with the rough guide {name}, its reaction times the determinant is minus that of the other face. The load alone decides the sign, so that one face is consistent where both determinants are positive, and both or none where one is negative. There is one motion for every load that presses if and only if $f m_2\tan\theta < m_1+m_2$"))
+        page.claim("sliders", slug, format!(r"If two masses on guides slide forwards with the rough guide {name}, its reaction times the determinant is minus that of the other face. The load alone decides the sign, so that one face is consistent where both determinants are positive, and both or none where one is negative. There is one motion for every load that presses if and only if $f m_2\tan\theta < m_1+m_2$"))
             .under(&circle)
             .holds([Line::formula(cramer.numerator(&presses), letter("N det M"), sign * load)]);
     }

@@ -93,10 +93,10 @@ fn equations(page: &mut Page) {
             Line::equation(residual[4], inertia * a6, motor * f5 - b6 * f6 - weight * angle.cos + two * lambda * crank * q7 * angle.sin),
             Line::equation(residual[5], mass * a7, -b7 * f7 + two * lambda * (q7 - crank * angle.cos)),
         ]);
-    page.claim("drive", "nine", r"of the drive's charges only $q^3=q^4-q^5$ acts. With $\dot q^3=f^4-f^5$ the equations close in nine unknowns $f^1,f^2,q^3,f^4,f^5,q^6,f^6,q^7,f^7$")
+    page.claim("drive", "nine", r"Of the drive's charges only $q^3=q^4-q^5$ acts. With $\dot q^3=f^4-f^5$ the equations close in nine unknowns $f^1,f^2,q^3,f^4,f^5,q^6,f^6,q^7,f^7$")
         .in_words()
         .follows(close_in_nine(&drive, &at));
-    page.claim("drive", "closure", r"the drive's rod ties $q^7$ to $q^6$ as in Mukharlyamov 2007").defines([
+    page.claim("drive", "closure", r"The drive's rod ties $q^7$ to $q^6$ as in Mukharlyamov 2007").defines([
         Line::equation(
             instant.kinematics.value[0],
             (q7 - crank * angle.cos).powi(2) + (crank * angle.sin).powi(2),
@@ -113,14 +113,14 @@ fn diode(page: &mut Page) {
     let root = (i.powi(2) + knee.powi(2)).sqrt();
     let two = Sym::int(2);
     let (one, gap) = (Sym::int(1), reverse - forward);
-    page.claim("diode", "resistance", r"the differential resistance $u'$ of a diode lies between $R_{\mathrm f}$ and $R_{\mathrm r}$. With $\sigma=i/\sqrt{i^2+i_0^2}$, $|\sigma|<1$, it is $R_{\mathrm f}+\frac14(R_{\mathrm r}-R_{\mathrm f})(1-\sigma)^2(2+\sigma)$, and $R_{\mathrm r}-\frac14(R_{\mathrm r}-R_{\mathrm f})(1+\sigma)^2(2-\sigma)$")
+    page.claim("diode", "resistance", r"The differential resistance $u'$ of a diode lies between $R_{\mathrm f}$ and $R_{\mathrm r}$. With $\sigma=i/\sqrt{i^2+i_0^2}$, $|\sigma|<1$, it is $R_{\mathrm f}+\frac14(R_{\mathrm r}-R_{\mathrm f})(1-\sigma)^2(2+\sigma)$, and $R_{\mathrm r}-\frac14(R_{\mathrm r}-R_{\mathrm f})(1+\sigma)^2(2-\sigma)$")
         .in_words()
         .given([NonZero(root)])
         .follows([
             Equal(resistance, forward + gap * (one - i / root).powi(2) * (two + i / root) / Sym::int(4)),
             Equal(resistance, reverse - gap * (one + i / root).powi(2) * (two - i / root) / Sym::int(4)),
         ]);
-    page.claim("diode", "voltage", r"the voltage of a diode is the slope of its content").holds([Line::formula(
+    page.claim("diode", "voltage", r"The voltage of a diode is the slope of its content").holds([Line::formula(
         voltage(&drive, i),
         letter("ui"),
         printed_voltage(i),
@@ -128,7 +128,7 @@ fn diode(page: &mut Page) {
     page.claim(
         "diode",
         "rest",
-        r"a diode without current has the voltage $\frac14(R_{\mathrm r}-R_{\mathrm f})(i_0-\sqrt{i_0^2})$, which is zero for $i_0>0$. With $R_{\mathrm r}\ge R_{\mathrm f}$ and so $u'\ge R_{\mathrm f}$ (stabilisation/diode/resistance) it never gives energy, $u(i)\,i\ge R_{\mathrm f}i^2$",
+        r"A diode without current has the voltage $\frac14(R_{\mathrm r}-R_{\mathrm f})(i_0-\sqrt{i_0^2})$, which is zero for $i_0>0$. With $R_{\mathrm r}\ge R_{\mathrm f}$ and so $u'\ge R_{\mathrm f}$ (stabilisation/diode/resistance) it never gives energy, $u(i)\,i\ge R_{\mathrm f}i^2$",
     )
     .in_words()
     .follows([Equal(voltage(&drive, Sym::ZERO), gap * (knee - knee.powi(2).sqrt()) / Sym::int(4))]);
@@ -138,11 +138,11 @@ fn power(page: &mut Page) {
     let (drive, at) = (drive(), anywhere());
     let instant = Instant::of(&drive, &at);
     let accelerations = letters(["a1", "a2", "a4", "a5", "a6", "a7"]);
-    page.claim("drive", "power", r"along the drive's motion the energy of windings, capacitor, crank and slider changes by the source's power $Ef^1$, less the heat in resistances, diodes and bearings, plus the work $\lambda\dot f$ of the rod's reaction, which is zero where the constraint holds")
+    page.claim("drive", "power", r"Along the drive's motion the energy of windings, capacitor, crank and slider changes by the source's power $Ef^1$, less the heat in resistances, diodes and bearings, plus the work $\lambda\dot f$ of the rod's reaction, which is zero where the constraint holds")
         .in_words()
         .follows([balance(&drive, &at, accelerations, letter("λ"))]);
     let entry = |i: usize, j: usize| instant.force[i].diff(at.velocity[j]);
-    page.claim("drive", "coupling", "the drive's armature voltage per speed of the crank and the crank's moment per current are opposite, $-K$ and $K$, which is a gyroscopic coupling without work")
+    page.claim("drive", "coupling", "The drive's armature voltage per speed of the crank and the crank's moment per current are opposite, $-K$ and $K$, which is a gyroscopic coupling without work")
         .in_words()
         .follows([Equal(entry(3, 4), -drive.circuit.motor), Equal(entry(4, 3), drive.circuit.motor)]);
 }
@@ -161,7 +161,7 @@ fn stabilised(page: &mut Page) {
         velocity: std::array::from_fn(|i| Tangent::moving(at.velocity[i], acceleration[i])),
     };
     let rate = Kinematics::of(&drive, &moved).rate[0];
-    page.claim("drive", "stabilised", r"the multiplier that controls the violation $f$ of the drive's rod gives $\ddot f=Y$ for every $Y$, at any state of the drive, on the constraint or off it")
+    page.claim("drive", "stabilised", r"The multiplier that controls the violation $f$ of the drive's rod gives $\ddot f=Y$ for every $Y$, at any state of the drive, on the constraint or off it")
         .in_words()
         .follows([Equal(rate.slope, wanted)]);
 }

@@ -60,7 +60,7 @@ pub fn claims(page: &mut Page) {
     let [from, to] = [&before, &after].map(|s| Kinematics::of(&pendulum, &at(s)));
     let ([a, c], [led]) = (acceleration(&at(&before)), wanted(&at(&before)));
     let two = Sym::int(2);
-    page.claim("floor", "euler", r"a point on a circle, $f=x^2+y^2-l^2$, stabilised by $\ddot f=-b\dot f-kf$, has after one step of Euler $f_1=f+h\dot f+h^2|v|^2$ and $\dot f_1=\dot f+h(-b\dot f-kf)+2h^2\,v\cdot\dot v$. This is a linear recursion with the gains, and a forcing without them")
+    page.claim("floor", "euler", r"A point on a circle, $f=x^2+y^2-l^2$, stabilised by $\ddot f=-b\dot f-kf$, has after one step of Euler $f_1=f+h\dot f+h^2|v|^2$ and $\dot f_1=\dot f+h(-b\dot f-kf)+2h^2\,v\cdot\dot v$. This is a linear recursion with the gains, and a forcing without them")
         .in_words()
         .follows([
             Equal(to.value[0], from.value[0] + h * from.rate[0] + h.powi(2) * (u.powi(2) + v.powi(2))),
@@ -69,7 +69,7 @@ pub fn claims(page: &mut Page) {
     // at rest of the recursion: h f' = -h^2 |v|^2, k f = -b f' + ...
     let (speed, power) = (u.powi(2) + v.powi(2), letter("p"));
     let (rate, value) = (-h * speed, (b * h * speed + two * h * power) / k);
-    page.claim("floor", "level", r"the recursion of stabilisation/floor/euler with a constant forcing rests at $\dot f=-h|v|^2$ and $f=h(b|v|^2+2\,v\cdot\dot v)/k$. With gains that go with the step, $b=\beta/h$ and $k=\kappa/h^2$, $f$ is $h^2\beta|v|^2/\kappa$ to leading order")
+    page.claim("floor", "level", r"The recursion of stabilisation/floor/euler with a constant forcing rests at $\dot f=-h|v|^2$ and $f=h(b|v|^2+2\,v\cdot\dot v)/k$. With gains that go with the step, $b=\beta/h$ and $k=\kappa/h^2$, $f$ is $h^2\beta|v|^2/\kappa$ to leading order")
         .in_words()
         .follows([
             Equal(value + h * rate + h.powi(2) * speed, value),

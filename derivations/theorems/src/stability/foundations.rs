@@ -32,7 +32,7 @@ fn law(page: &mut Page, s: &Letters) {
     let energies = Energies::of(&g);
     let (all, spin) = energies.momenta(s.w, s.dphi);
     let [of_points, of_rotor] = g.angular_momentum(s.w, s.dphi);
-    page.claim("law", "momenta", r"the gyrostat's momenta $\partial T/\partial\omega$ and $\partial T/\partial\dot\varphi'$, from the energies, are the angular momentum $x$ of all mass points about $O$, and that of the rotor about its axis. The law that is varied is the theorem of angular momentum")
+    page.claim("law", "momenta", r"The gyrostat's momenta $\partial T/\partial\omega$ and $\partial T/\partial\dot\varphi'$, from the energies, are the angular momentum $x$ of all mass points about $O$, and that of the rotor about its axis. The law that is varied is the theorem of angular momentum")
         .under(&s.unit_axis)
         .follows((0..3).map(|i| Equal(all[i], of_points[i])).chain([Equal(spin, of_rotor.dot(&s.l))]));
 }
@@ -56,11 +56,11 @@ fn zeros(page: &mut Page, s: &Letters) {
     let of_vertical = Vector3::new(missing[3], missing[4], missing[5]);
     let moving = s.nu.zip_map(&vertical, Tangent::moving);
     let (all, _) = energies.momenta(s.w.zip_map(&s.dw, Tangent::moving), Tangent::moving(s.dphi, s.ddphi));
-    page.claim("zeros", "vertical", r"the gyrostat with any motor at any state and rates has $\frac12(\nu\cdot\nu)^{\textstyle\cdot}=\nu\cdot(\dot\nu-\nu\times\omega)$: $|\nu|$ is an integral, and gives the first approximation a zero root where its differential does not vanish")
+    page.claim("zeros", "vertical", r"The gyrostat with any motor at any state and rates has $\frac12(\nu\cdot\nu)^{\textstyle\cdot}=\nu\cdot(\dot\nu-\nu\times\omega)$: $|\nu|$ is an integral, and gives the first approximation a zero root where its differential does not vanish")
         .in_words()
         .follows([Equal(moving.dot(&moving).slope.half(), s.nu.dot(&of_vertical))]);
     let values = all.map(|x| x.value);
-    page.claim("zeros", "momentum", r"the gyrostat with any motor at any state and rates has $(x\cdot\nu)^{\textstyle\cdot}=\nu\cdot(\dot x+\omega\times x-\Gamma e\times\nu)+x\cdot(\dot\nu-\nu\times\omega)$, whatever the moment on the rotor: $x\cdot\nu$ is an integral, independent of $|\nu|$ because $\partial(x\cdot\nu)/\partial\omega=A^*\nu\ne0$, and gives a second zero root")
+    page.claim("zeros", "momentum", r"The gyrostat with any motor at any state and rates has $(x\cdot\nu)^{\textstyle\cdot}=\nu\cdot(\dot x+\omega\times x-\Gamma e\times\nu)+x\cdot(\dot\nu-\nu\times\omega)$, whatever the moment on the rotor: $x\cdot\nu$ is an integral, independent of $|\nu|$ because $\partial(x\cdot\nu)/\partial\omega=A^*\nu\ne0$, and gives a second zero root")
         .under(&s.unit_axis)
         .follows([Equal(all.dot(&moving).slope, s.nu.dot(&of_carrier) + values.dot(&of_vertical))]);
     let (_, spin) = energies.momenta(s.w.zip_map(&s.dw, Tangent::moving), Tangent::moving(s.dphi, s.ddphi));
@@ -113,11 +113,11 @@ fn reduced(page: &mut Page, s: &Letters) {
         + s.l * (s.axial * dy.slip)
         - s.l.cross(&s.nu) * (s.axial * s.omega0 * y.slip);
     let vertical = dy.vertical - turning;
-    page.claim("law", "variation", r"a stationary motion, $\Gamma e=\lambda\nu-\omega^0x$, with $\delta\omega=\omega^0\delta\nu+\eta$ has the variation $\delta\dot\nu=\nu\times\eta$, $A^*\dot\eta=\nu\times H\delta\nu+n\times\eta-A'(l\,\delta\ddot\gamma-\omega^0l\times\nu\,\delta\dot\gamma)$ with $H=\lambda-\omega^{0\,2}A^*$, $n=\kappa-\omega^0\operatorname{tr}A^*\nu$, $\kappa=2\omega^0A^*\nu+A'\Omega l$")
+    page.claim("law", "variation", r"A stationary motion, $\Gamma e=\lambda\nu-\omega^0x$, with $\delta\omega=\omega^0\delta\nu+\eta$ has the variation $\delta\dot\nu=\nu\times\eta$, $A^*\dot\eta=\nu\times H\delta\nu+n\times\eta-A'(l\,\delta\ddot\gamma-\omega^0l\times\nu\,\delta\dot\gamma)$ with $H=\lambda-\omega^{0\,2}A^*$, $n=\kappa-\omega^0\operatorname{tr}A^*\nu$, $\kappa=2\omega^0A^*\nu+A'\Omega l$")
         .in_words()
         .follows((0..3).map(|i| Equal(found[i], expected[i])).chain((0..3).map(|i| Equal(found[3 + i], vertical[i]))));
     let moment = s.angle().cos * s.b0 * y.angle + paper::letter("f") * y.slip;
-    page.claim("law", "rotor", r"the variation of the rotor's equation at a stationary motion, for the synchronous motor without currents, is $A'(l\cdot\delta\dot\omega+\delta\ddot\gamma)=-b_0\cos\gamma^0\delta\gamma-f\,\delta\dot\gamma$")
+    page.claim("law", "rotor", r"The variation of the rotor's equation at a stationary motion, for the synchronous motor without currents, is $A'(l\cdot\delta\dot\omega+\delta\ddot\gamma)=-b_0\cos\gamma^0\delta\gamma-f\,\delta\dot\gamma$")
         .in_words()
         .under(&s.unit_axis)
         .follows([Equal(
@@ -141,7 +141,7 @@ fn energy(page: &mut Page, s: &Letters) {
     let kinetic =
         (carrier.tensor * y.turning).dot(&y.turning) + s.axial * y.slip * (Sym::int(2) * s.l.dot(&y.turning) + y.slip);
     let potential = (carrier.stiffness() * y.vertical).dot(&y.vertical) + s.b0 * s.angle().cos * y.angle.powi(2);
-    page.claim("energy", "second-variation", r"the second variation of $G=E-\Omega p'-\omega^0x\cdot\nu+\frac12\lambda\nu\cdot\nu$ at a stationary motion is $2T(\eta,\delta\dot\gamma)+\delta\nu\cdot H\delta\nu+b_0\cos\gamma^0\delta\gamma^2$ (synchronous motor without currents). The terms are twice the kinetic energy of $\eta$, $\delta\dot\gamma$, and forms of the tilt and of the angle alone")
+    page.claim("energy", "second-variation", r"The second variation of $G=E-\Omega p'-\omega^0x\cdot\nu+\frac12\lambda\nu\cdot\nu$ at a stationary motion is $2T(\eta,\delta\dot\gamma)+\delta\nu\cdot H\delta\nu+b_0\cos\gamma^0\delta\gamma^2$ (synchronous motor without currents). The terms are twice the kinetic energy of $\eta$, $\delta\dot\gamma$, and forms of the tilt and of the angle alone")
         .in_words()
         .under(&unit_vectors(s))
         .follows([Equal(form(&linear.energy), kinetic + potential)]);
@@ -175,7 +175,7 @@ fn energy(page: &mut Page, s: &Letters) {
             + carrier.coupling().dot(&y.vertical).powi(2) / carrier.weight()
     };
     let lead = s.l.dot(&y.vertical) * s.omega0 * kept.weight() - s.l.dot(&s.nu) * kept.coupling().dot(&y.vertical);
-    page.claim("energy", "free-rotor", r"the form $Q$ of a free rotor ($A$ in the place of $A^*$, $p'$ in that of $A'\Omega$) exceeds that of a rotor of constant speed by $A'\,(\omega^0l\cdot\delta\nu\;\nu\cdot A^*\nu-l\cdot\nu\;\kappa\cdot\delta\nu)^2/(\nu\cdot A\nu\;\nu\cdot A^*\nu)\ge0$. Where $Q$ is positive at constant speed it is so with a free rotor")
+    page.claim("energy", "free-rotor", r"The form $Q$ of a free rotor ($A$ in the place of $A^*$, $p'$ in that of $A'\Omega$) exceeds that of a rotor of constant speed by $A'\,(\omega^0l\cdot\delta\nu\;\nu\cdot A^*\nu-l\cdot\nu\;\kappa\cdot\delta\nu)^2/(\nu\cdot A\nu\;\nu\cdot A^*\nu)\ge0$. Where $Q$ is positive at constant speed it is so with a free rotor")
         .in_words()
         .under(&unit_vectors(s))
         .follows([Equal(
@@ -197,11 +197,11 @@ fn polynomial(page: &mut Page, s: &Letters) {
     let dy: Vec<Sym> = y.iter().map(|&one| z * one).collect();
     let found = variation(&stationary(s), &machine, &place, &y, &dy);
     let reduced = carrier.pencil(z) * eta;
-    page.claim("constant-speed", "pencil", r"with $\delta\nu=\nu\times\eta/z$ the variation of a rotor of constant speed is $K(z)\eta=0$, $K=z^2A^*-z[n]-[\nu]H[\nu]$, $[a]b=a\times b$")
+    page.claim("constant-speed", "pencil", r"With $\delta\nu=\nu\times\eta/z$ the variation of a rotor of constant speed is $K(z)\eta=0$, $K=z^2A^*-z[n]-[\nu]H[\nu]$, $[a]b=a\times b$")
         .in_words()
         .follows((0..3).map(|i| Equal(z * found[i], reduced[i])));
     let [det, a, b] = carrier.polynomial();
-    page.claim("constant-speed", "polynomial", r"a rotor of constant speed has $\det K=z^2\det A^*\,p_c(z)$, $p_c=z^4+a_cz^2+b_c$: $\det A^*a_c=-\operatorname{tr}(\operatorname{adj}A^*[\nu]H[\nu])+n\cdot A^*n$, $\det A^*b_c=(\nu\cdot A^*\nu)(\nu\cdot\operatorname{adj}H\,\nu)+(\nu\times\kappa)\cdot H(\nu\times\kappa)$. There are only even powers, so that roots come in pairs $z,-z$, and the first approximation alone does not show stability")
+    page.claim("constant-speed", "polynomial", r"A rotor of constant speed has $\det K=z^2\det A^*\,p_c(z)$, $p_c=z^4+a_cz^2+b_c$: $\det A^*a_c=-\operatorname{tr}(\operatorname{adj}A^*[\nu]H[\nu])+n\cdot A^*n$, $\det A^*b_c=(\nu\cdot A^*\nu)(\nu\cdot\operatorname{adj}H\,\nu)+(\nu\times\kappa)\cdot H(\nu\times\kappa)$. There are only even powers, so that roots come in pairs $z,-z$, and the first approximation alone does not show stability")
         .in_words()
         .under(&s.unit_vertical)
         .follows([Equal(
@@ -209,7 +209,7 @@ fn polynomial(page: &mut Page, s: &Letters) {
             z.powi(2) * (det * z.powi(4) + a * z.powi(2) + b),
         )]);
     let form = carrier.energy();
-    page.claim("constant-speed", "energy", r"a rotor of constant speed has $\det A^*b_c=(\nu\cdot A^*\nu)\det Q$ with the determinant of $Q$ on the plane across $\nu$: $b_c<0$ where $Q$ has one negative square there, $b_c>0$ where it has none or two")
+    page.claim("constant-speed", "energy", r"A rotor of constant speed has $\det A^*b_c=(\nu\cdot A^*\nu)\det Q$ with the determinant of $Q$ on the plane across $\nu$: $b_c<0$ where $Q$ has one negative square there, $b_c>0$ where it has none or two")
         .in_words()
         .under(&s.unit_vertical)
         .follows([Equal(carrier.weight() * (adjugate(&form) * s.nu).dot(&s.nu), b)]);

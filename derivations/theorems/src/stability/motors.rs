@@ -64,7 +64,7 @@ fn motor(page: &mut Page, s: &Letters) {
     let carrier = kept.pencil(z) * eta + above * (s.axial * z.powi(2) * gamma);
     let of_motor = stiffness(&machine, s.angle(), z);
     let rotor = s.axial * (below.dot(&eta) + z.powi(2) * gamma) + of_motor * gamma;
-    page.claim("motor", "pencil", r"with the synchronous motor without currents the variation of a stationary motion is $K\eta+A'z^2(zl-\omega^0l\times\nu)\delta\gamma=0$, $A'(zl+\omega^0l\times\nu)\cdot\eta+(A'z^2+Z)\delta\gamma=0$, where the motor adds its operational stiffness $Z(z)=-\delta M/\delta\gamma$ alone")
+    page.claim("motor", "pencil", r"With the synchronous motor without currents the variation of a stationary motion is $K\eta+A'z^2(zl-\omega^0l\times\nu)\delta\gamma=0$, $A'(zl+\omega^0l\times\nu)\cdot\eta+(A'z^2+Z)\delta\gamma=0$, where the motor adds its operational stiffness $Z(z)=-\delta M/\delta\gamma$ alone")
         .in_words()
         .under(&unit_vectors(s))
         .follows((0..3).map(|i| Equal(z * found[i], carrier[i])).chain([Equal(found[7], rotor)]));
@@ -77,7 +77,7 @@ fn motor(page: &mut Page, s: &Letters) {
         (_, 3) => axial * z.powi(2) * u[i],
         _ => generic[(i, j)],
     });
-    page.claim("motor", "lemma", r"for any matrix $K$ and vectors $v$, $w$, $\det\begin{pmatrix}K&A'z^2v\\A'w^T&A'z^2+Z\end{pmatrix}=A'z^2\det(K-A'vw^T)+Z\det K$")
+    page.claim("motor", "lemma", r"For any matrix $K$ and vectors $v$, $w$, $\det\begin{pmatrix}K&A'z^2v\\A'w^T&A'z^2+Z\end{pmatrix}=A'z^2\det(K-A'vw^T)+Z\det K$")
         .in_words()
         .follows([Equal(
             expanded(&bordered),
@@ -90,7 +90,7 @@ fn motor(page: &mut Page, s: &Letters) {
         .under(&unit_vectors(s))
         .follows((0..9).map(|k| Equal(left[(k / 3, k % 3)], right[(k / 3, k % 3)])));
     let difference = free.pulled_back() - kept.pulled_back();
-    page.claim("motor", "unfelt", r"with the rotor along the vertical, $l=\nu$, $[\nu]H[\nu]$ of the free rotor is that of constant speed: the rotor feels no tilt")
+    page.claim("motor", "unfelt", r"With the rotor along the vertical, $l=\nu$, $[\nu]H[\nu]$ of the free rotor is that of constant speed: the rotor feels no tilt")
         .in_words()
         .given((0..3).map(|i| Zero(s.l[i] - s.nu[i])))
         .by_combination((0..9).map(|entry| {
@@ -108,7 +108,7 @@ fn motor(page: &mut Page, s: &Letters) {
 fn crossing(page: &mut Page) {
     let [square, of_kept, of_free] = ["σ", "pc", "pf"].map(letter);
     let [front, real, imaginary] = ["J", "X", "Y"].map(letter);
-    page.claim("motor", "crossing", r"on the imaginary axis, $z=iy$, $s=-y^2$, the polynomials $p_c$ and $p_f$ are real, and of the characteristic equation $A'D\,sp_f+Zp_c=0$, $D=\det A/\det A^*$, both parts vanish. Where the motor damps, $\operatorname{Im}Z\ne0$, a root on the axis is therefore one of $p_c$ and of $sp_f$")
+    page.claim("motor", "crossing", r"On the imaginary axis, $z=iy$, $s=-y^2$, the polynomials $p_c$ and $p_f$ are real, and of the characteristic equation $A'D\,sp_f+Zp_c=0$, $D=\det A/\det A^*$, both parts vanish. Where the motor damps, $\operatorname{Im}Z\ne0$, a root on the axis is therefore one of $p_c$ and of $sp_f$")
         .given([
             Zero(front * square * of_free + real * of_kept),
             Zero(imaginary * of_kept),
@@ -135,11 +135,11 @@ fn currents(page: &mut Page, s: &Letters) {
     let z = letter("z");
     let (k, f) = (paper::letter("k"), paper::letter("f"));
     let slipping = Asynchronous { field_speed: s.omega_field, k, f };
-    page.claim("currents", "asynchronous", r"the asynchronous motor without currents has $Z=(k+f)z$")
+    page.claim("currents", "asynchronous", r"The asynchronous motor without currents has $Z=(k+f)z$")
         .in_words()
         .follows([Equal(stiffness(&slipping, s.angle(), z), (k + f) * z)]);
     let in_step = Synchronous { field_speed: s.omega_field, b0: s.b0, f };
-    page.claim("currents", "synchronous", r"the synchronous motor without currents has $Z=b_0\cos\gamma^0+fz$")
+    page.claim("currents", "synchronous", r"The synchronous motor without currents has $Z=b_0\cos\gamma^0+fz$")
         .in_words()
         .follows([Equal(stiffness(&in_step, s.angle(), z), s.b0 * s.angle().cos + f * z)]);
     let w = s.windings();
@@ -150,7 +150,7 @@ fn currents(page: &mut Page, s: &Letters) {
             + w.a2.powi(2) * Sym::ratio(bars, 2) * z / (w.r2 + w.l2 * z)
     };
     for (bars, slug) in [(3, "three-bars"), (4, "four-bars"), (6, "six-bars")] {
-        page.claim("currents", slug, format!(r"the synchronous motor with the currents of the excitation and of {bars} evenly spaced bars has $Z=b_0\cos\gamma^0+\mu z+a_1^2\sin^2\gamma^0\,z/(R_1+L_1z)+\frac{{{bars}}}2a_2^2\,z/(R_2+L_2z)$, in which the bars are one term, whatever the angle"))
+        page.claim("currents", slug, format!(r"The synchronous motor with the currents of the excitation and of {bars} evenly spaced bars has $Z=b_0\cos\gamma^0+\mu z+a_1^2\sin^2\gamma^0\,z/(R_1+L_1z)+\frac{{{bars}}}2a_2^2\,z/(R_2+L_2z)$, in which the bars are one term, whatever the angle"))
             .in_words()
             .follows([Equal(stiffness(&s.evenly_spaced(bars), s.angle(), z), relaxing(bars.into()))]);
         let bar = -Circle::exact_turn(1, 8).unwrap_or(Circle::zero());
@@ -160,7 +160,7 @@ fn currents(page: &mut Page, s: &Letters) {
         page.claim(
             "currents",
             slug,
-            format!(r"the two windings that are equivalent to {bars} evenly spaced bars have the $Z$ of these"),
+            format!(r"The two windings that are equivalent to {bars} evenly spaced bars have the $Z$ of these"),
         )
         .in_words()
         .follows([Equal(stiffness(&lumped, s.angle(), z), relaxing(bars.into()))]);
@@ -172,11 +172,11 @@ fn currents(page: &mut Page, s: &Letters) {
         let of = |strength: Sym, r: Sym, l: Sym| strength * r / (r.powi(2) - l.powi(2) * square);
         w.mu + of(slope.powi(2), w.r1, w.l1) + of(w.a2.powi(2) * Sym::ratio(3, 2), w.r2, w.l2)
     };
-    page.claim("currents", "lagging", r"the odd part of $Z$ with the currents of the excitation and of three bars, which on the axis is $i\operatorname{Im}Z$, is $\frac12(Z(z)-Z(-z))=z\,(\mu+a_1^2\sin^2\gamma^0R_1/(R_1^2-L_1^2z^2)+\frac32a_2^2R_2/(R_2^2-L_2^2z^2))$")
+    page.claim("currents", "lagging", r"The odd part of $Z$ with the currents of the excitation and of three bars, which on the axis is $i\operatorname{Im}Z$, is $\frac12(Z(z)-Z(-z))=z\,(\mu+a_1^2\sin^2\gamma^0R_1/(R_1^2-L_1^2z^2)+\frac32a_2^2R_2/(R_2^2-L_2^2z^2))$")
         .in_words()
         .follows([Equal(odd, z * lag(w.a1 * s.angle().sin, z.powi(2)))]);
     let resisting = [y, w.mu, w.a2, w.r1, w.r2, w.l1, w.l2];
-    page.claim("currents", "damps", r"with the currents of the excitation and of three bars $\operatorname{Im}Z(iy)$, from stability/currents/lagging, is positive for $y>0$, for every $\psi_1'=-a_1\sin\gamma^0$. Every winding with a resistance damps")
+    page.claim("currents", "damps", r"With the currents of the excitation and of three bars $\operatorname{Im}Z(iy)$, from stability/currents/lagging, is positive for $y>0$, for every $\psi_1'=-a_1\sin\gamma^0$. Every winding with a resistance damps")
         .in_words()
         .given(resisting.map(Positive))
         .by_signs([Positive(y * lag(letter("ψ"), -y.powi(2)))]);
@@ -184,7 +184,7 @@ fn currents(page: &mut Page, s: &Letters) {
     let without = [(w.l1, Sym::ZERO), (w.l2, Sym::ZERO)];
     let limit = symbolic::substitute_all(&[still], &without).first().copied().unwrap_or(Sym::UNDEFINED);
     let damping = w.mu + (w.a1 * s.angle().sin).powi(2) / w.r1 + w.a2.powi(2) * Sym::ratio(3, 2) / w.r2;
-    page.claim("currents", "without-inductance", r"with $L_1=L_2=0$ the $Z$ of stability/currents/three-bars is $b_0\cos\gamma^0+dz$ with $d=\mu+a_1^2\sin^2\gamma^0/R_1+\frac32a_2^2/R_2$, that of a model without currents with the damping $d$")
+    page.claim("currents", "without-inductance", r"With $L_1=L_2=0$ the $Z$ of stability/currents/three-bars is $b_0\cos\gamma^0+dz$ with $d=\mu+a_1^2\sin^2\gamma^0/R_1+\frac32a_2^2/R_2$, that of a model without currents with the damping $d$")
         .in_words()
         .follows([Equal(limit, s.b0 * s.angle().cos + damping * z)]);
 }
@@ -202,7 +202,7 @@ fn damping(page: &mut Page) {
     ]);
     let between = ac * af - ac.powi(2) + bc - bf;
     let resultant = (bf - bc).powi(2) + (af - ac) * (af * bc - ac * bf);
-    page.claim("damping", "minors", r"without currents, $A'Dz^2p_f+(K+dz)p_c$ with $D=\det A/\det A^*$, the first, third and fifth minor of Hurwitz are $d/A'D$, $(d/A'D)^2(a_ca_f-a_c^2+b_c-b_f)$ and $-(d/A'D)^3b_cR$ with the resultant $R=(b_f-b_c)^2+(a_f-a_c)(a_fb_c-a_cb_f)$ of $p_c$ and $p_f$ in $z^2$. The stiffness $K$ occurs in none of them, and $d$ only as a factor")
+    page.claim("damping", "minors", r"Without currents, $A'Dz^2p_f+(K+dz)p_c$ with $D=\det A/\det A^*$, the first, third and fifth minor of Hurwitz are $d/A'D$, $(d/A'D)^2(a_ca_f-a_c^2+b_c-b_f)$ and $-(d/A'D)^3b_cR$ with the resultant $R=(b_f-b_c)^2+(a_f-a_c)(a_fb_c-a_cb_f)$ of $p_c$ and $p_f$ in $z^2$. The stiffness $K$ occurs in none of them, and $d$ only as a factor")
         .in_words()
         .follows([
             Equal(minors[0], d / axial),
@@ -211,7 +211,7 @@ fn damping(page: &mut Page) {
             Equal(minors[5], minors[4] * k * bc / axial),
         ]);
     let by_slip = mechanics::stability::hurwitz([d / axial, af, d * ac / axial, bf, d * bc / axial]);
-    page.claim("damping", "asynchronous", "the first, third and fifth minor of Hurwitz of a motor by slip, $A'Dzp_f+dp_c$, are those of a synchronous motor without currents, $A'Dz^2p_f+(K+dz)p_c$ (stability/damping/minors). By the criterion of Lienard and Chipart, which is cited, the latter is asymptotically stable if and only if $K>0$ and the former is asymptotically stable")
+    page.claim("damping", "asynchronous", "The first, third and fifth minor of Hurwitz of a motor by slip, $A'Dzp_f+dp_c$, are those of a synchronous motor without currents, $A'Dz^2p_f+(K+dz)p_c$ (stability/damping/minors). By the criterion of Lienard and Chipart, which is cited, the latter is asymptotically stable if and only if $K>0$ and the former is asymptotically stable")
         .in_words()
         .follows([0, 2, 4].map(|place| Equal(by_slip[place], minors[place])));
 }
