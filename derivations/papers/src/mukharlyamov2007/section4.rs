@@ -151,7 +151,7 @@ fn instability(page: &mut Page) {
     let [dy0, b, t] = letters(["ẏ₀", "b", "t"]);
     let drifted = dy0 * t;
     let reached = drifted.substitute(&[(t, b / dy0)]);
-    page.claim("section5-instability", "geometric", r"A geometric constraint is unstable. The error $y=\dot y_0t$ has the rate $\ddot y$ that multipliers from $\ddot f=0$ leave, and reaches any bound $b>0$ at the time $b/\dot y_0$, however small $\dot y_0>0$ is")
+    page.claim("section5-instability", "geometric", r"A geometric constraint is unstable. The error $y=\dot y_0t$ has the rate $\ddot y$ that multipliers from $\ddot f=0$ leave, and reaches any bound $b>0$ at the time $b/\dot y_0$, for every $\dot y_0>0$")
         .in_words()
         .given([Positive(b), Positive(dy0)])
         .follows([Equal(drifted.diff(t).diff(t), moved[0]), Equal(reached, b)]);

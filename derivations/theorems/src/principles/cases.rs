@@ -18,7 +18,7 @@ pub fn rod() -> Case<GuidedRod<Sym>, 4, 2, 2, 2> {
     let [guided, free, length, gravity, friction] = letters(["m", "m1", "l", "g", "f"]);
     Case {
         entry: "rod",
-        name: "Painleve's rod",
+        name: "Painlevé's rod",
         system: Closed(Rod { guided, free, length, gravity, friction, sides: Sides::Two }),
         at: (letter("t"), letters(["x", "θ"]), letters(["ẋ", "θ̇"])),
         dependent: [3, 1],

@@ -211,7 +211,7 @@ fn damping(page: &mut Page) {
             Equal(minors[5], minors[4] * k * bc / axial),
         ]);
     let by_slip = mechanics::stability::hurwitz([d / axial, af, d * ac / axial, bf, d * bc / axial]);
-    page.claim("damping", "asynchronous", "The first, third and fifth minor of Hurwitz of a motor by slip, $A'Dzp_f+dp_c$, are those of a synchronous motor without currents, $A'Dz^2p_f+(K+dz)p_c$ (stability/damping/minors). By the criterion of Lienard and Chipart, which is cited, the latter is asymptotically stable if and only if $K>0$ and the former is asymptotically stable")
+    page.claim("damping", "asynchronous", "The first, third and fifth minor of Hurwitz of a motor by slip, $A'Dzp_f+dp_c$, are those of a synchronous motor without currents, $A'Dz^2p_f+(K+dz)p_c$ (stability/damping/minors). By the criterion of Liénard and Chipart, which is cited, the latter is asymptotically stable if and only if $K>0$ and the former is asymptotically stable")
         .in_words()
         .follows([0, 2, 4].map(|place| Equal(by_slip[place], minors[place])));
 }
