@@ -9,10 +9,12 @@ from html import escape
 from typing import Any
 
 from ._apart import apart
+from ._arguments import shown
 from ._html import COLOURS, formula, table
+from ._letters import given_meanings, letters_of, meanings_of, name_of, plain
 from ._model import Model
-from ._native import ModelError
-from ._sympy import needed, plain, written
+from ._refusals import refusal
+from ._sympy import needed, written
 
 __all__ = ["Check", "CheckedEquation", "check"]
 
@@ -24,6 +26,8 @@ _PRINTED = 2000
 _READABLE = 300
 # characters of a text of the language
 _LONGEST_TEXT = 10_000
+# names that are made here
+_MADE = re.compile(r"(letter|speed_of_method|meaning_of_speed|multiplier_of_method|long_part|common_part)_\d+")
 
 
 @dataclass(frozen=True)
@@ -140,8 +144,8 @@ def check(method: Any, model: Model, names: Mapping[Any, str] | None = None, *, 
     partner, or where SymPy's coordinates do not determine the motion of the model.
     """
     if not isinstance(model, Model):
-        raise TypeError(f"`model` is {model!r}; a dalembert.Model is accepted")
-    equations, printed = _Equations(method, model, names or {}).parts()
+        raise TypeError(f"`model` is {shown(model)}; a dalembert.Model is accepted")
+    equations, printed = _Equations(method, model, names).parts()
     found = apart("check", (model, equations), seconds)
     of = dict(zip([f"constraint {k + 1}" for k in range(len(equations["constraints"]))] + [name for name, _ in equations["equations"]], printed))
     checked = [CheckedEquation(**one, printed=of.get(one["name"], r"\text{" + one["name"] + "}")) for one in found["equations"]]
@@ -157,8 +161,9 @@ def check(method: Any, model: Model, names: Mapping[Any, str] | None = None, *, 
 class _Equations:
     """The parts of a method of SymPy, in letters that no name of a model is."""
 
-    def __init__(self, method: Any, model: Model, names: Mapping[Any, str]) -> None:
+    def __init__(self, method: Any, model: Model, names: Mapping[Any, str] | None) -> None:
         sympy = needed()
+        from sympy.core.function import AppliedUndef
         from sympy.physics.vector import dynamicsymbols
 
         # JointsMethod and its like hold the method that they used
@@ -185,8 +190,13 @@ class _Equations:
                 "a square matrix over the rates of all of these is accepted"
             )
         self.constraints = self._constraints(method)
-        self.names: dict[str, str] = {}
-        self.letters = self._letters({_key(known): value for known, value in names.items()})
+        functions = [one for one in (*self.q, *self.u, *self.multipliers) if not isinstance(one, (AppliedUndef, sympy.Symbol))]
+        if functions:
+            raise ValueError(f"{functions[0]} is a coordinate or a speed of the method; functions of {self.time} are accepted, and rates of all coordinates as speeds")
+        # by symbol, and for what stands in the place of parts of expressions
+        self.names: dict[Any, str] = {}
+        self.plain_symbols: dict[Any, Any] = {}
+        self.letters = self._letters(given_meanings(names))
 
     def _constraints(self, method: Any) -> list[Any]:
         """Constraints between coordinates and between speeds, as far as the method knows them."""
@@ -198,59 +208,63 @@ class _Equations:
             known += list(self.sympy.Matrix(slopes) * self.sympy.Matrix(method.u) + self.sympy.Matrix(rest))
         return [self.sympy.sympify(one) for one in known]
 
-    def _letters(self, given: dict[str, str]) -> list[tuple[str, str]]:
-        sympy = self.sympy
-        from sympy.core.function import AppliedUndef
-
-        expressions = [*self.matrix, *self.right, *self.constraints, *self.q]
-        found: dict[str, None] = {}
-        for expression in expressions:
-            for atom in expression.atoms(sympy.Symbol, AppliedUndef):
-                if atom != self.time:
-                    found.setdefault(atom.name if atom.is_Symbol else atom.func.__name__, None)
-        own = {_key(one) for one in [*self.u, *self.multipliers]}
-        found = {name: None for name in sorted(found) if name not in own}
+    def _letters(self, given: dict[Any, str]) -> list[tuple[str, str]]:
         native = self.model._native
+        own = [*self.u, *self.multipliers]
+        # a speed may stand in no equation
+        found = letters_of([*self.matrix, *self.right, *self.constraints, *self.q, *own], self.time)
+        try:
+            meanings = meanings_of(found, given, own)
+        except ValueError as error:
+            title, _, remedy = str(error).rpartition("; ")
+            raise refusal(native.name, title, remedy) from None
+        found = [symbol for symbol in found if symbol not in own]
         states = [name for name, _ in native.states]
         known = states[: native.positions] + list(self.model.parameters) + native.inputs
-        meanings = {name: given.get(name, plain(name)) for name in found}
-        unmatched = [name for name in found if name not in given and plain(name) not in known]
-        unused = [name for name in given if name not in found and name not in own]
-        if unmatched or unused:
-            what = f"no letter of the model is called {', '.join(unmatched)}" if unmatched else f"SymPy's equations hold no {', '.join(unused)}"
-            both = f"SymPy has {', '.join(found)}; the model has {', '.join(known)}"
-            raise _refusal(native.name, f"{what}; {both}", "`names` says what a letter of SymPy is in the model")
+        unmatched = [name_of(symbol) for symbol in found if symbol not in meanings and plain(name_of(symbol)) not in known]
+        if unmatched:
+            both = f"SymPy has {', '.join(map(name_of, found))}; the model has {', '.join(known)}"
+            raise refusal(native.name, f"no letter of the model is called {', '.join(unmatched)}; {both}", "`names` says what a letter of SymPy is in the model")
         letters = []
-        for place, (name, meaning) in enumerate(meanings.items(), 1):
-            if not isinstance(meaning, str):
-                raise TypeError(f"`names` gives {name!r} the meaning {meaning!r}; the text of an expression of the model is accepted")
+        for place, symbol in enumerate(found, 1):
             # messages show it
-            shown = plain(name)
-            taken = not shown.isidentifier() or shown in (*self.names.values(), "t", "pi")
-            self.names[name] = f"letter_{place}" if taken else shown
-            letters.append((self.names[name], meaning))
+            name = plain(name_of(symbol))
+            taken = not name.isidentifier() or name in (*self.names.values(), "t", "pi") or _MADE.fullmatch(name)
+            self.names[symbol] = f"letter_{place}" if taken else name
+            letters.append((self.names[symbol], meanings.get(symbol, name)))
         # a speed whose coordinate the method leaves out, such as that of a wheel, has no kinematic equation; `names` may have its meaning
         self.named_speeds: list[str] = []
         for place, one in enumerate(self.u, 1):
-            self.names[_key(one)] = f"speed_of_method_{place}"
-            if _key(one) in given:
-                letters.append((f"meaning_of_speed_{place}", given[_key(one)]))
+            self.names[one] = f"speed_of_method_{place}"
+            if one in meanings:
+                letters.append((f"meaning_of_speed_{place}", meanings[one]))
                 self.named_speeds.append(f"speed_of_method_{place} - meaning_of_speed_{place}")
         for place, one in enumerate(self.multipliers, 1):
-            self.names[_key(one)] = f"multiplier_of_method_{place}"
+            self.names[one] = f"multiplier_of_method_{place}"
         return letters
 
     def _text(self, expression: Any) -> str:
-        return written(expression, lambda name, order: self.names.get(name, name) + "'" * order)
+        return written(expression, lambda symbol, order: self.names[symbol] + "'" * order)
+
+    def _symbol(self, text: str) -> Any:
+        """A symbol that is no other, and is written so."""
+        symbol = self.sympy.Dummy(text)
+        self.names[symbol] = text
+        return symbol
 
     def _lettered(self, expression: Any) -> Any:
         """The expression with plain symbols for functions of the time and their derivatives."""
         from sympy.core.function import AppliedUndef
 
         for kind in (self.sympy.Derivative, AppliedUndef):
-            found = expression.atoms(kind)
-            expression = expression.xreplace({one: self.sympy.Symbol(self._text(one)) for one in found if one != self.time})
+            found = sorted(expression.atoms(kind) - {self.time}, key=self.sympy.default_sort_key)
+            expression = expression.xreplace({one: self._plain_symbol(one) for one in found})
         return expression
+
+    def _plain_symbol(self, part: Any) -> Any:
+        if part not in self.plain_symbols:
+            self.plain_symbols[part] = self._symbol(self._text(part))
+        return self.plain_symbols[part]
 
     def _short(self, expression: Any, abbreviations: list[tuple[str, str]]) -> str:
         """The text of an expression, with abbreviations for parts of it where it would be too long for the language."""
@@ -262,8 +276,10 @@ class _Equations:
             inside = self._short(part, abbreviations)
             name = f"long_part_{len(abbreviations)}"
             abbreviations.append((name, inside))
-            return self.sympy.Symbol(name)
+            return self._symbol(name)
 
+        if expression.is_Piecewise:
+            return self._text(expression.func(*((named(value), condition) for value, condition in expression.args)))
         if (expression.is_Add or expression.is_Mul) and len(expression.args) > 2:
             half = len(expression.args) // 2
             parts = [expression.func(*expression.args[:half]), expression.func(*expression.args[half:])]
@@ -283,17 +299,17 @@ class _Equations:
         everything = [self._lettered(row) for row in kinematics + self.constraints + dynamics]
         abbreviations: list[tuple[str, str]] = []
         if sum(row.count_ops() for row in everything) > _LONG:
-            common, everything = sympy.cse(everything, symbols=(sympy.Symbol(f"common_part_{k}") for k in range(10**9)), optimizations=None, list=True)
+            common, everything = sympy.cse(everything, symbols=(self._symbol(f"common_part_{k}") for k in range(10**9)), optimizations=None, list=True)
             for symbol, value in common:
-                abbreviations.append((symbol.name, self._short(value, abbreviations)))
+                abbreviations.append((self.names[symbol], self._short(value, abbreviations)))
         texts = [self._short(row, abbreviations) for row in everything]
         k, m = len(kinematics), len(kinematics) + len(self.constraints)
         titles = self._titles(len(dynamics))
         equations = {
             "letters": self.letters,
-            "speeds": [self.names[_key(one)] for one in self.u],
+            "speeds": [self.names[one] for one in self.u],
             "accelerations": [self._text(one) for one in self.unknown[: len(self.unknown) - len(self.multipliers)]],
-            "multipliers": [self.names[_key(one)] for one in self.multipliers],
+            "multipliers": [self.names[one] for one in self.multipliers],
             "abbreviations": abbreviations,
             "kinematics": texts[:k] + self.named_speeds,
             "constraints": texts[k:m],
@@ -304,23 +320,3 @@ class _Equations:
     def _titles(self, count: int) -> list[str]:
         along = [str(one).replace(f"({self.time})", "") for one in (self.u or self.q)]
         return [f"equation {place + 1}" + (f" ({along[place]})" if place < len(along) else "") for place in range(count)]
-
-
-def _refusal(name: str, title: str, remedy: str) -> ModelError:
-    """An error without a place in a text."""
-    error = ModelError(f"{title}; {remedy}")
-    issue = {"file": name, "line": None, "column": None, "title": title, "label": "", "remedy": remedy}
-    for key, value in issue.items():
-        setattr(error, key, value)
-    error.issues = [issue]
-    return error
-
-
-def _key(known: Any) -> str:
-    if isinstance(known, str):
-        return known
-    if getattr(known, "is_Symbol", False):
-        return known.name
-    if hasattr(known, "func"):
-        return known.func.__name__
-    raise TypeError(f"`names` has the key {known!r}; a symbol of SymPy, a function of the time, or a name is accepted")

@@ -6,6 +6,9 @@ from collections.abc import Callable, Mapping
 from types import SimpleNamespace
 from typing import Any
 
+from ._arguments import shown
+from ._letters import MEANINGS, given_meanings, is_letter, letters_of, meanings_of, name_of, plain, told
+
 __all__ = ["from_sympy", "to_sympy", "written"]
 
 _FUNCTIONS = {
@@ -23,11 +26,13 @@ _FUNCTIONS = {
     "atan2": "atan2",
     "Abs": "abs",
     "sign": "sign",
-    "Min": "min",
-    "Max": "max",
 }
+# of two arguments each
+_NESTED = {"Min": "min", "Max": "max"}
+_RELATIONS = {"StrictLessThan": "<", "LessThan": "<=", "StrictGreaterThan": ">", "GreaterThan": ">="}
 _INVERSE = {"sec": "1/cos({})", "csc": "1/sin({})", "cot": "cos({0})/sin({0})"}
-_GREEK = set("alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi chi psi omega".split())
+# of powers, in the language
+_LARGEST = 64
 
 
 def needed() -> Any:
@@ -39,43 +44,42 @@ def needed() -> Any:
     return sympy
 
 
-def plain(name: str) -> str:
-    """A name of SymPy as one of the language of models: `\\theta_{1}` is theta_1."""
-    return name.replace("\\", "").replace("{", "").replace("}", "").replace(" ", "_")
-
-
 def from_sympy(expression: Any, names: Mapping[Any, str] | None = None) -> str:
     """The text of an expression of SymPy in the language of models.
 
     Functions of the time are called as they are, q(t) is q and its derivatives q' and q''; `names` gives others by symbol or by name:
-    from_sympy(q1.diff()**2, {"q1": "theta"}) is "theta'^2".
+    from_sympy(q1.diff()**2, {"q1": "theta"}) is "theta'^2". A symbol whose name is no name of the language needs one there, and so do two symbols
+    that would become one letter, such as `m_{1}` and `m_1`. Raises ValueError for them, and for what the language does not have; TypeError for what is
+    no expression.
     """
-    given = {_name(known): value for known, value in (names or {}).items()}
+    sympy = needed()
+    from sympy.physics.vector import dynamicsymbols
 
-    def name_of(name: str, order: int) -> str:
-        if name not in given:
-            return plain(name) + "'" * order
-        meant = given[name]
-        if order == 0:
-            return meant if meant.replace("_", "a").replace("'", "a").isalnum() else f"({meant})"
-        if meant.replace("_", "a").isalnum():
+    try:
+        scalar = sympy.sympify(expression, strict=True)
+    except sympy.SympifyError:
+        scalar = None
+    if not isinstance(scalar, sympy.Expr) or getattr(scalar, "is_Matrix", False):
+        raise TypeError(f"`expression` is {shown(expression)}; a scalar expression of SymPy is accepted")
+    symbols = letters_of([scalar], dynamicsymbols._t)
+    meanings = meanings_of(symbols, given_meanings(names))
+    for symbol in symbols:
+        if symbol not in meanings and not is_letter(plain(name_of(symbol))):
+            raise ValueError(f"{told(symbol)} has a name that no letter of the language has; {MEANINGS}")
+
+    def letter(symbol: Any, order: int) -> str:
+        meant = meanings.get(symbol, plain(name_of(symbol)))
+        if is_letter(meant):
             return meant + "'" * order
         for _ in range(order):
             meant = f"rate({meant})"
-        return meant
+        return meant if order or is_letter(meant.rstrip("'")) else f"({meant})"
 
-    return written(needed().sympify(expression), name_of)
-
-
-def _name(known: Any) -> str:
-    """The name of a symbol, of a function of the time, or of a text."""
-    if isinstance(known, str):
-        return known
-    return known.func.__name__ if getattr(known, "args", ()) else known.name
+    return written(scalar, letter)
 
 
-def written(expression: Any, name_of: Callable[[str, int], str]) -> str:
-    """The text of an expression whose letters have the names that a function gives by name and number of derivatives."""
+def written(expression: Any, letter: Callable[[Any, int], str]) -> str:
+    """The text of an expression whose letters a function gives by symbol and number of derivatives."""
     sympy = needed()
     from sympy.core.function import AppliedUndef
     from sympy.physics.vector import dynamicsymbols
@@ -87,7 +91,7 @@ def written(expression: Any, name_of: Callable[[str, int], str]) -> str:
 
     # a number for each level: sums 1, products 2, powers 3, all else 4
     def held(part: Any, level: int) -> str:
-        text, own = told(part)
+        text, own = text_of(part)
         return text if own >= level else f"({text})"
 
     def number(value: Any) -> tuple[str, int]:
@@ -101,28 +105,33 @@ def written(expression: Any, name_of: Callable[[str, int], str]) -> str:
             return text, 1
         return text, 2 if "/" in text else 4
 
-    def told(part: Any) -> tuple[str, int]:
+    def text_of(part: Any) -> tuple[str, int]:
         if part == time:
             return "t", 4
         if part is sympy.pi:
             return "pi", 4
         if part.is_Rational or part.is_Float:
             return number(part)
+        if part in (sympy.oo, -sympy.oo, sympy.zoo, sympy.nan):
+            raise refused(part, "it is no finite number")
         if part is sympy.E:
             return "exp(1)", 4
         if part.is_Symbol:
-            return name_of(part.name, 0), 4
+            return letter(part, 0), 4
         if isinstance(part, AppliedUndef):
             if part.args != (time,):
                 raise refused(part, f"functions of {time} alone are accepted")
-            return name_of(part.func.__name__, 0), 4
+            return letter(part, 0), 4
         if isinstance(part, sympy.Derivative):
             function, *by = part.args
             if not isinstance(function, AppliedUndef) or function.args != (time,) or any(one[0] != time for one in by):
                 raise refused(part, "derivatives of functions of the time by the time are accepted; .doit() may give some")
-            return name_of(function.func.__name__, int(sum(one[1] for one in by))), 4
+            order = sum(one[1] for one in by)
+            if order not in (1, 2):
+                raise refused(part, "the first and the second derivative by the time are accepted")
+            return letter(function, int(order)), 4
         if part.is_Add:
-            terms = [text if level > 1 or text.startswith("-") else f"({text})" for text, level in map(told, part.as_ordered_terms())]
+            terms = [text if level > 1 or text.startswith("-") else f"({text})" for text, level in map(text_of, part.as_ordered_terms())]
             return "".join(term if i == 0 else f" - {term[1:]}" if term.startswith("-") else f" + {term}" for i, term in enumerate(terms)), 1
         if part.is_Mul:
             return product(part)
@@ -131,16 +140,24 @@ def written(expression: Any, name_of: Callable[[str, int], str]) -> str:
         if part.is_Piecewise:
             return pieces(part), 4
         name = type(part).__name__
+        if name in _NESTED:
+            *others, last = part.args
+            text = text_of(last)[0]
+            for one in reversed(others):
+                text = f"{_NESTED[name]}({text_of(one)[0]}, {text})"
+            return text, 4
+        if name == "Step":
+            return f"if({text_of(part.args[0])[0]} > 0, 1, 0)", 4
         if name in _INVERSE:
-            return _INVERSE[name].format(told(part.args[0])[0]), 2
+            return _INVERSE[name].format(text_of(part.args[0])[0]), 2
         if name in _FUNCTIONS:
-            return f"{_FUNCTIONS[name]}({', '.join(told(one)[0] for one in part.args)})", 4
+            return f"{_FUNCTIONS[name]}({', '.join(text_of(one)[0] for one in part.args)})", 4
         raise refused(part, f"{name} is no function of the language")
 
     def product(part: Any) -> tuple[str, int]:
         coefficient, rest = part.as_coeff_Mul()
         if coefficient.is_number and coefficient.is_negative:
-            text, level = told(-coefficient * rest)
+            text, level = text_of(-coefficient * rest)
             return "-" + (text if level >= 2 else f"({text})"), 1
         above: list[str] = []
         below: list[str] = []
@@ -152,7 +169,7 @@ def written(expression: Any, name_of: Callable[[str, int], str]) -> str:
                 if one.p != 1:
                     above.insert(0, str(one.p))
             else:
-                above.append(held(one, 3) if not one.is_Mul else f"({told(one)[0]})")
+                above.append(held(one, 3) if not one.is_Mul else f"({text_of(one)[0]})")
         text = "*".join(above) or "1"
         if below:
             text += "/" + (below[0] if len(below) == 1 else f"({'*'.join(below)})")
@@ -160,40 +177,45 @@ def written(expression: Any, name_of: Callable[[str, int], str]) -> str:
 
     def power(base: Any, exponent: Any) -> tuple[str, int]:
         if base is sympy.E:
-            return f"exp({told(exponent)[0]})", 4
-        if exponent.is_Rational and exponent.is_negative:
+            return f"exp({text_of(exponent)[0]})", 4
+        if exponent.is_Float and sympy.Rational(exponent).q <= _LARGEST:
+            exponent = sympy.Rational(exponent)
+        if (exponent.is_Rational or exponent.is_Float) and abs(exponent) > _LARGEST:
+            raise refused(base**exponent, f"exponents from -{_LARGEST} to {_LARGEST} are accepted")
+        if (exponent.is_Rational or exponent.is_Float) and exponent.is_negative:
             return f"1/{held(base ** -exponent, 3)}", 2
         if exponent == sympy.Rational(1, 2):
-            return f"sqrt({told(base)[0]})", 4
-        if exponent.is_Integer:
-            if exponent > 64:
-                raise refused(base**exponent, "exponents up to 64 are accepted")
-            return f"{held(base, 4)}^{exponent}", 3
+            return f"sqrt({text_of(base)[0]})", 4
+        if exponent.is_Integer or exponent.is_Float:
+            return f"{held(base, 4)}^{text_of(exponent)[0]}", 3
         if exponent.is_Rational:
             return f"{held(base, 4)}^({exponent})", 3
-        return f"exp(({told(exponent)[0]})*ln({told(base)[0]}))", 4
+        return f"exp(({text_of(exponent)[0]})*ln({text_of(base)[0]}))", 4
 
     def pieces(part: Any) -> str:
-        value, condition = part.args[0]
-        if condition == True or len(part.args) == 1:  # noqa: E712, a truth value of SymPy
-            return f"({told(value)[0]})"
-        relation = {"StrictLessThan": "<", "LessThan": "<=", "StrictGreaterThan": ">", "GreaterThan": ">="}.get(type(condition).__name__)
-        if relation is None:
-            raise refused(part, "conditions with <, <=, > and >= are accepted")
-        test = f"{told(condition.lhs)[0]} {relation} {told(condition.rhs)[0]}"
-        return f"if({test}, {told(value)[0]}, {pieces(type(part)(*part.args[1:], evaluate=False))})"
+        if sympy.Or(*(condition for _, condition in part.args)) != True:  # noqa: E712, a truth value of SymPy
+            raise refused(part, "a last piece with the condition True is accepted, so that there is a value everywhere")
+        *others, (value, _) = part.args
+        text = f"({text_of(value)[0]})"
+        for value, condition in reversed(others):
+            relation = _RELATIONS.get(type(condition).__name__)
+            if relation is None:
+                raise refused(part, "conditions with <, <=, > and >= are accepted")
+            text = f"if({text_of(condition.lhs)[0]} {relation} {text_of(condition.rhs)[0]}, {text_of(value)[0]}, {text})"
+        return text
 
-    return told(expression)[0]
+    return text_of(expression)[0]
 
 
 def to_sympy(program: str) -> SimpleNamespace:
     """The objects of a program for SymPy, as `Equations.sympy` writes it."""
     needed()
-    space: dict[str, Any] = {}
-    exec(compile(program, "<equations of motion>", "exec"), space)
     from sympy import Basic
     from sympy.matrices import MatrixBase
 
+    from ._step import unfolded
+
+    space = unfolded(program)
     found = {name: value for name, value in space.items() if isinstance(value, (Basic, MatrixBase)) and not name.startswith("_")}
     words = {"pi"}
     parts = ("t", "q", "u", "kinematics", "mass_matrix", "inertia", "forces", "constraints", "jacobian", "bias", "multipliers", "equations")
