@@ -26,27 +26,37 @@ The language of the texts stands in the book of the project, in the chapter "You
 otherwise. What is wrong with a model raises ModelError with file, line, column and what is accepted there.
 """
 
+import copyreg as _copyreg
 from inspect import Parameter, Signature
 
 from ._model import Model
 from ._builder import ModelBuilder
 from ._check import Check, CheckedEquation, check
 from ._columns import TimedColumns
+from ._equations import Equations
 from ._forces import Forces
 from ._ledger import Claim, Correction, Ledger, Unread, judge
-from ._native import METHODS, PRINCIPLES, VERSION, Equations, Judgement, LinearEquations, ModelError, JacobianMatrix, RightHandSide
-from ._proofs import Judgements
+from ._linear import LinearEquations
+from ._native import METHODS, PRINCIPLES, VERSION, JacobianMatrix, ModelError, RightHandSide
+from ._proofs import Judgement, Judgements
 from ._reference import Reference, ReferenceEvent
 from ._regimes import Margin, Regime, Regimes
-from ._regulator import Regulator
+from ._regulator import ClosedLoop, Regulator
 from ._results import Chart, Ensemble, ModelChoice, SteadyMotion, SteadyMotions
 from ._sympy import from_sympy
 from ._trajectory import Trajectory
 
 __version__ = VERSION
 
+
+
+def _not_pickled(function):
+    raise TypeError(f"{function!r} is machine code of this process and is not pickled; its model is, and its rhs() and jacobian() make the functions again")
+
+
 # what is compiled shows no signature by itself
 for _callable in (RightHandSide, JacobianMatrix):
+    _copyreg.pickle(_callable, _not_pickled)
     _callable.__signature__ = Signature([Parameter(name, Parameter.POSITIONAL_OR_KEYWORD) for name in ("t", "y")])
 
 __all__ = [
@@ -56,6 +66,7 @@ __all__ = [
     "Check",
     "CheckedEquation",
     "Claim",
+    "ClosedLoop",
     "Correction",
     "Ensemble",
     "Equations",

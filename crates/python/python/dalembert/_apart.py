@@ -18,6 +18,9 @@ from collections.abc import Callable
 from contextlib import suppress
 from typing import Any
 
+from ._arguments import LONGEST, seconds_of
+from ._warnings import known, warn
+
 __all__ = ["apart"]
 
 # modules are looked for where this process finds them, this package too
@@ -31,8 +34,6 @@ _work()
 _HEAD = struct.Struct("<cQ")
 # a process that ends by itself is given so many seconds beyond its time
 _GRACE = 1.5
-# seconds, where there is no limit
-_LONGEST = 1e9
 
 
 def apart(task: str, arguments: tuple, seconds: float | None, told: Callable[[Any], None] | None = None) -> Any:
@@ -41,11 +42,9 @@ def apart(task: str, arguments: tuple, seconds: float | None, told: Callable[[An
     `told` hears what the function tells before its end. Raises TimeoutError after `seconds`, and KeyboardInterrupt at Ctrl-C; the other
     process has ended then.
     """
-    if seconds is not None and not 0 < seconds < float("inf"):
-        raise ValueError(f"`seconds` is {seconds!r}; a positive time in seconds is accepted, and None for no limit")
+    seconds = seconds_of(seconds)
     if not sys.executable:
         raise RuntimeError("this Python is part of another program, and no other process of it can be begun; the program `dalembert` does the same")
-    seconds = None if seconds is None else min(seconds, _LONGEST)
     given = b"".join(struct.pack("<Q", len(part)) + part for part in map(pickle.dumps, (sys.path, (task, seconds, arguments))))
     # it hears of Ctrl-C from here alone
     process = subprocess.Popen([sys.executable, "-c", _PROGRAM], stdin=subprocess.PIPE, stdout=subprocess.PIPE, start_new_session=True)
@@ -80,7 +79,7 @@ def apart(task: str, arguments: tuple, seconds: float | None, told: Callable[[An
             if kind == b"t" and told is not None:
                 told(value)
             elif kind == b"w":
-                warnings.warn(value, stacklevel=4)
+                warn(value)
             elif kind == b"e":
                 raise value
             elif kind == b"v":
@@ -117,10 +116,11 @@ def _work() -> None:
     threading.Thread(target=watch, daemon=True).start()
     from dalembert import _tasks
 
+    # the caller has heard those of texts that are read again here, and has filters of its own for the others
     warnings.simplefilter("always")
-    warnings.showwarning = lambda message, *_: answer(b"w", str(message))
+    warnings.showwarning = lambda message, *_: None if str(message) in known else answer(b"w", str(message))
     # importing took a part of the time
-    left = _LONGEST if seconds is None else max(begin + seconds - time.monotonic(), 0.01)
+    left = LONGEST if seconds is None else max(begin + seconds - time.monotonic(), 0.01)
     try:
         value = getattr(_tasks, task)(left, lambda told: answer(b"t", told), *arguments)
     except BaseException as error:

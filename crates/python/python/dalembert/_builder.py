@@ -2,65 +2,52 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import json
 from numbers import Integral
 from typing import TYPE_CHECKING, Any
+
+from ._arguments import mapping, shown
 
 if TYPE_CHECKING:
     from ._model import Model
 
-__all__ = ["ModelBuilder"]
+__all__ = ["ModelBuilder", "in_toml", "key_in_toml"]
 
 
-def _key(name: str) -> str:
+def key_in_toml(name: str) -> str:
+    """A name as a key of TOML."""
     plain = name.isascii() and name.replace("_", "a").replace("-", "a").isalnum()
     return name if plain else _text(name)
 
 
 def _text(value: str) -> str:
-    escaped = value.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n").replace("\t", "\\t").replace("\r", "\\r")
-    return f'"{escaped}"'
+    # the escapes of JSON are escapes of TOML, which asks for one more
+    return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
-def _value(value: Any) -> str:
+def in_toml(value: Any) -> str:
+    """A value of a model as TOML."""
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, str):
         return _text(value)
     if isinstance(value, dict):
-        return "{ " + ", ".join(f"{_key(str(name))} = {_value(one)}" for name, one in value.items()) + " }"
+        return "{ " + ", ".join(f"{key_in_toml(str(name))} = {in_toml(one)}" for name, one in value.items()) + " }"
     if isinstance(value, (list, tuple)):
-        return "[" + ", ".join(map(_value, value)) + "]"
-    # the numbers of NumPy too, whose own form is none of TOML
+        return "[" + ", ".join(map(in_toml, value)) + "]"
+    # numbers and arrays of NumPy too, whose own form is none of TOML
     try:
-        if hasattr(value, "item"):
-            return _value(value.item())
+        if hasattr(value, "tolist"):
+            return in_toml(value.tolist())
         if isinstance(value, Integral):
             return repr(int(value))
         return repr(float(value))
     except (TypeError, ValueError, OverflowError):
-        raise TypeError(f"{value!r} is no value of a model: texts, numbers, truth values, lists and dictionaries are accepted") from None
+        raise TypeError(f"{shown(value)} is no value of a model: texts, numbers, truth values, lists and dictionaries are accepted") from None
 
 
 def _plain(name: str) -> str:
     return name[:-1] if name.endswith("_") and len(name) > 1 else name
-
-
-def ensemble_text(members: int, vary: Mapping[str, Mapping[str, Any]], seed: int, units: dict[str, str], parameters: set[str]) -> str:
-    """The tables of an ensemble; numbers without units are in SI units."""
-    lines = ["", "[ensemble]", f"members = {_value(members)}", f"seed = {_value(seed)}", "", "[ensemble.vary]"]
-    for name, distribution in vary.items():
-        unit = units.get(name, "1")
-
-        def with_unit(value: Any) -> Any:
-            if isinstance(value, str):
-                return value
-            numbers = list(value) if hasattr(value, "__iter__") else [value]
-            return " ".join(_value(float(number)) for number in numbers) + ("" if unit == "1" else f" {unit}")
-
-        table = "parameters" if name in parameters else "start"
-        lines.append(f"{table}.{_key(name)} = {_value({key: with_unit(value) for key, value in distribution.items()})}")
-    return "\n".join(lines) + "\n"
 
 
 # tables that may stand more than once
@@ -89,15 +76,16 @@ class ModelBuilder:
 
     def __init__(self, title: str) -> None:
         if not isinstance(title, str):
-            raise TypeError(f"a title is a text, and not {title!r}")
+            raise TypeError(f"a title is a text, and not {shown(title)}")
         self._title = title
         self._top: dict[str, Any] = {}
         self._tables: dict[str, dict[str, Any]] = {}
         self._lists: list[tuple[str, dict[str, Any]]] = []
 
     def _set(self, table: str, values: dict[str, Any] | None, more: dict[str, Any]) -> ModelBuilder:
+        given = mapping(f"values of [{table}]", values, "{'x': 'm'}")
         known = self._tables.setdefault(table, {})
-        for name, value in {**(values or {}), **{_plain(name): value for name, value in more.items()}}.items():
+        for name, value in {**given, **{_plain(name): value for name, value in more.items()}}.items():
             if name in known:
                 raise ValueError(f"[{table}] has `{name}` already: {known[name]!r}")
             known[name] = value
@@ -148,7 +136,7 @@ class ModelBuilder:
 
     def body(self, name: str, **keys: Any) -> ModelBuilder:
         """A body: centre, mass, frame, turns, inertia. With mass alone it is a particle."""
-        return self._set(f"bodies.{_key(name)}", keys, {})
+        return self._set(f"bodies.{key_in_toml(name)}", keys, {})
 
     def gravity(self, is_: str) -> ModelBuilder:
         """The acceleration that acts on every body with mass: .gravity("-g*N.y")."""
@@ -250,11 +238,11 @@ class ModelBuilder:
     @property
     def text(self) -> str:
         """The text of the model."""
-        lines = [f"title = {_text(self._title)}"] + [f"{name} = {_value(value)}" for name, value in self._top.items()]
+        lines = [f"title = {_text(self._title)}"] + [f"{name} = {in_toml(value)}" for name, value in self._top.items()]
         for table, values in self._tables.items():
-            lines += ["", f"[{table}]"] + [f"{_key(name)} = {_value(value)}" for name, value in values.items()]
+            lines += ["", f"[{table}]"] + [f"{key_in_toml(name)} = {in_toml(value)}" for name, value in values.items()]
         for table, values in self._lists:
-            lines += ["", f"[[{table}]]" if table in _LISTS else f"[{table}]"] + [f"{_key(name)} = {_value(value)}" for name, value in values.items()]
+            lines += ["", f"[[{table}]]" if table in _LISTS else f"[{table}]"] + [f"{key_in_toml(name)} = {in_toml(value)}" for name, value in values.items()]
         return "\n".join(lines) + "\n"
 
     def build(self) -> Model:

@@ -8,10 +8,11 @@ from collections import Counter
 from dataclasses import dataclass
 from html import escape
 from typing import Any
-from warnings import warn
 
 from ._apart import apart
+from ._arguments import shown
 from ._html import COLOURS, formula, table
+from ._warnings import warn
 
 __all__ = ["Claim", "Correction", "Ledger", "Unread", "judge"]
 
@@ -128,7 +129,8 @@ class Ledger(list[Claim]):
             return super().__getitem__(place)
         found = [claim for claim in self if claim.name == place or claim.name.endswith("/" + place) or claim.name.partition("/")[2] == place]
         if len(found) != 1:
-            raise KeyError(f"{len(found)} claims are called {place!r}; there are {', '.join(claim.name for claim in self)}")
+            what = f"no claim is called {place!r}" if not found else f"{place!r} may be {' or '.join(claim.name for claim in found)}"
+            raise KeyError(f"{what}; there are {', '.join(claim.name for claim in self) or 'no claims'}")
         return found[0]
 
     def _counted(self) -> str:
@@ -175,7 +177,7 @@ def judge(paper: str | os.PathLike[str], *, seconds: float | None = 300.0) -> Le
     if isinstance(paper, str) and "\n" in paper:
         path, text = "paper.toml", paper
     else:
-        path, text = os.fspath(paper), None
+        path, text = _path(paper), None
     heard: list[Any] = []
     broken_off = None
     try:
@@ -188,8 +190,19 @@ def judge(paper: str | os.PathLike[str], *, seconds: float | None = 300.0) -> Le
     claims = [_claim(*finding) for finding in found["findings"]]
     unread = [_unread(claim) for claim in found["unread"]]
     for claim in unread:
-        warn(str(claim), stacklevel=2)
+        warn(str(claim))
     return Ledger(claims, found["title"], found["citation"], found["summary"], unread, broken_off)
+
+
+def _path(paper: Any) -> str:
+    accepted = "the name of a file, or the text of one, is accepted"
+    try:
+        path = os.fsdecode(paper)
+    except TypeError:
+        raise TypeError(f"`paper` is {shown(paper)}; {accepted}") from None
+    if not path.strip():
+        raise ValueError(f"`paper` is empty; {accepted}")
+    return path
 
 
 def _unread(written: str) -> Unread:

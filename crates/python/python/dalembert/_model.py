@@ -10,16 +10,21 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy
 
 from ._apart import apart
-from ._builder import ModelBuilder, ensemble_text
+from ._arguments import LONGEST, mapping, names, number, seconds_of, shown, span_of, whole
+from ._builder import ModelBuilder
+from ._equations import Equations
 from ._forces import Forces
-from ._native import Equations, JacobianMatrix, LinearEquations, NativeModel, RightHandSide
+from ._linear import LinearEquations
+from ._native import JacobianMatrix, ModelError, NativeModel, RightHandSide
 from ._parts import in_parts
-from ._proofs import Judgements
+from ._proofs import Judgement, Judgements
 from ._reference import Reference
 from ._regimes import Regimes
 from ._regulator import Regulator
 from ._results import Chart, Ensemble, ModelChoice, SteadyMotions
 from ._trajectory import Trajectory
+from ._variation import Variation
+from ._warnings import read_again
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
@@ -31,29 +36,8 @@ if TYPE_CHECKING:
 __all__ = ["Model"]
 
 
-# seconds, of a run without a limit
-_LONGEST = 1e9
-
-
-def _number(name: str, value: float) -> float:
-    try:
-        if isinstance(value, (str, bytes)):
-            raise TypeError
-        return float(value)
-    except (TypeError, ValueError, OverflowError):
-        raise TypeError(f"`{name}` is {value!r}; a number in SI units is accepted") from None
-
-
-def _whole(name: str, value: int, most: int | None = None) -> int:
-    try:
-        is_whole = not isinstance(value, (bool, str, bytes)) and int(value) == value and 1 <= value <= (most or value)
-    except (TypeError, ValueError, OverflowError):
-        is_whole = False
-    if not is_whole:
-        raise ValueError(f"`{name}` is {value!r}; a whole number from 1 {'on' if most is None else f'to {most}'} is accepted")
-    return int(value)
-
-
+# of the processor, at most: more are no faster
+_MOST_THREADS = 1024
 # instants of forces, at most: as many as the command takes
 _MOST_INSTANTS = 1_000_000
 
@@ -66,17 +50,15 @@ def _instants(span: float, samples: int, times: ArrayLike | None) -> list[float]
         except (TypeError, ValueError):
             given = numpy.empty(0)
         if given.ndim != 1 or not 1 <= len(given) <= _MOST_INSTANTS or not numpy.isfinite(given).all() or not (numpy.diff(given) > 0).all():
-            raise ValueError(f"`times` is {times!r}; from one to {_MOST_INSTANTS} finite times in seconds that rise are accepted")
+            raise ValueError(f"`times` is {shown(times)}; from one to {_MOST_INSTANTS} finite times in seconds that rise are accepted")
         return given.tolist()
-    span = _number("span", span)
-    if not 0 < span < float("inf"):
-        raise ValueError(f"`span` is {span}; a positive time in seconds is accepted")
-    count = _whole("samples", samples, _MOST_INSTANTS)
+    span = span_of(span)
+    count = whole("samples", samples, _MOST_INSTANTS)
     return [span * place / count for place in range(count + 1)]
 
 
 def _restored(text: str, name: str, values: list[tuple[str, float]]) -> Model:
-    native = NativeModel.from_text(text, name)
+    native = read_again(text, name)
     return Model(native.with_values(values) if values else native)
 
 
@@ -98,6 +80,8 @@ class Model:
         """Reads a model from a text in TOML; messages call it by `name`."""
         if not isinstance(text, str):
             raise TypeError(f"a text is a str; this is {type(text).__name__}")
+        if not isinstance(name, str):
+            raise TypeError(f"`name` is {shown(name)}; a text is accepted, which messages show as the name of the file")
         if "\n" not in text and text.strip().endswith(".toml"):
             raise ValueError(f"{text!r} is the name of a file and no text of a model; Model.from_file reads files")
         return cls(NativeModel.from_text(text, name))
@@ -105,7 +89,10 @@ class Model:
     @classmethod
     def from_file(cls, path: str | os.PathLike[str]) -> Model:
         """Reads a model from a file."""
-        return cls(NativeModel.from_file(os.fspath(path)))
+        try:
+            return cls(NativeModel.from_file(os.fsdecode(path)))
+        except TypeError:
+            raise TypeError(f"`path` is {shown(path)}; the name of a file is accepted") from None
 
     @staticmethod
     def builder(title: str = "a model") -> ModelBuilder:
@@ -148,19 +135,22 @@ class Model:
 
         model.with_values(m=2.0, x=0.1), and for names that are none in Python model.with_values({"x'": 1.0}).
         """
-        given = {**(values or {}), **more}
-        return Model(self._native.with_values([(name, _number(name, value)) for name, value in given.items()]))
+        given = {**mapping("values", values, "{'x': 0.1}"), **more}
+        return Model(self._native.with_values([(name, number(name, value)) for name, value in given.items()]))
 
     def derive(self, principle: str | None = None) -> Equations:
         """Equations of motion by a principle of dalembert.PRINCIPLES.
 
         Without one by virtual power; of a model with an energy in [energies] by Lagrange's, with [speeds] by Hamel's. A notebook shows them typeset; .text, .latex, .sympy and .code("python") have them in other notations.
         """
-        return self._native.derive(principle)
+        if principle is not None and not isinstance(principle, str):
+            raise TypeError(f"`principle` is {shown(principle)}; a name of dalembert.PRINCIPLES is accepted")
+        found = self._native.derive(principle)
+        return Equations(self, found.principle, found.text, found)
 
     def prove(self) -> Judgements:
         """Whether all principles give the same equations, and what these keep: a list of statements with their verdicts."""
-        return Judgements(self._native.prove())
+        return Judgements(map(Judgement.of, self._native.prove()))
 
     def check(self, method: Any, names: Mapping[Any, str] | None = None, *, seconds: float | None = 300.0) -> Check:
         """Whether the equations of motion of a KanesMethod or a LagrangesMethod of SymPy are those of this model: as `dalembert.check`."""
@@ -181,15 +171,15 @@ class Model:
         boxes: so many are looked at, at most. seconds: the search ends then with what is decided; None for no limit. Ctrl-C breaks it off.
         """
         asked = []
-        for name, range_ in (ranges or {}).items():
-            ends = tuple(range_) if isinstance(range_, (tuple, list)) else (range_, range_)
+        for name, range_ in mapping("ranges", ranges, "{'x': (-1, 1)}").items():
+            ends = tuple(range_) if isinstance(range_, (tuple, list, numpy.ndarray)) and numpy.ndim(range_) else (range_, range_)
             if len(ends) != 2:
-                raise ValueError(f"the range of `{name}` is {range_!r}; a number, or a pair of numbers is accepted")
-            low, high = (_number(name, end) for end in ends)
+                raise ValueError(f"the range of `{name}` is {shown(range_)}; a number, or a pair of numbers is accepted")
+            low, high = (number(name, end) for end in ends)
             if not low <= high < float("inf") or low == float("-inf"):
-                raise ValueError(f"the range of `{name}` is {range_!r}; two finite numbers that rise are accepted")
+                raise ValueError(f"the range of `{name}` is {shown(range_)}; two finite numbers that rise are accepted")
             asked.append((name, low, high))
-        return SteadyMotions(*apart("stationary", (self, asked, _whole("boxes", boxes)), seconds))
+        return SteadyMotions(*apart("stationary", (self, asked, whole("boxes", boxes)), seconds))
 
     def choose(self, tolerance: float = 1e-6, outputs: Iterable[str] = (), *, seconds: float | None = 300.0) -> ModelChoice:
         """The smallest model of this system that meets a tolerance in the outputs that matter, and the method that runs it the cheapest.
@@ -197,11 +187,10 @@ class Model:
         tolerance: the largest error allowed, relative to the size of each output. outputs: names of columns of a run; without them the `outputs` of
         [run], or all columns. seconds: nothing is chosen then, and ModelError says so; None for no limit. Ctrl-C breaks it off.
         """
-        tolerance = _number("tolerance", tolerance)
+        tolerance = number("tolerance", tolerance)
         if not 0 < tolerance < 1:
             raise ValueError(f"`tolerance` is {tolerance}; a number above 0 and below 1 is accepted")
-        names = [outputs] if isinstance(outputs, str) else list(outputs)
-        written, text, svg = apart("choose", (self, tolerance, names), seconds)
+        written, text, svg = apart("choose", (self, tolerance, names("outputs", outputs, "names of columns")), seconds)
         return ModelChoice(json.loads(written), text, svg)
 
     def chart(self, *, seconds: float | None = 60.0) -> Chart:
@@ -218,7 +207,7 @@ class Model:
         members: int | None = None,
         vary: Mapping[str, Mapping[str, Any]] | None = None,
         *,
-        seed: int = 1,
+        seed: int | None = None,
         threads: int | None = None,
         seconds: float | None = 300.0,
         executor: Executor | None = None,
@@ -226,28 +215,31 @@ class Model:
     ) -> Ensemble:
         """Runs many members of this system, whose parameters and starts vary.
 
-        Without `members` and `vary` the table [ensemble] of the text says which. vary: for each parameter, and each coordinate and speed of the start, its
+        `members` and `vary` stand in the place of the table [ensemble] of the text; without both this table says which. vary: for each parameter, and each coordinate and speed of the start, its
         distribution in SI units: {"m": {"from": 0.9, "to": 1.1}, "x'": {"mean": 0, "deviation": 0.1}, "k": {"values": [1, 2, 3]}}, or as in a text with units.
-        The numbers of a member depend on `seed`, its number and the name of the datum alone. threads: as many as there are processors without
+        Numbers without a unit are in SI units; a text has its own, {"m": {"from": "900 g", "to": "1.1 kg"}}.
+        The numbers of a member depend on `seed` (1 without it), its number and the name of the datum alone. threads: as many as there are processors without
         it; the numbers do not depend on them. seconds: members that have not run by then are left out; None for no limit. Ctrl-C breaks it off.
         executor: any of `concurrent.futures`, or of Dask (`client.get_executor()`), whose workers run parts of the members, by one thread each where
         `threads` is not given; parts: their number, by default four for each processor here. The numbers are those of one run here. What a worker that
         was killed leaves undone is computed here.
         """
-        model = self
+        threads = None if threads is None else whole("threads", threads, _MOST_THREADS)
+        if executor is None and parts is not None:
+            raise ValueError("`parts` is for an `executor`, whose workers run them")
+        model, variation = self, None
         if members is not None or vary is not None:
-            if members is None or not vary:
-                raise ValueError("`members`, their number, and `vary`, what varies, are accepted together")
-            model = Model._with_text(self, self.text + ensemble_text(members, vary, seed, self.units, set(self.parameters)))
-        if executor is None:
-            if parts is not None:
-                raise ValueError("`parts` is for an `executor`, whose workers run them")
-            return Ensemble(apart("ensemble", (model, None, threads), seconds), self.title)
-        return Ensemble(in_parts(model, executor, parts, threads or 1, seconds), self.title)
-
-    @staticmethod
-    def _with_text(model: Model, text: str) -> Model:
-        return _restored(text, model._native.name, model._native.values)
+            variation = Variation(self, members, vary, 1 if seed is None else seed)
+        elif seed is not None:
+            raise ValueError("`seed` is accepted with `members` and `vary`; the table [ensemble] of a text has its own")
+        try:
+            if variation is not None:
+                model = _restored(variation.text, self._native.name, self._native.values)
+            if executor is None:
+                return Ensemble(apart("ensemble", (model, None, threads), seconds), self.title)
+            return Ensemble(in_parts(model, executor, parts, threads or 1, seconds), self.title)
+        except ModelError as error:
+            raise error if variation is None else variation.told(error) from None
 
     def run(
         self,
@@ -264,13 +256,12 @@ class Model:
         method: one of dalembert.METHODS, such as "taylor", "radau_5" or "implicit_midpoint:1000" with its number of steps.
         seconds: after so long the run is stopped, and what there is is kept; None for no limit. Ctrl-C breaks it off.
         """
-        kept = None if samples is None else _whole("samples", samples)
-        span = None if span is None else _number("span", span)
-        tolerance = None if tolerance is None else _number("tolerance", tolerance)
+        kept = None if samples is None else whole("samples", samples)
+        span = None if span is None else span_of(span)
+        tolerance = None if tolerance is None else number("tolerance", tolerance)
         if method is not None and not isinstance(method, str):
-            raise TypeError(f"`method` is {method!r}; a name of dalembert.METHODS is accepted")
-        limit = _LONGEST if seconds is None else min(_number("seconds", seconds), _LONGEST)
-        return Trajectory(self._native.run(span, method, tolerance, kept, limit), self.title)
+            raise TypeError(f"`method` is {shown(method)}; a name of dalembert.METHODS is accepted")
+        return Trajectory(self._native.run(span, method, tolerance, kept, seconds_of(seconds) or LONGEST), self.title)
 
     def inverse(
         self,
@@ -293,10 +284,8 @@ class Model:
             >>> forces["T"], forces["theta''"], forces.time
         """
         if not isinstance(motions, Mapping) or not motions or not all(isinstance(part, str) and part.strip() for pair in motions.items() for part in pair):
-            raise TypeError(f"`motions` is {motions!r}; a dictionary of expressions is accepted, {{name: expression}}, such as {{'x': '(0.1 m)*sin(t*(2 rad/s))'}}")
-        sought = [unknowns] if isinstance(unknowns, str) else list(unknowns)
-        if not all(isinstance(name, str) for name in sought):
-            raise TypeError(f"`unknowns` is {unknowns!r}; names of parameters and inputs are accepted")
+            raise TypeError(f"`motions` is {shown(motions)}; a dictionary of expressions is accepted, {{name: expression}}, such as {{'x': '(0.1 m)*sin(t*(2 rad/s))'}}")
+        sought = names("unknowns", unknowns, "names of parameters and inputs")
         arguments = (self, list(motions.items()), sought, _instants(span, samples, times))
         return Forces(apart("inverse", arguments, seconds), self.title)
 
@@ -330,11 +319,7 @@ class Model:
             >>> reference = model.reference(span=2.0)
             >>> reference.digits, reference["theta"], reference.decimals["theta"][-1]
         """
-        if span is not None:
-            span = _number("span", span)
-            if not 0 < span < float("inf"):
-                raise ValueError(f"`span` is {span}; a positive time in seconds is accepted")
-        return Reference(*apart("reference", (self, span), seconds))
+        return Reference(*apart("reference", (self, None if span is None else span_of(span)), seconds))
 
     def linearise(self, about: Literal["start", "equilibrium"] = "start", inputs: Iterable[str] = ()) -> LinearEquations:
         """Linear equations x' = A x + B w about the start, or about an equilibrium near it (about="equilibrium").
@@ -342,9 +327,8 @@ class Model:
         inputs: parameters that are inputs w, beside the table [inputs] of the text.
         """
         if about not in ("start", "equilibrium"):
-            raise ValueError(f'`about` is {about!r}; "start" and "equilibrium" are accepted')
-        names = [inputs] if isinstance(inputs, str) else list(inputs)
-        return self._native.linearise(about == "equilibrium", names)
+            raise ValueError(f'`about` is {shown(about)}; "start" and "equilibrium" are accepted')
+        return LinearEquations.of(self._native.linearise(about == "equilibrium", names("inputs", inputs, "names of parameters")))
 
     def rhs(self) -> RightHandSide:
         """The right-hand side f(t, y) of y' = f(t, y) as machine code, for solve_ivp and the like; y as in `states`."""

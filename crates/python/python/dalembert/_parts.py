@@ -4,21 +4,20 @@ from __future__ import annotations
 
 import os
 import time
-import warnings
-from concurrent.futures import Executor, Future, wait
+from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future, wait
 from typing import TYPE_CHECKING, Any
 
 import numpy
 
 from ._apart import apart
+from ._arguments import LONGEST, seconds_of, shown, whole
+from ._warnings import warn
 
 if TYPE_CHECKING:
     from ._model import Model
 
 __all__ = ["in_parts"]
 
-# seconds, where there is no limit
-_LONGEST = 1e9
 # the last part of the time, in which what the workers found is gathered
 _GATHERING = 0.5
 
@@ -36,13 +35,11 @@ def _part(model: Model, members: tuple[int, int], threads: int, seconds: float) 
 
 def in_parts(model: Model, executor: Executor, parts: int | None, threads: int, seconds: float | None) -> dict[str, Any]:
     """The rows of all members, in their order."""
-    if seconds is not None and not 0 < seconds < float("inf"):
-        raise ValueError(f"`seconds` is {seconds!r}; a positive time in seconds is accepted, and None for no limit")
-    if parts is not None and (isinstance(parts, bool) or int(parts) != parts or parts < 1):
-        raise ValueError(f"`parts` is {parts!r}; a whole number from 1 on is accepted")
-    if not hasattr(executor, "submit"):
-        raise TypeError(f"`executor` is {executor!r}; an executor of concurrent.futures is accepted, such as ProcessPoolExecutor() or client.get_executor() of Dask")
-    end = time.monotonic() + (_LONGEST if seconds is None else seconds)
+    seconds = seconds_of(seconds)
+    parts = None if parts is None else whole("parts", parts)
+    if not callable(getattr(executor, "submit", None)):
+        raise TypeError(f"`executor` is {shown(executor)}; an executor of concurrent.futures is accepted, such as ProcessPoolExecutor() or client.get_executor() of Dask")
+    end = time.monotonic() + (LONGEST if seconds is None else seconds)
     members = model._native.ensemble_members()
     ranges = _ranges(members, min(members, parts or 4 * (os.cpu_count() or 1)))
     left = lambda: max(end - time.monotonic(), 0.01)  # noqa: E731
@@ -55,6 +52,8 @@ def in_parts(model: Model, executor: Executor, parts: int | None, threads: int, 
             try:
                 futures.append(executor.submit(_part, model, own, threads, left()))
             except RuntimeError as error:
+                if not futures and not isinstance(error, BrokenExecutor):
+                    raise ValueError(f"`executor` takes no work ({error}); one that was not shut down is accepted") from error
                 # a pool whose worker died takes no more
                 died = error
                 break
@@ -62,7 +61,7 @@ def in_parts(model: Model, executor: Executor, parts: int | None, threads: int, 
             done, _ = wait([future], timeout=left() + _GATHERING)
             if not done:
                 break
-            error = future.exception()
+            error = CancelledError("the part was cancelled") if future.cancelled() else future.exception()
             if error is None:
                 found[own] = future.result()
             elif isinstance(error, (ValueError, TypeError)):
@@ -75,7 +74,7 @@ def in_parts(model: Model, executor: Executor, parts: int | None, threads: int, 
             future.cancel()
     undone = [own for own in ranges if own not in found]
     if died is not None and undone and left() > _GATHERING:
-        warnings.warn(f"a worker ended before its part was done ({died!r}): {len(undone)} of {len(ranges)} parts are computed here", stacklevel=4)
+        warn(f"a worker ended before its part was done ({died!r}): {len(undone)} of {len(ranges)} parts are computed here")
         for own in undone:
             if left() <= _GATHERING:
                 break

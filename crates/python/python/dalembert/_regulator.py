@@ -11,7 +11,7 @@ import numpy
 from ._columns import TimedColumns, of_unit
 from ._html import table
 
-__all__ = ["Regulator"]
+__all__ = ["ClosedLoop", "Regulator"]
 
 
 def _complex(values: list[list[float]]) -> numpy.ndarray:
@@ -27,13 +27,38 @@ def _matrix(head: list[str], side: list[str], matrix: numpy.ndarray) -> str:
     return table(["", *head], rows)
 
 
+class ClosedLoop(TimedColumns):
+    """The run of a closed loop: coordinates, speeds, inputs, and the cost so far.
+
+    run["x"] is a column, run.time the times in seconds, as of the run of a model. stopped: why the run ended early; None where it did not. events:
+    (time, what, what holds then) of each.
+    """
+
+    __slots__ = ("events", "stopped")
+
+    def __init__(self, told: dict[str, Any], columns: list[tuple[str, str]], title: str) -> None:
+        run = told["run"]
+        rows = numpy.column_stack([numpy.array(run[name], dtype=float).reshape(len(run["times"]), -1) for name in ("states", "inputs", "costs")])
+        super().__init__(numpy.array(run["times"], dtype=float), rows, columns, title)
+        self.stopped: str | None = told["stopped"]
+        self.events: list[tuple[float, str, str | None]] = [(event["time"], event["what"], event["then"]) for event in told["events"]]
+
+    @property
+    def ok(self) -> bool:
+        """Whether the run reached its end, and every column has a value at every time; constants of the motion are not looked at."""
+        return self.stopped is None and bool(numpy.isfinite(self.array).all())
+
+    def _marks(self) -> list[float]:
+        return [time for time, *_ in self.events]
+
+
 class Regulator:
     """The optimal regulator u = u0 - K (x - x0) of a model, and the run of its closed loop on the nonlinear model.
 
     states, inputs: names of the n states and the m inputs of the linear equations. K, m by n, and P, n by n, of the least cost x^T P x: those at the
     start where the criterion has a horizon. eigenvalues, eigenvalues_closed: of A, and of A - B K (None with a horizon), in 1/s. controllable: whether
     the inputs reach every variation; controllability says it in a sentence. cost_by_riccati, cost_of_run: the least cost of the linear equations, and
-    that of the run with what is left at its end. run: the motion of the closed loop with columns of coordinates, speeds, inputs and the cost so far;
+    that of the run with what is left at its end. run: the motion of the closed loop, a ClosedLoop with columns of coordinates, speeds, inputs and the cost so far;
     events: (time, what, what holds then) of each; stopped: why the run ended early, None where it did not. All numbers are in SI units. text: the same for
     reading, as the program prints it. data: all of it, as the program writes it in JSON.
     """
@@ -44,10 +69,8 @@ class Regulator:
         self.data: dict[str, Any] = json.loads(written)
         self.text = text
         self.title = title
-        run = self.data["run"]
-        rows = numpy.column_stack([numpy.array(run[name], dtype=float).reshape(len(run["times"]), -1) for name in ("states", "inputs", "costs")])
         names = self.data["columns"] + self.inputs + ["cost"]
-        self.run = TimedColumns(numpy.array(run["times"], dtype=float), rows, zip(names, self.data["units"] + ["1"]), title)
+        self.run = ClosedLoop(self.data, list(zip(names, self.data["units"] + ["1"])), title)
 
     @property
     def states(self) -> list[str]:
@@ -103,12 +126,12 @@ class Regulator:
     @property
     def stopped(self) -> str | None:
         """Why the run ended early; None where it did not."""
-        return self.data["stopped"]
+        return self.run.stopped
 
     @property
     def events(self) -> list[tuple[float, str, str | None]]:
         """Events of the run: time, what happened, what holds then."""
-        return [(event["time"], event["what"], event["then"]) for event in self.data["events"]]
+        return self.run.events
 
     def __reduce__(self):
         return Regulator, (json.dumps(self.data), self.text, self.title)
