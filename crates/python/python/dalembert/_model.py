@@ -215,9 +215,9 @@ class Model:
     ) -> Ensemble:
         """Runs many members of this system, whose parameters and starts vary.
 
-        `members` and `vary` stand in the place of the table [ensemble] of the text; without both this table says which. vary: for each parameter, and each coordinate and speed of the start, its
-        distribution in SI units: {"m": {"from": 0.9, "to": 1.1}, "x'": {"mean": 0, "deviation": 0.1}, "k": {"values": [1, 2, 3]}}, or as in a text with units.
-        Numbers without a unit are in SI units; a text has its own, {"m": {"from": "900 g", "to": "1.1 kg"}}.
+        `members` and `vary` stand in the place of the table [ensemble] of the text, which says both where they are left out. vary: for each parameter, and
+        each coordinate and speed of the start, its distribution: {"m": {"from": 0.9, "to": 1.1}, "x'": {"mean": 0, "deviation": 0.1},
+        "k": {"values": ["1 N/mm", "2 N/mm"]}}. Numbers without a unit are in SI units; the numbers of one list have one unit.
         The numbers of a member depend on `seed` (1 without it), its number and the name of the datum alone. threads: as many as there are processors without
         it; the numbers do not depend on them. seconds: members that have not run by then are left out; None for no limit. Ctrl-C breaks it off.
         executor: any of `concurrent.futures`, or of Dask (`client.get_executor()`), whose workers run parts of the members, by one thread each where
@@ -239,7 +239,9 @@ class Model:
                 return Ensemble(apart("ensemble", (model, None, threads), seconds), self.title)
             return Ensemble(in_parts(model, executor, parts, threads or 1, seconds), self.title)
         except ModelError as error:
-            raise error if variation is None else variation.told(error) from None
+            if variation is None:
+                raise
+            raise variation.told(error) from None
 
     def run(
         self,

@@ -33,16 +33,16 @@ class Variation:
     """
 
     def __init__(self, model: Model, members: Any, vary: Any, seed: Any) -> None:
-        if members is None or not vary:
+        self._vary = mapping("vary", vary, _EXAMPLE)
+        if members is None or not self._vary:
             raise ValueError("`members`, their number, and `vary`, what varies, are accepted together")
         own = without_table(model.text, "ensemble")
         own += "" if own.endswith("\n") else "\n"
         head = ["[ensemble]", f"members = {whole('members', members, _MOST_MEMBERS)}", f"seed = {whole('seed', seed, _LARGEST_SEED, 0)}", "[ensemble.vary]"]
-        self._vary = mapping("vary", vary, _EXAMPLE)
         self._parameters = list(model.parameters)
-        # the line of the text at which each variable stands, from 1
-        self._first = own.count("\n") + len(head) + 1
+        # the last line of the text itself, and that at which the first variable stands, from 1
         self._end = own.count("\n")
+        self._first = self._end + len(head) + 1
         units = _units(model, self._vary)
         self.text = own + "\n".join([*head, *(self._line(name, one, units.get(name, "1")) for name, one in self._vary.items())]) + "\n"
 
@@ -69,7 +69,8 @@ class Variation:
         remedy = issue["remedy"]
         if where and issue["title"] == f"unknown key `{names[place]}`" and self._parameters:
             remedy = f"{remedy}; parameters: {', '.join(self._parameters)}"
-        return {**issue, "line": None, "column": None, "title": where + issue["title"], "remedy": remedy}
+        label = "" if issue["label"] == "here" else issue["label"]
+        return {**issue, "line": None, "column": None, "title": where + issue["title"], "label": label, "remedy": remedy}
 
 
 def _units(model: Model, vary: dict[str, Any]) -> dict[str, str]:

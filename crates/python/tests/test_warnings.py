@@ -1,0 +1,64 @@
+"""Warnings are told once, by the filters of the caller and at the caller's line."""
+
+import pickle
+import subprocess
+import sys
+import warnings
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import dalembert
+from systems import OSCILLATOR
+
+UNUSED = OSCILLATOR.replace("[parameters]", '[parameters]\nspare = "1 m"')
+CALLS = {
+    "pickle": lambda model: pickle.loads(pickle.dumps(model)),
+    "stationary": lambda model: model.stationary({"x": (-1, 1)}),
+    "ensemble": lambda model: model.ensemble(2, {"k": {"from": 1, "to": 2}}),
+    "reference": lambda model: model.reference(0.1),
+    "inverse": lambda model: model.inverse({"x": "(1 m)*t/(1 s)"}, "k", times=[1.0]),
+}
+
+
+def heard(call):
+    with warnings.catch_warnings(record=True) as found:
+        warnings.simplefilter("always")
+        call()
+    return [(str(one.message), Path(one.filename).name) for one in found]
+
+
+def test_a_warning_of_a_text_is_told_where_it_is_read_and_not_again():
+    [(message, file)] = heard(lambda: dalembert.Model.from_text(UNUSED))
+    assert "nothing uses the parameter `spare`" in message and file == "test_warnings.py"
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        model = dalembert.Model.from_text(UNUSED)
+    assert {name: heard(lambda: call(model)) for name, call in CALLS.items()} == {name: [] for name in CALLS}
+
+
+def test_a_helper_prints_nothing_of_its_own():
+    program = f"""
+import warnings, dalembert
+warnings.simplefilter("ignore")
+dalembert.Model.from_text({UNUSED!r}).stationary({{"x": (-1, 1)}})
+"""
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert done.stderr == ""
+
+
+def test_a_warning_of_a_paper_is_told_at_the_line_that_asks():
+    paper = UNUSED + "[letters]\n'm' = \"m\"\n[[claim]]\nequation = \"1\"\nkind = \"equation of motion\"\nformula = 'm q = 0'\n"
+    found = heard(lambda: dalembert.judge(paper))
+    assert any("not read" in message for message, _ in found) and {file for _, file in found} == {"test_warnings.py"}
+
+
+def test_an_executor_that_was_shut_down_is_told_as_such():
+    executor = ThreadPoolExecutor(1)
+    executor.shutdown()
+    model = dalembert.Model.from_text(OSCILLATOR)
+    found = []
+    try:
+        model.ensemble(3, {"k": {"from": 1, "to": 2}}, executor=executor)
+    except ValueError as error:
+        found.append(str(error))
+    assert found and "`executor` takes no work" in found[0] and "shut down" in found[0]
