@@ -84,3 +84,17 @@ def test_parts_of_a_drive_need_one():
         dalembert.Model.builder().winding(inductance="L")
     with pytest.raises(ValueError, match='begins with "parameters."'):
         dalembert.Model.builder().vary("m", values="1 kg")
+
+
+def test_the_examples_of_the_builder_are_read():
+    circuit = dalembert.Model.builder().coordinates(q="C").energies(coenergy="(1 H)*q'^2/2").force(along="q", is_="(1 V)")
+    assert circuit.diode(current="q'", drop="(0.7 V)").build().states == ["q", "q'"]
+    driven = dalembert.Model.builder().coordinates(a="rad").drive(name="w", turns="a", inertia="(1e-3 kg m^2)")
+    driven = driven.machine(model="brushed", voltage="24 V", flux="0.05 Wb", inductance="2 mH", resistance="0.5 ohm", f="1e-5 N m s")
+    assert driven.build().parameters["w_voltage"] == 24
+
+
+def test_names_of_another_kind_are_refused():
+    for call in (lambda b: b.body(3), lambda b: b.frame(3, "N"), lambda b: b.vary(3), lambda b: b.table(3, {}), lambda b: b.table("run", 3), lambda b: b.start([1])):
+        with pytest.raises(TypeError, match="a name is a text|names as its keys is accepted"):
+            call(dalembert.Model.builder())

@@ -129,6 +129,24 @@ def test_a_jacobian_at_rest_has_the_derivatives_of_drag():
 
 
 
+def test_rates_at_a_singular_position_are_not_a_number():
+    model = dalembert.Model.from_text(
+        """
+        [coordinates]
+        r = "m"
+        q = "rad"
+        [bodies.b]
+        centre = "O + r*(cos(q)*N.x + sin(q)*N.y)"
+        mass = "1 kg"
+        [start]
+        r = "1 m"
+        """
+    )
+    assert np.isfinite(model.rhs()(0.0, model.start)).all() and not np.isfinite(model.rhs()(0.0, [0.0, 0.0, 1.0, 1.0])).all()
+    with pytest.raises(dalembert.ModelError, match="is not determined at the start"):
+        model.with_values(r=0.0).run(span=1)
+
+
 def test_states_of_any_kind_are_taken_and_others_refused():
     f = oscillator().rhs()
     expected = f(0.0, np.array([0.5, 0.25]))

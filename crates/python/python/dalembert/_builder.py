@@ -50,6 +50,12 @@ def _plain(name: str) -> str:
     return name[:-1] if name.endswith("_") and len(name) > 1 else name
 
 
+def _name(value: Any) -> str:
+    if not isinstance(value, str):
+        raise TypeError(f"a name is a text, and not {shown(value)}")
+    return value
+
+
 # tables that may stand more than once
 _LISTS = {"force", "torque", "constraint", "contact", "drive", "event", "diode", "freewheel", "drive.winding", "ensemble.vary"}
 
@@ -70,8 +76,10 @@ class ModelBuilder:
             .build()
         )
 
-    Every call takes the keys of the table of the same name in a text, and gives the builder back. A key that is a word of Python
-    has an underscore behind it: is_="-k*x*N.x". `text` shows what was written; `table` writes a table by its name.
+    Every call takes the keys of a table of a text, and gives the builder back. A table of names, such as [parameters] or [start], has a call of its
+    own name; an entry of [frames], [points], [bodies], [inputs] and [outputs] has one in the singular, which takes the name of the entry first; a
+    table that may stand more than once, such as [[force]], is added by each call. A key that is a word of Python has an underscore behind it:
+    is_="-k*x*N.x", from_="1 kg". `text` shows what was written; `table` writes a table by its name.
     """
 
     def __init__(self, title: str) -> None:
@@ -101,7 +109,7 @@ class ModelBuilder:
         return self
 
     def known_as(self, name: str) -> ModelBuilder:
-        """The name of a system about which the program has knowledge than its equations: its theory, its closed form."""
+        """The name of a system about which the program has knowledge beyond its equations: .known_as("crank_drive")."""
         self._top["known_as"] = name
         return self
 
@@ -136,7 +144,7 @@ class ModelBuilder:
 
     def body(self, name: str, **keys: Any) -> ModelBuilder:
         """A body: centre, mass, frame, turns, inertia. With mass alone it is a particle."""
-        return self._set(f"bodies.{key_in_toml(name)}", keys, {})
+        return self._set(f"bodies.{key_in_toml(_name(name))}", keys, {})
 
     def gravity(self, is_: str) -> ModelBuilder:
         """The acceleration that acts on every body with mass: .gravity("-g*N.y")."""
@@ -164,7 +172,7 @@ class ModelBuilder:
         return self._add("contact", keys)
 
     def diode(self, **keys: Any) -> ModelBuilder:
-        """A diode: .diode(current="i", drop="0.7 V")."""
+        """A diode, whose current does not fall below zero: .diode(current="q'", drop="(0.7 V)")."""
         return self._add("diode", keys)
 
     def freewheel(self, **keys: Any) -> ModelBuilder:
@@ -176,7 +184,7 @@ class ModelBuilder:
         return self._add("drive", keys)
 
     def machine(self, **keys: Any) -> ModelBuilder:
-        """The motor of the drive that was added last: .machine(model="dc_motor", ...), its model and its data."""
+        """The motor of the drive that was added last, a name of the program and its data: .machine(model="brushed", voltage="24 V", ...)."""
         return self._of_drive("drive.machine", keys)
 
     def winding(self, **keys: Any) -> ModelBuilder:
@@ -218,7 +226,7 @@ class ModelBuilder:
 
     def vary(self, name: str, **keys: Any) -> ModelBuilder:
         """What varies in an ensemble: .vary("parameters.m", mean="1 kg", deviation="1 g"), .vary("start.x'", values="0 1 m/s"), from_ and to."""
-        table, dot, name = name.partition(".")
+        table, dot, name = _name(name).partition(".")
         if not dot or table not in ("parameters", "start"):
             raise ValueError('the name of what varies begins with "parameters." or "start."')
         return self._set(f"ensemble.vary.{table}", {name: {_plain(key): value for key, value in keys.items()}}, {})
@@ -229,6 +237,7 @@ class ModelBuilder:
 
     def table(self, table: str, values: dict[str, Any]) -> ModelBuilder:
         """A table by its name: .table("diode", {...}), .table("drive.machine", {...}) of the last drive."""
+        values = mapping(f"values of [{_name(table)}]", values, "{'x': 'm'}")
         if table in _LISTS:
             return self._add(table, values)
         if table.startswith("drive."):

@@ -333,7 +333,11 @@ class Model:
         return LinearEquations.of(self._native.linearise(about == "equilibrium", names("inputs", inputs, "names of parameters")))
 
     def rhs(self) -> RightHandSide:
-        """The right-hand side f(t, y) of y' = f(t, y) as machine code, for solve_ivp and the like; y as in `states`."""
+        """The right-hand side f(t, y) of y' = f(t, y) as machine code, for solve_ivp and the like; y as in `states`.
+
+        Rates that the law does not determine, as at a singular position such as a radius of zero, or that hold a division by zero, are returned as not a
+        number or as infinite, without an exception: numpy.isfinite(f(t, y)).all() tells them, and `run` stops there, or refuses such a start, with the reason.
+        """
         return self._native.rhs()
 
     def jacobian(self) -> JacobianMatrix:
