@@ -114,3 +114,30 @@ def test_a_text_of_any_letters_is_built():
     for value in (object(), None, 10**5000, {1, 2}):
         with pytest.raises(TypeError, match="is no value of a model"):
             dalembert.Model.builder().run(samples=value).text
+
+
+def test_columns_are_asked_for_in_every_way():
+    run = oscillator().run(1, samples=4)
+    assert run[[]].shape == (5, 0) and np.array_equal(run[np.str_("x")], run["x"])
+    assert "time" in run and [1] not in run and 3 not in run
+    for wrong in (3, None, ("x", "x'"), ["x", 3]):
+        with pytest.raises(KeyError, match="no column is called .*; there are x"):
+            run[wrong]
+
+
+def test_pictures_take_the_time_as_a_column_and_refuse_what_is_none():
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    run = oscillator().run(1, samples=4)
+    assert run.phase("time", "x").get_xlabel() == "time [s]" and len(run.plot("time").axes) == 1
+    for wrong in (lambda: run.plot(3), lambda: run.plot(None), lambda: run.plot("x", figure=3), lambda: run.phase("x", "x'", axes=3)):
+        with pytest.raises(TypeError, match="accepted"):
+            wrong()
+
+
+def test_numbers_beyond_every_size_and_half_letters_are_refused():
+    for call in (lambda: oscillator().run(1, samples=10**30), lambda: oscillator().stationary({"x": (-1, 1)}, boxes=10**30)):
+        with pytest.raises(ValueError, match="a whole number from 1 to"):
+            call()
+    with pytest.raises(ValueError, match="half a letter at its place 3"):
+        dalembert.Model.from_text("# \ud800")

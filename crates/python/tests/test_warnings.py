@@ -62,3 +62,10 @@ def test_an_executor_that_was_shut_down_is_told_as_such():
     except ValueError as error:
         found.append(str(error))
     assert found and "`executor` takes no work" in found[0] and "shut down" in found[0]
+
+
+def test_a_warning_of_what_varies_is_told_by_its_key():
+    text = OSCILLATOR + '[frames]\nF = "N free"\n[bodies.top]\nframe = "F"\ncentre = "O"\nmass = "(1 kg)"\ninertia = { principal = ["(1 kg m^2)", "(2 kg m^2)", "(2 kg m^2)"] }\n[run]\nspan = "0.1 s"\n'
+    model = dalembert.Model.from_text(text)
+    [(message, file)] = heard(lambda: model.ensemble(2, {"F": {"mean": "0 0 0", "deviation": "400 0 0"}}))
+    assert message.startswith('`vary["F"]`: 400 rad') and file == "test_warnings.py"

@@ -36,10 +36,12 @@ _HEAD = struct.Struct("<cQ")
 _GRACE = 1.5
 
 
-def apart(task: str, arguments: tuple, seconds: float | None, told: Callable[[Any], None] | None = None) -> Any:
+def apart(
+    task: str, arguments: tuple, seconds: float | None, told: Callable[[Any], None] | None = None, reworded: Callable[[str], str] = str
+) -> Any:
     """The value of a function `_tasks.task(left, tell, *arguments)` in another process.
 
-    `told` hears what the function tells before its end. Raises TimeoutError after `seconds`, and KeyboardInterrupt at Ctrl-C; the other
+    `told` hears what the function tells before its end; warnings are told in the words of `reworded`. Raises TimeoutError after `seconds`, and KeyboardInterrupt at Ctrl-C; the other
     process has ended then.
     """
     seconds = seconds_of(seconds)
@@ -79,7 +81,7 @@ def apart(task: str, arguments: tuple, seconds: float | None, told: Callable[[An
             if kind == b"t" and told is not None:
                 told(value)
             elif kind == b"w":
-                warn(value)
+                warn(reworded(value))
             elif kind == b"e":
                 raise value
             elif kind == b"v":

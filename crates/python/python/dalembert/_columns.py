@@ -7,7 +7,19 @@ from typing import Any
 
 import numpy
 
-__all__ = ["Columns", "TimedColumns", "of_unit"]
+from ._arguments import names as names_of
+from ._arguments import shown
+
+__all__ = ["Columns", "TimedColumns", "needed_pandas", "of_unit"]
+
+
+def needed_pandas() -> Any:
+    """pandas, or the way to it."""
+    try:
+        import pandas
+    except ImportError:
+        raise ImportError("a DataFrame needs pandas: pip install pandas") from None
+    return pandas
 
 
 def of_unit(unit: str) -> str:
@@ -33,13 +45,13 @@ class Columns:
 
     def __getitem__(self, name: str | list[str]) -> numpy.ndarray:
         if isinstance(name, list):
-            return numpy.column_stack([self[one] for one in name])
-        if name not in self._places:
-            raise KeyError(f"no column is called {name!r}; there are {', '.join(self.names)}")
+            return numpy.column_stack([self[one] for one in name]) if name else self.array[:, :0]
+        if not isinstance(name, str) or name not in self._places:
+            raise KeyError(f"no column is called {shown(name)}; there are {', '.join(self.names)}")
         return self.array[:, self._places[name]]
 
-    def __contains__(self, name: str) -> bool:
-        return name in self._places
+    def __contains__(self, name: object) -> bool:
+        return isinstance(name, str) and name in self._places
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.names)
@@ -70,8 +82,12 @@ class TimedColumns(Columns):
     def __getitem__(self, name: str | list[str]) -> numpy.ndarray:
         return self.time if isinstance(name, str) and name == "time" and name not in self._places else super().__getitem__(name)
 
-    def __contains__(self, name: str) -> bool:
-        return name == "time" or name in self._places
+    def __contains__(self, name: object) -> bool:
+        return name == "time" or super().__contains__(name)
+
+    def unit(self, name: str) -> str:
+        """The unit of a column, of `time` too."""
+        return self.units.get(name, "s")
 
     @property
     def last(self) -> dict[str, float]:
@@ -80,15 +96,14 @@ class TimedColumns(Columns):
 
     def to_dataframe(self) -> Any:
         """A pandas DataFrame, indexed by time; pandas must be installed."""
-        import pandas
-
+        pandas = needed_pandas()
         return pandas.DataFrame(self.array, index=pandas.Index(self.time, name="time"), columns=self.names)
 
     def plot(self, *names: str | Iterable[str], figure: Any = None) -> Any:
         """Draws columns over time, one picture for each unit; without names all of them. Gives the figure of matplotlib."""
         from ._plot import plot
 
-        flat = [one for name in names for one in ([name] if isinstance(name, str) else name)]
+        flat = [one for listed in names for one in names_of("names", listed, "names of columns")]
         return plot(self, flat or self._usual(), figure)
 
     def phase(self, abscissa: str, ordinate: str, axes: Any = None) -> Any:

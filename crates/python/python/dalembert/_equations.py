@@ -52,9 +52,7 @@ class Equations:
         q, mass_matrix, inertia, forces and equations, with constraints their jacobian, bias, constraints and multipliers; `letters` by their names,
         `values` of parameters. A condition within another one is Step(x), 1 where x > 0 and else 0.
         """
-        from ._sympy import to_sympy
-
-        return to_sympy(self.sympy)
+        return self._native().sympy_expressions
 
     def code(self, language: str) -> str:
         """Straight-line code: language "c", "python" or "rust"."""

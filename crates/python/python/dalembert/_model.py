@@ -38,7 +38,9 @@ __all__ = ["Model"]
 
 # of the processor, at most: more are no faster
 _MOST_THREADS = 1024
-# instants of forces, at most: as many as the command takes
+# of a search, at most
+_MOST_BOXES = 1_000_000_000
+# instants of a run or of forces, at most: as many as the command takes
 _MOST_INSTANTS = 1_000_000
 
 
@@ -80,6 +82,10 @@ class Model:
         """Reads a model from a text in TOML; messages call it by `name`."""
         if not isinstance(text, str):
             raise TypeError(f"a text is a str; this is {type(text).__name__}")
+        try:
+            text.encode()
+        except UnicodeEncodeError as error:
+            raise ValueError(f"the text has half a letter at its place {error.start + 1}, {text[error.start]!r}; letters of Unicode are accepted") from None
         if not isinstance(name, str):
             raise TypeError(f"`name` is {shown(name)}; a text is accepted, which messages show as the name of the file")
         if "\n" not in text and text.strip().endswith(".toml"):
@@ -179,7 +185,7 @@ class Model:
             if not low <= high < float("inf") or low == float("-inf"):
                 raise ValueError(f"the range of `{name}` is {shown(range_)}; two finite numbers that rise are accepted")
             asked.append((name, low, high))
-        return SteadyMotions(*apart("stationary", (self, asked, whole("boxes", boxes)), seconds))
+        return SteadyMotions(*apart("stationary", (self, asked, whole("boxes", boxes, _MOST_BOXES)), seconds))
 
     def choose(self, tolerance: float = 1e-6, outputs: Iterable[str] = (), *, seconds: float | None = 300.0) -> ModelChoice:
         """The smallest model of this system that meets a tolerance in the outputs that matter, and the method that runs it the cheapest.
@@ -236,7 +242,8 @@ class Model:
             if variation is not None:
                 model = _restored(variation.text, self._native.name, self._native.values)
             if executor is None:
-                return Ensemble(apart("ensemble", (model, None, threads), seconds), self.title)
+                reworded = str if variation is None else variation.warned
+                return Ensemble(apart("ensemble", (model, None, threads), seconds, reworded=reworded), self.title)
             return Ensemble(in_parts(model, executor, parts, threads or 1, seconds), self.title)
         except ModelError as error:
             if variation is None:
@@ -258,7 +265,7 @@ class Model:
         method: one of dalembert.METHODS, such as "taylor", "radau_5" or "implicit_midpoint:1000" with its number of steps.
         seconds: after so long the run is stopped, and what there is is kept; None for no limit. Ctrl-C breaks it off.
         """
-        kept = None if samples is None else whole("samples", samples)
+        kept = None if samples is None else whole("samples", samples, _MOST_INSTANTS)
         span = None if span is None else span_of(span)
         tolerance = None if tolerance is None else number("tolerance", tolerance)
         if method is not None and not isinstance(method, str):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from ._arguments import shown
+
 
 def _matplotlib():
     try:
@@ -22,7 +24,9 @@ def plot(run, names, figure=None):
         run[name]
     units: dict[str, list[str]] = {}
     for name in names:
-        units.setdefault(run.units[name], []).append(name)
+        units.setdefault(run.unit(name), []).append(name)
+    if figure is not None and not hasattr(figure, "subplots"):
+        raise TypeError(f"`figure` is {shown(figure)}; a figure of matplotlib is accepted")
     if figure is None:
         figure = pyplot.figure(figsize=(7, 2.2 * len(units) + 0.6), layout="constrained")
     # a figure with as many pictures takes another run over the first
@@ -46,11 +50,13 @@ def plot(run, names, figure=None):
 def phase(run, abscissa, ordinate, axes=None):
     """One column over another."""
     x, y = run[abscissa], run[ordinate]
-    axes = axes or _matplotlib().subplots(layout="constrained")[1]
+    if axes is not None and not hasattr(axes, "plot"):
+        raise TypeError(f"`axes` is {shown(axes)}; axes of matplotlib are accepted")
+    axes = axes if axes is not None else _matplotlib().subplots(layout="constrained")[1]
     axes.plot(x, y, linewidth=1.2)
     axes.plot(x[:1], y[:1], "o", markersize=4)
-    axes.set_xlabel(abscissa + _label(run.units[abscissa]))
-    axes.set_ylabel(ordinate + _label(run.units[ordinate]))
+    axes.set_xlabel(abscissa + _label(run.unit(abscissa)))
+    axes.set_ylabel(ordinate + _label(run.unit(ordinate)))
     axes.set_title(run.title)
     axes.grid(alpha=0.3)
     return axes

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy
 
-from ._columns import Columns, of_unit
+from ._columns import Columns, needed_pandas, of_unit
 from ._html import table
 
 __all__ = ["Chart", "Ensemble", "ModelChoice", "SteadyMotion", "SteadyMotions"]
@@ -214,8 +214,7 @@ class Ensemble(Columns):
 
     def to_dataframe(self) -> Any:
         """A pandas DataFrame with a row for each member, counted from one; pandas must be installed."""
-        import pandas
-
+        pandas = needed_pandas()
         frame = pandas.DataFrame(self.array, index=pandas.RangeIndex(1, len(self) + 1, name="member"), columns=self.names)
         frame["stopped"] = self.stopped
         return frame

@@ -23,6 +23,7 @@ _MOST_MEMBERS = 100_000_000
 _LARGEST_SEED = 2**32 - 1
 _EXAMPLE = '{"m": {"from": 0.9, "to": 1.1}}'
 _QUANTITY = re.compile(r"\s*([+-]?(?:\d[\d_]*\.?[\d_]*|\.\d+)(?:[eE][+-]?\d+)?)(?:\s+(\S.*?))?\s*")
+_PLACE = re.compile(r".*?:(\d+):\d+: ")
 _CURRENT = re.compile(r"[^.]+\.i(_\w+)?")
 
 
@@ -59,15 +60,25 @@ class Variation:
             return error
         return of_issues([self._told(issue) if self._is_of_call(issue) else issue for issue in issues])
 
+    def warned(self, message: str) -> str:
+        """A warning about this text in the words of the call."""
+        found = _PLACE.match(message)
+        name = None if found is None else self._name_at(int(found[1]))
+        return message if name is None else f'`vary["{name}"]`: {message[found.end() :]}'
+
+    def _name_at(self, line: int) -> str | None:
+        """The name that varies by a line of the text."""
+        names = list(self._vary)
+        return names[line - self._first] if 0 <= line - self._first < len(names) else None
+
     def _is_of_call(self, issue: dict[str, Any]) -> bool:
         return issue["line"] is not None and issue["line"] > self._end
 
     def _told(self, issue: dict[str, Any]) -> dict[str, Any]:
-        place = issue["line"] - self._first
-        names = list(self._vary)
-        where = f'`vary["{names[place]}"]`: ' if 0 <= place < len(names) else ""
+        name = self._name_at(issue["line"])
+        where = "" if name is None else f'`vary["{name}"]`: '
         remedy = issue["remedy"]
-        if where and issue["title"] == f"unknown key `{names[place]}`" and self._parameters:
+        if issue["title"] == f"unknown key `{name}`" and self._parameters:
             remedy = f"{remedy}; parameters: {', '.join(self._parameters)}"
         label = "" if issue["label"] == "here" else issue["label"]
         return {**issue, "line": None, "column": None, "title": where + issue["title"], "label": label, "remedy": remedy}
