@@ -124,8 +124,8 @@ def test_the_least_of_three_is_nested():
 def test_pieces_with_simple_conditions_are_translated_and_others_refused():
     z = sympy.Symbol("x")
     pieces = sympy.Piecewise((-z, z < -1), (z**2, z <= 1), (3, True))
-    assert dalembert.from_sympy(pieces) == "if(x < -1, -x, if(x <= 1, x^2, (3)))"
-    assert dalembert.from_sympy(sympy.Piecewise((-1, x < 0), (1, x >= 0))) == "if(x < 0, -1, (1))"
+    assert dalembert.from_sympy(pieces) == "if(x < -1, -x, if(x <= 1, x^2, 3))"
+    assert dalembert.from_sympy(sympy.Piecewise((-1, x < 0), (1, x >= 0))) == "if(x < 0, -1, 1)"
     for wrong in (sympy.Piecewise((1, sympy.Eq(x, 0)), (2, True)), sympy.Piecewise((1, (x > 0) & (x < 1)), (2, True)), sympy.Piecewise((1, x < 0))):
         with pytest.raises(ValueError, match="cannot be written"):
             dalembert.from_sympy(wrong)

@@ -196,7 +196,7 @@ def written(expression: Any, letter: Callable[[Any, int], str]) -> str:
         if sympy.Or(*(condition for _, condition in part.args)) != True:  # noqa: E712, a truth value of SymPy
             raise refused(part, "a last piece with the condition True is accepted, so that there is a value everywhere")
         *others, (value, _) = part.args
-        text = f"({text_of(value)[0]})"
+        text = text_of(value)[0] if others else f"({text_of(value)[0]})"
         for value, condition in reversed(others):
             relation = _RELATIONS.get(type(condition).__name__)
             if relation is None:

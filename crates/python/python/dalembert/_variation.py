@@ -28,7 +28,7 @@ _CURRENT = re.compile(r"[^.]+\.i(_\w+)?")
 
 
 class Variation:
-    """What varies in an ensemble of a model, and its number of members; numbers without units are in SI units.
+    """The numbers that vary in an ensemble of a model, and the number of its members; numbers without units are in SI units.
 
     text: the text of the model with the table [ensemble] in the place of its own. Raises TypeError and ValueError for what cannot vary so.
     """
