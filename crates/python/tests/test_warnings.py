@@ -1,10 +1,11 @@
 """Warnings are told once, by the filters of the caller and at the caller's line."""
 
+import multiprocessing
 import pickle
 import subprocess
 import sys
 import warnings
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from pathlib import Path
 
 import dalembert
@@ -34,6 +35,19 @@ def test_a_warning_of_a_text_is_told_where_it_is_read_and_not_again():
         warnings.simplefilter("ignore")
         model = dalembert.Model.from_text(UNUSED)
     assert {name: heard(lambda: call(model)) for name, call in CALLS.items()} == {name: [] for name in CALLS}
+
+
+def test_parts_tell_nothing_again_in_threads_and_in_processes(capfd):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        model = dalembert.Model.from_text(UNUSED)
+        own = dalembert.Model.from_text(UNUSED + "[ensemble]\nmembers = 3\n[ensemble.vary]\nstart.x = { values = \"1 2 3 m\" }\n")
+    vary = {"k": {"values": [1, 2, 3]}}
+    with ThreadPoolExecutor(2) as threads, ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("spawn")) as processes:
+        for executor in (threads, processes):
+            assert heard(lambda: model.ensemble(3, vary, executor=executor)) == []
+            assert heard(lambda: own.ensemble(executor=executor)) == []
+    assert capfd.readouterr().err == ""
 
 
 def test_a_helper_prints_nothing_of_its_own():

@@ -239,8 +239,9 @@ class Model:
         elif seed is not None:
             raise ValueError("`seed` is accepted with `members` and `vary`; the table [ensemble] of a text has its own")
         try:
-            if variation is not None:
-                model = _restored(variation.text, self._native.name, self._native.values)
+            if variation is not None or executor is not None:
+                text = self.text if variation is None else variation.text
+                model = _restored(text, self._native.name, self._native.values)
             if executor is None:
                 reworded = str if variation is None else variation.warned
                 return Ensemble(apart("ensemble", (model, None, threads), seconds, reworded=reworded), self.title)

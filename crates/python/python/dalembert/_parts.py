@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import threading
 import time
 from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future, wait
 from typing import TYPE_CHECKING, Any
@@ -11,7 +12,7 @@ import numpy
 
 from ._apart import apart
 from ._arguments import LONGEST, seconds_of, shown, whole
-from ._warnings import warn
+from ._warnings import warn, without_known
 
 if TYPE_CHECKING:
     from ._model import Model
@@ -30,12 +31,20 @@ def _ranges(members: int, parts: int) -> list[tuple[int, int]]:
 
 def _part(model: Model, members: tuple[int, int], threads: int, seconds: float) -> dict[str, Any]:
     """A part, where a worker runs it."""
-    return model._native.ensemble(members, threads, seconds)
+    if threading.current_thread() is not threading.main_thread():
+        return model._native.ensemble(members, threads, seconds)
+    # a process that works for another, which has heard the warnings
+    with without_known():
+        return model._native.ensemble(members, threads, seconds)
 
 
 def in_parts(model: Model, executor: Executor, parts: int | None, threads: int, seconds: float | None) -> dict[str, Any]:
     """The rows of all members, in their order."""
-    seconds = seconds_of(seconds)
+    with without_known():
+        return _in_parts(model, executor, parts, threads, seconds_of(seconds))
+
+
+def _in_parts(model: Model, executor: Executor, parts: int | None, threads: int, seconds: float | None) -> dict[str, Any]:
     parts = None if parts is None else whole("parts", parts)
     if not callable(getattr(executor, "submit", None)):
         raise TypeError(f"`executor` is {shown(executor)}; an executor of concurrent.futures is accepted, such as ProcessPoolExecutor() or client.get_executor() of Dask")

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import re
 import sys
 import threading
 import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 from ._native import NativeModel
 
-__all__ = ["known", "read_again", "warn"]
+__all__ = ["known", "read_again", "warn", "without_known"]
 
 # those of texts that are read again, told where they were read first
 known: set[str] = set()
@@ -31,3 +34,12 @@ def read_again(text: str, name: str) -> NativeModel:
         model = NativeModel.from_text(text, name)
     known.update(str(one.message) for one in heard)
     return model
+
+
+@contextmanager
+def without_known() -> Iterator[None]:
+    """A part of a program, threads that it waits for too, in which the known warnings are not told again."""
+    with warnings.catch_warnings():
+        for message in known:
+            warnings.filterwarnings("ignore", message=re.escape(message))
+        yield
