@@ -140,4 +140,11 @@ def test_each_column_has_a_name_of_its_own():
     members = dalembert.Model.from_text(text).ensemble(2, {"k": {"values": [3, 4]}})
     assert len(set(members.keys())) == len(members.keys()) == members.array.shape[1]
     assert np.allclose(members["time"], 0.1 * np.cos(10 * np.sqrt([3, 4])), atol=1e-6) and np.allclose(members["steps"], 2 * members["time"])
-    assert np.array_equal(members["end.time"], [10, 10]) and (members["end.steps"] > 1).all() and members.units["end.time"] == "s"
+    assert np.array_equal(members["run.time"], [10, 10]) and (members["run.steps"] > 1).all() and members.units["run.time"] == "s"
+
+
+def test_a_coordinate_keeps_its_name_beside_the_energy_of_a_run():
+    text = OSCILLATOR.replace('x = "m"', 'kinetic_energy = "m"').replace("x*N.x", "kinetic_energy*N.x").replace('x = "0.1 m"', 'kinetic_energy = "0.1 m"')
+    run = dalembert.Model.from_text(text).run(1, samples=3)
+    assert len(set(run.names)) == len(run.names) and run.units["kinetic_energy"] == "m" and run.units["run.kinetic_energy"] == "J"
+    assert run["kinetic_energy"][0] == 0.1 and np.allclose(run["run.kinetic_energy"], run["kinetic_energy'"] ** 2 / 2)

@@ -30,13 +30,14 @@ def of_unit(unit: str) -> str:
 class Columns:
     """Columns of numbers: columns["x"] is one, columns[["x", "y"]] has some side by side, `array` all of them, as in `names`.
 
-    `units` has the unit of each name; dict(columns) has the columns by their names.
+    `units` has the unit of each name; dict(columns) has the columns by their names. Each column has a name of its own: where the model has a
+    coordinate or an output with the name of a number of the run, such as `steps` or `kinetic_energy`, that of the run is `run.steps`.
     """
 
     __slots__ = ("array", "names", "title", "units", "_places")
 
     def __init__(self, array: numpy.ndarray, columns: Iterable[tuple[str, str]], title: str) -> None:
-        known = list(columns)
+        known = _distinct(list(columns))
         self.array = array
         self.names: list[str] = [name for name, _ in known]
         self.units: dict[str, str] = dict(known)
@@ -66,6 +67,23 @@ class Columns:
 
     def __len__(self) -> int:
         return len(self.names)
+
+
+# numbers of a run that stand before the columns of the model; all others stand behind them
+_BEFORE = ("time", "steps")
+_ENERGIES = ("kinetic_energy", "potential_energy", "work")
+
+
+def _distinct(columns: list[tuple[str, str]]) -> list[tuple[str, str]]:
+    """Columns with names of their own, of which the model's stay."""
+    distinct = list(columns)
+    names = [name for name, _ in columns]
+    for name in {name for name in names if names.count(name) > 1}:
+        places = [place for place, one in enumerate(names) if one == name]
+        place = places[0 if name in _BEFORE else -1]
+        # by its name an energy would have the unit of the model's column
+        distinct[place] = f"run.{name}", "J" if name in _ENERGIES else columns[place][1]
+    return distinct
 
 
 class TimedColumns(Columns):

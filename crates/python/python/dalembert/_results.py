@@ -192,14 +192,14 @@ class Ensemble(Columns):
 
     ensemble["x"] is a column, a number for each member; `array` has a row for each member, its columns as in `names`: the numbers that vary, `time` of
     the end, `steps`, the last state, outputs and the drift of the energy. Where the model has a coordinate or an output called `time` or `steps`, these
-    names are its own, and those of the run are `end.time` and `end.steps`. A number that a member does not have is not a number. stopped: why a member
+    names are its own, and those of the run are `run.time` and `run.steps`. A number that a member does not have is not a number. stopped: why a member
     stopped before its end, None where it did not; reached: the same as truth values. broken_off: why members are missing; None where all are there.
     """
 
     __slots__ = ("broken_off", "stopped")
 
     def __init__(self, told: dict[str, Any], title: str) -> None:
-        super().__init__(told["rows"], _distinct(told["columns"]), title)
+        super().__init__(told["rows"], told["columns"], title)
         self.stopped: list[str | None] = told["stopped"]
         missing = told["members"] - len(self.stopped)
         self.broken_off = f"{missing} of {told['members']} members have not run: the time was over" if missing else None
@@ -241,9 +241,3 @@ class Ensemble(Columns):
         facts = "<br>".join(map(escape, self._facts()))
         rows = [[escape(cell) for cell in row] for row in self._rows()]
         return f"<b>{escape(self.title or 'an ensemble')}</b><br>{facts}" + table(["column", "unit", "least", "mean", "largest", "deviation"], rows)
-
-
-def _distinct(columns: list[tuple[str, str]]) -> list[tuple[str, str]]:
-    """Columns with names of their own: a name of the model is not that of a number of the run, which stands before it."""
-    names = [name for name, _ in columns]
-    return [(f"end.{name}" if name in names[place + 1 :] else name, unit) for place, (name, unit) in enumerate(columns)]

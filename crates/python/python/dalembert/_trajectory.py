@@ -25,7 +25,7 @@ def _restored(kept: dict[str, Any], title: str) -> Trajectory:
 class Trajectory(TimedColumns):
     """A run of a model.
 
-    run["x"] is a column, run["time"] or run.time the times in seconds, run[["x", "y"]] some columns side by side; run.array has a row for each
+    run["x"] is a column, run.time the times in seconds (run["time"] too, where no coordinate has this name), run[["x", "y"]] some columns side by side; run.array has a row for each
     time, its columns as in run.names: states, outputs, energies; run.units has their units. `run.ok` says whether the run reached its end and
     nothing was found wrong with its numbers; `run.stopped`, `run.lost` and `run.undefined` say why not.
     """
