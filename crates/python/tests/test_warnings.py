@@ -50,6 +50,20 @@ def test_parts_tell_nothing_again_in_threads_and_in_processes(capfd):
     assert capfd.readouterr().err == ""
 
 
+def test_threads_leave_the_filters_as_they_were():
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        model = dalembert.Model.from_text(UNUSED)
+    with warnings.catch_warnings():
+        warnings.simplefilter("always")
+        before = list(warnings.filters)
+        with ThreadPoolExecutor(1) as workers, ThreadPoolExecutor(4) as callers:
+            calls = [callers.submit(model.ensemble, 3, {"k": {"from": 1, "to": 2}}, executor=workers) for _ in range(8)]
+            assert all(len(call.result()) == 3 for call in calls)
+        assert warnings.filters == before
+        assert len(heard(lambda: dalembert.Model.from_text(UNUSED))) == 1
+
+
 def test_a_helper_prints_nothing_of_its_own():
     program = f"""
 import warnings, dalembert

@@ -15,8 +15,33 @@ __all__ = ["known", "read_again", "warn", "without_known"]
 
 # those of texts that are read again, told where they were read first
 known: set[str] = set()
-# the filters of Python belong to a process, and not to a thread
-_LOCK = threading.Lock()
+
+
+class _Filters:
+    """The filters of Python belong to a process, and not to a thread: whoever changes them for a while does it one at a time, and the last restores them."""
+
+    def __init__(self) -> None:
+        self.lock = threading.Lock()
+        self.users = 0
+        self.saved = warnings.catch_warnings()
+
+    def begin(self) -> None:
+        with self.lock:
+            if self.users == 0:
+                self.saved = warnings.catch_warnings()
+                self.saved.__enter__()
+            self.users += 1
+            for message in known:
+                warnings.filterwarnings("ignore", message=re.escape(message))
+
+    def end(self) -> None:
+        with self.lock:
+            self.users -= 1
+            if self.users == 0:
+                self.saved.__exit__(None, None, None)
+
+
+_FILTERS = _Filters()
 
 
 def warn(message: str) -> None:
@@ -29,17 +54,18 @@ def warn(message: str) -> None:
 
 def read_again(text: str, name: str) -> NativeModel:
     """A model of a text that was read before, without the warnings that were told then."""
-    with _LOCK, warnings.catch_warnings(record=True) as heard:
+    with _FILTERS.lock, warnings.catch_warnings(record=True) as heard:
         warnings.simplefilter("always")
         model = NativeModel.from_text(text, name)
-    known.update(str(one.message) for one in heard)
+        known.update(str(one.message) for one in heard)
     return model
 
 
 @contextmanager
 def without_known() -> Iterator[None]:
     """A part of a program, threads that it waits for too, in which the known warnings are not told again."""
-    with warnings.catch_warnings():
-        for message in known:
-            warnings.filterwarnings("ignore", message=re.escape(message))
+    _FILTERS.begin()
+    try:
         yield
+    finally:
+        _FILTERS.end()
