@@ -8,11 +8,18 @@ import warnings
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from pathlib import Path
 
+import pytest
+
 import dalembert
 from systems import OSCILLATOR
 
 UNUSED = OSCILLATOR.replace("[parameters]", '[parameters]\nspare = "1 m"')
 CALLS = {
+    "derive": lambda model: (model.derive(), model.with_values(m=2.0).derive("lagrange").latex),
+    "code": lambda model: pickle.loads(pickle.dumps(model.derive())).code("c"),
+    "prove": lambda model: model.prove(),
+    "linearise": lambda model: model.linearise(),
+    "run": lambda model: (model.run(0.1), model.rhs(), model.start),
     "pickle": lambda model: pickle.loads(pickle.dumps(model)),
     "stationary": lambda model: model.stationary({"x": (-1, 1)}),
     "ensemble": lambda model: model.ensemble(2, {"k": {"from": 1, "to": 2}}),
@@ -31,6 +38,9 @@ def heard(call):
 def test_a_warning_of_a_text_is_told_where_it_is_read_and_not_again():
     [(message, file)] = heard(lambda: dalembert.Model.from_text(UNUSED))
     assert "nothing uses the parameter `spare`" in message and file == "test_warnings.py"
+    with pytest.raises(UserWarning, match="spare"), warnings.catch_warnings():
+        warnings.simplefilter("error")
+        dalembert.Model.from_text(UNUSED)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         model = dalembert.Model.from_text(UNUSED)

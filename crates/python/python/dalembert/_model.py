@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy
@@ -24,7 +24,7 @@ from ._regulator import Regulator
 from ._results import Chart, Ensemble, ModelChoice, SteadyMotions
 from ._trajectory import Trajectory
 from ._variation import Variation
-from ._warnings import read_again
+from ._warnings import heard, known, warn, without
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
@@ -60,8 +60,17 @@ def _instants(span: float, samples: int, times: ArrayLike | None) -> list[float]
 
 
 def _restored(text: str, name: str, values: list[tuple[str, float]]) -> Model:
-    native = read_again(text, name)
-    return Model(native.with_values(values) if values else native)
+    native, told = heard(lambda: NativeModel.from_text(text, name))
+    known.update(told)
+    return Model(native.with_values(values) if values else native, told)
+
+
+def _read(read: Callable[[], NativeModel]) -> tuple[NativeModel, frozenset[str]]:
+    """A model that is read first, whose warnings are told."""
+    native, told = heard(read)
+    for message in sorted(told):
+        warn(message)
+    return native, told
 
 
 class Model:
@@ -70,12 +79,13 @@ class Model:
     Model.from_text, Model.from_file and Model.builder make one. A model does not change: with_values gives another.
     """
 
-    __slots__ = ("_native",)
+    __slots__ = ("_native", "_told")
 
-    def __init__(self, native: NativeModel) -> None:
+    def __init__(self, native: NativeModel, told: frozenset[str] = frozenset()) -> None:
         if not isinstance(native, NativeModel):
             raise TypeError("a model is made by Model.from_text(text), Model.from_file(path) or Model.builder(title)")
-        self._native = native
+        # with the warnings of its text, told where it was read
+        self._native, self._told = native, told
 
     @classmethod
     def from_text(cls, text: str, name: str = "<text>") -> Model:
@@ -90,15 +100,16 @@ class Model:
             raise TypeError(f"`name` is {shown(name)}; a text is accepted, which messages show as the name of the file")
         if "\n" not in text and text.strip().endswith(".toml"):
             raise ValueError(f"{text!r} is the name of a file and no text of a model; Model.from_file reads files")
-        return cls(NativeModel.from_text(text, name))
+        return cls(*_read(lambda: NativeModel.from_text(text, name)))
 
     @classmethod
     def from_file(cls, path: str | os.PathLike[str]) -> Model:
         """Reads a model from a file."""
         try:
-            return cls(NativeModel.from_file(os.fsdecode(path)))
+            file = os.fsdecode(path)
         except TypeError:
             raise TypeError(f"`path` is {shown(path)}; the name of a file is accepted") from None
+        return cls(*_read(lambda: NativeModel.from_file(file)))
 
     @staticmethod
     def builder(title: str = "a model") -> ModelBuilder:
@@ -142,7 +153,7 @@ class Model:
         model.with_values(m=2.0, x=0.1), and for names that are none in Python model.with_values({"x'": 1.0}).
         """
         given = {**mapping("values", values, "{'x': 0.1}"), **more}
-        return Model(self._native.with_values([(name, number(name, value)) for name, value in given.items()]))
+        return Model(self._native.with_values([(name, number(name, value)) for name, value in given.items()]), self._told)
 
     def derive(self, principle: str | None = None) -> Equations:
         """Equations of motion by a principle of dalembert.PRINCIPLES.
@@ -151,12 +162,14 @@ class Model:
         """
         if principle is not None and not isinstance(principle, str):
             raise TypeError(f"`principle` is {shown(principle)}; a name of dalembert.PRINCIPLES is accepted")
-        found = self._native.derive(principle)
+        with without(self._told):
+            found = self._native.derive(principle)
         return Equations(self, found.principle, found.text, found)
 
     def prove(self) -> Judgements:
         """Whether all principles give the same equations, and what these keep: a list of statements with their verdicts."""
-        return Judgements(map(Judgement.of, self._native.prove()))
+        with without(self._told):
+            return Judgements(map(Judgement.of, self._native.prove()))
 
     def check(self, method: Any, names: Mapping[Any, str] | None = None, *, seconds: float | None = 300.0) -> Check:
         """Whether the equations of motion of a KanesMethod or a LagrangesMethod of SymPy are those of this model: as `dalembert.check`."""
@@ -338,13 +351,15 @@ class Model:
         """
         if about not in ("start", "equilibrium"):
             raise ValueError(f'`about` is {shown(about)}; "start" and "equilibrium" are accepted')
-        return LinearEquations.of(self._native.linearise(about == "equilibrium", names("inputs", inputs, "names of parameters")))
+        sought = names("inputs", inputs, "names of parameters")
+        with without(self._told):
+            return LinearEquations.of(self._native.linearise(about == "equilibrium", sought))
 
     def rhs(self) -> RightHandSide:
         """The right-hand side f(t, y) of y' = f(t, y) as machine code, for solve_ivp and the like; y as in `states`.
 
         Rates that the law does not determine, as at a singular position such as a radius of zero, or that hold a division by zero, are returned as not a
-        number or as infinite, without an exception: numpy.isfinite(f(t, y)).all() tells them, and `run` stops there, or refuses such a start, with the reason.
+        number or as infinite, without an exception: numpy.isfinite(f(t, y)).all() is false there, and `run` stops there, or refuses such a start, with the reason.
         """
         return self._native.rhs()
 

@@ -12,7 +12,7 @@ import numpy
 
 from ._apart import apart
 from ._arguments import LONGEST, seconds_of, shown, whole
-from ._warnings import warn, without_known
+from ._warnings import warn, without
 
 if TYPE_CHECKING:
     from ._model import Model
@@ -34,13 +34,13 @@ def _part(model: Model, members: tuple[int, int], threads: int, seconds: float) 
     if threading.current_thread() is not threading.main_thread():
         return model._native.ensemble(members, threads, seconds)
     # a process that works for another, which has heard the warnings
-    with without_known():
+    with without(model._told):
         return model._native.ensemble(members, threads, seconds)
 
 
 def in_parts(model: Model, executor: Executor, parts: int | None, threads: int, seconds: float | None) -> dict[str, Any]:
     """The rows of all members, in their order."""
-    with without_known():
+    with without(model._told):
         return _in_parts(model, executor, parts, threads, seconds_of(seconds))
 
 

@@ -6,14 +6,15 @@ import re
 import sys
 import threading
 import warnings
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from typing import TypeVar
 
-from ._native import NativeModel
+__all__ = ["heard", "known", "warn", "without"]
 
-__all__ = ["known", "read_again", "warn", "without_known"]
+Value = TypeVar("Value")
 
-# those of texts that are read again, told where they were read first
+# those of texts that were read again in this process, told where they were read first
 known: set[str] = set()
 
 
@@ -25,13 +26,13 @@ class _Filters:
         self.users = 0
         self.saved = warnings.catch_warnings()
 
-    def begin(self) -> None:
+    def begin(self, messages: Iterable[str]) -> None:
         with self.lock:
             if self.users == 0:
                 self.saved = warnings.catch_warnings()
                 self.saved.__enter__()
             self.users += 1
-            for message in known:
+            for message in messages:
                 warnings.filterwarnings("ignore", message=re.escape(message))
 
     def end(self) -> None:
@@ -52,19 +53,18 @@ def warn(message: str) -> None:
     warnings.warn(message, stacklevel=level)
 
 
-def read_again(text: str, name: str) -> NativeModel:
-    """A model of a text that was read before, without the warnings that were told then."""
-    with _FILTERS.lock, warnings.catch_warnings(record=True) as heard:
+def heard(call: Callable[[], Value]) -> tuple[Value, frozenset[str]]:
+    """The value of a call, and its warnings, which are not told."""
+    with _FILTERS.lock, warnings.catch_warnings(record=True) as found:
         warnings.simplefilter("always")
-        model = NativeModel.from_text(text, name)
-        known.update(str(one.message) for one in heard)
-    return model
+        value = call()
+    return value, frozenset(str(one.message) for one in found)
 
 
 @contextmanager
-def without_known() -> Iterator[None]:
-    """A part of a program, threads that it waits for too, in which the known warnings are not told again."""
-    _FILTERS.begin()
+def without(messages: Iterable[str]) -> Iterator[None]:
+    """A part of a program, threads that it waits for too, in which some warnings are not told again."""
+    _FILTERS.begin(messages)
     try:
         yield
     finally:
