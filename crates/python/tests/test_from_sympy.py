@@ -108,7 +108,7 @@ def test_names_that_mean_nothing_are_refused():
 
 def test_powers_have_the_values_of_sympy_wherever_these_are_real():
     z = sympy.Symbol("x")
-    for exponent, places in [(2.0, (-2.0, 0.0, 2.0)), (3.0, (-2.0, 0.0)), (1.5, (0.0, 2.0)), (0.1, (0.0, 2.0)), (2, (-2.0,)), (sympy.Rational(1, 3), (2.0,))]:
+    for exponent, places in [(2.0, (-2.0, 0.0, 2.0)), (3.0, (-2.0, 0.0)), (1.5, (0.0, 2.0)), (0.1, (0.0, 2.0)), (2, (-2.0,)), (sympy.Rational(1, 3), (2.0,)), (0.45, (2.0,)), (0.9485864, (2.0,)), (sympy.Rational(100, 3), (2.0,)), (1.001, (2.0,))]:
         for place in places:
             assert np.isclose(value(dalembert.from_sympy(z**exponent), place), float((z**exponent).subs(z, place))), (exponent, place)
     assert dalembert.from_sympy(z**-2.0) == "1/x^2"
@@ -126,6 +126,7 @@ def test_pieces_with_simple_conditions_are_translated_and_others_refused():
     pieces = sympy.Piecewise((-z, z < -1), (z**2, z <= 1), (3, True))
     assert dalembert.from_sympy(pieces) == "if(x < -1, -x, if(x <= 1, x^2, 3))"
     assert dalembert.from_sympy(sympy.Piecewise((-1, x < 0), (1, x >= 0))) == "if(x < 0, -1, 1)"
+    assert dalembert.from_sympy(sympy.Piecewise((1, a < a), (2, z < 0), (3, b >= b), (4, True))) == "if(x < 0, 2, 3)"
     for wrong in (sympy.Piecewise((1, sympy.Eq(x, 0)), (2, True)), sympy.Piecewise((1, (x > 0) & (x < 1)), (2, True)), sympy.Piecewise((1, x < 0))):
         with pytest.raises(ValueError, match="cannot be written"):
             dalembert.from_sympy(wrong)

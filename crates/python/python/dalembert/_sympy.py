@@ -33,6 +33,8 @@ _RELATIONS = {"StrictLessThan": "<", "LessThan": "<=", "StrictGreaterThan": ">",
 _INVERSE = {"sec": "1/cos({})", "csc": "1/sin({})", "cot": "cos({0})/sin({0})"}
 # of powers, in the language
 _LARGEST = 64
+# of one, in an exponent with decimals
+_PARTS = 1000
 
 
 def needed() -> Any:
@@ -178,24 +180,34 @@ def written(expression: Any, letter: Callable[[Any, int], str]) -> str:
     def power(base: Any, exponent: Any) -> tuple[str, int]:
         if base is sympy.E:
             return f"exp({text_of(exponent)[0]})", 4
-        if exponent.is_Float and sympy.Rational(exponent).q <= _LARGEST:
-            exponent = sympy.Rational(exponent)
-        if (exponent.is_Rational or exponent.is_Float) and abs(exponent) > _LARGEST:
-            raise refused(base**exponent, f"exponents from -{_LARGEST} to {_LARGEST} are accepted")
-        if (exponent.is_Rational or exponent.is_Float) and exponent.is_negative:
-            return f"1/{held(base ** -exponent, 3)}", 2
-        if exponent == sympy.Rational(1, 2):
-            return f"sqrt({text_of(base)[0]})", 4
-        if exponent.is_Integer or exponent.is_Float:
-            return f"{held(base, 4)}^{text_of(exponent)[0]}", 3
-        if exponent.is_Rational:
-            return f"{held(base, 4)}^({exponent})", 3
+        if exponent.is_Rational or exponent.is_Float:
+            # a decimal fraction of few digits is meant so
+            near = sympy.Rational(str(exponent))
+            exponent = near if near == exponent or float(near) == float(exponent) else exponent
+            if abs(exponent) > _LARGEST:
+                raise refused(base**exponent, f"exponents from -{_LARGEST} to {_LARGEST} are accepted")
+            if exponent.is_negative:
+                return f"1/{held(base ** -exponent, 3)}", 2
+            if exponent == sympy.Rational(1, 2):
+                return f"sqrt({text_of(base)[0]})", 4
+            if exponent.is_Integer:
+                return f"{held(base, 4)}^{exponent}", 3
+            if exponent.is_Rational and max(exponent.p, exponent.q) <= _LARGEST:
+                return f"{held(base, 4)}^({exponent})", 3
+            if exponent.is_Rational and _PARTS % exponent.q == 0:
+                return f"{held(base, 4)}^{float(exponent)}", 3
         return f"exp(({text_of(exponent)[0]})*ln({text_of(base)[0]}))", 4
 
     def pieces(part: Any) -> str:
         if sympy.Or(*(condition for _, condition in part.args)) != True:  # noqa: E712, a truth value of SymPy
             raise refused(part, "a last piece with the condition True is accepted, so that there is a value everywhere")
-        *others, (value, _) = part.args
+        cases = []
+        for value, condition in part.args:
+            known = condition if condition in (True, False) else _decided(condition)
+            cases += [(value, condition)] if known is None else [(value, sympy.true)] if known else []
+            if known:
+                break
+        *others, (value, _) = cases
         text = text_of(value)[0] if others else f"({text_of(value)[0]})"
         for value, condition in reversed(others):
             relation = _RELATIONS.get(type(condition).__name__)
@@ -205,6 +217,13 @@ def written(expression: Any, letter: Callable[[Any, int], str]) -> str:
         return text
 
     return text_of(expression)[0]
+
+
+def _decided(condition: Any) -> bool | None:
+    """Whether a comparison of equal sides holds; None for other comparisons. SymPy leaves them, for sides that may be complex."""
+    if type(condition).__name__ not in _RELATIONS or condition.lhs != condition.rhs:
+        return None
+    return type(condition).__name__ in ("LessThan", "GreaterThan")
 
 
 def to_sympy(program: str) -> SimpleNamespace:
