@@ -44,6 +44,17 @@ impl Hash for Number {
     }
 }
 
+/// The value of a condition where both of its sides are equal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum AtZero {
+    /// 0, of `a < b`.
+    Off,
+    /// 1/2, so that the sign of zero is zero.
+    Half,
+    /// 1, of `a <= b`.
+    On,
+}
+
 /// A part of a scalar expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Scalar {
@@ -56,10 +67,10 @@ pub enum Scalar {
         order: usize,
     },
     Time,
-    /// 1 where the expression of the switch is positive, otherwise 0.
-    Switch(usize),
+    /// 1 where the expression of the switch is positive, 0 where it is negative; the law decides at zero.
+    Switch(usize, AtZero),
     /// 1 where an expression is positive, 0 where it is negative, in outputs: the law does not depend on it.
-    Step(ScalarId),
+    Step(ScalarId, AtZero),
     /// An input, by its value or as a letter.
     Input(usize),
     /// The half turn.

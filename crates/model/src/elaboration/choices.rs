@@ -5,14 +5,14 @@ use super::expressions::Meaning;
 use super::operations::no_operation;
 use super::value::Value;
 use super::{Elaborator, Sound};
-use crate::arena::{Number, Scalar};
+use crate::arena::{AtZero, Number, Scalar};
 use crate::expression::Relation;
 use crate::{Fault, ScalarId};
 use std::ops::Range;
 use symbolic::Dimension;
 
 impl Elaborator<'_> {
-    /// The switch of `a < b`: 1 where b - a is positive.
+    /// The switch of `a < b`: 1 where b - a is positive, and of `a <= b` where both are equal too.
     pub(super) fn comparison(
         &mut self,
         span: &Range<usize>,
@@ -22,17 +22,21 @@ impl Elaborator<'_> {
     ) -> Sound<ScalarId> {
         let (Value::Scalar(a), Value::Scalar(b)) = (a, b) else { return Err(no_operation(span, "compared", &[a, b])) };
         let dimension = self.common(span, a.0, b.0)?;
-        // an instant at which both are equal decides nothing
+        // in a law an instant at which both are equal decides nothing
         let (less, more) = match relation {
             Relation::Less | Relation::LessOrEqual => (a, b),
             Relation::Greater | Relation::GreaterOrEqual => (b, a),
         };
         let difference = self.scalar(Scalar::Difference(more, less), dimension);
-        Ok(self.switch(difference, span))
+        let at_zero = match relation {
+            Relation::Less | Relation::Greater => AtZero::Off,
+            Relation::LessOrEqual | Relation::GreaterOrEqual => AtZero::On,
+        };
+        Ok(self.switch(difference, at_zero, span))
     }
 
     /// 1 where an expression is positive, 0 where it is negative.
-    fn switch(&mut self, positive: ScalarId, span: &Range<usize>) -> ScalarId {
+    fn switch(&mut self, positive: ScalarId, at_zero: AtZero, span: &Range<usize>) -> ScalarId {
         let known = self.model.switches.iter().position(|known| *known == positive);
         let switch = known.unwrap_or_else(|| {
             let unit = self.dimension_of(positive.0).unwrap_or_else(Dimension::none).to_string();
@@ -42,7 +46,7 @@ impl Elaborator<'_> {
             self.model.switch_places.push(span.clone());
             self.model.switches.len() - 1
         });
-        self.scalar(Scalar::Switch(switch), Some(Dimension::none()))
+        self.scalar(Scalar::Switch(switch, at_zero), Some(Dimension::none()))
     }
 
     fn whole(&mut self, value: f64) -> ScalarId {
@@ -71,7 +75,7 @@ impl Elaborator<'_> {
     /// `sign(a)` = 2 s - 1, `abs(a)` = (2 s - 1) a.
     pub(super) fn sign(&mut self, span: &Range<usize>, of: Value, absolute: bool) -> Sound<Value> {
         let of = self.as_scalar(span, "the argument", of)?;
-        let switch = self.switch(of, span);
+        let switch = self.switch(of, AtZero::Half, span);
         let (one, two) = (self.whole(1.0), self.whole(2.0));
         let none = Some(Dimension::none());
         let double = self.scalar(Scalar::Product(two, switch), none);
@@ -89,7 +93,7 @@ impl Elaborator<'_> {
         let dimension = self.common(span, a.0, b.0)?;
         let (small, large) = if least { (a, b) } else { (b, a) };
         let difference = self.scalar(Scalar::Difference(large, small), dimension);
-        let switch = self.switch(difference, span);
+        let switch = self.switch(difference, AtZero::Half, span);
         Ok(Value::Scalar(self.chosen(switch, a, b, dimension)))
     }
 
@@ -123,7 +127,7 @@ impl Elaborator<'_> {
             .iter()
             .map(|[x, _]| {
                 let past = self.scalar(Scalar::Difference(at, *x), along);
-                let switch = self.switch(past, span);
+                let switch = self.switch(past, AtZero::Half, span);
                 self.scalar(Scalar::Product(switch, past), along)
             })
             .collect();

@@ -12,16 +12,16 @@ pub(super) fn keep_those_of_law(model: &mut Model) {
     let in_law = parts_of_law(model);
     let mut stays = vec![false; model.switches.len()];
     for (part, in_law) in model.arena.parts.iter().zip(in_law) {
-        if let Part::Scalar(Scalar::Switch(switch)) = part {
+        if let Part::Scalar(Scalar::Switch(switch, _)) = part {
             stays[*switch] |= in_law;
         }
     }
     let left = |switch: usize| stays[..switch].iter().filter(|stays| **stays).count();
     for part in &mut model.arena.parts {
-        if let Part::Scalar(Scalar::Switch(switch)) = *part {
+        if let Part::Scalar(Scalar::Switch(switch, at_zero)) = *part {
             *part = Part::Scalar(match stays[switch] {
-                true => Scalar::Switch(left(switch)),
-                false => Scalar::Step(model.switches[switch]),
+                true => Scalar::Switch(left(switch), at_zero),
+                false => Scalar::Step(model.switches[switch], at_zero),
             });
         }
     }

@@ -30,13 +30,13 @@ impl Orders {
     pub fn of_scalar(&self, model: &Model, scalar: &Scalar) -> Option<usize> {
         let of = |id: &ScalarId| self.of_parts[id.0];
         match scalar {
-            Scalar::Number(_) | Scalar::Parameter(_) | Scalar::Time | Scalar::Switch(_) | Scalar::Pi => None,
+            Scalar::Number(_) | Scalar::Parameter(_) | Scalar::Time | Scalar::Switch(..) | Scalar::Pi => None,
             Scalar::Reaction { .. } | Scalar::Contact { .. } => Some(ACCELERATIONS),
             Scalar::Coordinate(_) | Scalar::PotentialEnergy => Some(0),
             Scalar::KineticEnergy | Scalar::Momentum { .. } | Scalar::Law { .. } => Some(1),
             Scalar::Rate { order, .. } => Some(*order),
             Scalar::Input(input) => model.inputs[*input].value.as_ref().and_then(of),
-            Scalar::Negation(a) | Scalar::Power(a, _) | Scalar::Function(_, a) | Scalar::Step(a) => of(a),
+            Scalar::Negation(a) | Scalar::Power(a, _) | Scalar::Function(_, a) | Scalar::Step(a, _) => of(a),
             Scalar::Sum(a, b) | Scalar::Difference(a, b) | Scalar::Product(a, b) | Scalar::Quotient(a, b) => {
                 of(a).max(of(b))
             }

@@ -20,9 +20,9 @@ pub(super) fn reached(model: &Model, mut open: Vec<usize>) -> Vec<bool> {
 /// The parts that a scalar is made of.
 fn of_scalar(model: &Model, scalar: &Scalar, open: &mut Vec<usize>) {
     match scalar {
-        Scalar::Switch(switch) => open.push(model.switches[*switch].0),
+        Scalar::Switch(switch, _) => open.push(model.switches[*switch].0),
         Scalar::Input(input) => open.extend(model.inputs[*input].value.map(|value| value.0)),
-        Scalar::Negation(a) | Scalar::Power(a, _) | Scalar::Function(_, a) | Scalar::RateOf(a) | Scalar::Step(a) => {
+        Scalar::Negation(a) | Scalar::Power(a, _) | Scalar::Function(_, a) | Scalar::RateOf(a) | Scalar::Step(a, _) => {
             open.push(a.0);
         }
         Scalar::Sum(a, b)

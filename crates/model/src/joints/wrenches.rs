@@ -115,8 +115,8 @@ impl<'t, 'm> Backward<'t, 'm> {
             | Scalar::Parameter(_)
             | Scalar::Time
             | Scalar::Pi
-            | Scalar::Switch(_)
-            | Scalar::Step(_) => {}
+            | Scalar::Switch(..)
+            | Scalar::Step(..) => {}
             // scalars of outputs alone, and those of contacts, which no constraint holds
             Scalar::Reaction { .. }
             | Scalar::Contact { .. }

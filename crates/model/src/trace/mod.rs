@@ -22,7 +22,7 @@ pub use rotation::{quaternion_rates, turned_further};
 pub(crate) use vector::Frames;
 pub use vector::Vector;
 
-use crate::arena::{Function, Number, Part, Scalar};
+use crate::arena::{AtZero, Function, Number, Part, Scalar};
 use crate::equations::held_of;
 use crate::expression::Exponent;
 use crate::joints::Joints;
@@ -132,7 +132,7 @@ impl<'m> Trace<'m> {
         }
         for (place, part) in model.arena.parts.iter().enumerate() {
             match part {
-                Part::Scalar(Scalar::Switch(_)) => {
+                Part::Scalar(Scalar::Switch(..)) => {
                     let letter = trace.letter_of_next_switch();
                     trace.switches.push(letter);
                     trace.scalars[place] = letter;
@@ -263,8 +263,8 @@ impl<'m> Trace<'m> {
             Scalar::Rate { coordinate, order: 1 } => self.speeds[*coordinate],
             Scalar::Rate { coordinate, .. } => self.accelerations[*coordinate],
             Scalar::Time => self.time,
-            Scalar::Switch(switch) => self.switches[*switch],
-            Scalar::Step(a) => step(of(a)),
+            Scalar::Switch(switch, _) => self.switches[*switch],
+            Scalar::Step(a, at_zero) => step(of(a), *at_zero),
             Scalar::Input(input) => match &self.model.inputs[*input] {
                 Input { value: Some(value), .. } => self.scalar(*value),
                 Input { name, value: None, .. } => Sym::symbol(name),
@@ -353,10 +353,17 @@ impl<'m> Trace<'m> {
     }
 }
 
-/// (1 + tanh(c x))/2 with a c beyond all sizes: 1 or 0, and 1/2 at zero. Its derivative is zero elsewhere than at zero.
-fn step(x: Sym) -> Sym {
+/// (1 + T)/2 with T = tanh(c x) and a c beyond all sizes: 1 or 0, and 1/2 at zero; 1 - T^2, which is 1 at zero alone, makes that 1 or 0. The
+/// derivative is zero elsewhere than at zero.
+fn step(x: Sym, at_zero: AtZero) -> Sym {
     let large = Sym::lift(Rational::exactly(STEEP));
-    (Sym::ONE + (large * x).elementary(Elementary::Tanh, large * x)) / (Sym::ONE + Sym::ONE)
+    let steep = (large * x).elementary(Elementary::Tanh, large * x);
+    let twice = match at_zero {
+        AtZero::Half => Sym::ONE + steep,
+        AtZero::On => Sym::ONE + steep + (Sym::ONE - steep * steep),
+        AtZero::Off => steep + steep * steep,
+    };
+    twice / (Sym::ONE + Sym::ONE)
 }
 
 /// The factor c of the step function above: tanh(c x) is one for every x above 1e-298.

@@ -28,6 +28,20 @@ fn conditions_of_outputs_alone_do_not_change_the_law() {
     }
 }
 
+/// At equality `<=` and `>=` hold, `<` and `>` do not, and the sign of zero is zero.
+#[test]
+fn conditions_of_outputs_are_decided_at_equality() {
+    let outputs = "[outputs]\nat_least = \"if(t >= (0 s), 1, 2)\"\nat_most = \"if(x <= (1 m), 1, 2)\"\nabove = \"if(x > (1 m), 1, 2)\"\n\
+        below = \"if(t < (0 s), 1, 2)\"\nsigned = \"sign(x')\"\n";
+    let text = SPRING.replace("[outputs]\n", outputs);
+    let scene = ModelScene::parse("scene.toml", &text).unwrap_or_else(|error| panic!("{error}"));
+    let choice = scene.run().choice();
+    let trajectory = scene.problem(choice.axes).simulate(&choice, |_| {});
+    let first = |name: &str| trajectory.rows[0][trajectory.column(name).unwrap()];
+    let names = ["at_least", "at_most", "above", "below", "signed"];
+    assert_eq!(names.map(first), [1.0, 1.0, 2.0, 2.0, 0.0]);
+}
+
 /// The friction that sticks is shown by the value that holds it.
 #[test]
 fn a_condition_of_the_law_stays_one_in_outputs() {

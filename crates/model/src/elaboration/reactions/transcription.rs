@@ -1,6 +1,6 @@
 //! Expressions over symbols as expressions of a model, operation by operation.
 
-use crate::arena::{Arena, Function, Number, Scalar, Vector};
+use crate::arena::{Arena, AtZero, Function, Number, Scalar, Vector};
 use crate::expression::Exponent;
 use crate::{Model, ScalarId, Trace};
 use field::Rational;
@@ -50,7 +50,8 @@ fn letters(model: &Model, trace: &Trace<'_>, arena: &mut Arena) -> FxHashMap<Sym
     let speeds = trace.speeds.iter().enumerate();
     let speeds = speeds.map(|(coordinate, &letter)| (letter, Scalar::Rate { coordinate, order: 1 }));
     let parameters = trace.parameters.iter().enumerate().map(|(place, &letter)| (letter, Scalar::Parameter(place)));
-    let switches = trace.switches.iter().enumerate().map(|(place, &letter)| (letter, Scalar::Switch(place)));
+    let switches =
+        trace.switches.iter().enumerate().map(|(place, &letter)| (letter, Scalar::Switch(place, AtZero::Half)));
     let open = model.inputs.iter().enumerate().filter(|(_, input)| input.value.is_none());
     let open = open.map(|(place, input)| (Sym::symbol(&input.name), Scalar::Input(place)));
     let alone = [(trace.time, Scalar::Time), (trace.pi, Scalar::Pi)];
