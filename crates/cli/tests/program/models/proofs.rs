@@ -91,7 +91,7 @@ fn a_proof_says_what_it_rests_on_and_what_a_mistake_loses() {
     let none = run(&["prove", MODEL, "--mistake", "constraints-in-energy"]);
     let message = String::from_utf8_lossy(&none.stdout).into_owned();
     assert!(
-        none.status.code() != Some(0) && message.contains("no constraint of the system speaks of speeds"),
+        none.status.code() != Some(0) && message.contains("the system has no constraint that contains speeds"),
         "{message}"
     );
 }

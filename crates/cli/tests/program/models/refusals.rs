@@ -9,7 +9,7 @@ fn what_does_not_read_such_a_file_says_so() {
         let output = run(&[command, MODEL]);
         let message = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(2), "{command}: {message}");
-        assert!(message.contains("does not read a system that is written in its file"), "{command}: {message}");
+        assert!(message.contains("this command reads only scenes of the built-in systems"), "{command}: {message}");
     }
 }
 
