@@ -5,6 +5,9 @@ use model::{Model, Trace};
 use reader::Issue;
 use symbolic::apart;
 
+/// Characters of the longest divisor that may stand in a file.
+const MOST_READ: usize = 40;
+
 /// A parameter whose value makes a divisor zero, as the reason for which something has no value.
 pub(crate) fn found(model: &Model) -> Option<Issue> {
     let (divisor, place) = apart(|| {
@@ -19,7 +22,10 @@ pub(crate) fn found(model: &Model) -> Option<Issue> {
         let mut parameters = (0..trace.parameters.len()).filter(own);
         let first = parameters.clone().next();
         let zero = parameters.find(|&place| model.parameters[place].value == Some(0.0));
-        Some((divisor.to_string(), zero.or(first)?))
+        let text = divisor.to_string();
+        // a long one is made by an elimination, and nobody has written it
+        let is_written = zero.is_some() || text.chars().count() <= MOST_READ;
+        Some((text, zero.or(first)?)).filter(|_| is_written)
     })?;
     let parameter = &model.parameters[place];
     let title = format!("an expression divides by `{divisor}`, which is zero");

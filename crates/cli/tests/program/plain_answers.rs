@@ -150,3 +150,16 @@ fn zero_eigenvalues_alone_judge_no_method() {
     assert!(told.contains("every eigenvalue of the linear equations is zero: they decide nothing"), "{told}");
     assert!(!told.contains("correct up to") && !told.contains("correct at every"), "{told}");
 }
+
+/// The inertia m r^2 is far from zero at the start; that it is small beside the one of the last state says nothing.
+#[test]
+fn a_motion_that_grows_without_bound_has_no_singular_coordinates() {
+    let file = temporary("grows.toml");
+    let text = "title = \"A spring that pushes\"\n[parameters]\nm = \"1 kg\"\nk = \"-5e6 N/m\"\n[coordinates]\nr = \"m\"\ntheta = \"rad\"\n[frames]\n\
+        A = \"N turned theta about z\"\n[bodies.bob]\ncentre = \"O - r*A.y\"\nmass = \"m\"\n[energies]\npotential = \"k*(r - (0.5 m))^2/2\"\n\
+        [start]\nr = \"0.6 m\"\ntheta = \"40 deg\"\n[run]\nspan = \"10 s\"\nsamples = 600\n";
+    std::fs::write(&file, text).expect("it can be written");
+    let told = String::from_utf8_lossy(&run(&["run", &file.to_string_lossy()]).stdout).into_owned();
+    std::fs::remove_file(&file).expect("it is there");
+    assert!(told.contains("growth without bound") && !told.contains("singular chart"), "{told}");
+}

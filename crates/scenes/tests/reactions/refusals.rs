@@ -35,3 +35,29 @@ fn the_reaction_of_a_contact_stands_in_outputs_alone() {
     let beside = bead("", "-c*velocity(P)*reaction(wire)", "").replace("[start]", floor);
     refused(&beside, &["are not supported together with the contact `floor` yet"]);
 }
+
+/// The division of a load among constraints that say the same is not determined.
+#[test]
+fn a_load_by_the_reaction_of_a_redundant_constraint_names_that_constraint() {
+    refused(
+        "title = \"a gear whose constraint stands twice\"\n[coordinates]\na = \"rad\"\nb = \"rad\"\n[bodies]\nmotor = { turns = \"a\", inertia = \"(1 kg m^2)\" }\n\
+         load = { turns = \"b\", inertia = \"(2 kg m^2)\" }\n[[constraint]]\nname = \"gear\"\nzero = \"a - 5*b\"\n[[constraint]]\nname = \"again\"\n\
+         zero = \"2*a - 10*b\"\n[[torque]]\nbetween = [\"ground\", \"load\"]\nis = \"-(0.1*abs(reaction(gear)))*sign(b')*N.z\"\n\
+         [start]\n\"b'\" = \"1 rad/s\"\n[run]\nspan = \"1 s\"\n",
+        &["its law contains reactions, and", "`again` follows from other constraints", "are not determined"],
+    );
+}
+
+#[test]
+fn a_parameter_of_zero_below_a_fraction_is_named() {
+    refused(
+        "title = \"a capacitor of no capacitance\"\n[parameters]\nR = \"1 kohm\"\nC = \"0 F\"\n[coordinates]\nq = \"C\"\n[energies]\n\
+         potential = \"q^2/(2*C)\"\ndissipation = \"R/2*q'^2\"\n[run]\nspan = \"5 ms\"\n",
+        &["an expression divides by `2*C`, which is zero", "`C` is 0 F"],
+    );
+    refused(
+        "title = \"a force over a length of zero\"\n[parameters]\nl = \"0 m\"\n[coordinates]\nx = \"m\"\n[bodies.b]\ncentre = \"O + x*N.x\"\nmass = \"(1 kg)\"\n\
+         [[force]]\non = \"b\"\nis = \"-(2 N m)/l*N.x\"\n[run]\nspan = \"1 s\"\n",
+        &["an expression divides by `l`, which is zero", "`l` is 0 m"],
+    );
+}
