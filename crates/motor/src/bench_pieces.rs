@@ -2,7 +2,7 @@
 //! angular momentum.
 
 use super::{
-    Bench, Fading, FixedAngleMachine, Kick, Law, Machine, Point, Programmed, Programs, Rule, decay_quotient,
+    Bench, DecayRates, FixedAngleMachine, Kick, Law, Machine, Point, Programmed, Programs, Rule, decay_quotient,
     has_known_flow, kick, solved,
 };
 use crate::Separable;
@@ -53,12 +53,12 @@ struct BenchPieces<'a, S: Scalar, M> {
     flows: BenchFlows<S>,
     law: Law,
     rule: Rule<S>,
-    fading: Fading<S>,
+    decay_rates: DecayRates<S>,
 }
 
 impl<S: Real + Running, M: Machine<f64>> Pieces<S> for BenchPieces<'_, S, M> {
     type Point = Point<S>;
-    type Lapse = Kick<S>;
+    type Substep = Kick<S>;
 
     fn pieces(&self) -> usize {
         2
@@ -75,19 +75,19 @@ impl<S: Real + Running, M: Machine<f64>> Pieces<S> for BenchPieces<'_, S, M> {
         point.leave(&self.acting, self.flows.slip(point), y);
     }
 
-    fn lapse(&self, _piece: usize, length: S) -> Kick<S> {
+    fn substep(&self, _piece: usize, length: S) -> Kick<S> {
         Kick::new(self.machine, self.law, length, self.flows.compliance(), decay_quotient, self.rule)
     }
 
-    fn fading(&self, point: &Point<S>) -> f64 {
-        self.fading.fastest(self.machine, self.flows.slip(point))
+    fn decay_rate(&self, point: &Point<S>) -> f64 {
+        self.decay_rates.fastest(self.machine, self.flows.slip(point))
     }
 
-    fn flow(&self, piece: usize, lapse: &Kick<S>, point: &mut Point<S>) -> bool {
+    fn flow(&self, piece: usize, substep: &Kick<S>, point: &mut Point<S>) -> bool {
         if piece == 0 {
-            return solved(self.flows.push(&self.acting, lapse, point));
+            return solved(self.flows.push(&self.acting, substep, point));
         }
-        self.flows.drift(lapse.length, point);
+        self.flows.drift(substep.length, point);
         true
     }
 }
@@ -103,8 +103,9 @@ impl<M: Machine<f64> + Sync> Separable for Bench<f64, M> {
         let flows = BenchFlows { axial: S::lift(self.axial), frame_speed: S::lift(machine.frame_speed()) };
         known.then(|| {
             let law = Law::of(machine);
-            let (acting, fading) = (Programmed::new(machine, programs), Fading::of(machine, law, flows.compliance()));
-            BenchPieces { machine, acting, flows, law, rule: Rule::gauss(), fading }
+            let (acting, decay_rates) =
+                (Programmed::new(machine, programs), DecayRates::of(machine, law, flows.compliance()));
+            BenchPieces { machine, acting, flows, law, rule: Rule::gauss(), decay_rates }
         })
     }
 }

@@ -25,7 +25,7 @@ pub struct Entry {
     /// Whole numbers of at least one that make the motor, such as that of its bars.
     pub counts: &'static [Count],
     /// Records the laws as expressions.
-    pub write: fn(&mut Given) -> Result<Laws, TooLong>,
+    pub write: fn(&mut MachineLetters) -> Result<Laws, TooLong>,
 }
 
 /// A whole number of at least one.
@@ -71,7 +71,7 @@ impl Entry {
     /// [`TooLong`].
     pub fn laws(&'static self, counts: &[usize]) -> Result<Arc<Laws>, TooLong> {
         let counts: Vec<(Count, usize)> = self.counts.iter().copied().zip(counts.iter().copied()).collect();
-        apart(|| (self.write)(&mut Given { entry: self, counts, settled: Vec::new() })).map(Arc::new)
+        apart(|| (self.write)(&mut MachineLetters { entry: self, counts, settled: Vec::new() })).map(Arc::new)
     }
 }
 
@@ -92,13 +92,13 @@ pub fn letter(quantity: &Quantity) -> Result<Sym, TooLong> {
 
 /// The letters and counts for which the laws of a motor are recorded.
 #[derive(Debug)]
-pub struct Given {
+pub struct MachineLetters {
     entry: &'static Entry,
     counts: Vec<(Count, usize)>,
     settled: Vec<(Sym, Sym)>,
 }
 
-impl Given {
+impl MachineLetters {
     /// The count of a name; one where there is none of this name.
     pub fn count(&self, name: &str) -> usize {
         self.counts.iter().find(|(count, _)| count.name == name).map_or(1, |(_, number)| *number)

@@ -219,7 +219,7 @@ impl<S: Analytic> Point<S> {
 
 /// The decay rates of currents and slip in a kick, 1/s.
 #[derive(Clone, Copy, Debug)]
-pub struct Fading<S> {
+pub struct DecayRates<S> {
     /// The largest r_k.
     current: S,
     /// K
@@ -228,13 +228,13 @@ pub struct Fading<S> {
     slip: Option<S>,
 }
 
-impl<S: Real> Fading<S> {
+impl<S: Real> DecayRates<S> {
     /// A machine whose rotor has this slip for a unit of impulse.
     pub fn of(machine: &impl Machine<f64>, law: Law, compliance: S) -> Self {
         let rates = (0..machine.windings()).map(|k| S::lift(machine.resistance(k)) / S::lift(machine.inductance(k)));
         let current = rates.fold(S::zero(), |fastest, rate| if rate > fastest { rate } else { fastest });
-        let unknown = Fading { current, compliance, slip: None };
-        Fading { slip: (law == Law::Linear).then(|| unknown.of_slip(machine, S::zero())), ..unknown }
+        let unknown = DecayRates { current, compliance, slip: None };
+        DecayRates { slip: (law == Law::Linear).then(|| unknown.of_slip(machine, S::zero())), ..unknown }
     }
 
     /// The fastest decay rate at a slip, of a current or of the slip, 1/s.

@@ -79,7 +79,7 @@ pub use gauss4_scalar::Rule;
 pub use integrals::Conserved;
 /// Brings a [`Catalogue`]: motors of a crate, found wherever it is linked.
 pub use inventory::submit;
-pub use kick::{Fading, Kick, Law, Point, decay_quotient, has_known_flow, kick, solved};
+pub use kick::{DecayRates, Kick, Law, Point, decay_quotient, has_known_flow, kick, solved};
 pub use laws::{Expressions, Laws, TooLong, Winding};
 pub use load::Loaded;
 pub use machine::{

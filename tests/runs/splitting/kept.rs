@@ -145,8 +145,8 @@ fn without_friction_a_step_keeps_the_bracket() {
             for (place, share) in splitting.coefficients::<DoubleDouble>().into_iter().enumerate() {
                 let count = pieces.pieces();
                 for piece in (0..count).map(|k| if place % 2 == 0 { k } else { count - 1 - k }) {
-                    let lapse = pieces.lapse(piece, share * DoubleDouble::from(STEP));
-                    assert!(pieces.flow(piece, &lapse, &mut at));
+                    let substep = pieces.substep(piece, share * DoubleDouble::from(STEP));
+                    assert!(pieces.flow(piece, &substep, &mut at));
                 }
             }
             flat(&at)

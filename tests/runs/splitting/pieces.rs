@@ -166,8 +166,8 @@ fn are_flows(separable: &impl Separable, state: &[f64]) -> Result<(), TestCaseEr
     let after = |piece: usize, lengths: &[f64]| {
         let mut point = pieces.enter(&state);
         for length in lengths {
-            let lapse = pieces.lapse(piece, DoubleDouble::from(*length));
-            assert!(pieces.flow(piece, &lapse, &mut point), "piece {piece} over {length}");
+            let substep = pieces.substep(piece, DoubleDouble::from(*length));
+            assert!(pieces.flow(piece, &substep, &mut point), "piece {piece} over {length}");
         }
         let mut y = state.clone();
         pieces.leave(&point, &mut y);

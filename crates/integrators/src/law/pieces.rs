@@ -5,7 +5,7 @@ pub trait Pieces<S> {
     /// A state in the coordinates of the pieces.
     type Point;
     /// The data of a piece for a length of time, computed once and used in every flow of that length.
-    type Lapse;
+    type Substep;
 
     /// The number of pieces. The first has the smallest negative sub-steps: friction belongs there.
     fn pieces(&self) -> usize;
@@ -17,15 +17,15 @@ pub trait Pieces<S> {
     fn leave(&self, point: &Self::Point, y: &mut [S]);
 
     /// The data of a piece for a length of time, which may be negative.
-    fn lapse(&self, piece: usize, length: S) -> Self::Lapse;
+    fn substep(&self, piece: usize, length: S) -> Self::Substep;
 
     /// The largest decay rate in the first piece at a point, 1/s; zero where nothing decays.
-    fn fading(&self, _point: &Self::Point) -> f64 {
+    fn decay_rate(&self, _point: &Self::Point) -> f64 {
         0.0
     }
 
     /// Flows along a piece; false where no point is reached. Must not allocate.
-    fn flow(&self, piece: usize, lapse: &Self::Lapse, point: &mut Self::Point) -> bool;
+    fn flow(&self, piece: usize, substep: &Self::Substep, point: &mut Self::Point) -> bool;
 }
 
 /// A composition at work, with the type of its pieces erased.
@@ -37,7 +37,7 @@ pub trait Composed<S> {
     fn enter(&mut self, y: &[S]);
 
     /// The largest rate of decay in the first piece at the present state.
-    fn fading(&self) -> f64;
+    fn decay_rate(&self) -> f64;
 
     /// Makes one step; false where no point is reached.
     fn advance(&mut self) -> bool;

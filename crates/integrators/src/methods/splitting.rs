@@ -14,14 +14,14 @@ struct Composition<S, G: Pieces<S>> {
     pieces: G,
     /// The pieces with their shares of a step, in order.
     schedule: Vec<(usize, S)>,
-    flows: Vec<(usize, G::Lapse)>,
+    flows: Vec<(usize, G::Substep)>,
     point: Option<G::Point>,
 }
 
 impl<S: Real, G: Pieces<S>> Composed<S> for Composition<S, G> {
     fn prepare(&mut self, step: S) {
         self.flows.clear();
-        let flow = |(piece, share): &(usize, S)| (*piece, self.pieces.lapse(*piece, *share * step));
+        let flow = |(piece, share): &(usize, S)| (*piece, self.pieces.substep(*piece, *share * step));
         self.flows.extend(self.schedule.iter().map(flow));
     }
 
@@ -29,13 +29,13 @@ impl<S: Real, G: Pieces<S>> Composed<S> for Composition<S, G> {
         self.point = Some(self.pieces.enter(y));
     }
 
-    fn fading(&self) -> f64 {
-        self.point.as_ref().map_or(0.0, |point| self.pieces.fading(point))
+    fn decay_rate(&self) -> f64 {
+        self.point.as_ref().map_or(0.0, |point| self.pieces.decay_rate(point))
     }
 
     fn advance(&mut self) -> bool {
         let Some(point) = &mut self.point else { return false };
-        self.flows.iter().all(|(piece, lapse)| self.pieces.flow(*piece, lapse, point))
+        self.flows.iter().all(|(piece, substep)| self.pieces.flow(*piece, substep, point))
     }
 
     fn leave(&self, y: &mut [S]) {
@@ -85,7 +85,7 @@ impl<'a, S: Real> Split<'a, S> {
         if self.back == 0.0 {
             return None;
         }
-        let rate = self.composed.fading();
+        let rate = self.composed.decay_rate();
         let most = longest(self.back, rate);
         (step > most).then_some(Cause::GoesBack { back: self.back, rate, most })
     }

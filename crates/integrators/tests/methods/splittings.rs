@@ -35,7 +35,7 @@ where
     Kepler: Ode<S>,
 {
     type Point = [S; 4];
-    type Lapse = S;
+    type Substep = S;
 
     fn pieces(&self) -> usize {
         self.0
@@ -49,7 +49,7 @@ where
         y.copy_from_slice(point);
     }
 
-    fn lapse(&self, piece: usize, length: S) -> S {
+    fn substep(&self, piece: usize, length: S) -> S {
         // with three pieces the pull is in two unequal parts
         match (self.0, piece) {
             (3, 0) => length * S::ratio(1, 3),

@@ -12,7 +12,7 @@ mod least_solution;
 mod no_forces;
 mod prescription;
 
-use crate::linearisation::{At, Known, Point, VariedEquations};
+use crate::linearisation::{At, NamedConstraint, Point, VariedEquations};
 use crate::motions::PrescribedMotion;
 use crate::readiness::independent_at;
 use completion::Completion;
@@ -40,7 +40,7 @@ pub struct Forces {
 pub struct AlongMotion {
     pub forces: Vec<Forces>,
     /// The constraints of the multipliers.
-    pub constraints: Vec<Known>,
+    pub constraints: Vec<NamedConstraint>,
     /// Warnings of the equations of constraints that follow from others.
     pub left_out: Vec<Fault>,
     /// Charges that no equation holds, by their places: they stay as they start, and their rates are currents.

@@ -30,7 +30,7 @@ pub struct Point {
 
 /// A constraint as the model has it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Known {
+pub struct NamedConstraint {
     pub level: Level,
     pub name: String,
     /// Its number among the constraints of the model, from one.
@@ -48,7 +48,7 @@ pub struct Known {
     pub at: Range<usize>,
 }
 
-impl Known {
+impl NamedConstraint {
     /// As sentences call it: constraint 2 `loop` along F3.x.
     pub fn title(&self) -> String {
         let name = if self.name.is_empty() { String::new() } else { format!(" `{}`", self.name) };
@@ -101,7 +101,7 @@ pub struct VariedEquations {
     pub(super) sizes: [usize; 5],
     pub(super) layout: Layout,
     /// The constraints: holonomic ones, then those of speeds, then stabilised ones.
-    pub constraints: Vec<Known>,
+    pub constraints: Vec<NamedConstraint>,
     /// Parameters that are inputs, then the inputs of the model, by their names.
     pub inputs: Vec<String>,
     /// Places of coordinates that are charges.
@@ -135,9 +135,9 @@ impl VariedEquations {
         let (open, own) = opened(model, inputs);
         let open = &open;
         let (n, layout) = (model.speeds(), Layout::of(model));
-        let known: Vec<Known> = symbolic::apart(|| {
+        let known: Vec<NamedConstraint> = symbolic::apart(|| {
             let trace = Trace::of(open);
-            let known = |(place, (each, axis)): (usize, (Equation, Option<String>))| Known {
+            let known = |(place, (each, axis)): (usize, (Equation, Option<String>))| NamedConstraint {
                 level: each.level,
                 number: place + 1,
                 axis,

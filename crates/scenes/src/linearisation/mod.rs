@@ -22,7 +22,7 @@ mod recurrence;
 mod stability;
 
 pub use about::{Linear, inputs_of, point_of};
-pub use equations::{At, Known, Point, Values, VariedEquations};
+pub use equations::{At, NamedConstraint, Point, Values, VariedEquations};
 pub use multipliers::{Multipliers, NoMultipliers, Ones, Orbit};
 pub use names::Names;
 pub use point::Undetermined;
@@ -69,9 +69,9 @@ pub enum NotLinear {
     /// The equations do not determine accelerations and reactions.
     Undetermined(Undetermined),
     /// A constraint depends on those before it.
-    Redundant(Box<Known>),
+    Redundant(Box<NamedConstraint>),
     /// An input moves a constraint: its rates would be inputs too.
-    DrivenConstraint { input: String, constraint: Box<Known> },
+    DrivenConstraint { input: String, constraint: Box<NamedConstraint> },
     /// A condition is zero at the point.
     AtCondition { switch: usize },
     /// The coordinates of some speeds have no inertia, so that they do not describe the position.

@@ -7,7 +7,7 @@ use field::{Analytic, Base, Over, Rational, Scalar, Tangent};
 use integrators::Splitting;
 use motor::{Kick, Law, Motor, Rule, decay_quotient};
 use systems::gyrostat::forms::SecondForm;
-use systems::gyrostat::momenta::{Flows, Lapse, Point};
+use systems::gyrostat::momenta::{Flows, Point, Substep};
 
 /// Operations of a field that a step needs beyond arithmetic.
 pub(super) trait Decaying: Base + Over<f64> + Analytic {
@@ -56,18 +56,18 @@ impl<P: Decaying> OnSurface<P> {
         let Rule { nodes, weights, matrix } = self.rule;
         let rule =
             Rule { nodes: nodes.map(number), weights: weights.map(number), matrix: matrix.map(|row| row.map(number)) };
-        let lapse = |(piece, share): (usize, f64)| {
+        let substep = |(piece, share): (usize, f64)| {
             let length = Tangent::fixed(length) * number(share);
             let of_push = || Kick::new(&self.machine, self.law, length, flows.compliance(), quotient, rule);
-            (piece, if piece == 0 { Lapse::Push(of_push()) } else { Lapse::Turn(length) })
+            (piece, if piece == 0 { Substep::Push(of_push()) } else { Substep::Turn(length) })
         };
         let schedule = splitting.schedule::<f64>(1 + flows.squares());
-        let lapses: Vec<(usize, Lapse<Tangent<P>>)> = schedule.into_iter().map(lapse).collect();
+        let lapses: Vec<(usize, Substep<Tangent<P>>)> = schedule.into_iter().map(substep).collect();
         Box::new(move |at| {
             let start = self.surface.point(at)?;
             let mut point = start.clone();
-            for (piece, lapse) in &lapses {
-                flows.flow(&self.machine, *piece, lapse, &mut point);
+            for (piece, substep) in &lapses {
+                flows.flow(&self.machine, *piece, substep, &mut point);
                 if rests {
                     hold(&start, &mut point);
                 }

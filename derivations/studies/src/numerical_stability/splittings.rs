@@ -120,7 +120,7 @@ impl SplitRuns {
     pub fn longest(&self, splitting: Splitting) -> f64 {
         let Some(mut map) = self.law.composed(splitting) else { return 0.0 };
         map.enter(&self.state);
-        splitting.longest_step(map.fading())
+        splitting.longest_step(map.decay_rate())
     }
 
     /// Tests and proofs at ascending step sizes, s, up to the longest allowed.

@@ -26,7 +26,7 @@ use field::{Analytic, Base, Over, Scalar};
 use integrators::{Pieces, Real};
 use mechanics::rotation::{turned_about, turned_along};
 use motor::{
-    Fading, FixedAngleMachine, Kick, Law, Machine, Point as RotorPoint, Programmed, Programs, RotorState, Rule,
+    DecayRates, FixedAngleMachine, Kick, Law, Machine, Point as RotorPoint, Programmed, Programs, RotorState, Rule,
     Separable, decay_quotient, has_known_flow, kick, solved,
 };
 use nalgebra::Vector3;
@@ -174,18 +174,18 @@ impl<S: Analytic> Flows<S> {
         &self,
         machine: &A,
         piece: usize,
-        lapse: &Lapse<S>,
+        substep: &Substep<S>,
         at: &mut Point<S>,
     ) -> S
     where
         S: Over<P>,
     {
-        match (piece, lapse) {
-            (_, Lapse::Push(kick)) => return self.push(machine, kick, at),
-            (1, Lapse::Turn(length)) => self.turn(0, *length, at),
-            (2, Lapse::Turn(length)) => self.turn(1, *length, at),
-            (3, Lapse::Turn(length)) => self.turn(2, *length, at),
-            (_, Lapse::Turn(length)) => self.turn_oblique(*length, at),
+        match (piece, substep) {
+            (_, Substep::Push(kick)) => return self.push(machine, kick, at),
+            (1, Substep::Turn(length)) => self.turn(0, *length, at),
+            (2, Substep::Turn(length)) => self.turn(1, *length, at),
+            (3, Substep::Turn(length)) => self.turn(2, *length, at),
+            (_, Substep::Turn(length)) => self.turn_oblique(*length, at),
         }
         S::zero()
     }
@@ -232,12 +232,12 @@ pub struct GyrostatPieces<'a, S: Scalar, F, M> {
     flows: Flows<S>,
     law: Law,
     rule: Rule<S>,
-    fading: Fading<S>,
+    decay_rates: DecayRates<S>,
 }
 
 impl<S: Real + Running, F: Form<f64>, M: Machine<f64>> Pieces<S> for GyrostatPieces<'_, S, F, M> {
     type Point = Point<S>;
-    type Lapse = Lapse<S>;
+    type Substep = Substep<S>;
 
     fn pieces(&self) -> usize {
         1 + self.flows.squares()
@@ -251,31 +251,31 @@ impl<S: Real + Running, F: Form<f64>, M: Machine<f64>> Pieces<S> for GyrostatPie
         self.flows.leave(&self.acting, point, y);
     }
 
-    fn lapse(&self, piece: usize, length: S) -> Lapse<S> {
+    fn substep(&self, piece: usize, length: S) -> Substep<S> {
         if piece > 0 {
-            return Lapse::Turn(length);
+            return Substep::Turn(length);
         }
         let compliance = self.flows.compliance();
-        Lapse::Push(Kick::new(self.machine, self.law, length, compliance, decay_quotient, self.rule))
+        Substep::Push(Kick::new(self.machine, self.law, length, compliance, decay_quotient, self.rule))
     }
 
-    fn fading(&self, point: &Point<S>) -> f64 {
+    fn decay_rate(&self, point: &Point<S>) -> f64 {
         if self.machine.rotor() == RotorState::Prescribed {
             return 0.0;
         }
         let (_, slip) = self.flows.velocities(point);
-        self.fading.fastest(self.machine, slip)
+        self.decay_rates.fastest(self.machine, slip)
     }
 
     #[inline]
-    fn flow(&self, piece: usize, lapse: &Lapse<S>, point: &mut Point<S>) -> bool {
-        solved(self.flows.flow(&self.acting, piece, lapse, point))
+    fn flow(&self, piece: usize, substep: &Substep<S>, point: &mut Point<S>) -> bool {
+        solved(self.flows.flow(&self.acting, piece, substep, point))
     }
 }
 
 /// Data of a piece that depend on the time step.
 #[derive(Clone, Debug)]
-pub enum Lapse<S> {
+pub enum Substep<S> {
     Push(Kick<S>),
     Turn(S),
 }
@@ -287,8 +287,9 @@ impl<F: Form<f64>, M: Machine<f64>> Driven<f64, F, M> {
         let flows = Flows::new(form, machine);
         has_known_flow(machine).then(|| {
             let law = Law::of(machine);
-            let (acting, fading) = (Programmed::new(machine, programs), Fading::of(machine, law, flows.compliance()));
-            GyrostatPieces { form, machine, acting, flows, law, rule: Rule::gauss(), fading }
+            let (acting, decay_rates) =
+                (Programmed::new(machine, programs), DecayRates::of(machine, law, flows.compliance()));
+            GyrostatPieces { form, machine, acting, flows, law, rule: Rule::gauss(), decay_rates }
         })
     }
 }
