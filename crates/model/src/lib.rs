@@ -37,6 +37,8 @@ mod fault;
 pub mod geometry;
 mod joints;
 mod judgements;
+mod kept_contacts;
+mod lengths_at_rest;
 mod parts;
 mod presentation;
 pub mod principles;

@@ -11,13 +11,14 @@ use crate::clock;
 use crate::exit::{Exit, placed, warn};
 use crate::named_value::named_value;
 use crate::progress::Progress;
-use ::scenes::linearisation::{NotLinear, Standing, VariedEquations, inputs_of, point_of, points};
+use ::scenes::linearisation::{NotLinear, Standing, VariedEquations, inputs_of, law_at_rest, point_of, points};
 use ::scenes::steady_motions::{EnclosedSpectrum, NotEnclosed};
 use ::scenes::{Given, ModelScene, Task, read_model, set_values, without_law};
 use clap::ValueEnum;
 use model::Model;
 use reader::read_text;
 use serde_json::json;
+use std::borrow::Cow;
 use std::path::PathBuf;
 
 /// Arguments of `linearise`: the model and the point of linearisation.
@@ -106,8 +107,11 @@ pub fn linearise(asked: &Args) -> Result<Exit, Exit> {
         (Some(AlongWhat { name, range: Some(range) }), _) => return crossings::show(asked, &whole, name, *range),
         _ => {}
     }
-    let equations = VariedEquations::of(&model, &inputs)
-        .map_err(|why| placed(&asked.scene, without_law(&model, &why, "there are no linear equations")))?;
+    let equations_of = |model: &Model| {
+        VariedEquations::of(model, &inputs)
+            .map_err(|why| placed(&asked.scene, without_law(model, &why, "there are no linear equations")))
+    };
+    let equations = equations_of(&model)?;
     if !equations.feedback.is_empty() {
         let inputs: Vec<String> = equations.feedback.iter().map(|name| format!("`{name}`")).collect();
         warn(&format!(
@@ -120,7 +124,11 @@ pub fn linearise(asked: &Args) -> Result<Exit, Exit> {
     let mut all = Vec::with_capacity(instances.len());
     for (time, state) in instances {
         let no_linear = |why: NotLinear| placed(&asked.scene, why.at(&model, time));
-        let linear = equations.about(time, &state).map_err(no_linear)?;
+        let linear = match law_at_rest(&model, &state) {
+            Cow::Borrowed(_) => equations.about(time, &state),
+            Cow::Owned(resting) => equations_of(&resting)?.about(time, &state),
+        };
+        let linear = linear.map_err(no_linear)?;
         let enclosed = match linear.standing {
             Standing::Moving if !equations.feedback.is_empty() => None,
             _ if !equations.feedback.is_empty() => Some(Err(NotEnclosed::Feedback)),

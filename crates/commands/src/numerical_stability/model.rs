@@ -9,6 +9,7 @@ use crate::stationary::verdict::singular;
 use ::scenes::linearisation::{Standing, VariedEquations};
 use ::scenes::steady_motions::{SteadyMotion, SteadyStability};
 use mechanics::one_step_stability::Mode;
+use model::Model;
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use studies::numerical_stability::chart::{Row, rows};
@@ -42,7 +43,7 @@ pub(super) fn show(asked: &Args) -> Result<Exit, Exit> {
     let system = asked.steady.system_in(&asked.scene)?;
     let Some(parts) = Combinations::of(&asked.steady, &asked.scene, &system)? else {
         let found = asked.steady.find(&asked.scene, system)?;
-        let all = judged(asked, &found, false);
+        let all = judged(asked, &found, (&found.model, false));
         print(&match asked.format {
             Format::Text => format!("{}\n{}", found.title, text(&found, &all)),
             Format::Json => {
@@ -55,8 +56,8 @@ pub(super) fn show(asked: &Args) -> Result<Exit, Exit> {
     };
     let Combinations { title, count, kind, filled } = parts;
     let (mut out, mut objects, mut last) = (format!("{title}\n"), Vec::new(), Exit::Done);
-    for Combination { held, is_at_condition, found } in filled {
-        let all = judged(asked, &found, is_at_condition);
+    for Combination { held, is_at_condition, found, law } in filled {
+        let all = judged(asked, &found, (&law, is_at_condition));
         // writing to a String cannot fail
         let heading = if held.is_empty() { String::new() } else { format!("where {}\n", held.join(", ")) };
         let _ = write!(out, "\n{heading}{}", text(&found, &all));
@@ -79,7 +80,7 @@ pub(super) fn show(asked: &Args) -> Result<Exit, Exit> {
 }
 
 /// The motions of a search with their modes.
-fn judged<'a>(asked: &Args, found: &'a Found, is_at_condition: bool) -> Vec<Judged<'a>> {
+fn judged<'a>(asked: &Args, found: &'a Found, (law, is_at_condition): (&Model, bool)) -> Vec<Judged<'a>> {
     if !found.motions.families.is_empty() {
         warn(&format!(
             "warning: {}: families of connected steady motions are left out: {}; `stationary` lists them, and a value for one of their \
@@ -88,19 +89,20 @@ fn judged<'a>(asked: &Args, found: &'a Found, is_at_condition: bool) -> Vec<Judg
             found.motions.families.len()
         ));
     }
-    let equations = VariedEquations::of(&found.model, &[]).map_err(|why| why.to_string());
+    let equations = VariedEquations::of(law, &[]).map_err(|why| why.to_string());
     // a law whose first derivatives do not jump at its condition has linear equations
     let is_kink = |motion: &SteadyMotion| {
-        is_at_condition
+        (is_at_condition || matches!(motion.stability, SteadyStability::AtCondition(_)))
             && !matches!(
                 motion.stability,
                 SteadyStability::Linear(_)
+                    | SteadyStability::InTouch(_)
                     | SteadyStability::Minimum
                     | SteadyStability::Falls(_)
                     | SteadyStability::FallsOdd(_)
             )
     };
-    let keeps_energy = found.motions.have_potential || ::scenes::keeps_energy(&found.model);
+    let keeps_energy = found.motions.have_potential || ::scenes::keeps_energy(law);
     let judged = |motion: &'a SteadyMotion| Judged {
         motion,
         near: match &motion.stability {
@@ -130,7 +132,7 @@ fn near(equations: &VariedEquations, motion: &SteadyMotion, keeps_energy: bool) 
 /// The eigenvalues of the linear equations without cyclic coordinates, which are constant along a motion in which those with them change: centres
 /// of the discs that enclose them.
 fn without_cyclic(motion: &SteadyMotion) -> Result<Vec<[f64; 2]>, String> {
-    let SteadyStability::Linear(found) = &motion.stability else {
+    let (SteadyStability::Linear(found) | SteadyStability::InTouch(found)) = &motion.stability else {
         return Err("the linear equations change along the motion".to_owned());
     };
     let enclosed = found.enclosed.as_ref().map_err(|why| format!("eigenvalues are not enclosed, since {why}"))?;

@@ -68,6 +68,9 @@ pub(super) fn named(change: Change) -> &'static str {
         Change::Pair => "a pair of eigenvalues crosses the imaginary axis (Hopf, or gyroscopic stability ends)",
         Change::Exchange => "stability is exchanged",
         Change::Directions => "a motion that is unstable on both sides changes its number of unstable directions",
+        Change::AtSingularPlace => {
+            "motions appear or vanish at a place at which the coordinates are singular (a bifurcation from this place; other coordinates describe it)"
+        }
         Change::Ends => "a branch of motions ends or begins: a condition changes, or friction reaches its bound",
         Change::Leaves => "a motion leaves the ranges",
         Change::LeaveTogether => {
@@ -99,7 +102,7 @@ fn counted(sample: &Sample) -> String {
         1 => ", and one family".to_owned(),
         count => format!(", and {count} families"),
     };
-    let singular = match sample.found.singular_places {
+    let singular = match sample.found.singular_places.len() {
         0 => String::new(),
         1 => ", and one place at which the coordinates are singular".to_owned(),
         count => format!(", and {count} places at which the coordinates are singular"),
@@ -164,7 +167,7 @@ fn object(AlongFound { title, name, unit, along, left_out, .. }: &AlongFound) ->
         json!({
             "value": sample.value,
             "complete": sample.found.is_complete(),
-            "singular_places": sample.found.singular_places,
+            "singular_places": sample.found.singular_places.len(),
             "motions": sample.found.motions.iter().map(|one| motion(&sample.found, one)).collect::<Vec<_>>(),
         })
     };

@@ -27,8 +27,7 @@ pub(super) fn picture(found: &AlongFound, range: Range) -> Branches {
     let samples: Vec<&Sample> = along.visited.iter().filter(|sample| sample.found.is_complete()).collect();
     let unknowns = samples.first().map_or(&[][..], |sample| &sample.found.unknowns);
     let panels = unknowns.iter().zip(units).enumerate().map(|(place, (unknown, unit))| {
-        let values =
-            || samples.iter().flat_map(|sample| &sample.found.motions).map(|motion| motion.state[unknown.place]);
+        let values = || samples.iter().flat_map(|sample| &sample.found.motions).map(|motion| unknown_at(motion, place));
         let range = match unknown.is_circle {
             true => [-PI, PI],
             false => [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)],
@@ -69,14 +68,20 @@ fn standing(motion: &SteadyMotion, found: &SteadyMotions) -> Standing {
     }
 }
 
+/// An unknown at a motion, by its number: speeds that are chosen for the search have no place in the state.
+fn unknown_at(motion: &SteadyMotion, unknown: usize) -> f64 {
+    let [low, high] = motion.enclosure[unknown];
+    0.5 * (low + high)
+}
+
 /// The distance of two motions in parts of the ranges; angles are compared modulo a full turn.
 fn distance(found: &SteadyMotions, a: &SteadyMotion, b: &SteadyMotion) -> f64 {
-    let part = |unknown: &::scenes::steady_motions::Unknown| {
-        let gap = (a.state[unknown.place] - b.state[unknown.place]).abs();
+    let part = |(place, unknown): (usize, &::scenes::steady_motions::Unknown)| {
+        let gap = (unknown_at(a, place) - unknown_at(b, place)).abs();
         let gap = if unknown.is_circle { gap.min((TAU - gap).abs()) } else { gap };
         gap / (unknown.range.to - unknown.range.from)
     };
-    found.unknowns.iter().map(part).fold(0.0, |sum, part| sum + part * part).sqrt()
+    found.unknowns.iter().enumerate().map(part).fold(0.0, |sum, part| sum + part * part).sqrt()
 }
 
 /// Pairs of motions at two neighbouring values that belong to one branch, the nearest first.
@@ -112,7 +117,7 @@ fn pieces(samples: &[&Sample], place: usize) -> Vec<BranchPiece> {
         let mut next: Vec<(usize, BranchPiece)> = Vec::new();
         for (j, motion) in found.motions.iter().enumerate() {
             let own = standing(motion, found);
-            let point = (sample.value, motion.state[unknown.place]);
+            let point = (sample.value, unknown_at(motion, place));
             let before = pairs.iter().find(|(_, to)| *to == j).and_then(|(from, _)| {
                 let at = open.iter().position(|(last, _)| last == from)?;
                 Some(open.swap_remove(at).1)
@@ -167,6 +172,7 @@ fn of_change(Bifurcation { before, after, change, .. }: &Bifurcation, place: usi
         Change::Leaves
         | Change::LeaveTogether
         | Change::Ends
+        | Change::AtSingularPlace
         | Change::Families
         | Change::Directions
         | Change::Infinite
@@ -177,7 +183,7 @@ fn of_change(Bifurcation { before, after, change, .. }: &Bifurcation, place: usi
         true => (&before.found, &after.found),
         false => (&after.found, &before.found),
     };
-    let at = |motion: &SteadyMotion| motion.state[more.unknowns[place].place];
+    let at = |motion: &SteadyMotion| unknown_at(motion, place);
     let pairs = joined(fewer, more);
     if fewer.motions.len() == more.motions.len() {
         let changed =

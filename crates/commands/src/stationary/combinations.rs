@@ -5,9 +5,10 @@ use super::steady_box::{Found, SoughtSystem, SteadyBox};
 use crate::clock::has_time;
 use crate::exit::Exit;
 use crate::progress::Progress;
-use ::scenes::steady_motions::{Case, Orientation, SteadyMotions, SteadySearch, conditions_of};
+use ::scenes::steady_motions::{Case, Orientation, SteadyMotions, SteadySearch, conditions_of, with_kept_contacts};
 use model::Model;
 use reader::Issue;
+use std::borrow::Cow;
 use std::path::Path;
 
 /// Steady motions of each combination of states of contacts and conditions.
@@ -50,6 +51,8 @@ pub struct Combination {
     /// Whether a condition is zero: then the law has no linearisation.
     pub is_at_condition: bool,
     pub found: Found,
+    /// The law there, without its contacts if none with friction is in touch.
+    pub law: Model,
 }
 
 impl Combinations {
@@ -104,9 +107,15 @@ impl Combinations {
                     held.push(text);
                 }
             }
+            let kept = with_kept_contacts(model, &own);
+            // a contact that presses without friction is a constraint
+            let conditions = if kept.is_some() { &own[..model.switches.len().min(own.len())] } else { &own[..] };
             Combination {
                 held,
-                is_at_condition: own.iter().any(|case| !matches!(case, Case::Holds | Case::Fails | Case::Either)),
+                is_at_condition: conditions
+                    .iter()
+                    .any(|case| !matches!(case, Case::Holds | Case::Fails | Case::Either)),
+                law: kept.unwrap_or(Cow::Borrowed(model)).into_owned(),
                 found: Found { title: self.title.clone(), model: model.clone(), motions },
             }
         }));

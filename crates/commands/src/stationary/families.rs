@@ -92,12 +92,19 @@ pub(super) fn family_lines(all: &Found, place: usize, family: &Family, members: 
     // writing to a String cannot fail
     let pieces =
         if family.pieces.len() == 1 { "one piece".to_owned() } else { format!("{} pieces", family.pieces.len()) };
-    let _ = writeln!(
-        out,
-        "     enclosed in {pieces}: in each there is one motion, and no other, for every value of {}",
-        running(found, family).join(" or ")
-    );
-    if family.border > 0 && family.dimension > 1 {
+    let running = running(found, family).join(" or ");
+    let _ = match family.border == family.pieces.len() {
+        true => writeln!(
+            out,
+            "     enclosed in {pieces}: in each the equations have one solution, and no other, for every value of {running}; it is not decided which \
+             of these fulfil the conditions, and are motions"
+        ),
+        false => writeln!(
+            out,
+            "     enclosed in {pieces}: in each there is one motion, and no other, for every value of {running}"
+        ),
+    };
+    if family.border > 0 && family.border < family.pieces.len() && family.dimension > 1 {
         let _ = writeln!(
             out,
             "     of these pieces {} at the border have such motions for a part of the values only",

@@ -203,14 +203,12 @@ fn near(region: &Region) -> String {
 pub(super) fn motion(found: &SteadyMotions, motion: &SteadyMotion) -> Value {
     let values = found.unknowns.iter().zip(&motion.enclosure).map(|(unknown, at)| (unknown.name.clone(), json!(at)));
     let (verdict, enclosed) = verdict(motion, &found.cyclic);
-    let eigenvalues = match &motion.stability {
-        SteadyStability::Linear(found) => Some(&found.linear.eigenvalues),
+    let linear = match &motion.stability {
+        SteadyStability::Linear(found) | SteadyStability::InTouch(found) => Some(found),
         _ => None,
     };
-    let discs = match &motion.stability {
-        SteadyStability::Linear(found) => found.enclosed.as_ref().ok().map(spectrum::object),
-        _ => None,
-    };
+    let eigenvalues = linear.map(|found| &found.linear.eigenvalues);
+    let discs = linear.and_then(|found| found.enclosed.as_ref().ok().map(spectrum::object));
     json!({
         "enclosure": values.collect::<serde_json::Map<_, _>>(),
         "state": motion.state,

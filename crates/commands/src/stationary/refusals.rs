@@ -74,9 +74,9 @@ pub fn reason(model: &Model, source: Option<&Source>, why: NoSteadyMotions) -> I
         NoSteadyMotions::WithoutRange { names } => {
             let options: Vec<String> = names.iter().map(|name| format!("--range \"{name}=-1..1\"")).collect();
             told(format!(
-                "{} {} no angle of a circle alone: ranges in SI units are needed, such as {}",
+                "{} {} a range in SI units, such as {}; only an angle that occurs in cosines and sines alone needs none",
                 listed(&names),
-                if names.len() == 1 { "is" } else { "are" },
+                if names.len() == 1 { "needs" } else { "need" },
                 options.join(" ")
             ))
         }

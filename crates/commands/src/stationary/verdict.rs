@@ -59,6 +59,15 @@ pub(super) fn stability(motion: &SteadyMotion, found: &SteadyMotions) -> String 
                 false => format!("{}; the largest real part is {largest:.6e} 1/s, by numbers", linear.stability),
             }
         }
+        SteadyStability::InTouch(found) => {
+            let along = match &found.enclosed {
+                Ok(enclosed) => spectrum::verdict(enclosed),
+                Err(why) => format!("eigenvalues are not enclosed, since {why}"),
+            };
+            format!(
+                "stability is not decided: a contact presses there, and a small push may open it; of motions that stay in touch: {along}"
+            )
+        }
         SteadyStability::AtCondition(_) => "stability is not decided: a condition of the law is zero at this motion".to_owned(),
         SteadyStability::HeldByFriction => RESISTS.to_owned(),
         SteadyStability::FedByFriction => FEEDS.to_owned(),
@@ -138,7 +147,9 @@ pub fn verdict(motion: &SteadyMotion, cyclic: &[String]) -> (&'static str, bool)
             Stability::Asymptotic { idle } if has_reasons(found, idle) => ("asymptotically stable", false),
             _ => ("not decided", false),
         },
-        SteadyStability::AtCondition(_) | SteadyStability::Unknown(_) => ("not known", false),
+        SteadyStability::InTouch(_) | SteadyStability::AtCondition(_) | SteadyStability::Unknown(_) => {
+            ("not known", false)
+        }
         SteadyStability::Singular(_) => ("singular coordinates", false),
     }
 }

@@ -7,6 +7,7 @@
 //! A free frame varies by three small turns about its own axes, and not by the four parts of its quaternion.
 
 mod about;
+mod at_rest;
 mod cyclic;
 mod displacement;
 mod equations;
@@ -22,6 +23,7 @@ mod recurrence;
 mod stability;
 
 pub use about::{Linear, inputs_of, point_of};
+pub use at_rest::law_at_rest;
 pub use equations::{At, NamedConstraint, Point, Values, VariedEquations};
 pub use multipliers::{Multipliers, NoMultipliers, Ones, Orbit};
 pub use names::Names;

@@ -4,6 +4,7 @@
 //! A condition that is zero whenever the system rests, such as the sign of a speed, is set to zero. For other conditions all three cases are
 //! tried. If the law is continuous at the zero of the condition, as for `abs`, the zero belongs to both sides.
 
+use super::condition_zeros::vanish_there;
 use super::rows::{Rows, Touching};
 use super::{NoSteadyMotions, Range, Unknown};
 use model::equations::vanishes;
@@ -216,18 +217,27 @@ const ANYWHERE: f64 = 0.377;
 /// Smaller constants may be zero.
 const ROUNDING: f64 = 1e-12;
 
-/// Whether the law does not jump where a condition is zero: shown for conditions that are linear in a letter. A jump that is multiplied by the
-/// letter of another condition is none where that condition fails there, as in the middle of a play.
+/// Whether an expression depends on a letter linearly.
+pub(super) fn is_linear(expression: Sym, letter: Sym) -> bool {
+    let slope = expression.diff(letter);
+    !(slope.symbols_of().contains(&letter) || vanishes(slope))
+}
+
+/// Whether the law does not jump where a condition is zero: shown for conditions that are linear in a letter, identified for others. A jump
+/// that is multiplied by the letter of another condition is none where that condition fails there, as in the middle of a play.
 fn is_continuous(rows: &Rows, values: &[Sym], (letter, value): (Sym, Sym)) -> bool {
     let jumps: Vec<Sym> = rows.residuals.iter().map(|row| row.diff(letter)).filter(|jump| !vanishes(*jump)).collect();
-    value.symbols_of().into_iter().any(|own| {
+    let others = || rows.condition_letters.iter().zip(values).filter(|(other, _)| **other != letter);
+    let linear: Vec<Sym> = value.symbols_of().into_iter().filter(|own| is_linear(value, *own)).collect();
+    if linear.is_empty() {
+        let others: Vec<(Sym, Sym)> = others().map(|(own, value)| (*own, *value)).collect();
+        return vanish_there(&jumps, value, &others, false);
+    }
+    linear.into_iter().any(|own| {
         let slope = value.diff(own);
-        if slope.symbols_of().contains(&own) || vanishes(slope) {
-            return false;
-        }
         let there = [(own, own - value / slope)];
         let mut cases: Vec<(Sym, Sym)> = Vec::new();
-        for (&other, of_other) in rows.condition_letters.iter().zip(values).filter(|(other, _)| **other != letter) {
+        for (&other, of_other) in others() {
             match constant(of_other.substitute(&there)) {
                 Some(number) if number > 0.0 => cases.push((other, Sym::ONE)),
                 Some(number) if number < 0.0 => cases.push((other, Sym::ZERO)),

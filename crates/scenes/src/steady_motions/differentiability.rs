@@ -1,10 +1,11 @@
 //! Conditions across which the law is once continuously differentiable, as that of |w| in the torque k |w| w of a fan: their zeros are no kinks
 //! for linear equations and for energies.
 //!
-//! Let J be the difference of an expression on the two sides of a condition c that is linear in a letter x. Where J = 0 and dJ/dx = 0 on the
+//! Let J be the difference of an expression on the two sides of a condition c, and x a letter of c. Where J = 0 and dJ/dx = 0 on the
 //! whole of c = 0, all first derivatives of both sides agree there.
 
-use super::conditions::Case;
+use super::condition_zeros::vanish_there;
+use super::conditions::{Case, is_linear};
 use crate::letters::Letters;
 use model::equations::{Residuals, constraints_of, vanishes};
 use model::{Model, Trace};
@@ -18,21 +19,44 @@ pub(super) fn joins_smoothly(model: &Model, cases: &[Case], places: &[usize]) ->
         && symbolic::apart(|| {
             let Some(Sides { rows, letters, conditions }) = Sides::of(model, cases, places) else { return false };
             let joins = |(&letter, &condition): (&Sym, &Sym)| {
-                let on = |value: Sym, row: Sym| row.substitute(&[(letter, value)]);
-                let jumps: Vec<Sym> = rows.iter().map(|&row| on(Sym::ONE, row) - on(Sym::ZERO, row)).collect();
+                let jumps = differences(&rows, letter);
                 jumps.iter().all(|jump| vanishes(*jump)) || are_tangent(&jumps, condition)
             };
             letters.iter().zip(&conditions).all(joins)
         })
 }
 
+/// Whether the forces jump at a condition of positions along its gradient, and nothing else does: energies of both sides then agree at its
+/// zeros.
+pub(super) fn jumps_along_gradient(model: &Model, cases: &[Case], place: usize) -> bool {
+    symbolic::apart(|| {
+        let Some(Sides { rows, letters, conditions }) = Sides::of(model, cases, &[place]) else { return false };
+        let coordinates = Trace::of(model).coordinates;
+        let of_positions = |condition: &Sym| condition.symbols_of().iter().all(|own| coordinates.contains(own));
+        let ([letter], [condition]) = (&letters[..], &conditions[..]) else { return false };
+        let jumps = differences(&rows, *letter);
+        let (forces, others) = jumps.split_at(coordinates.len().min(jumps.len()));
+        let slopes: Vec<Sym> = coordinates.iter().map(|&by| condition.diff(by)).collect();
+        let is_parallel =
+            (0..forces.len()).all(|i| (0..i).all(|j| vanishes(forces[i] * slopes[j] - forces[j] * slopes[i])));
+        of_positions(condition) && is_parallel && others.iter().all(|own| vanishes(*own))
+    })
+}
+
+/// The differences of expressions between the two sides of a condition, by its letter.
+fn differences(rows: &[Sym], letter: Sym) -> Vec<Sym> {
+    let on = |value: Sym, row: Sym| row.substitute(&[(letter, value)]);
+    rows.iter().map(|&row| on(Sym::ONE, row) - on(Sym::ZERO, row)).collect()
+}
+
 /// Whether differences vanish with their first derivatives where a condition is zero.
 fn are_tangent(jumps: &[Sym], condition: Sym) -> bool {
-    condition.symbols_of().into_iter().any(|letter| {
+    let linear: Vec<Sym> = condition.symbols_of().into_iter().filter(|own| is_linear(condition, *own)).collect();
+    if linear.is_empty() {
+        return vanish_there(jumps, condition, &[], true);
+    }
+    linear.into_iter().any(|letter| {
         let slope = condition.diff(letter);
-        if slope.symbols_of().contains(&letter) || vanishes(slope) {
-            return false;
-        }
         let there = [(letter, letter - condition / slope)];
         jumps.iter().all(|jump| [*jump, jump.diff(letter)].iter().all(|own| vanishes(own.substitute(&there))))
     })

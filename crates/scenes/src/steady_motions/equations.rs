@@ -71,8 +71,8 @@ pub(super) struct SteadyEquations {
     pub cases: Vec<Case>,
     /// Whether a condition is zero.
     pub is_at_condition: bool,
-    /// Contacts without friction, by their places in the combination.
-    pub smooth_contacts: Vec<usize>,
+    /// Contacts with friction that are in touch, by their places in the combination.
+    pub rubbing: Vec<usize>,
     /// The dry friction of these, where the system rests.
     pub friction: Option<FrictionLaw>,
     /// For each condition of the law 1 where it holds, else 0.
@@ -315,6 +315,11 @@ impl SteadyEquations {
             }
             false => [None, None],
         };
+        let rubbing: Vec<usize> = (model.switches.len()..cases.len())
+            .zip(&rows.contacts)
+            .filter(|(place, contact)| contact.friction.is_some() && cases[*place] != Case::Holds)
+            .map(|(place, _)| place)
+            .collect();
         let (places, rates): (Vec<usize>, Vec<Sym>) = rows.determined.iter().copied().unzip();
         let rates = tapes::recorded(&letters, &substitute_all(&substitute_all(&rates, &at_rest), &known))?;
         let cyclic_places: Vec<usize> = (0..n).filter(|&k| is_cyclic[k]).collect();
@@ -329,11 +334,6 @@ impl SteadyEquations {
             side_places,
             cases: cases.to_vec(),
             is_at_condition: cases.contains(&Case::Between),
-            smooth_contacts: (model.switches.len()..)
-                .zip(&rows.contacts)
-                .filter(|(_, contact)| contact.friction.is_none())
-                .map(|(place, _)| place)
-                .collect(),
             friction,
             switches: cases
                 .iter()
@@ -352,7 +352,8 @@ impl SteadyEquations {
             state,
             reactions: multipliers.len(),
             is_unbalanced,
-            energy_integral: rows.energy_integral,
+            energy_integral: rows.energy_integral.filter(|_| rubbing.is_empty()),
+            rubbing,
             tapes,
             by_sums,
             momenta,

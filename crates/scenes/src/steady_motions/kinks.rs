@@ -247,7 +247,7 @@ impl SteadyMotions {
             undecided_part: 0.0,
             elsewhere: 0,
             examined,
-            singular_places: 0,
+            singular_places: Vec::new(),
         }
     }
 }

@@ -6,6 +6,7 @@ mod along;
 mod angle_sums;
 mod borders;
 mod circles;
+mod condition_zeros;
 mod conditions;
 mod decision;
 mod definiteness;
@@ -18,11 +19,15 @@ mod equations;
 mod families;
 mod frame_angles;
 mod friction;
+mod given_values;
 mod idle_conditions;
 mod inertia;
+mod jumps;
+mod kept_contacts;
 mod kinks;
 mod momenta;
 mod open_sides;
+mod options;
 mod orientations;
 mod plane;
 mod potential;
@@ -42,6 +47,8 @@ pub use conditions::{Case, conditions_of};
 pub use equations::Unknown;
 pub use families::Family;
 pub use friction::Friction;
+pub use kept_contacts::with_kept_contacts;
+pub use options::{Range, SteadySearch};
 pub use orientations::{InOrientation, Orientation, Steep};
 pub use plane::{Direction, PlaneCell, middles};
 pub use refusal::NoSteadyMotions;
@@ -51,6 +58,7 @@ pub use spectrum::{
     Side, ZeroReason,
 };
 pub use stability::{Eigenvalues, OnSide, SteadyStability};
+pub(crate) use values::spread;
 
 use crate::linearisation::{Linear, Standing, VariedEquations};
 use algebra::boxes::Zero;
@@ -60,76 +68,11 @@ use degenerate::Degenerate;
 use equations::SteadyEquations;
 use field::Interval;
 use inertia::Inertia;
-use model::{Model, Source};
+use model::Model;
+use options::ASIDE;
 use quasi_velocities::Extended;
 use search::Boxes;
 use stability::judged;
-use std::f64::consts::PI;
-use std::sync::Arc;
-use units::nearest;
-
-/// A range of an unknown, in SI units; one number where both ends are the same.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Range {
-    pub from: f64,
-    pub to: f64,
-}
-
-impl Range {
-    /// A whole turn whose ends are not angles at which symmetric systems have equilibria.
-    const TURN: Range = Range { from: -PI - 0.617, to: PI - 0.6169 };
-
-    /// A little to both sides of a value.
-    fn about(value: f64) -> Range {
-        let aside = ASIDE * (1.0 + value.abs());
-        Range { from: value - aside, to: value + aside }
-    }
-
-    fn is_point(self) -> bool {
-        self.from == self.to
-    }
-
-    fn interval(self) -> Interval {
-        Interval::new(self.from, self.to)
-    }
-}
-
-/// The options of a search for steady motions.
-#[derive(Clone, Debug, Default)]
-pub struct SteadySearch {
-    /// Ranges of coordinates, and of speeds of cyclic ones, by their names.
-    pub ranges: Vec<(String, Range)>,
-    /// The largest number of boxes to examine.
-    pub boxes: usize,
-    /// Products of sines and cosines that must not be small.
-    pub steep: Vec<Steep>,
-    /// The text of the model, for frames that turn freely, along a parameter.
-    pub text: Option<Arc<Source>>,
-}
-
-impl SteadySearch {
-    fn range(&self, name: &str) -> Option<Range> {
-        self.ranges.iter().rev().find(|(own, _)| own == name).map(|(_, range)| *range)
-    }
-
-    /// The speed of a cyclic coordinate that is given as one number.
-    fn speed(&self, name: &str) -> Option<f64> {
-        self.range(name).filter(|range| range.is_point()).map(|range| range.from)
-    }
-
-    /// Whether each name is one of those that may have a range.
-    fn checked<'a>(&self, accepted: impl Iterator<Item = &'a str>) -> Result<(), NoSteadyMotions> {
-        let accepted: Vec<&str> = accepted.collect();
-        match self.ranges.iter().find(|(name, _)| !accepted.contains(&name.as_str())) {
-            None => Ok(()),
-            Some((name, _)) => Err(NoSteadyMotions::Unknown {
-                name: name.clone(),
-                nearest: nearest(name, accepted.iter().copied()).map(str::to_owned),
-                accepted: accepted.into_iter().map(str::to_owned).collect(),
-            }),
-        }
-    }
-}
 
 /// A steady motion: the only one in a box about it.
 #[derive(Clone, Debug)]
@@ -190,12 +133,9 @@ pub struct SteadyMotions {
     pub elsewhere: usize,
     /// The number of examined boxes.
     pub examined: usize,
-    /// Places at which the coordinates are singular, where the motions are listed without these.
-    pub singular_places: usize,
+    /// Places at which the coordinates are singular, where the motions are listed without these: the unknowns there.
+    pub singular_places: Vec<Vec<[f64; 2]>>,
 }
-
-/// The distance from a state, relative to one in SI units and to the value, within which a steady motion counts as the one of this state.
-const ASIDE: f64 = 1e-6;
 
 impl SteadyMotions {
     /// All steady motions in a box; the search calls `goes_on` regularly and ends if it returns false.
@@ -203,11 +143,14 @@ impl SteadyMotions {
     /// # Errors
     /// The reason for which steady motions are not searched for.
     pub fn of(model: &Model, asked: &SteadySearch, mut goes_on: impl FnMut() -> bool) -> Result<Self, NoSteadyMotions> {
-        let names: Vec<&str> = asked.ranges.iter().map(|(name, _)| name.as_str()).collect();
-        let extended = Extended::of(model, &names, None);
+        let asked = &asked.by_coordinates(model);
+        let extended = Extended::of(model, &asked.names(), None);
         let model = extended.as_ref().map_or(model, |extended| &extended.model);
         let equations = SteadyEquations::of(model, asked)?;
-        Ok(Self::found(model, (equations, extended.as_ref()), asked, &mut goes_on))
+        let found = Self::found(model, equations, asked, &mut goes_on);
+        let mut found = found.with_free_values(model, asked, &[], &mut goes_on);
+        extended.iter().for_each(|extended| found.restore(extended));
+        Ok(found)
     }
 
     /// Steady motions in each combination of cases of the conditions of a law.
@@ -219,20 +162,39 @@ impl SteadyMotions {
         asked: &SteadySearch,
         mut goes_on: impl FnMut() -> bool,
     ) -> Result<Vec<(Vec<Case>, Self)>, NoSteadyMotions> {
+        let asked = &asked.by_coordinates(model);
+        let extended = Extended::of(model, &asked.names(), None);
+        let model = extended.as_ref().map_or(model, |extended| &extended.model);
         let combinations = admission::combinations(model, asked)?;
         let each = combinations.into_iter().map(|cases| {
             if !goes_on() {
                 return Ok((cases, Self::not_searched()));
             }
             let equations = SteadyEquations::in_cases(model, asked, &cases)?;
-            Ok((cases, Self::found(model, (equations, None), asked, &mut goes_on)))
+            let found = Self::found(model, equations, asked, &mut goes_on);
+            let found = found.with_free_values(model, asked, &cases, &mut goes_on);
+            Ok((cases, found))
         });
-        Ok(kinks::joined(model, each.collect::<Result<_, NoSteadyMotions>>()?))
+        let mut all = kinks::joined(model, each.collect::<Result<_, NoSteadyMotions>>()?);
+        if let Some(extended) = &extended {
+            all.iter_mut().for_each(|(_, found)| found.restore(extended));
+        }
+        Ok(all)
+    }
+
+    /// States of the model with the integrals of quasi-velocities become those of the original one.
+    fn restore(&mut self, extended: &Extended) {
+        for motion in &mut self.motions {
+            (motion.state, motion.quasi_velocities) = extended.original(&motion.state);
+        }
+        for member in self.families.iter_mut().flat_map(|(_, members)| members) {
+            member.state = extended.original(&member.state).0;
+        }
     }
 
     fn found(
         model: &Model,
-        (equations, extended): (SteadyEquations, Option<&Extended>),
+        equations: SteadyEquations,
         asked: &SteadySearch,
         goes_on: &mut dyn FnMut() -> bool,
     ) -> Self {
@@ -270,10 +232,6 @@ impl SteadyMotions {
                 inside.push(zero);
             }
         }
-        let original = |state: Vec<f64>| match extended {
-            Some(extended) => extended.original(&state),
-            None => (state, Vec::new()),
-        };
         let mut motions: Vec<SteadyMotion> = inside
             .into_iter()
             .map(|(zero, degenerate)| {
@@ -284,12 +242,11 @@ impl SteadyMotions {
                 }
                 let state = equations.state_at(enclosure.iter().map(|[low, high]| 0.5 * (low + high)));
                 let stability = judged(model, &equations, &mut boxes, (&zero.enclosure, &state), degenerate.as_ref());
-                let (state, quasi_velocities) = original(state);
                 let mut at_conditions: Vec<usize> =
                     boxes.open_sides(&zero.enclosure).into_iter().map(|side| equations.side_places[side]).collect();
                 at_conditions.retain(|place| *place != equations::NO_CASE);
                 at_conditions.dedup();
-                SteadyMotion { enclosure, state, quasi_velocities, stability, at_conditions }
+                SteadyMotion { enclosure, state, quasi_velocities: Vec::new(), stability, at_conditions }
             })
             .collect();
         motions.sort_by(|a, b| {
@@ -322,7 +279,7 @@ impl SteadyMotions {
                     let moves = linear.as_ref().is_some_and(|own| own.standing == Standing::Moving);
                     let enclosed = moves.then(|| EnclosedSpectrum::near(model, &state, &mut *goes_on).ok()).flatten();
                     let values = values[..equations.unknowns.len()].to_vec();
-                    Member { values, state: original(state).0, linear, enclosed, without_inertia }
+                    Member { values, state, linear, enclosed, without_inertia }
                 };
                 let members = family.members.iter().map(member).collect();
                 // friction stops a motion that has a kinetic energy
@@ -349,7 +306,7 @@ impl SteadyMotions {
             undecided_part,
             elsewhere: 0,
             examined: found.examined,
-            singular_places: 0,
+            singular_places: Vec::new(),
         }
     }
 
@@ -360,9 +317,11 @@ impl SteadyMotions {
 
     /// The motions at which the coordinates describe the position; others are counted alone.
     fn without_singular_places(mut self) -> Self {
-        let all = self.motions.len();
-        self.motions.retain(|motion| !matches!(motion.stability, SteadyStability::Singular(_)));
-        self.singular_places += all - self.motions.len();
+        let is_singular = |motion: &SteadyMotion| matches!(motion.stability, SteadyStability::Singular(_));
+        let (singular, regular): (Vec<SteadyMotion>, Vec<SteadyMotion>) =
+            std::mem::take(&mut self.motions).into_iter().partition(is_singular);
+        self.motions = regular;
+        self.singular_places.extend(singular.into_iter().map(|motion| motion.enclosure));
         self
     }
 

@@ -130,7 +130,9 @@ impl Orientation {
             let (main_names, first) = (main.names, of(set.names[0], "'"));
             let about = range(of(main_names[0], "'")).or_else(|| range(first.clone()));
             let spin = if set.is_spinning { range(of(main_names[2], "'")) } else { None };
-            let turning = [of(set.names[0], "'"), of(set.other[0], "'")];
+            // each set has its own names
+            let turning = [of(set.names[0], "'")].into_iter().chain(set.other.map(|name| of(name, "'")));
+            let turning: Vec<String> = turning.collect();
             self.asked.ranges.retain(|(own, _)| !turning.contains(own));
             if set.is_main {
                 self.model.start.extend(start);
@@ -150,7 +152,8 @@ impl Orientation {
                 start[3].value = ends[0];
                 self.model.start.extend(start);
                 self.asked.ranges.retain(|(own, _)| *own != of(main_names[2], "'"));
-                if about.is_some() || spin.is_some() {
+                let is_cyclic = || symbolic::apart(|| without_part(&self.model)).is_ok_and(|own| own[angles.first]);
+                if range(first.clone()).is_some() || (about.is_some() || spin.is_some()) && is_cyclic() {
                     self.asked.ranges.push((first, Range { from: ends[0], to: ends[1] }));
                 }
             }
@@ -265,10 +268,19 @@ impl SteadyMotions {
         mut goes_on: impl FnMut() -> bool,
     ) -> Result<Vec<InOrientation>, NoSteadyMotions> {
         let (mut known, mut told): (Vec<Vec<f64>>, Vec<_>) = (Vec::new(), Vec::new());
+        // each set has unknowns of its own: all that need ranges are named together
+        let mut missing: Vec<String> = Vec::new();
         for own in all {
             let found = match changes(&own.model) {
-                true => Self::of_cases(&own.model, &own.asked, &mut goes_on)?,
-                false => vec![(Vec::new(), Self::of(&own.model, &own.asked, &mut goes_on)?)],
+                true => Self::of_cases(&own.model, &own.asked, &mut goes_on),
+                false => Self::of(&own.model, &own.asked, &mut goes_on).map(|found| vec![(Vec::new(), found)]),
+            };
+            let found = match found {
+                Err(NoSteadyMotions::WithoutRange { names }) => {
+                    missing.extend(names.into_iter().filter(|name| !missing.contains(name)).collect::<Vec<_>>());
+                    continue;
+                }
+                found => found?,
             };
             let before = known.clone();
             let found = found.into_iter().map(|(cases, mut found)| {
@@ -286,6 +298,9 @@ impl SteadyMotions {
             });
             let found = found.collect();
             told.push((own, found));
+        }
+        if !missing.is_empty() {
+            return Err(NoSteadyMotions::WithoutRange { names: missing });
         }
         Ok(told)
     }

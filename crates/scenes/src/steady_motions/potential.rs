@@ -23,7 +23,8 @@ pub(super) struct EnergyIntegral {
     pub is_gyroscopic: bool,
 }
 
-/// The integral where the loads behind residuals without accelerations have a potential energy, T over the same letters.
+/// The integral where the loads behind residuals without accelerations have a potential energy, T over the same letters. The reactions of
+/// constraints and of contacts are left out: without friction they do no work.
 pub(super) fn energy_integral(
     trace: &Trace<'_>,
     residuals: &[Sym],
@@ -35,7 +36,8 @@ pub(super) fn energy_integral(
     if n > MOST_ASKED || !trace.solid().is_empty() || !vanishes(energy.diff(trace.time)) {
         return None;
     }
-    let without_reactions: Vec<(Sym, Sym)> = constraints.iter().map(|one| (one.multiplier, Sym::ZERO)).collect();
+    let reactions = constraints.iter().map(|one| one.multiplier).chain(trace.reactions());
+    let without_reactions: Vec<(Sym, Sym)> = reactions.map(|letter| (letter, Sym::ZERO)).collect();
     let at_rest: Vec<(Sym, Sym)> = speeds.iter().map(|speed| (*speed, Sym::ZERO)).collect();
     let is_quadratic = (0..n).all(|i| {
         (0..n).all(|j| {

@@ -8,10 +8,9 @@
 use super::NoSteadyMotions;
 use super::determinacy::Wanted;
 use super::rows::Rows;
-use crate::changing_laws::changes;
 use crate::letters::Letters;
 use model::equations::{Level, constraints_of};
-use model::{INTEGRAL, Model, QuasiVelocity, StartValue, Trace};
+use model::{Event, INTEGRAL, Model, QuasiVelocity, StartValue, Trace};
 use symbolic::Tape;
 
 /// A model with coordinates whose rates are the quasi-velocities that are chosen.
@@ -28,7 +27,7 @@ impl Extended {
     /// The extended model, if quasi-velocities make more coordinates cyclic than rates of coordinates do, or if `asked` names one of them;
     /// at a state, or at the start if there is none.
     pub fn of(model: &Model, asked: &[&str], state: Option<&[f64]>) -> Option<Self> {
-        if changes(model) || model.positions() != model.speeds() || !model.algebraic_speeds.is_empty() {
+        if !may_be_extended(model) || model.positions() != model.speeds() || !model.algebraic_speeds.is_empty() {
             return None;
         }
         symbolic::apart(|| Self::chosen(model, asked, state))
@@ -139,6 +138,26 @@ impl Extended {
         let own = self.speeds.iter().zip(&speeds[n..]).map(|(own, value)| (own.name.clone(), *value));
         ([&coordinates[..n], &speeds[..n]].concat(), own.collect())
     }
+}
+
+/// Whether its contacts, which name places among the coordinates, and its events leave room for further coordinates.
+fn may_be_extended(model: &Model) -> bool {
+    let is_end = |event: &Event| event.ends && event.set.is_empty();
+    model.contacts.is_empty() && model.events.iter().all(is_end)
+}
+
+/// Quasi-velocities that are the rate of one coordinate each, by the names of both.
+pub(super) fn rates_by_name(model: &Model) -> Vec<(String, String)> {
+    symbolic::apart(|| {
+        let trace = Trace::of(model);
+        let names = model.state_names();
+        let rate = |own: &QuasiVelocity| {
+            let is = trace.scalar(own.is);
+            let place = trace.speeds.iter().position(|speed| *speed == is)?;
+            Some((own.name.clone(), names.get(trace.coordinates.len() + place)?.0.clone()))
+        };
+        model.quasi_velocities.iter().filter_map(rate).collect()
+    })
 }
 
 /// The names of a state, quasi-velocities by their own.

@@ -39,7 +39,7 @@ pub(super) struct Rows {
     pub is_cyclic: Vec<bool>,
     /// Those on which nothing depends at any values of the parameters, if there are no constraints of speeds.
     pub is_always_cyclic: Vec<bool>,
-    /// The energy that is kept where the loads have a potential energy, and no constraint holds speeds.
+    /// The energy that is kept where the loads have a potential energy, no constraint holds speeds, and no contact rubs.
     pub energy_integral: Option<EnergyIntegral>,
     /// Coordinates with conserved momenta, if there are no constraints of speeds.
     pub kept_momenta: Vec<usize>,

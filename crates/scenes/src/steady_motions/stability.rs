@@ -7,14 +7,16 @@ use super::differentiability::joins_smoothly;
 use super::equations::SteadyEquations;
 use super::friction::Friction;
 use super::inertia::Inertia;
+use super::jumps::at_jump;
+use super::kept_contacts::with_kept_contacts;
 use super::quasi_velocities::state_names;
 use super::search::Boxes;
-use super::spectrum::{EnclosedSpectrum, NotEnclosed};
+use super::spectrum::{EnclosedSpectrum, EnclosedVerdict, NotEnclosed};
 use crate::conservation::keeps_energy;
-use crate::linearisation::{Linear, Stability, VariedEquations};
+use crate::linearisation::{Linear, Stability, VariedEquations, law_at_rest};
 use algebra::boxes::Equations;
 use field::Interval;
-use model::Model;
+use model::{Model, Sides};
 
 /// The stability of a steady motion, as far as it is known.
 #[derive(Clone, Debug)]
@@ -49,6 +51,9 @@ pub enum SteadyStability {
     Singular(Vec<String>),
     /// By eigenvalues of the linear equations.
     Linear(Box<Eigenvalues>),
+    /// A contact without friction presses there. A small push may open it, of which the linear equations of motions in touch, with these
+    /// eigenvalues, know nothing: none of them grows.
+    InTouch(Box<Eigenvalues>),
     /// There are no linear equations.
     Unknown(String),
 }
@@ -96,9 +101,11 @@ pub(super) fn judged(
         Some(Friction::Feeds) => return SteadyStability::FedByFriction,
         _ => {}
     }
-    let presses = presses(model, equations);
     if equations.is_at_condition && !is_without_jumps(model, equations) {
-        return SteadyStability::AtCondition(None);
+        let rests = state[n..].iter().all(|speed| *speed == 0.0) && equations.cyclic.is_empty();
+        let jumps = rests && inertia.is_positive();
+        let decided = if jumps { at_jump(model, equations, boxes, (enclosure, n)) } else { None };
+        return decided.unwrap_or(SteadyStability::AtCondition(None));
     }
     // the first derivatives say nothing at a degenerate motion: each side is judged alone
     let is_open = boxes.lies_aside(enclosure) != Some(true)
@@ -129,23 +136,28 @@ pub(super) fn judged(
             _ => {}
         }
     }
-    // a contact that presses may open after a push: linear equations know nothing of impacts
-    if presses {
-        return SteadyStability::AtCondition(None);
-    }
     if is_open {
         let side = if inertia.is_positive() { drives_away(equations, boxes, enclosure, n) } else { None };
         return SteadyStability::AtCondition(side);
     }
+    let Some(kept) = with_kept_contacts(model, &equations.cases) else { return SteadyStability::AtCondition(None) };
+    let kept = law_at_rest(&kept, state);
     // inputs have their values, with all derivatives of these
-    let varied = match VariedEquations::with_inputs(model, &[], &[]) {
+    let varied = match VariedEquations::with_inputs(&kept, &[], &[]) {
         Ok(varied) => varied,
         Err(why) => return SteadyStability::Unknown(why.to_string()),
     };
     match varied.about(0.0, state) {
         Ok(linear) => {
-            let enclosed = EnclosedSpectrum::of(model, equations, &varied, (enclosure, state), keeps_energy);
-            SteadyStability::Linear(Box::new(Eigenvalues { linear, enclosed }))
+            let enclosed = EnclosedSpectrum::of(&kept, equations, &varied, (enclosure, state), keeps_energy);
+            let grows = matches!(enclosed.as_ref().map(EnclosedSpectrum::verdict), Ok(EnclosedVerdict::Unstable(_)));
+            let found = Box::new(Eigenvalues { linear, enclosed });
+            // motions in touch that grow are motions of the system: near the motion the contact presses
+            if presses(model, equations) && !grows {
+                SteadyStability::InTouch(found)
+            } else {
+                SteadyStability::Linear(found)
+            }
         }
         Err(why) => SteadyStability::Unknown(why.to_string()),
     }
@@ -175,9 +187,13 @@ fn held(equations: &SteadyEquations) -> impl Iterator<Item = usize> {
     equations.cases.iter().enumerate().filter(|(_, case)| **case == Case::Between).map(|(place, _)| place)
 }
 
-/// Whether a contact is in touch.
+/// Whether a contact is in touch that may open.
 fn presses(model: &Model, equations: &SteadyEquations) -> bool {
-    held(equations).any(|place| place >= model.switches.len())
+    let may_open = |place: usize| {
+        let contact = place.checked_sub(model.switches.len()).and_then(|own| model.contacts.get(own));
+        contact.is_some_and(|contact| contact.sides == Sides::One)
+    };
+    held(equations).any(may_open)
 }
 
 /// Whether the law has no kink at any condition that is held at zero, as that of dry friction without force, and contacts in touch are smooth.
@@ -185,7 +201,7 @@ fn presses(model: &Model, equations: &SteadyEquations) -> bool {
 fn is_without_jumps(model: &Model, equations: &SteadyEquations) -> bool {
     let (conditions, contacts): (Vec<usize>, Vec<usize>) =
         held(equations).partition(|place| *place < model.switches.len());
-    contacts.iter().all(|place| equations.smooth_contacts.contains(place))
+    contacts.iter().all(|place| !equations.rubbing.contains(place))
         && joins_smoothly(model, &equations.cases, &conditions)
 }
 
@@ -209,6 +225,9 @@ pub(super) fn is_smooth(
 ///   | f'                        0     0    |
 ///   | p'                        0    -M_c  |
 ///
+/// where a contact presses along the unit vector n = f'/|f'| with the force N = lambda |f'|. The derivative of N n differs from lambda f'' by
+/// a product of f' with another vector, whose symmetric part is zero in every direction along the surface. The matrix
+///
 /// with the momenta p of cyclic coordinates and their masses M_c has a positive eigenvalue for each constraint and each direction in
 /// which that energy increases, and a negative one for each constraint, each cyclic coordinate and each direction in which it decreases.
 fn falls(equations: &SteadyEquations, boxes: &mut Boxes<'_>, enclosure: &[Interval]) -> Option<usize> {
@@ -221,10 +240,13 @@ fn falls(equations: &SteadyEquations, boxes: &mut Boxes<'_>, enclosure: &[Interv
     let (by_unknowns, masses) = momenta.split_at(cyclic * positions);
     let size = own + cyclic;
     let zero = Interval::point(0.0);
+    let half = Interval::point(0.5);
     let entry = |row: usize, column: usize| match (row < own, column < own) {
         // residuals are forces: less the derivatives of the energy
-        (true, true) if row < positions && column < positions => -slopes[row * own + column],
-        (true, true) => slopes[row * own + column],
+        (true, true) if row < positions && column < positions => {
+            -(slopes[row * own + column] + slopes[column * own + row]) * half
+        }
+        (true, true) => slopes[row.max(column) * own + row.min(column)],
         (true, false) if row < positions => by_unknowns[(column - own) * positions + row],
         (false, true) if column < positions => by_unknowns[(row - own) * positions + column],
         (false, false) => -masses[(row - own) * cyclic + column - own],

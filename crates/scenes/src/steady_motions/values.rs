@@ -21,7 +21,7 @@ pub(super) fn has_value(expression: Sym, state: &[(String, f64)]) -> bool {
 const ANYWHERE: f64 = 0.377;
 
 /// A number between -100 and 100 for a letter, small ones as often as large ones.
-fn spread(name: &str, point: u32) -> f64 {
+pub(crate) fn spread(name: &str, point: u32) -> f64 {
     let letter: u32 = name.bytes().fold(7, |sum, byte| (sum * 31 + u32::from(byte)) % 9973);
     let part = |times: u32| (f64::from(letter + times * point) * STEP).fract();
     let size = 10f64.powf(4.0 * part(1) - 2.0);

@@ -1,7 +1,9 @@
 //! Changes of steady motions along one parameter and over two.
 
 use super::{DRIVEN, SHAFT, SIDES, asked, model, plane};
-use dalembert_scenes::steady_motions::{Along, Change, NoSteadyMotions, PlaneCell, Range, middles};
+use dalembert_scenes::steady_motions::{
+    Along, Change, Crossings, EnclosedSpectrum, NoSteadyMotions, NotEnclosed, PlaneCell, Range, middles,
+};
 
 fn along(text: &str, ranges: &[(&str, f64, f64)], (name, from, to): (&str, f64, f64)) -> Along {
     let found = Along::of(&model(text), &asked(ranges, 200_000), (name, Range { from, to }), 21, || true);
@@ -149,4 +151,31 @@ fn values_on_the_way_to_a_change_are_kept() {
     let near = along.visited.iter().map(|sample| (sample.value - critical).abs()).fold(f64::INFINITY, f64::min);
     assert!(near < 1e-3 && along.visited.len() > along.samples.len() + 5, "{near}");
     assert!(along.visited.windows(2).all(|pair| pair[0].value <= pair[1].value));
+}
+
+/// A bead in the bowl z = a r^2/2 + n r^4 circles at w^2 = g (a + 4 n r^2): at w^2 = g a the circles shrink to the axis, where polar coordinates are
+/// singular.
+#[test]
+fn motions_that_shrink_to_a_singular_place_are_no_fold() {
+    let text = "title = \"Bowl\"\ngravity = \"-(9.81 m/s^2)*N.z\"\n[parameters]\na = \"2 1/m\"\nn = \"1 1/m^3\"\n[coordinates]\nr = \"m\"\nf = \"rad\"\n\
+                [bodies]\np = { centre = \"O + r*cos(f)*N.x + r*sin(f)*N.y + (a*r^2/2 + n*r^4)*N.z\", mass = \"1 kg\" }\n";
+    let critical = (9.81 * 2.0_f64).sqrt();
+    for range in [("r", -0.5, 0.51), ("r", 0.0, 0.51)] {
+        assert_changes(&along(text, &[range], ("f'", 3.0, 5.03)), &[(critical, Change::AtSingularPlace)]);
+    }
+}
+
+/// The spring x'' = f - k x has no equilibrium at k = 0, the middle of the range: the change is bracketed all the same.
+#[test]
+fn a_crossing_at_a_value_without_a_motion_is_bracketed_closely() {
+    let text = "title = \"Spring\"\n[parameters]\nk = \"1 N/m\"\nf = \"3 N\"\n[coordinates]\nx = \"m\"\n[bodies]\np = { centre = \"O + x*N.x\", mass = \"1 kg\" }\n\
+                [[force]]\nalong = \"x\"\nis = \"f - k*x\"\n";
+    let spectrum = |value: f64| {
+        let mut model = model(text);
+        dalembert_scenes::set_values(&mut model, &[("k".to_owned(), value)]).map_err(|_| NotEnclosed::NoMotion)?;
+        EnclosedSpectrum::following(&model, &[0.0, 0.0], || true)
+    };
+    let found = Crossings::of([-1.0, 1.0], spectrum, || true);
+    let [[before, after]] = &found.changes[..] else { panic!("{found:?}") };
+    assert!(before.value < 0.0 && 0.0 < after.value && after.value - before.value < 1e-6, "{before:?} {after:?}");
 }

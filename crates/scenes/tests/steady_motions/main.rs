@@ -2,9 +2,12 @@
 
 mod along;
 mod conditions;
+mod contacts;
 mod decimals;
 mod ends;
 mod friction;
+mod given_values;
+mod jumps;
 mod loops;
 mod nearest_motion;
 mod orientations;

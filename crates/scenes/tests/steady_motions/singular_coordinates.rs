@@ -84,7 +84,7 @@ fn poles_count_as_no_motions_along_a_speed() {
     for sample in &along.samples {
         let moves = sample.value > (9.81_f64 / 0.5).sqrt();
         assert_eq!(
-            (sample.found.motions.len(), sample.found.singular_places),
+            (sample.found.motions.len(), sample.found.singular_places.len()),
             (if moves { 2 } else { 0 }, 2),
             "{sample:?}"
         );

@@ -1,7 +1,7 @@
 //! Ranges of inputs at which all outputs of a tape may be zero: forwards through its operations, and back (Benhamou and others 1999).
 
 use super::{Operation, Tape};
-use field::{Analytic, Circle, Interval, Scalar};
+use field::{Analytic, Circle, Elementary, Interval, Scalar};
 use std::f64::consts::PI;
 
 /// A tape over intervals, with its registers.
@@ -77,7 +77,15 @@ impl<'a> Propagation<'a> {
         let value = |register: u32| self.registers[register as usize];
         let found = match operation {
             Operation::Product(a, b) if a == b => value(a).squared(),
-            Operation::Root(a) => value(a).sqrt(),
+            // roots and logarithms have values on a part of the range only, and zeros are sought there
+            Operation::Root(a) => match value(a).and(not_negative()) {
+                Some(part) => part.sqrt(),
+                None => return false,
+            },
+            Operation::Elementary(Elementary::Ln, a, _) => match value(a).and(not_negative()) {
+                Some(part) if part.high() > 0.0 => logarithm(part),
+                _ => return false,
+            },
             Operation::Elementary(function, a, b) => value(a).elementary(function, value(b)),
             Operation::Circle(a) => {
                 let Circle { cos, sin } = value(a).circle();
@@ -118,7 +126,7 @@ impl<'a> Propagation<'a> {
             Operation::Difference(..) if self.negated[a] == Some(b) => self.meet(b, -r / Interval::point(2.0)),
             Operation::Sum(..) => self.meet(a, r - y) && self.meet(b, r - x),
             Operation::Difference(..) => self.meet(a, r + y) && self.meet(b, x - r),
-            Operation::Product(..) if a == b => match r.and(Interval::new(0.0, f64::INFINITY)) {
+            Operation::Product(..) if a == b => match r.and(not_negative()) {
                 Some(square) => {
                     let root = square.sqrt();
                     self.meet_any(a, [Some(root), Some(-root)])
@@ -130,9 +138,16 @@ impl<'a> Propagation<'a> {
             }
             Operation::Quotient(..) | Operation::Part(..) => self.meet(a, r * y) && self.meet(b, x / r),
             Operation::Negation(_) => self.meet(a, -r),
-            Operation::Root(_) => match r.and(Interval::new(0.0, f64::INFINITY)) {
+            Operation::Root(_) => match r.and(not_negative()) {
                 Some(root) => self.meet(a, root.squared()),
                 None => false,
+            },
+            Operation::Elementary(Elementary::Ln, ..) => {
+                self.meet(a, r.elementary(Elementary::Exp, r).and(not_negative()).unwrap_or(not_negative()))
+            }
+            Operation::Elementary(Elementary::Exp, ..) => match r.and(not_negative()) {
+                Some(power) if power.high() > 0.0 => self.meet(a, logarithm(power)),
+                _ => false,
             },
             Operation::Circle(_) => {
                 let point = Circle { cos: r, sin: self.registers[result + 1] };
@@ -147,6 +162,18 @@ impl<'a> Propagation<'a> {
             | Operation::LessProduct(..) => true,
         }
     }
+}
+
+/// The numbers that have a root.
+fn not_negative() -> Interval {
+    Interval::new(0.0, f64::INFINITY)
+}
+
+/// The logarithms of the positive numbers of a range without negative ones.
+fn logarithm(range: Interval) -> Interval {
+    let of = |end: f64| Interval::point(end).elementary(Elementary::Ln, Interval::point(1.0));
+    let low = if range.low() > 0.0 { of(range.low()).low() } else { f64::NEG_INFINITY };
+    Interval::new(low, if range.high().is_finite() { of(range.high()).high() } else { f64::INFINITY })
 }
 
 /// Arcs of more turns than this are not examined one by one.
@@ -211,6 +238,21 @@ mod tests {
         assert!(at[2].size() < 0.32 && at[2].contains(0.31), "{at:?}");
         let mut none = [Interval::new(2.1, 2.5), Interval::new(-9.0, 9.0), Interval::new(-3.0, 3.0)];
         assert!(!propagation.narrow(&mut none));
+    }
+
+    #[test]
+    fn where_a_root_or_a_logarithm_has_no_value_there_is_no_zero() {
+        let [x] = symbols(["x"]);
+        let root = Tape::record(&[x], &[Sym::ONE - x.sqrt()]).expect("it has values");
+        let logarithm = Tape::record(&[x], &[x.elementary(Elementary::Ln, x) + Sym::ONE]).expect("it has values");
+        let third = (x.elementary(Elementary::Ln, x) / Sym::int(3)).elementary(Elementary::Exp, x) - Sym::int(2);
+        let power = Tape::record(&[x], &[third]).expect("it has values");
+        for (tape, zero) in [(&root, 1.0), (&logarithm, (-1.0_f64).exp()), (&power, 8.0)] {
+            let mut propagation = Propagation::of(tape);
+            assert!(!propagation.narrow(&mut [Interval::new(-9.0, -1e-9)]));
+            let mut at = [Interval::new(-9.0, 9.0)];
+            assert!(propagation.narrow(&mut at) && at[0].contains(zero) && at[0].width() < 1e-9, "{at:?}");
+        }
     }
 
     #[test]

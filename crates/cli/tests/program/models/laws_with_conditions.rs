@@ -157,6 +157,19 @@ fn methods_are_not_judged_on_families_and_this_is_printed() {
 }
 
 #[test]
+fn methods_are_judged_on_motions_in_touch_with_a_smooth_contact() {
+    let scene = Scene::of(
+        "parabola.toml",
+        "title = \"Parabola\"\ngravity = \"-(10 m/s^2)*N.y\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
+         [bodies]\np = { centre = \"O + x*N.x + y*N.y\", mass = \"1 kg\" }\n[[contact]]\nof = \"p\"\n\
+         gap = \"y - (0.2 1/m)*x^2\"\nnormal = \"N.y - (0.4 1/m)*x*N.x\"\n[run]\nspan = \"1 s\"\n",
+    );
+    let told = printed(&["numerical-stability", &scene.path(), "--range", "x=-1..1.1", "--range", "y=-1..1"]);
+    // x'' = -2 m g a x/m: 2 rad/s
+    assert!(told.contains("eigenvalues, 1/s: ±2.0000000000i") && !told.contains("not known"), "{told}");
+}
+
+#[test]
 fn a_place_that_coordinates_do_not_describe_gets_no_verdict() {
     let scene = Scene::of(
         "spherical.toml",

@@ -29,7 +29,7 @@ fn a_family_is_told_with_its_symmetry() {
         [energies]\nkinetic = \"m/2*(x'^2 + y'^2)\"\npotential = \"k*((x^2 + y^2)/a^2 - 1)^2\"\n[run]\nspan = \"1 s\"\n";
     std::fs::write(&hat, text).expect("it can be written");
     let path = hat.to_string_lossy().into_owned();
-    refused(&["stationary", &path], "`x`, `y` are no angle of a circle alone: ranges in SI units are needed");
+    refused(&["stationary", &path], "`x`, `y` need a range in SI units");
     let told = printed(&["stationary", &path, "--range", "x=-2..2", "--range", "y=-2..2"]);
     assert!(told.contains("one steady motion, alone in its box, and one family; there are no others"), "{told}");
     assert!(told.contains("a family, a curve: x within -1"), "{told}");

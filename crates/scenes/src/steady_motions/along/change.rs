@@ -4,7 +4,7 @@ use super::Sample;
 use crate::linearisation::{Stability, Standing};
 use crate::steady_motions::spectrum::{EnclosedSpectrum, EnclosedVerdict};
 use crate::steady_motions::stability::SteadyStability;
-use crate::steady_motions::{Range, SteadyMotion, SteadyMotions};
+use crate::steady_motions::{Range, SteadyMotion, SteadyMotions, Unknown};
 
 /// If two motions merge and a third is closer than this fraction of the ranges, all three merge.
 const TOGETHER: f64 = 1e-2;
@@ -33,6 +33,8 @@ pub enum Change {
     Directions,
     /// A motion leaves the ranges, or enters them.
     Leaves,
+    /// Motions appear or vanish at a place at which the coordinates are singular, such as the axis about which a bead circles.
+    AtSingularPlace,
     /// A motion appears or vanishes within the ranges, since a condition changes or friction reaches its bound.
     Ends,
     /// Two or more motions leave the ranges, or enter them, at their ends.
@@ -75,6 +77,7 @@ fn unstable(motion: &SteadyMotion) -> usize {
             }
         }
         SteadyStability::Minimum
+        | SteadyStability::InTouch(_)
         | SteadyStability::AtCondition(_)
         | SteadyStability::MinimumOnSides
         | SteadyStability::HeldByFriction
@@ -83,22 +86,33 @@ fn unstable(motion: &SteadyMotion) -> usize {
     }
 }
 
+/// The number of motions next to the ranges, outside of them, at a value of the parameter; none where that is not known.
+pub(super) type Beyond<'a> = &'a dyn Fn(f64) -> Option<usize>;
+
 /// The change between two neighbouring samples, where usual eigenvalues have a typical size.
-pub(super) fn change(before: &Sample, after: &Sample, typical: f64) -> Change {
+pub(super) fn change(before: &Sample, after: &Sample, (typical, beyond): (f64, Beyond<'_>)) -> Change {
     let (fewer, more) = match before.found.motions.len() <= after.found.motions.len() {
         true => (before, after),
         false => (after, before),
     };
-    let leaving = at_ends(more).saturating_sub(at_ends(fewer));
+    let gap = more.found.motions.len() - fewer.found.motions.len();
     let [(alone, families), (others, other_families)] = [kinds(&before.found), kinds(&after.found)];
     if families != other_families {
         return if alone == others { Change::Families } else { Change::Several };
     }
-    match more.found.motions.len() - fewer.found.motions.len() {
+    let touching = at_ends(more).saturating_sub(at_ends(fewer));
+    // motions that move fast leave a range between two values before they touch its end
+    let leaving = match gap {
+        0 => 0,
+        _ if touching >= gap => touching,
+        _ => beyond(fewer.value).zip(beyond(more.value)).map_or(touching, |(out, known)| out.saturating_sub(known)),
+    };
+    match gap {
+        1.. if at_singular_places(more) == at_singular_places(fewer) + gap => Change::AtSingularPlace,
         0 => exchanged(before, after, typical),
         1 if leaving > 0 => Change::Leaves,
         1 => Change::Ends,
-        gap if leaving >= gap => Change::LeaveTogether,
+        _ if leaving >= gap => Change::LeaveTogether,
         2 if leaving == 0 && has_three_together(more) => Change::Pitchfork,
         2 if leaving == 0 => Change::Fold,
         _ => Change::Several,
@@ -123,7 +137,9 @@ fn exchanged(before: &Sample, after: &Sample, typical: f64) -> Change {
 
 /// The eigenvalues of a motion, by enclosures where these have bounds; none where the energy alone decided.
 fn eigenvalues(motion: &SteadyMotion) -> Vec<[f64; 2]> {
-    let SteadyStability::Linear(found) = &motion.stability else { return Vec::new() };
+    let (SteadyStability::Linear(found) | SteadyStability::InTouch(found)) = &motion.stability else {
+        return Vec::new();
+    };
     match &found.enclosed {
         Ok(enclosed) if enclosed.discs.iter().all(|disc| disc.radius.is_finite()) => {
             enclosed.discs.iter().flat_map(|disc| std::iter::repeat_n(disc.centre, disc.count)).collect()
@@ -162,14 +178,25 @@ fn at_ends(sample: &Sample) -> usize {
 /// Whether three motions lie close together.
 fn has_three_together(sample: &Sample) -> bool {
     let SteadyMotions { unknowns, motions, .. } = &sample.found;
-    let is_near = |a: &SteadyMotion, b: &SteadyMotion| {
-        let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
-        unknowns.iter().zip(a.enclosure.iter().zip(&b.enclosure)).all(|(unknown, (a, b))| {
-            let gap = (middle(*a) - middle(*b)).abs();
-            let whole = unknown.range.to - unknown.range.from;
-            let around = if unknown.is_circle { (2.0 * std::f64::consts::PI - gap).abs() } else { gap };
-            gap.min(around) < TOGETHER * whole
-        })
-    };
+    let is_near = |a: &SteadyMotion, b: &SteadyMotion| are_near(unknowns, &a.enclosure, &b.enclosure);
     motions.iter().any(|own| motions.iter().filter(|other| is_near(own, other)).count() >= 3)
+}
+
+/// The number of motions close to places at which the coordinates are singular.
+fn at_singular_places(sample: &Sample) -> usize {
+    let SteadyMotions { unknowns, motions, singular_places, .. } = &sample.found;
+    let is_there =
+        |motion: &&SteadyMotion| singular_places.iter().any(|place| are_near(unknowns, place, &motion.enclosure));
+    motions.iter().filter(is_there).count()
+}
+
+/// Whether enclosures of unknowns lie close together.
+fn are_near(unknowns: &[Unknown], a: &[[f64; 2]], b: &[[f64; 2]]) -> bool {
+    let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
+    unknowns.iter().zip(a.iter().zip(b)).all(|(unknown, (a, b))| {
+        let gap = (middle(*a) - middle(*b)).abs();
+        let whole = unknown.range.to - unknown.range.from;
+        let around = if unknown.is_circle { (2.0 * std::f64::consts::PI - gap).abs() } else { gap };
+        gap.min(around) < TOGETHER * whole
+    })
 }

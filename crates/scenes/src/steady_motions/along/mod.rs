@@ -7,7 +7,7 @@ mod change;
 
 pub use change::Change;
 
-use super::{NoSteadyMotions, Orientation, Range, SteadyMotions, SteadySearch};
+use super::{NoSteadyMotions, Orientation, Range, SteadyMotion, SteadyMotions, SteadySearch, Unknown};
 use crate::admissible::impossible;
 pub(super) use change::kinds;
 use change::{change, largest_eigenvalue};
@@ -45,6 +45,9 @@ pub struct Along {
 
 /// The part of the range to which a change is enclosed.
 const ENCLOSED: f64 = 1e-9;
+
+/// The part of its width by which a range is wider on each side, to find motions that have left it.
+const WIDER: f64 = 1e-3;
 
 /// Changes closer to each other than this fraction of the range count as one, since stability is not decided close to a change.
 const ONE: f64 = 1e-6;
@@ -92,7 +95,12 @@ impl Along {
         for pair in complete.windows(2).filter(|pair| kinds(&pair[0].found) != kinds(&pair[1].found)) {
             brackets.extend(enclosed([pair[0].clone(), pair[1].clone()], size, &at));
         }
-        let bifurcations = merged(brackets, ONE * size.abs(), typical(&samples));
+        let beyond = |value: f64| {
+            let found = found_at(model, &asked.wider(WIDER), &[(name, value)], || (goes_on.borrow_mut())()).ok()?;
+            found.is_complete().then(|| outside(&found, asked))
+        };
+        let bifurcations =
+            merged(brackets, ONE * size.abs(), &|before, after| change(before, after, (typical(&samples), &beyond)));
         let mut visited = visited.into_inner();
         visited.sort_by(|a, b| a.value.total_cmp(&b.value));
         Ok(Along { samples, left_out, visited, bifurcations })
@@ -160,8 +168,18 @@ fn enclosed(ends: [Sample; 2], size: f64, at: &impl Fn(f64) -> Result<Sample, No
     all
 }
 
-/// The changes in brackets; brackets that are closer together than `near` hold one. `typical` is the size of usual eigenvalues.
-fn merged(brackets: Vec<[Sample; 2]>, near: f64, typical: f64) -> Vec<Bifurcation> {
+/// The number of motions outside of the ranges of a search with narrower ones.
+fn outside(found: &SteadyMotions, asked: &SteadySearch) -> usize {
+    let leaves = |(unknown, [low, high]): (&Unknown, &[f64; 2])| {
+        let range = asked.range(&unknown.name).filter(|_| !unknown.is_circle);
+        range.is_some_and(|range| *high < range.from || *low > range.to)
+    };
+    let is_outside = |motion: &&SteadyMotion| found.unknowns.iter().zip(&motion.enclosure).any(leaves);
+    found.motions.iter().filter(is_outside).count()
+}
+
+/// The changes in brackets; brackets that are closer together than `near` hold one.
+fn merged(brackets: Vec<[Sample; 2]>, near: f64, change: &dyn Fn(&Sample, &Sample) -> Change) -> Vec<Bifurcation> {
     let mut merged: Vec<(Sample, Option<Sample>, Sample)> = Vec::new();
     for [before, after] in brackets {
         match merged.last_mut() {
@@ -175,11 +193,8 @@ fn merged(brackets: Vec<[Sample; 2]>, near: f64, typical: f64) -> Vec<Bifurcatio
     let told = merged.into_iter().map(|(before, at, after)| {
         let differs = |own: &Sample| [&before, &after].iter().all(|end| kinds(&own.found) != kinds(&end.found));
         let at = at.filter(differs);
-        let change = if kinds(&before.found) == kinds(&after.found) {
-            Change::AtValue
-        } else {
-            change(&before, &after, typical)
-        };
+        let change =
+            if kinds(&before.found) == kinds(&after.found) { Change::AtValue } else { change(&before, &after) };
         Bifurcation { before, at, after, change }
     });
     told.filter(|one| one.change != Change::AtValue || one.at.is_some()).collect()

@@ -3,6 +3,7 @@
 //!
 //! A family is enclosed in pieces, in each of which there is one motion, and no other, for every value of its parameters.
 
+mod adjoining;
 mod columns;
 mod ends;
 mod identities;
@@ -15,6 +16,7 @@ use super::equations::{NO_CASE, SteadyEquations};
 use super::friction::Friction;
 use super::search::{Boxes, Tangents};
 use super::turns_to_zero;
+use adjoining::Sweep;
 use algebra::boxes::Equations;
 use ends::{Ends, Extent};
 use field::Interval;
@@ -46,7 +48,7 @@ pub struct Family {
 }
 
 impl Family {
-    /// Whether pieces of two families have a place in common; of very many pieces the ranges decide.
+    /// Whether pieces of two families have a place in common.
     pub(super) fn touches(&self, other: &Self) -> bool {
         let near = |[low, high]: &[f64; 2]| JOINT * (1.0 + low.abs().max(high.abs()));
         let meet = |one: &[[f64; 2]], other: &[[f64; 2]]| {
@@ -55,10 +57,14 @@ impl Family {
             };
             one.iter().zip(other).all(at)
         };
-        self.dimension == other.dimension
-            && meet(&self.hull, &other.hull)
-            && (self.pieces.len() * other.pieces.len() > MOST_JOINED * MOST_JOINED
-                || self.pieces.iter().any(|(_, one)| other.pieces.iter().any(|(_, other)| meet(one, other))))
+        if self.dimension != other.dimension || !meet(&self.hull, &other.hull) {
+            return false;
+        }
+        let wider = |at: &[f64; 2]| [at[0] - near(at), at[1] + near(at)];
+        let all = self.pieces.iter().chain(&other.pieces).map(|(_, at)| at);
+        let sweep = Sweep::of(&all.clone().map(|at| at.iter().map(wider).collect()).collect::<Vec<_>>(), |_| false);
+        let (all, own): (Vec<&Vec<[f64; 2]>>, usize) = (all.collect(), self.pieces.len());
+        sweep.any_pair(|a, b| (a < own) != (b < own) && meet(all[a], all[b]))
     }
 
     /// Both as one family; they touch.
@@ -79,9 +85,6 @@ impl Family {
         self
     }
 }
-
-/// More pieces than these are taken for one family.
-const MOST_JOINED: usize = 3_000;
 
 /// The number of motions of a family whose stability is tested.
 const MEMBERS: usize = 7;
@@ -216,20 +219,13 @@ fn joined(
     fewer: &mut Fewer<'_, '_>,
     goes_on: &mut dyn FnMut() -> bool,
 ) -> Vec<Family> {
-    let mut of: Vec<usize> = (0..all.len()).collect();
-    if all.len() > MOST_JOINED {
-        of.fill(0);
-    } else {
-        for i in 0..all.len() {
-            for j in 0..i {
-                let (one, other) = (of[i], of[j]);
-                let is_alike = all[i].piece.parameters.len() == all[j].piece.parameters.len();
-                if one != other && is_alike && touch(equations, &all[i].piece, &all[j].piece) {
-                    of.iter_mut().filter(|group| **group == one).for_each(|group| *group = other);
-                }
-            }
-        }
-    }
+    let positions = equations.unknowns.len();
+    let ends = |own: &OwnPiece| own.piece.enclosure[..positions].iter().map(|at| [at.low(), at.high()]).collect();
+    let sweep = Sweep::of(&all.iter().map(ends).collect::<Vec<_>>(), |k| equations.unknowns[k].is_circle);
+    let of = sweep.groups(|one, other| {
+        let [one, other] = [one, other].map(|own| &all[own].piece);
+        one.parameters.len() == other.parameters.len() && touch(equations, one, other)
+    });
     let mut groups: Vec<usize> = of.clone();
     groups.sort_unstable();
     groups.dedup();

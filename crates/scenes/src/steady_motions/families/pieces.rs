@@ -83,6 +83,9 @@ const STEPS: usize = 8;
 /// The width of a piece about its middle, relative to the change of the solutions along it.
 const WIDTHS: [f64; 3] = [1.25, 2.0, 4.0];
 
+/// The same relative to the change by the largest derivatives in a box.
+const OVER_BOX: [f64; 2] = [1.25, 2.0];
+
 /// If a narrowed box is smaller than this fraction of the box, it is narrowed again.
 const WORTH: f64 = 0.75;
 
@@ -180,22 +183,20 @@ fn examined(
         at = local.narrowed(&at)?;
         let mut end = None;
         if let Some(piece) = shown(equations, &local, &at) {
-            let is_covered = at.iter().zip(&piece.alone).all(|(at, alone)| at.is_part_of(*alone));
             let meets = at.iter().zip(&piece.enclosure).all(|(at, own)| at.and(*own).is_some());
             let holds = if meets { equations.holds(&piece.enclosure) } else { Some(false) };
             match holds {
-                Some(holds) if is_covered => {
+                Some(holds) => {
                     pieces.extend(holds.then_some(Piece { holds, ..piece }));
                     return None;
                 }
-                None if is_covered => match inner(equations, &piece, domain) {
+                None => match inner(equations, &piece, domain) {
                     Some(inner) => {
                         pieces.push(Piece { inner: Some(inner), ..piece });
                         return None;
                     }
                     None => end = Some(piece),
                 },
-                _ => {}
             }
         }
         let is_narrower = |((left, before), least): ((&Interval, &Interval), &f64)| {
@@ -225,7 +226,7 @@ fn blamed(equations: &mut dyn Underdetermined, parameters: &[usize], at: &[Inter
     least.map(|(_, k)| k)
 }
 
-/// A piece over the parameters of a box.
+/// A piece over the parameters of a box, with all solutions in this.
 fn shown(equations: &mut dyn Underdetermined, local: &Local, at: &[Interval]) -> Option<Piece> {
     let mut middle: Vec<f64> = at.iter().map(|part| part.middle()).collect();
     let mut last = None;
@@ -239,22 +240,25 @@ fn shown(equations: &mut dyn Underdetermined, local: &Local, at: &[Interval]) ->
         last = Some(near);
     }
     let near = last?;
-    // the change of the solutions along the parameters, which is at least rounding
-    let way = |row: usize| -> f64 {
-        let along = local.parameters.iter().map(|&k| near.entry(row, k).size() * 0.5 * at[k].width());
+    // the change of the solutions along the parameters, which is at least rounding: by their derivatives in the middle, and where an unknown
+    // turns there, by those in the whole box
+    let way = |by: &Local, row: usize| -> f64 {
+        let along = local.parameters.iter().map(|&k| by.entry(row, k).size() * 0.5 * at[k].width());
         along.sum::<f64>() + near.step[row].width()
     };
-    WIDTHS.into_iter().find_map(|width| {
+    let widths = WIDTHS.map(|width| (width, &near)).into_iter().chain(OVER_BOX.map(|width| (width, local)));
+    widths.into_iter().find_map(|(width, by)| {
         let mut alone = at.to_vec();
         for (row, &place) in local.dependent.iter().enumerate() {
             let rounding = 1e-14 * (1.0 + middle[place].abs());
-            let radius = width * (way(row) + 0.05 * at[place].width()) + rounding;
+            let radius = width * (way(by, row) + 0.05 * at[place].width()) + rounding;
             alone[place] = Interval::new(middle[place] - radius, middle[place] + radius);
         }
         let over = Local::with(equations, &alone, &local.parameters)?;
         let inside = over.krawczyk(&alone);
+        let covers = at.iter().zip(&alone).all(|(at, alone)| at.is_part_of(*alone));
         let is_inside = local.dependent.iter().zip(&inside).all(|(&place, inside)| inside.is_inside(alone[place]));
-        is_inside.then(|| {
+        (covers && is_inside).then(|| {
             let mut enclosure = alone.clone();
             local.dependent.iter().zip(&inside).for_each(|(&place, inside)| enclosure[place] = *inside);
             Piece { parameters: local.parameters.clone(), enclosure, alone, holds: false, inner: None }
@@ -317,10 +321,13 @@ pub(super) fn narrow(equations: &mut dyn Underdetermined, parameters: &[usize], 
 mod tests {
     use super::*;
 
-    /// x^2 + y^2 = 1
-    struct Circle;
+    /// A curve in the plane, by its equation and the derivatives of this.
+    struct Curve {
+        value: fn(Interval, Interval) -> Interval,
+        slopes: fn(Interval, Interval) -> [Interval; 2],
+    }
 
-    impl Underdetermined for Circle {
+    impl Underdetermined for Curve {
         fn unknowns(&self) -> [usize; 2] {
             [2, 0]
         }
@@ -338,19 +345,32 @@ mod tests {
         }
 
         fn values(&mut self, at: &[Interval], values: &mut [Interval]) {
-            values[0] = at[0] * at[0] + at[1] * at[1] - Interval::point(1.0);
+            values[0] = (self.value)(at[0], at[1]);
         }
 
         fn slopes(&mut self, at: &[Interval], slopes: &mut [Interval]) {
-            slopes.copy_from_slice(&[at[0] * Interval::point(2.0), at[1] * Interval::point(2.0)]);
+            slopes.copy_from_slice(&(self.slopes)(at[0], at[1]));
         }
+    }
+
+    const TWO: fn() -> Interval = || Interval::point(2.0);
+
+    #[test]
+    fn a_curve_with_a_vertex_in_the_middle_of_a_flat_box_is_one_piece() {
+        let mut vertex = Curve { value: |x, y| y - x * x / TWO(), slopes: |x, _| [-x, Interval::point(1.0)] };
+        let domain = vec![Interval::new(-1.0, 1.0), Interval::new(0.0, 1.0)];
+        let flat = vec![Interval::new(-1e-4, 1e-4), Interval::new(0.0, 5e-9)];
+        let found = pieces(&mut vertex, &domain, vec![flat], Limits { boxes: 20, smallest: 1e-6 }, || true);
+        assert!(found.undecided.is_empty() && found.pieces.len() == 1, "{found:?}");
     }
 
     #[test]
     fn a_circle_lies_in_pieces_and_nothing_is_undecided() {
+        let mut circle =
+            Curve { value: |x, y| x * x + y * y - Interval::point(1.0), slopes: |x, y| [x * TWO(), y * TWO()] };
         let domain = vec![Interval::new(-2.0, 1.7); 2];
         let limits = Limits { boxes: 5_000, smallest: 1e-6 };
-        let found = pieces(&mut Circle, &domain, vec![domain.clone()], limits, || true);
+        let found = pieces(&mut circle, &domain, vec![domain.clone()], limits, || true);
         assert!(found.undecided.is_empty(), "{found:?}");
         assert!(found.pieces.len() < 200);
         for degree in 0..360 {

@@ -8,6 +8,9 @@ const INTERVALS: usize = 8;
 /// The largest number of steps to narrow a bracket.
 const STEPS: usize = 48;
 
+/// Parts of a bracket that are tried one after the other.
+const PARTS: [f64; 5] = [0.5, 0.381_966, 0.618_034, 0.236, 0.764];
+
 /// A bracket of this width, in rounding errors, is not narrowed further.
 const ROUNDINGS: f64 = 4.0;
 
@@ -111,9 +114,11 @@ fn narrowed(
             true => (2.0 * part).max(least).min(0.5),
             false => 1.0 - (2.0 * (1.0 - part)).max(least).min(0.5),
         };
-        let tried = [low.value + part * way, low.value + 0.5 * way];
-        let Some(found) = tried.into_iter().find_map(|value| {
-            judged(value).ok().filter(|found| found.is_certain() || found.is_like(&low) || found.is_like(&high))
+        // where the middle has no enclosures, as where motions merge at a round number, other places may have some
+        let Some(found) = [part].into_iter().chain(PARTS).find_map(|part| {
+            judged(low.value + part * way)
+                .ok()
+                .filter(|found| found.is_certain() || found.is_like(&low) || found.is_like(&high))
         }) else {
             break;
         };

@@ -3,7 +3,7 @@
 use super::along::{ExactAlong, along};
 use super::{EnclosedSpectrum, MOST_STATES, NotEnclosed, layout};
 use crate::conservation::keeps_energy;
-use crate::linearisation::VariedEquations;
+use crate::linearisation::{VariedEquations, law_at_rest};
 use crate::steady_motions::conditions::Case;
 use crate::steady_motions::equations::SteadyEquations;
 use crate::steady_motions::quasi_velocities::Extended;
@@ -28,7 +28,8 @@ impl EnclosedSpectrum {
             return Err(NotEnclosed::Large { states, most: MOST_STATES });
         }
         let (model, state) = &Extended::about(model, state);
-        let varied = VariedEquations::with_inputs(model, &[], &[]).map_err(|_| NotEnclosed::NoEquations)?;
+        let varied = VariedEquations::with_inputs(&law_at_rest(model, state), &[], &[]);
+        let varied = varied.map_err(|_| NotEnclosed::NoEquations)?;
         let cases = cases_at(&varied, state);
         let equations =
             SteadyEquations::near(model, state, &cases).map_err(|why| NotEnclosed::NotSought(why_not(&why)))?;

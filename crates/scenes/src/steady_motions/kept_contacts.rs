@@ -1,0 +1,32 @@
+//! The law in a combination of cases in which no contact rubs: contacts in touch are constraints, and others are none.
+
+use super::conditions::Case;
+use crate::letters::Letters;
+use model::equations::vanishes;
+use model::{Contact, Model, Trace};
+use std::borrow::Cow;
+
+/// The model while contacts keep the state that they have in a combination; none where one with friction is in touch.
+pub fn with_kept_contacts<'a>(model: &'a Model, cases: &[Case]) -> Option<Cow<'a, Model>> {
+    if model.contacts.is_empty() {
+        return Some(Cow::Borrowed(model));
+    }
+    let touch: Vec<bool> = cases.get(model.switches.len()..)?.iter().map(|case| *case != Case::Holds).collect();
+    let rubs = |(contact, touches): (&Contact, &bool)| *touches && has_friction(model, contact);
+    if model.contacts.iter().zip(&touch).any(rubs) {
+        return None;
+    }
+    model.with_kept_contacts(&touch).map(Cow::Owned)
+}
+
+/// Whether the coefficient of friction is other than zero.
+fn has_friction(model: &Model, contact: &Contact) -> bool {
+    contact.friction.is_some_and(|friction| {
+        symbolic::apart(|| {
+            let trace = Trace::of(model);
+            let state = [&trace.coordinates[..], &trace.speeds].concat();
+            let own = Letters::with_decimals(trace.time, &state).put_into(&trace, &[trace.scalar(friction)]);
+            !own.into_iter().all(vanishes)
+        })
+    })
+}
