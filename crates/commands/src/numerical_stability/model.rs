@@ -97,6 +97,7 @@ fn judged<'a>(asked: &Args, found: &'a Found, (law, is_at_condition): (&Model, b
                 motion.stability,
                 SteadyStability::Linear(_)
                     | SteadyStability::InTouch(_)
+                    | SteadyStability::MinimumWithLoss
                     | SteadyStability::Minimum
                     | SteadyStability::Falls(_)
                     | SteadyStability::FallsOdd(_)

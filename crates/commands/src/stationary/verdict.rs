@@ -21,6 +21,9 @@ pub(super) fn stability(motion: &SteadyMotion, found: &SteadyMotions) -> String 
              (Routh)",
             cyclic.join(", ")
         ),
+        SteadyStability::MinimumWithLoss => {
+            format!("stable, by enclosures: {energy} has a strict minimum, and dampers lessen the energy (Lagrange, Dirichlet)")
+        }
         SteadyStability::Falls(count) => {
             format!("unstable, by enclosures: {energy} decreases in {}", directions(*count))
         }
@@ -129,9 +132,10 @@ fn fades(linear: &Linear, cyclic: usize) -> bool {
 /// The stability of a motion in a word, and whether enclosures show it.
 pub fn verdict(motion: &SteadyMotion, cyclic: &[String]) -> (&'static str, bool) {
     match &motion.stability {
-        SteadyStability::Minimum | SteadyStability::MinimumOnSides | SteadyStability::HeldByFriction => {
-            ("stable", true)
-        }
+        SteadyStability::Minimum
+        | SteadyStability::MinimumWithLoss
+        | SteadyStability::MinimumOnSides
+        | SteadyStability::HeldByFriction => ("stable", true),
         SteadyStability::Falls(_)
         | SteadyStability::FallsOdd(_)
         | SteadyStability::FallsOnSide(_)

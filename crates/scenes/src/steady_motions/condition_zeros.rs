@@ -103,7 +103,8 @@ impl Lines {
     /// The zero between two places with different signs; none at a pole.
     fn zero_between(&self, base: &[f64], [mut low, mut high]: [f64; 2]) -> Option<f64> {
         let ends = [low, high].map(|at| self.condition(base, at));
-        if !(ends[0] * ends[1] < 0.0) {
+        let changes_sign = ends[0] * ends[1] < 0.0;
+        if !changes_sign {
             return None;
         }
         for _ in 0..HALVINGS {

@@ -206,9 +206,9 @@ fn sought(letter: Sym, place: usize, range: Range) -> Unknown {
 const SHARE: Range = Range { from: -1.0, to: 1.0 };
 
 /// The value of an expression that no letter changes.
-fn constant(expression: Sym) -> Option<f64> {
+pub(super) fn constant(expression: Sym) -> Option<f64> {
     let is_constant = expression.symbols_of().into_iter().all(|own| vanishes(expression.diff(own)));
-    expression.evaluate(&|_| Some(ANYWHERE)).ok().filter(|value: &f64| is_constant && value.abs() > ROUNDING)
+    expression.evaluate(&|_| Some(ANYWHERE)).ok().filter(|_| is_constant)
 }
 
 /// A value for letters that change nothing.
@@ -239,8 +239,8 @@ fn is_continuous(rows: &Rows, values: &[Sym], (letter, value): (Sym, Sym)) -> bo
         let mut cases: Vec<(Sym, Sym)> = Vec::new();
         for (&other, of_other) in others() {
             match constant(of_other.substitute(&there)) {
-                Some(number) if number > 0.0 => cases.push((other, Sym::ONE)),
-                Some(number) if number < 0.0 => cases.push((other, Sym::ZERO)),
+                Some(number) if number > ROUNDING => cases.push((other, Sym::ONE)),
+                Some(number) if number < -ROUNDING => cases.push((other, Sym::ZERO)),
                 _ => {}
             }
         }

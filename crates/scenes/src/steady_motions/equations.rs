@@ -57,6 +57,8 @@ pub(super) struct SteadyEquations {
     pub reactions: usize,
     /// The energy that is kept where the loads have a potential energy.
     pub energy_integral: Option<EnergyIntegral>,
+    /// Whether dampers lessen the energy, and everything else keeps it.
+    pub decays: bool,
     /// Whether an equation has no unknowns and does not hold.
     pub is_unbalanced: bool,
     /// Coordinates that are unknowns.
@@ -320,6 +322,7 @@ impl SteadyEquations {
             .filter(|(place, contact)| contact.friction.is_some() && cases[*place] != Case::Holds)
             .map(|(place, _)| place)
             .collect();
+        let energy = rows.energy_integral.filter(|_| rubbing.is_empty());
         let (places, rates): (Vec<usize>, Vec<Sym>) = rows.determined.iter().copied().unzip();
         let rates = tapes::recorded(&letters, &substitute_all(&substitute_all(&rates, &at_rest), &known))?;
         let cyclic_places: Vec<usize> = (0..n).filter(|&k| is_cyclic[k]).collect();
@@ -352,7 +355,8 @@ impl SteadyEquations {
             state,
             reactions: multipliers.len(),
             is_unbalanced,
-            energy_integral: rows.energy_integral.filter(|_| rubbing.is_empty()),
+            energy_integral: energy.filter(|energy| energy.is_kept),
+            decays: energy.is_some_and(|energy| !energy.is_kept),
             rubbing,
             tapes,
             by_sums,

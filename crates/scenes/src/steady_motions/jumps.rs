@@ -42,7 +42,8 @@ pub(super) fn at_jump(
     if along.low() > 0.0 && n == 1 {
         return Some(SteadyStability::FallsOnSide(1));
     }
-    if !(along.high() < 0.0) || equations.energy_integral.is_none() {
+    let (holds, keeps_energy) = (along.high() < 0.0, equations.energy_integral.is_some() || equations.decays);
+    if !(holds && keeps_energy) {
         return None;
     }
     let half = Interval::point(0.5);

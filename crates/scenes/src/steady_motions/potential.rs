@@ -7,6 +7,7 @@
 //! Q is the gradient of an energy about every position, -V_q. In frames that turn at a given rate T = T2 + T1 + T0 by powers of the speeds:
 //! Jacobi's integral T2 + V - T0 is kept, and T1 gives gyroscopic forces, which do no work.
 
+use super::conditions::constant;
 use model::Trace;
 use model::equations::{Equation, vanishes};
 use symbolic::{Sym, substitute_all};
@@ -21,9 +22,11 @@ pub(super) struct EnergyIntegral {
     pub is_of_jacobi: bool,
     /// Whether gyroscopic forces act on small motions about rest.
     pub is_gyroscopic: bool,
+    /// Whether it is constant; otherwise linear dampers lessen it.
+    pub is_kept: bool,
 }
 
-/// The integral where the loads behind residuals without accelerations have a potential energy, T over the same letters. The reactions of
+/// The energy where the loads behind residuals without accelerations have a potential energy but for linear dampers, T over the same letters. The reactions of
 /// constraints and of contacts are left out: without friction they do no work.
 pub(super) fn energy_integral(
     trace: &Trace<'_>,
@@ -59,14 +62,35 @@ pub(super) fn energy_integral(
         })
         .collect();
     let resting = substitute_all(&loads, &at_rest);
-    let holds_no_speeds = loads.iter().zip(&resting).all(|(load, resting)| vanishes(*load - *resting));
-    if !(holds_no_speeds && is_gradient(&resting, coordinates)) {
+    let of_speeds: Vec<Sym> = loads.iter().zip(&resting).map(|(load, resting)| *load - *resting).collect();
+    let is_kept = of_speeds.iter().all(|load| vanishes(*load));
+    if !(is_kept || take_power(&of_speeds, speeds)) || !is_gradient(&resting, coordinates) {
         return None;
     }
     let linear: Vec<Sym> = speeds.iter().map(|&speed| energy.diff(speed).substitute(&at_rest)).collect();
     Some(EnergyIntegral {
         is_of_jacobi: !vanishes(energy.substitute(&at_rest)),
         is_gyroscopic: !is_gradient(&linear, coordinates),
+        is_kept,
+    })
+}
+
+/// Rounding of sums of decimals, relative to them.
+const ROUNDING: f64 = 1e-13;
+
+/// Whether the power of loads is a quadratic form of the speeds with constant coefficients, and nowhere positive: each diagonal entry
+/// outweighs the others of its row, as of dampers of coordinates and between two of them.
+fn take_power(loads: &[Sym], speeds: &[Sym]) -> bool {
+    let power = loads.iter().zip(speeds).fold(Sym::ZERO, |sum, (load, speed)| sum + *load * *speed);
+    let row = |i: usize| -> Option<Vec<f64>> {
+        let slope = power.diff(speeds[i]);
+        speeds.iter().map(|&speed| constant(slope.diff(speed))).collect()
+    };
+    (0..speeds.len()).all(|i| {
+        row(i).is_some_and(|row| {
+            let others: f64 = (0..row.len()).filter(|&j| j != i).map(|j| row[j].abs()).sum();
+            row[i] <= 0.0 && -row[i] >= others * (1.0 - ROUNDING)
+        })
     })
 }
 

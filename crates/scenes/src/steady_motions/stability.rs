@@ -24,6 +24,8 @@ pub enum SteadyStability {
     /// The potential energy, in frames that turn at a given rate less the kinetic energy at rest in them (Jacobi), and amended by the kinetic energy of cyclic coordinates at the momenta that they have there, has a strict minimum in
     /// every direction that constraints leave: stable in all but cyclic coordinates (Lagrange and Dirichlet, Routh).
     Minimum,
+    /// The potential energy has a strict minimum, and dampers lessen the energy: stable (Lagrange and Dirichlet).
+    MinimumWithLoss,
     /// At rest without gyroscopic forces, and the potential energy falls in so many directions: unstable, since frequencies there are
     /// imaginary.
     Falls(usize),
@@ -136,8 +138,21 @@ pub(super) fn judged(
             _ => {}
         }
     }
+    let is_least = is_whole && equations.decays && equations.cyclic.is_empty() && inertia.is_positive();
+    let is_least = is_least
+        && match degenerate {
+            Some(own) => own.falls(equations, boxes) == Some(0),
+            None => falls(equations, boxes, enclosure) == Some(0),
+        };
     if is_open {
-        let side = if inertia.is_positive() { drives_away(equations, boxes, enclosure, n) } else { None };
+        let side = match inertia.is_positive() {
+            true if is_least => {
+                let is_regular = equations.reactions == 0 && boxes.has_regular_sides(enclosure);
+                Some(OnSide { falls: 0, is_regular })
+            }
+            true => drives_away(equations, boxes, enclosure, n),
+            false => None,
+        };
         return SteadyStability::AtCondition(side);
     }
     let Some(kept) = with_kept_contacts(model, &equations.cases) else { return SteadyStability::AtCondition(None) };
@@ -150,7 +165,12 @@ pub(super) fn judged(
     match varied.about(0.0, state) {
         Ok(linear) => {
             let enclosed = EnclosedSpectrum::of(&kept, equations, &varied, (enclosure, state), keeps_energy);
-            let grows = matches!(enclosed.as_ref().map(EnclosedSpectrum::verdict), Ok(EnclosedVerdict::Unstable(_)));
+            let verdict = enclosed.as_ref().map(EnclosedSpectrum::verdict);
+            let grows = matches!(verdict, Ok(EnclosedVerdict::Unstable(_)));
+            let fades = matches!(verdict, Ok(EnclosedVerdict::Asymptotic)) && !presses(model, equations);
+            if is_least && !(grows || fades) {
+                return SteadyStability::MinimumWithLoss;
+            }
             let found = Box::new(Eigenvalues { linear, enclosed });
             // motions in touch that grow are motions of the system: near the motion the contact presses
             if presses(model, equations) && !grows {

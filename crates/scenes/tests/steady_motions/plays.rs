@@ -89,7 +89,13 @@ fn a_potential_that_falls_on_one_side_of_a_kink_makes_a_motion_unstable() {
             .stability
     };
     assert!(matches!(damped("(4 N/m)*x"), SteadyStability::FallsOnSide(1)));
-    assert!(matches!(damped("-(4 N/m)*x"), SteadyStability::AtCondition(None)));
+    // nor does it end a minimum; a fed motion is not judged by the energy
+    assert!(matches!(damped("-(4 N/m)*x"), SteadyStability::MinimumOnSides));
+    let fed = block(&format!(
+        "[[force]]\nalong = \"x\"\nis = \"if(x > (0 m), -(4 N/m)*x, -(1 N/m)*x)\"\n{}",
+        damper.replace("-(9", "(9")
+    ));
+    assert!(matches!(only(&fed).stability, SteadyStability::AtCondition(None)));
 }
 
 /// A force that vanishes with the square of the distance: the linear equations are zero, and the order of the zero decides.

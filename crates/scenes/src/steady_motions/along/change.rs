@@ -77,6 +77,7 @@ fn unstable(motion: &SteadyMotion) -> usize {
             }
         }
         SteadyStability::Minimum
+        | SteadyStability::MinimumWithLoss
         | SteadyStability::InTouch(_)
         | SteadyStability::AtCondition(_)
         | SteadyStability::MinimumOnSides
