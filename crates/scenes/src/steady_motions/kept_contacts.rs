@@ -19,6 +19,13 @@ pub fn with_kept_contacts<'a>(model: &'a Model, cases: &[Case]) -> Option<Cow<'a
     model.with_kept_contacts(&touch).map(Cow::Owned)
 }
 
+/// The model without its outputs, which may have kinks of their own and do not act on motions.
+pub(super) fn without_outputs(model: &Model) -> Model {
+    let mut without = model.clone();
+    without.outputs.clear();
+    without
+}
+
 /// Whether the coefficient of friction is other than zero.
 fn has_friction(model: &Model, contact: &Contact) -> bool {
     contact.friction.is_some_and(|friction| {

@@ -8,7 +8,7 @@ use super::equations::SteadyEquations;
 use super::friction::Friction;
 use super::inertia::Inertia;
 use super::jumps::at_jump;
-use super::kept_contacts::with_kept_contacts;
+use super::kept_contacts::{with_kept_contacts, without_outputs};
 use super::quasi_velocities::state_names;
 use super::search::Boxes;
 use super::spectrum::{EnclosedSpectrum, EnclosedVerdict, NotEnclosed};
@@ -156,6 +156,7 @@ pub(super) fn judged(
         return SteadyStability::AtCondition(side);
     }
     let Some(kept) = with_kept_contacts(model, &equations.cases) else { return SteadyStability::AtCondition(None) };
+    let kept = without_outputs(&kept);
     let kept = law_at_rest(&kept, state);
     // inputs have their values, with all derivatives of these
     let varied = match VariedEquations::with_inputs(&kept, &[], &[]) {

@@ -71,3 +71,27 @@ fn a_law_whose_derivative_jumps_has_a_kink() {
         assert!(EnclosedSpectrum::near(&model(&text), &[0.0, 0.0], || true).is_err(), "{force}");
     }
 }
+
+/// A particle in a plane on springs, with a drag that grows with the square of its speed.
+#[test]
+fn a_drag_with_the_length_of_the_velocity_has_no_part_in_the_linear_equations_at_rest() {
+    let verdict = |stiffness: &str, drag: &str| {
+        let text = format!(
+            "title = \"Plane\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n[points]\nP = \"O + x*N.x + y*N.y\"\n[bodies]\np = {{ centre = \"P\", mass = \"1 kg\" }}\n\
+             [[force]]\non = \"p\"\nis = \"-(2 N/m)*x*N.x - ({stiffness} N/m)*y*N.y - (1 N s/m)*velocity(P) - {drag}\"\n\
+             [outputs]\nspeed = \"norm(velocity(P))\"\n"
+        );
+        let found = SteadyMotions::of(&model(&text), &asked(&[("x", -1.0, 1.1), ("y", -1.0, 1.1)], 2_000), || true);
+        let found = found.unwrap_or_else(|why| panic!("{why:?}"));
+        let [motion] = &found.motions[..] else { panic!("{found:?}") };
+        match &motion.stability {
+            SteadyStability::Linear(own) => own.enclosed.as_ref().ok().map(EnclosedSpectrum::verdict),
+            _ => None,
+        }
+    };
+    let quadratic = "(3 kg/m)*norm(velocity(P))*velocity(P)";
+    assert_eq!(verdict("3", quadratic), Some(EnclosedVerdict::Asymptotic));
+    assert_eq!(verdict("-3", quadratic), Some(EnclosedVerdict::Unstable(1)));
+    // of first order: there is no derivative
+    assert_eq!(verdict("3", "(3 N s/m)*norm(velocity(P))*N.x"), None);
+}

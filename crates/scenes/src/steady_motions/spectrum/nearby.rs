@@ -6,6 +6,7 @@ use crate::conservation::keeps_energy;
 use crate::linearisation::{VariedEquations, law_at_rest};
 use crate::steady_motions::conditions::Case;
 use crate::steady_motions::equations::SteadyEquations;
+use crate::steady_motions::kept_contacts::without_outputs;
 use crate::steady_motions::quasi_velocities::Extended;
 use crate::steady_motions::search::Boxes;
 use crate::steady_motions::stability::is_smooth;
@@ -28,7 +29,7 @@ impl EnclosedSpectrum {
             return Err(NotEnclosed::Large { states, most: MOST_STATES });
         }
         let (model, state) = &Extended::about(model, state);
-        let varied = VariedEquations::with_inputs(&law_at_rest(model, state), &[], &[]);
+        let varied = VariedEquations::with_inputs(&law_at_rest(&without_outputs(model), state), &[], &[]);
         let varied = varied.map_err(|_| NotEnclosed::NoEquations)?;
         let cases = cases_at(&varied, state);
         let equations =
