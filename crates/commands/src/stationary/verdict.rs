@@ -22,7 +22,7 @@ pub(super) fn stability(motion: &SteadyMotion, found: &SteadyMotions) -> String 
             cyclic.join(", ")
         ),
         SteadyStability::MinimumWithLoss => {
-            format!("stable, by enclosures: {energy} has a strict minimum, and dampers lessen the energy (Lagrange, Dirichlet)")
+            format!("stable, by enclosures: {energy} has a strict minimum, and loads that depend on speeds supply no energy (Lagrange, Dirichlet)")
         }
         SteadyStability::Falls(count) => {
             format!("unstable, by enclosures: {energy} decreases in {}", directions(*count))
