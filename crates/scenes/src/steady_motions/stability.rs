@@ -155,7 +155,9 @@ pub(super) fn judged(
         };
         return SteadyStability::AtCondition(side);
     }
-    let Some(kept) = with_kept_contacts(model, &equations.cases) else { return SteadyStability::AtCondition(None) };
+    let Some(kept) = with_kept_contacts(model, &equations.cases) else {
+        return SteadyStability::Unknown(OF_CONTACTS.to_owned());
+    };
     let kept = without_outputs(&kept);
     let kept = law_at_rest(&kept, state);
     // inputs have their values, with all derivatives of these
@@ -183,6 +185,9 @@ pub(super) fn judged(
         Err(why) => SteadyStability::Unknown(why.to_string()),
     }
 }
+
+/// The reason for which the motion of a contact that slides is not judged.
+const OF_CONTACTS: &str = "friction depends on normal forces, which may change when contacts slide";
 
 /// The places of speeds as names.
 pub(super) fn names(model: &Model, places: &[usize]) -> Vec<String> {
