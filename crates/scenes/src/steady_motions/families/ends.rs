@@ -19,7 +19,7 @@ pub(super) struct Extent {
 }
 
 /// An end is known where both bounds of it differ by no more, in SI units and relative to the value.
-const KNOWN: f64 = 1e-9;
+const KNOWN: f64 = 1e-10;
 
 /// Halvings for each end.
 const HALVINGS: usize = 160;
