@@ -74,6 +74,7 @@ mod residual_differential;
 mod row_units;
 mod scene;
 mod size;
+mod spread_values;
 mod start;
 pub mod steady_motions;
 mod structural_index;

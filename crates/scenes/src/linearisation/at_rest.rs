@@ -4,7 +4,7 @@
 //! tested by numbers, at many states with smaller and smaller speeds.
 
 use crate::letters::Letters;
-use crate::steady_motions::spread;
+use crate::spread_values::spread;
 use model::equations::{Residuals, constraints_of};
 use model::{Model, Trace};
 use std::borrow::Cow;

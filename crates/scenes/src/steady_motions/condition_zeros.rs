@@ -3,7 +3,7 @@
 //! Along lines through many points, in the direction of one letter each, the zeros of the condition are found by halving, and the
 //! expressions are evaluated there. All that do vanish there do so to rounding: this is identified, and not proved.
 
-use super::values::spread;
+use crate::spread_values::spread;
 use symbolic::{Sym, Tape};
 
 /// Points through which there are lines.

@@ -58,7 +58,6 @@ pub use spectrum::{
     Side, ZeroReason,
 };
 pub use stability::{Eigenvalues, OnSide, SteadyStability};
-pub(crate) use values::spread;
 
 use crate::linearisation::{Linear, Standing, VariedEquations};
 use algebra::boxes::Zero;

@@ -257,8 +257,9 @@ fn shown(equations: &mut dyn Underdetermined, local: &Local, at: &[Interval]) ->
         let over = Local::with(equations, &alone, &local.parameters)?;
         let inside = over.krawczyk(&alone);
         let covers = at.iter().zip(&alone).all(|(at, alone)| at.is_part_of(*alone));
-        let is_inside = local.dependent.iter().zip(&inside).all(|(&place, inside)| inside.is_inside(alone[place]));
-        (covers && is_inside).then(|| {
+        let is_within = |(&place, inside): (&usize, &Interval)| inside.is_inside(alone[place]);
+        let is_inside = covers && local.dependent.iter().zip(&inside).all(is_within);
+        is_inside.then(|| {
             let mut enclosure = alone.clone();
             local.dependent.iter().zip(&inside).for_each(|(&place, inside)| enclosure[place] = *inside);
             Piece { parameters: local.parameters.clone(), enclosure, alone, holds: false, inner: None }
