@@ -3,6 +3,7 @@
 use crate::motion::Motion;
 use crate::refutation::{Refutation, sign};
 use claims::Condition;
+use model::Trace;
 use symbolic::{Dimension, Sym};
 
 /// The parameters of a model that a counterexample should have positive; those that it should have other than zero are the others.
@@ -24,6 +25,16 @@ const POSITIVE: [[i64; 4]; 8] = [
     [1, 2, -2, -2],
     [-1, -2, 4, 2],
 ];
+
+/// Parameters of a model that bodies and circuits have positive.
+pub(crate) fn positive_parameters(trace: &Trace<'_>) -> impl Iterator<Item = Condition> {
+    let of_body = trace.model.parameters.iter().filter(|parameter| is_of_body(parameter.dimension));
+    of_body.map(|parameter| Condition::Positive(Sym::symbol(&parameter.name)))
+}
+
+fn is_of_body(dimension: Dimension) -> bool {
+    POSITIVE.iter().any(|&[kg, m, s, a]| dimension == Dimension::of(kg, m, s, a))
+}
 
 /// Whether a symbol is a parameter that every body has: a mass, a moment of inertia, a length.
 pub(crate) fn is_of_every_body(symbol: Sym, motion: &Motion<'_, '_>) -> bool {
@@ -62,6 +73,11 @@ pub(crate) fn admissible(
         }
     }
     best
+}
+
+/// Whether every parameter that has a value at a counterexample is positive there.
+pub(crate) fn has_positive_parameters(found: &Refutation, motion: &Motion<'_, '_>) -> bool {
+    valued(found, motion).iter().all(|parameter| parameter.sign > 0)
 }
 
 /// The conditions that the parameters should satisfy at a counterexample, and whether each holds there.
@@ -110,8 +126,6 @@ struct Valued {
 
 /// The parameters that have a value at a point.
 fn valued(found: &Refutation, motion: &Motion<'_, '_>) -> Vec<Valued> {
-    let is_of_body =
-        |dimension: Dimension| POSITIVE.iter().any(|&[kg, m, s, a]| dimension == Dimension::of(kg, m, s, a));
     let all = motion.trace.model.parameters.iter().filter_map(|parameter| {
         let symbol = Sym::symbol(&parameter.name);
         let own = found.point.iter().find(|(known, _)| *known == symbol).map(|(_, value)| *value);

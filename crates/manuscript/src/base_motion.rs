@@ -1,5 +1,6 @@
 //! The motion about which an equation is linearised: its letters stay as they are only where the equations of motion give them no acceleration.
 
+use crate::admissible::admissible;
 use crate::consequence::is_apart;
 use crate::display::factors;
 use crate::equation::{Outcome, vanishes};
@@ -57,8 +58,12 @@ impl Residuals {
         let is_it = |signs: &[i8]| {
             signs.split_last().is_some_and(|(last, all)| *last != 0 && all.iter().all(|sign| *sign == 0))
         };
-        let found = search(&values, conditions, base, Effort::Whole, is_it);
-        found.or_else(|| self.failing_at_quarter_turns(expression, base, conditions))
+        let within = |conditions: &[Condition], effort: Effort| {
+            let found = search(&values, conditions, base, effort, is_it);
+            found.or_else(|| self.failing_at_quarter_turns(expression, base, conditions))
+        };
+        let found = within(conditions, Effort::Whole)?;
+        Some(admissible(found, base, conditions, |wanted| within(wanted, Effort::Part)))
     }
 
     /// Such a point at which one angle is a multiple of a right angle.

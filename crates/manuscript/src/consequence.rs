@@ -11,6 +11,7 @@ use crate::polynomial_factors::polynomial_factors;
 use crate::real_signs::vanishes_by_signs;
 use crate::refutation::Refutation;
 use crate::signs::shows;
+use crate::square_sums;
 use crate::verdict::neither;
 use claims::{Condition, Verdict};
 use model::equations::Equations;
@@ -259,7 +260,9 @@ pub(crate) fn is_apart_by(factor: Sym, motion: &Motion<'_, '_>, known: &[Conditi
         }
         _ => false,
     });
-    let shown = |e: Sym| shows(e, motion, known).is_some_and(|shown| shown.is_strict);
+    let shown = |e: Sym| {
+        shows(e, motion, known).is_some_and(|shown| shown.is_strict) || square_sums::shows(e, known) == Some(true)
+    };
     is_stated || shown(factor) || shown(-factor)
 }
 

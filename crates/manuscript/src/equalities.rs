@@ -34,17 +34,6 @@ pub(crate) fn equalities(
     let told = Told(letters);
     (finding.judged.text, finding.judged.latex) = lines.iter().map(|line| shown(line.own)).unzip();
     let trace = letters.trace;
-    if claim.kind == Kind::EquationOfMotion {
-        let moves = |line: &Line| {
-            let symbols = (line.model[0] - line.model[1]).symbols_of();
-            trace.accelerations.iter().any(|acceleration| symbols.contains(acceleration))
-        };
-        if !lines.iter().any(moves) {
-            let issue =
-                Issue::at(claim.formula.span.clone(), "no acceleration stands in this equation of motion", "here");
-            return Err(issue.accepted("kind = \"formula\" or \"identity\" for what holds no acceleration"));
-        }
-    }
     let mut by_constraints = Motion::by_constraints(trace);
     assume(&mut by_constraints, assumed)?;
     let mut along = match claim.kind {
@@ -126,6 +115,18 @@ pub(crate) fn equalities(
                 break;
             }
         }
+    }
+    let moves = |line: &Line| {
+        let symbols = (line.model[0] - line.model[1]).symbols_of();
+        trace.accelerations.iter().any(|acceleration| symbols.contains(acceleration))
+    };
+    // a wrong formula with a speed may have lost a dot
+    let has_rate =
+        |line: &Line| line.own.into_iter().flat_map(Sym::symbols_of).any(|own| own.to_string().ends_with('\''));
+    let has_lost_dot = finding.judged.verdict == Verdict::Refuted && lines.iter().any(has_rate);
+    if claim.kind == Kind::EquationOfMotion && !has_lost_dot && !lines.iter().any(moves) {
+        let issue = Issue::at(claim.formula.span.clone(), "no acceleration stands in this equation of motion", "here");
+        return Err(issue.accepted("kind = \"formula\" or \"identity\" for what holds no acceleration"));
     }
     if finding.judged.verdict == Verdict::Proved {
         finding.judged.evidence = match by_squares {

@@ -78,9 +78,8 @@ impl Finding {
         for read in text {
             line("read as", read);
         }
-        let conditions: Vec<&str> = requires.iter().chain(signs).map(|(text, _)| text.as_str()).collect();
-        if !conditions.is_empty() {
-            line("where", &conditions.join(", "));
+        if let Some(conditions) = told(requires.iter().chain(signs)) {
+            line("where", &conditions);
         }
         if !self.allowed.is_empty() {
             line("allowed", &self.allowed);
@@ -104,9 +103,8 @@ impl Finding {
             line("corrected", &correction.formula);
             let Judged { verdict, evidence, requires, signs, .. } = &correction.judged;
             line("", &format!("{}: {evidence}", verdict.name()));
-            let conditions: Vec<&str> = requires.iter().chain(signs).map(|(text, _)| text.as_str()).collect();
-            if !conditions.is_empty() {
-                line("where", &conditions.join(", "));
+            if let Some(conditions) = told(requires.iter().chain(signs)) {
+                line("where", &conditions);
             }
         }
         // a reason for a refutation is told once
@@ -116,6 +114,34 @@ impl Finding {
         page.push('\n');
         page
     }
+}
+
+/// The largest number of characters of one condition, and of a list of conditions, on a page for reading.
+const MOST_OF_CONDITION: usize = 240;
+const MOST_OF_CONDITIONS: usize = 800;
+
+/// Conditions for reading: the short ones first, with the size of those that are too long; none if there are none.
+fn told<'a>(conditions: impl Iterator<Item = &'a (String, String)>) -> Option<String> {
+    let (mut shown, mut hidden, mut length) = (Vec::new(), Vec::new(), 0);
+    for (text, _) in conditions {
+        let own = text.chars().count();
+        if own <= MOST_OF_CONDITION && length + own <= MOST_OF_CONDITIONS {
+            length += own;
+            shown.push(text.clone());
+        } else {
+            hidden.push(own);
+        }
+    }
+    match hidden[..] {
+        [] => {}
+        [own] => shown.push(format!("one more condition of {own} characters, which --json has")),
+        _ => shown.push(format!(
+            "{} more conditions of {} characters, which --json has",
+            hidden.len(),
+            hidden.iter().sum::<usize>()
+        )),
+    }
+    (!shown.is_empty()).then(|| shown.join(", "))
 }
 
 fn said(says: &str, kind: Kind) -> String {

@@ -1,5 +1,6 @@
 //! Claims on the equivalence of conditions.
 
+use crate::admissible::has_positive_parameters;
 use crate::certificate::Record;
 use crate::claim_text::ClaimText;
 use crate::conditions::{Hypothesis, assume, conditions, scalar};
@@ -58,8 +59,11 @@ pub(crate) fn equivalence(
         record.step(&motion, assumed, [zero, then], &step);
         step
     });
-    // an exact point is more informative than a step without proof
-    steps.sort_by_key(|step| !matches!(step, Step::Fails(_)));
+    // an exact point is more informative than a step without proof, most of all one with positive parameters
+    steps.sort_by_key(|step| match step {
+        Step::Fails(found) => 1 - i32::from(has_positive_parameters(found, &motion)),
+        _ => 2,
+    });
     let own = [own[0] - own[1], other_own[0] - other_own[1]];
     for step in steps {
         if !followed(step, own, &motion, &conditions, letters, finding) {

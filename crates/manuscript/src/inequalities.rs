@@ -13,13 +13,14 @@ use crate::half_turn::{enclosed, holds_half_turn};
 use crate::letters::Letters;
 use crate::line_signs::least;
 use crate::lost_divisors::Lost;
+use crate::monotone_functions;
 use crate::motion::Motion;
 use crate::natural_domain::natural_domain;
 use crate::polynomial_signs;
 use crate::real_signs;
 use crate::refutation::Refutation;
 use crate::signs::{Shown, shows};
-use crate::square_sums::square_sum;
+use crate::square_sums::{self, square_sum};
 use crate::verdict::{allowed, neither};
 use claims::certificate::PartProof;
 use claims::{Condition, Verdict};
@@ -117,7 +118,12 @@ pub(crate) fn inequality(
     let form = || normal(reduced, &motion.hypotheses).map_or(reduced, |form| form.to_sym());
     let by_squares = || {
         let shown = |side: Sym| real_signs::shows(side, &conditions).filter(is_enough);
-        shown(reduced).or_else(|| shown(form())).map(|found| (None, found))
+        let sum = || {
+            let is_strict = square_sums::shows(reduced, &conditions)?;
+            let evidence = "a sum of squares and of products of what is positive".to_owned();
+            Some(Shown { is_strict, evidence, is_of_normal_form: true }).filter(is_enough)
+        };
+        shown(reduced).or_else(|| shown(form())).or_else(sum).map(|found| (None, found))
     };
     if let Some((side, found)) = by_terms.or_else(by_squares) {
         match side {
@@ -138,6 +144,9 @@ pub(crate) fn inequality(
         finding.judged.requires.extend(divisors(&hidden, told));
         return Ok(());
     }
+    // two sides differ where one of them is the greater one
+    let apart = motion.reduced(left) - motion.reduced(right);
+    let differences = if greater == (left - right) * (left - right) { vec![apart, -apart] } else { vec![reduced] };
     let fails = |sign: i8| sign == -1 || sign == 0 && is_strict;
     let found = |conditions: &[Condition], effort: Effort| {
         search(&[reduced], conditions, &motion, effort, |signs| fails(signs[0]))
@@ -164,6 +173,17 @@ pub(crate) fn inequality(
             finding.judged.verdict = Verdict::Proved;
             finding.judged.evidence =
                 "products of the hypotheses with its opposite add up to a negative number, exactly".to_owned();
+            finding.judged.requires.extend(divisors(&hidden, told));
+        }
+        None if differences
+            .iter()
+            .any(|side| monotone_functions::shows(*side, &conditions).is_some_and(|is| is || !is_strict)) =>
+        {
+            record.leave_out();
+            finding.judged.verdict = Verdict::Proved;
+            finding.judged.evidence =
+                "the difference of both sides is not negative at the bound of a letter, and grows from there on: so does its derivative, or it is a square"
+                    .to_owned();
             finding.judged.requires.extend(divisors(&hidden, told));
         }
         None if enclosed(reduced).is_some_and(|value| value.low() > 0.0) => {

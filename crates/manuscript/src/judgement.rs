@@ -136,7 +136,9 @@ fn correct(
         let statement = read(&claim.formula.text, &known(claim.kind, letters)).ok()?;
         judge(paper, claim, &statement, letters, is_certified).ok()
     };
-    finding.corrections = corrections(claim, statement, letters, &assumed, &Judge { decide: &decide, goes_on });
+    let missing = finding.judged.difference.clone();
+    let judge = Judge { decide: &decide, goes_on, missing: missing.as_ref() };
+    finding.corrections = corrections(claim, statement, letters, &assumed, &judge);
     finding.search = if goes_on() { Search::Whole } else { Search::Cut };
     let values = finding.judged.counterexample.iter().map(|(name, value)| format!("{name} = {value}"));
     let at = values.collect::<Vec<_>>().join(", ");

@@ -4,6 +4,7 @@
 //! restrict the motions, and may make N zero and leave D free, or make D zero as well. A bead on the circle x^2 + y^2 = R^2 has
 //! x' = -y y'/x; with y' = 0 it rests, except at x = 0.
 
+use crate::consequence::written_divisors;
 use crate::inertia::inertia_determinant;
 use crate::motion::Motion;
 use symbolic::{Hypotheses, Identity, Sym, decide, identified, normal, substitute_all};
@@ -31,7 +32,10 @@ impl Motion<'_, '_> {
                 |of: Sym| self.rounds[place + 1..].iter().fold(of, |of, round| substitute_all(&[of], &round.values)[0]);
             for (_, value) in round.values.iter().filter(|(symbol, _)| symbols.contains(symbol)) {
                 by_equations |= round.by.is_none();
-                let below = |of: Sym| normal(of, &Hypotheses::none()).map_or(Sym::ONE, |form| form.denominator());
+                // a long value without a normal form divides by what is written there
+                let written = |of: Sym| written_divisors(of).into_iter().fold(Sym::ONE, |product, one| product * one);
+                let below =
+                    |of: Sym| normal(of, &Hypotheses::none()).map_or_else(|_| written(of), |form| form.denominator());
                 let divisor = later(below(*value));
                 if divisor.as_constant().is_some_and(|value| value.sign() != Some(0)) {
                     continue;

@@ -8,6 +8,7 @@ use crate::motion::Motion;
 use crate::natural_domain::{factors, natural_domain};
 use crate::polynomial_signs;
 use crate::signs::{Shown, is_written_as_positive};
+use crate::square_sums;
 use claims::Condition;
 use symbolic::{Hypotheses, Node, Sym, coefficients, decide, normal};
 
@@ -71,11 +72,12 @@ fn is_at_least_zero(expression: Sym, known: &[Condition], depth: usize) -> Optio
         };
     }
     // the first rule that excludes zero
-    let rules: [&dyn Fn() -> Option<bool>; 4] = [
+    let rules: [&dyn Fn() -> Option<bool>; 5] = [
         &|| is_written_as_positive(expression, known),
         &|| least(expression, known).filter(|least| least.sign >= 0).map(|least| least.sign > 0),
         &|| polynomial_signs::shows(expression, known),
         &|| by_factor(expression, known, depth),
+        &|| square_sums::shows(expression, known),
     ];
     let mut shown = None;
     for rule in rules {

@@ -1,5 +1,6 @@
 //! Expressions as sums of squares and of products of given conditions: the form shows the sign.
 
+use crate::circle_forms::{by_bounds, by_squares_of_circles};
 use crate::line_signs::number;
 use crate::natural_domain::natural_domain;
 use crate::signs::is_written_as_positive;
@@ -13,6 +14,19 @@ const DEPTH: usize = 4;
 pub(crate) struct SquareSum {
     pub written: Sym,
     pub known: Vec<Condition>,
+}
+
+/// The largest number of operations of an expression that is tried without a search for a proof by other rules.
+const LONGEST: usize = 240;
+
+/// Whether a short expression is a sum of squares and of products of given conditions that is nonnegative: none if not, otherwise whether zero is
+/// excluded.
+pub(crate) fn shows(expression: Sym, conditions: &[Condition]) -> Option<bool> {
+    if Sym::operations_of(&[expression]) > LONGEST {
+        return None;
+    }
+    let found = square_sum(expression, false, conditions)?;
+    Some(is_written_as_positive(found.written, &found.known) == Some(true))
 }
 
 /// None if no such form was found.
@@ -35,6 +49,9 @@ fn sum(polynomial: Sym, known: &[Condition], depth: usize) -> Option<Sym> {
     if is_written_as_positive(polynomial, known).is_some() {
         return Some(polynomial);
     }
+    if let Some(form) = by_squares_of_circles(polynomial, known) {
+        return Some(form);
+    }
     if depth == 0 || polynomial.as_constant().is_some() {
         return None;
     }
@@ -44,6 +61,7 @@ fn sum(polynomial: Sym, known: &[Condition], depth: usize) -> Option<Sym> {
         .or_else(|| letters().find_map(|letter| by_square(polynomial, letter, known, depth)))
         .or_else(|| known.iter().find_map(|condition| by_factor(polynomial, *condition, known, depth)))
         .or_else(|| known.iter().find_map(|condition| by_edge(polynomial, *condition, known, depth)))
+        .or_else(|| by_bounds(polynomial, |part| sum(part, known, depth - 1)))
 }
 
 /// A sum of nonnegative powers of a letter with nonnegative coefficients.

@@ -1,5 +1,6 @@
 //! Claims on conditions of steady motions.
 
+use crate::admissible::has_positive_parameters;
 use crate::certificate::Record;
 use crate::claim_text::ClaimText;
 use crate::conditions::Hypothesis;
@@ -187,6 +188,13 @@ fn alone(steady: &SteadyMotion<'_, '_>, print: &Print<'_, '_, '_>, finding: &mut
         }
         let of_equation = step(motion, printed, reduced, conditions);
         record.step(motion, assumed, [printed, reduced], &of_equation);
+        // a motion that violates the print is shown rather where only it has positive parameters
+        if matches!(&of_equation, Step::Fails(found) if !has_positive_parameters(found, motion))
+            && let Some(found) = failing_motion(steady).filter(|found| has_positive_parameters(found, motion))
+        {
+            print.fails(steady, &found, &[], finding, record);
+            return false;
+        }
         if !followed(of_equation, own, motion, conditions, letters, finding) {
             if finding.judged.verdict == Verdict::Refuted {
                 finding.judged.evidence =

@@ -69,7 +69,8 @@ impl<G: Ground> Side<'_, G> {
         known.push(SOUGHT.to_owned());
         let end = self.span.end..self.span.end;
         let sought = Edit::new(EditKind::LostTerm, end, format!(" + {SOUGHT}"), String::new());
-        read(&super::search::edited(self.text(), &[edits, &[sought]].concat()).0, &known).ok()
+        let (text, _) = super::search::edited(self.text(), &[edits, &[sought]].concat())?;
+        read(&text, &known).ok()
     }
 
     /// Edits of this side with the number of new letters and numbers.

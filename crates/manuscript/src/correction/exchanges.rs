@@ -22,6 +22,7 @@ pub(super) fn exchanges(places: &Places, text: &str, rates: &[LetterRate]) -> Ve
     }
     all.extend(powers_of_rates(places, text, rates));
     all.extend(scripts(places, text, rates));
+    all.extend(superfluous_numbers(places, text));
     all.extend(numbers(places, text));
     all.extend(letters_for_numbers(places, text, rates));
     all
@@ -247,6 +248,21 @@ fn numbers(places: &Places, text: &str) -> Vec<Edit> {
         }
     }
     all
+}
+
+/// Zero for a number that is a whole side.
+fn superfluous_numbers(places: &Places, text: &str) -> Vec<Edit> {
+    let is_number = |span: &Range<usize>| {
+        let mut all = places.numbers.iter().chain(&places.fractions);
+        all.any(|(number, value)| number == span && *value != Rational::new(0, 1))
+    };
+    let is_side = |summand: &&Summand| summand.side.is_some() && summand.count == 1 && is_number(&summand.span);
+    let edit = |summand: &Summand| {
+        let start = summand.sign.map_or(summand.span.start, |(at, _)| at);
+        let words = format!("the number `0` for `{}`", &text[start..summand.span.end]);
+        Edit::new(EditKind::Number, start..summand.span.end, "0", words)
+    };
+    places.summands.iter().filter(is_side).map(edit).collect()
 }
 
 /// A factor beside others with the sign of a product between them.

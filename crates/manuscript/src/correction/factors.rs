@@ -50,6 +50,11 @@ pub(super) fn factors(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<
         let others = measured().filter(|below| below.dimension == above.dimension && below.name != above.name);
         candidates.extend(others.map(|below| format!(r"\frac{{{}}}{{{}}}", above.latex, below.latex)));
     }
+    // the letter whose value is told stays alone, and a factor is rather lost on one side than superfluous on the other one
+    let is_told = |summand: &Summand| {
+        let is_alone = summand.side == Some(0) && summand.count == 1;
+        is_alone && places.atoms.iter().any(|atom| atom.span == summand.span)
+    };
     let mut all = Vec::new();
     for summand in places.summands.iter().filter(|summand| &text[summand.span.clone()] != "0") {
         for (place, factor) in summand.factors.iter().enumerate() {
@@ -63,7 +68,7 @@ pub(super) fn factors(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<
             };
             let words = format!("no factor `{}` in {}", &text[factor.clone()], told(summand, text));
             if text.get(span.clone()).is_some() && &text[factor.clone()] != "1" {
-                all.push(Edit::new(EditKind::ExtraFactor, span, after, words));
+                all.push(((is_told(summand), false), Edit::new(EditKind::ExtraFactor, span, after, words)));
             }
         }
         for factor in &candidates {
@@ -72,14 +77,16 @@ pub(super) fn factors(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<
             if summand.factors.iter().any(|own| Some(&text[own.clone()]) == below) {
                 continue;
             }
-            match below {
-                Some(_) if is_fraction_by_one_term(summand, places, text) => {}
-                Some(below) => all.push(over(summand, below, text)),
-                None => all.push(before(summand, factor, text)),
-            }
+            let edit = match below {
+                Some(_) if is_fraction_by_one_term(summand, places, text) => continue,
+                Some(below) => over(summand, below, text),
+                None => before(summand, factor, text),
+            };
+            all.push(((is_told(summand), below.is_some()), edit));
         }
     }
-    all
+    all.sort_by_key(|(rank, _)| *rank);
+    all.into_iter().map(|(_, edit)| edit).collect()
 }
 
 /// Whether a term is one fraction, below whose bar one term stands: a divisor more is a factor of that.

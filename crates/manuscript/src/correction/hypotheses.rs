@@ -20,11 +20,27 @@ use std::cmp::Reverse;
 use std::collections::BTreeSet;
 use symbolic::{Node, Sym, decide};
 
-/// Signs of letters; letters and rates that are one symbol of the model, each as zero: inputs first, then what is differentiated most; those of the formula before
-/// the others.
-pub(super) fn candidates(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<String> {
+/// Signs of letters, for a formula with a root.
+pub(super) fn signs_of_letters(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<String> {
+    // the root of a square depends on the sign of a letter
+    let has_root = text.contains(r"\sqrt");
+    let is_printed = |rate: &&LetterRate| places.atoms.iter().any(|atom| atom.name == rate.name);
+    let signed = rates.iter().filter(|rate| has_root && rate.is_symbol && rate.order == 0).filter(is_printed);
+    signed.flat_map(|rate| [r"\geq", r"\leq"].map(|sign| format!("{} {sign} 0", rate.latex))).collect()
+}
+
+/// Letters and rates that are one symbol of the model, each as zero: inputs first, then what is differentiated most; those of the formula before
+/// the others. Without its parameters a model is another one: they are asked for apart. A condition and a linear equation state the parameters for
+/// which they hold, and an inequality states a region.
+pub(super) fn zeros(kind: Kind, places: &Places, rates: &[LetterRate], are_parameters: bool) -> Vec<String> {
+    let is_condition = matches!(kind, Kind::SteadyMotion | Kind::Equivalence | Kind::LinearisedEquation);
+    if matches!(kind, Kind::Inequality | Kind::Stability) || are_parameters && is_condition {
+        return Vec::new();
+    }
     let names: BTreeSet<&str> = places.atoms.iter().map(|atom| atom.name.as_str()).collect();
-    let mut all: Vec<&LetterRate> = rates.iter().filter(|rate| rate.is_symbol).collect();
+    // a reaction is a result
+    let is_stated = |rate: &&LetterRate| rate.is_symbol && !rate.is_reaction && rate.is_parameter == are_parameters;
+    let mut all: Vec<&LetterRate> = rates.iter().filter(is_stated).collect();
     all.sort_by_key(|rate| (!names.contains(rate.name.as_str()), !rate.is_input, Reverse(rate.order)));
     let mut known: Vec<Sym> = Vec::new();
     all.retain(|rate| {
@@ -32,12 +48,7 @@ pub(super) fn candidates(places: &Places, text: &str, rates: &[LetterRate]) -> V
         known.push(rate.value);
         is_new
     });
-    let zeros = all.iter().map(|rate| format!("{} = 0", rate.latex));
-    // the root of a square depends on the sign of a letter
-    let has_root = text.contains(r"\sqrt");
-    let signed = all.iter().filter(|rate| has_root && rate.order == 0 && names.contains(rate.name.as_str()));
-    let signs = signed.flat_map(|rate| [r"\geq", r"\leq"].map(|sign| format!("{} {sign} 0", rate.latex)));
-    signs.chain(zeros).collect()
+    all.iter().map(|rate| format!("{} = 0", rate.latex)).collect()
 }
 
 /// Signs of parameters under which an inequality may hold; parameters, and letters, sines and cosines of the print other than zero, by which a
@@ -102,6 +113,10 @@ pub(super) fn leaves_something(claim: &ClaimText, letters: &Letters<'_, '_>) -> 
         return false;
     };
     let vanishes = |side: Sym| decide(motion.reduced(side), &motion.hypotheses).is_zero();
+    // every expression is constant where the system rests
+    if claim.kind == Kind::IntegralOfMotion && letters.trace.speeds.iter().all(|speed| vanishes(*speed)) {
+        return false;
+    }
     // what holds without the equations of motion says nothing of them
     if stated(claim, &statement, letters).is_some_and(|zeros| zeros.into_iter().any(vanishes)) {
         return false;

@@ -1,6 +1,7 @@
 //! The letters of a paper and their rates, as edits may write them.
 
 use crate::letters::{Letters, rate};
+use model::equations::constraints_of;
 use symbolic::{Dimension, Sym};
 
 /// A letter, or its rate of this order.
@@ -13,6 +14,8 @@ pub(super) struct LetterRate {
     pub is_symbol: bool,
     pub is_input: bool,
     pub is_parameter: bool,
+    /// Whether it is the reaction of a constraint.
+    pub is_reaction: bool,
     /// Over the model.
     pub value: Sym,
     /// Whether it is zero along every motion, such as the rate of an integral: a formula multiplied by it would be empty.
@@ -22,6 +25,7 @@ pub(super) struct LetterRate {
 /// Every scalar letter, and its rates as far as they are defined.
 pub(super) fn rates(letters: &Letters<'_, '_>) -> Vec<LetterRate> {
     let trace = letters.trace;
+    let reactions: Vec<Sym> = constraints_of(trace).into_iter().map(|one| one.multiplier).collect();
     let mut all = Vec::new();
     for (name, value, _, dimension) in letters.scalars() {
         let (mut next, mut dimension) = (Some(value), dimension);
@@ -38,6 +42,7 @@ pub(super) fn rates(letters: &Letters<'_, '_>) -> Vec<LetterRate> {
                 is_symbol,
                 is_input,
                 is_parameter: trace.parameters.contains(&value),
+                is_reaction: reactions.contains(&value),
                 value,
                 vanishes: false,
             });

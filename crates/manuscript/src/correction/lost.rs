@@ -74,13 +74,29 @@ pub(super) fn lost_beside(ground: &impl Ground, edit: &Edit, end: usize) -> Vec<
     }
     known.push(SOUGHT.to_owned());
     let at = Edit::new(EditKind::LostTerm, end..end, format!(" + {SOUGHT}"), String::new());
-    let text = edited(ground.text(), &[edit.clone(), at]).0;
+    let Some((text, _)) = edited(ground.text(), &[edit.clone(), at]) else { return Vec::new() };
     let terms = read(&text, &known).map_or_else(|_| Vec::new(), |statement| ground.sought(&statement));
     let is_short = |term: &Sym| {
         let told = term.to_string();
         *term != Sym::ZERO && told.chars().count() <= SHORT / 2 && count(&told) == 1
     };
     added(std::iter::once((end..end, terms.into_iter().filter(is_short).map(signed).collect())))
+}
+
+/// A term that the right side of a condition lacks, at the end of the right side, or at that of the left one if nothing stands on the right.
+pub(super) fn lost_on_a_side(places: &Places, text: &str, missing: &str) -> Vec<Edit> {
+    let end = |side: usize| {
+        places.summands.iter().find(|summand| summand.side == Some(side)).map(|first| places.sums[first.sum].clone())
+    };
+    let (Some(left), Some(right)) = (end(0), end(1)) else { return Vec::new() };
+    let is_empty = &text[right.clone()] == "0";
+    let signed = match (missing.strip_prefix('-'), is_empty) {
+        (Some(term), true) => ("+", term.to_owned()),
+        (Some(term), false) => ("-", term.to_owned()),
+        (None, true) => ("-", missing.to_owned()),
+        (None, false) => ("+", missing.to_owned()),
+    };
+    added(std::iter::once((if is_empty { left } else { right }, vec![signed])))
 }
 
 /// The sums to which a term can be added.

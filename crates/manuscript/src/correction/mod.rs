@@ -70,14 +70,16 @@ pub(crate) fn corrections(
         let edits = single.chain(with_sign).chain(digits.map(|edit| vec![edit]));
         return search.proved(edits).into_iter().take(1).collect();
     }
-    let candidates = || hypotheses::candidates(&search.places, ground.text(), ground.rates());
+    let signs = || hypotheses::signs_of_letters(&search.places, ground.text(), ground.rates());
+    let zeros = |are_parameters| hypotheses::zeros(claim.kind, &search.places, ground.rates(), are_parameters);
     let together = || hypotheses::signs_of_parameters(claim, statement, letters, ground.rates());
-    let sizes: [&dyn Fn() -> Vec<Correction>; 5] = [
+    let sizes: [&dyn Fn() -> Vec<Correction>; 6] = [
         &|| under(&ground, hypotheses::of_parameters(claim.kind, &search.places, ground.text(), ground.rates())),
         &|| under_all(&ground, together()).into_iter().collect(),
         &|| search.small(),
-        &|| under(&ground, candidates()),
+        &|| under(&ground, [signs(), zeros(false)].concat()),
         &|| search.large(),
+        &|| under(&ground, zeros(true)),
     ];
     sizes.into_iter().map(|found| found()).find(|found| !found.is_empty()).unwrap_or_default()
 }

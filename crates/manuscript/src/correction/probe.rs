@@ -67,6 +67,13 @@ impl<'t, 'm> Probe<'t, 'm> {
         let is_foreign = |value: Sym, own: Sym| value.symbol_name().is_none() && !printed.contains(&own);
         let foreign = letters.scalars().filter(|(_, value, own, _)| is_foreign(*value, *own));
         probe.foreign = foreign.map(|(_, value, own, _)| (own, letters.told(value))).collect();
+        // a letter for a printed letter, or for its rate, defines nothing either
+        let known: Vec<(Sym, Sym)> = printed.iter().flat_map(|own| letters.meanings(*own)).collect();
+        let others =
+            letters.scalars().filter(|(_, value, own, _)| value.symbol_name().is_some() && !printed.contains(own));
+        probe.foreign.extend(others.filter_map(|(_, value, own, _)| {
+            known.iter().find(|(_, meaning)| *meaning == value).map(|(printed, _)| (own, *printed))
+        }));
         probe.empty = lines.iter().filter(|line| probe.is_empty(line)).count();
         let conditions = conditions(&probe.motion, assumed);
         let refuted =
@@ -127,6 +134,13 @@ impl<'t, 'm> Probe<'t, 'm> {
         self.samples.as_ref()?.values(&zeros)
     }
 
+    /// Whether the constraints and the hypotheses make the expression of an integral one of parameters alone.
+    fn is_number_of_model(&self, claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>) -> bool {
+        let Ok((is, _)) = difference(claim, statement, letters) else { return false };
+        let form = normal(self.motion.reduced(is), &self.motion.hypotheses).map(|form| form.to_sym());
+        form.is_ok_and(|form| form.symbols_of().iter().all(|symbol| letters.trace.parameters.contains(symbol)))
+    }
+
     /// The result of the test points for an edited claim.
     pub fn look(&self, claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>) -> Look {
         let Some(lines) = self.lines(claim, statement, letters) else { return Look::Fails };
@@ -137,6 +151,10 @@ impl<'t, 'm> Probe<'t, 'm> {
         // a letter of the paper that abbreviates others is replaced, since its definition is no statement
         let plain = |line: &Line| Line { model: line.model, own: line.own.map(|own| own.substitute(&self.foreign)) };
         if fails || lines.iter().filter(|line| self.is_empty(&plain(line))).count() > self.empty {
+            return Look::Fails;
+        }
+        // a number of the model is constant along every motion
+        if self.kind == Kind::IntegralOfMotion && self.is_number_of_model(claim, statement, letters) {
             return Look::Fails;
         }
         // an expression that is constant without the equations is no integral; an identity is no equation of motion

@@ -98,6 +98,7 @@ impl<'a> Recorded<'a> {
             is_symbol: true,
             is_input: false,
             is_parameter: false,
+            is_reaction: false,
             value: letter.symbol,
             vanishes: false,
         };

@@ -13,7 +13,7 @@ use std::cell::OnceCell;
 use std::cmp::Reverse;
 use std::collections::HashSet;
 use std::ops::Range;
-use symbolic::{Hypotheses, Sym, decide, normal};
+use symbolic::{Hypotheses, Node, Sym, decide, normal};
 
 /// The largest number of reported corrections of one size.
 pub(super) const MOST_TOLD: usize = 3;
@@ -177,7 +177,7 @@ impl<'a, G: Ground> Search<'a, G> {
 
     /// The change of the residual by one edit; none if the edit was tried before, or has no value.
     fn change(&self, edit: &Edit, residual: &[f64], tried: &mut HashSet<String>) -> Option<Vec<f64>> {
-        let text = edited(self.ground.text(), std::slice::from_ref(edit)).0;
+        let (text, _) = edited(self.ground.text(), std::slice::from_ref(edit))?;
         if !is_whole(&text) || !tried.insert(text.clone()) {
             return None;
         }
@@ -196,7 +196,7 @@ impl<'a, G: Ground> Search<'a, G> {
             if found.len() >= MOST_TOLD || decided >= most || !self.ground.goes_on() {
                 break;
             }
-            let (text, parts) = edited(self.ground.text(), &edits);
+            let Some((text, parts)) = edited(self.ground.text(), &edits) else { continue };
             if !is_whole(&text) || !tried.insert(text.clone()) {
                 continue;
             }
@@ -236,12 +236,10 @@ impl<'a, G: Ground> Search<'a, G> {
         after.is_some_and(|after| after.len() == before.len() && !is_small(&after, before))
     }
 
-    /// Adds a candidate if it is proved and differs from the previous ones by more than its sign.
+    /// Adds a candidate if it is proved and is none of the previous ones, multiplied by letters.
     fn decide(&self, candidate: Candidate, found: &mut Vec<(Correction, Option<Sym>)>) {
         let Candidate { text, edits, parts, own } = candidate;
-        let is_one =
-            |a: Sym, b: Sym| [a - b, a + b].into_iter().any(|zero| decide(zero, &Hypotheses::none()).is_zero());
-        let is_known = |known: &Option<Sym>| known.zip(own).is_some_and(|(known, own)| is_one(known, own));
+        let is_known = |known: &Option<Sym>| known.zip(own).is_some_and(|(known, own)| is_one_equality(known, own));
         if found.iter().any(|(_, known)| is_known(known)) {
             return;
         }
@@ -265,6 +263,18 @@ impl<'a, G: Ground> Search<'a, G> {
         }
         Correction { changes, formula, parts, judged, certificate }
     }
+}
+
+/// Whether two expressions vanish together since one is the other, multiplied or divided by letters and numbers: `H/u = w` is `H = u w`.
+fn is_one_equality(one: Sym, other: Sym) -> bool {
+    if [one - other, one + other].into_iter().any(|zero| decide(zero, &Hypotheses::none()).is_zero()) {
+        return true;
+    }
+    let is_product = |ratio: Sym| {
+        Sym::ascending(&[ratio]).into_iter().all(|part| !matches!(part.node(), Node::Sum(..) | Node::Difference(..)))
+    };
+    let is_zero = |of: Sym| decide(of, &Hypotheses::none()).is_zero();
+    !is_zero(other) && normal(one / other, &Hypotheses::none()).is_ok_and(|ratio| is_product(ratio.to_sym()))
 }
 
 /// Whether an expression has one value for all values of its letters.
@@ -292,8 +302,12 @@ fn pairs<'a>(edits: &'a [&Edit]) -> impl Iterator<Item = Vec<Edit>> + 'a {
     each.take(MOST_PAIRS)
 }
 
-/// The formula after its edits, and the places of the edits in it.
-pub(super) fn edited(formula: &str, edits: &[Edit]) -> (String, Vec<Range<usize>>) {
+/// The formula after its edits, and the places of the edits in it; none if two of them overlap.
+pub(super) fn edited(formula: &str, edits: &[Edit]) -> Option<(String, Vec<Range<usize>>)> {
+    let behind = |place: usize| &edits[place + 1..];
+    if edits.iter().enumerate().any(|(place, one)| behind(place).iter().any(|other| !apart(one, other))) {
+        return None;
+    }
     let edits: Vec<Edit> = edits.iter().flat_map(Edit::parts).collect();
     let mut ordered: Vec<&Edit> = edits.iter().collect();
     // a sign before a part is inserted after the part itself is edited; a term behind a fraction before the fraction is closed
@@ -322,5 +336,5 @@ pub(super) fn edited(formula: &str, edits: &[Edit]) -> (String, Vec<Range<usize>
         text = next;
     }
     parts.reverse();
-    (text, parts)
+    Some((text, parts))
 }

@@ -3,10 +3,11 @@
 use super::edit::Edit;
 use super::ground::{Ground, Look, Proof, cleared};
 use super::letter_rates::{LetterRate, rates};
-use super::lost::{lack, lost, sought_values};
+use super::lost::{count, lack, lost, lost_on_a_side, sought_values};
 use super::places::Places;
 use super::probe::{Probe, own_difference, with_formal_functions};
 use super::redundancy::{are_alike, common_factors, on_both_sides, redundancies, summands, vanishing_factors};
+use crate::admissible::positive_parameters;
 use crate::claim_text::{ClaimText, Kind};
 use crate::conditions::{Hypothesis, assume, hypotheses};
 use crate::finding::Finding;
@@ -16,7 +17,7 @@ use crate::letters::{Letters, rate};
 use crate::motion::Motion;
 use crate::signs::is_written_as_positive;
 use crate::steady_motion::Resting;
-use claims::Verdict;
+use claims::{Condition, Verdict};
 use latex::{Form, NoValue, Statement, Term, Value, value};
 use symbolic::{Hypotheses, Sym, decide, normal};
 
@@ -26,6 +27,8 @@ pub(crate) struct Judge<'a> {
     pub decide: &'a dyn Fn(&ClaimText) -> Option<Finding>,
     /// Whether there is time left.
     pub goes_on: &'a dyn Fn() -> bool,
+    /// The terms that the right side lacks, as text and in LaTeX, where they are known.
+    pub missing: Option<&'a (String, String)>,
 }
 
 /// A refuted claim with its letters.
@@ -154,8 +157,17 @@ impl Ground for TextClaim<'_, '_, '_> {
                 let [left, right] = sides.own;
                 [left - right, right - left].into_iter().any(|side| is_written_as_positive(side, &[]).is_some())
             })),
+            // a region of stability that contains every model says nothing
+            Kind::Stability => usize::from(sides(self.claim, statement, self.letters).is_ok_and(|sides| {
+                let given = hypotheses(&self.claim.given, self.letters).unwrap_or_default();
+                let given = given.iter().filter_map(|hypothesis| hypothesis.condition);
+                let known: Vec<Condition> = given.chain(positive_parameters(self.letters.trace)).collect();
+                is_written_as_positive(sides.greater, &known).is_some()
+            })),
             // the letter whose value is told stands alone
-            Kind::Formula => usize::from(!has_quantity_alone(statement, &own)),
+            Kind::Formula => {
+                usize::from(!has_quantity_alone(statement, &own)) + usize::from(has_number_for_letter(statement, &own))
+            }
             _ => 0,
         };
         // a hypothesis is no correction
@@ -202,8 +214,13 @@ impl Ground for TextClaim<'_, '_, '_> {
     }
 
     fn lost(&self, places: &Places, most: usize) -> Vec<Edit> {
-        let probe = self.probe.as_ref();
-        probe.map_or_else(Vec::new, |probe| lost(self, places, probe, most))
+        match (&self.probe, self.judge.missing) {
+            (Some(probe), _) => lost(self, places, probe, most),
+            (None, Some((text, latex))) if self.claim.kind == Kind::SteadyMotion && count(text) <= most => {
+                lost_on_a_side(places, self.text(), latex)
+            }
+            _ => Vec::new(),
+        }
     }
 
     fn proved(&self, text: &str) -> Option<Proof> {
@@ -217,6 +234,13 @@ impl Ground for TextClaim<'_, '_, '_> {
 
 fn vanishes_on(motion: &Motion<'_, '_>, value: Sym) -> bool {
     normal(motion.reduced(value), &motion.hypotheses).is_ok_and(|form| form.to_sym() == Sym::ZERO)
+}
+
+/// Whether a letter is told to be a number.
+fn has_number_for_letter(statement: &Statement, own: &dyn Fn(&Term) -> Option<Sym>) -> bool {
+    let sides: Vec<&Term> = statement.chains.iter().flat_map(|chain| &chain.sides).collect();
+    let is_number = |side: &&Term| own(side).is_some_and(|value| value.as_constant().is_some());
+    sides.iter().any(|side| matches!(side.form, Form::Letter(_))) && sides.iter().any(is_number)
 }
 
 /// Whether a letter stands alone on one side, and not on the other.

@@ -68,8 +68,8 @@ pub(super) fn values(ground: &impl Ground, places: &Places, are_sides: bool) -> 
             edits.push(edit(after));
             edits
         };
-        let asked = super::search::edited(text, &with(SOUGHT.to_owned())).0;
-        let Ok(statement) = read(&asked, &known) else { continue };
+        let asked = super::search::edited(text, &with(SOUGHT.to_owned()));
+        let Some(Ok(statement)) = asked.map(|(asked, _)| read(&asked, &known)) else { continue };
         for value in ground.sought(&statement) {
             let weight = weight(value);
             // a sum that replaces several terms and is much longer than the print would be a new formula
