@@ -3,7 +3,7 @@
 A prime p lies between 2^255 and 2^256. Letters are random numbers, each angle a random point of the circle by the tangent of its
 half. What is tested is a quotient of polynomials in these numbers; where its numerator is not zero, of degree d and with the sum
 of absolute values of its integer coefficients below 2^b, it vanishes at the point with a probability of at most
-d / 2^255 + (b / 255 + 1) / 2^245: no more than b / 255 of more than 2^245 such primes divide all its coefficients. The prime is drawn
+d / 2^255 + (b / 255 + 1) / 2^240: no more than b / 255 of more than 2^240 such primes divide all its coefficients. The prime is drawn
 once for a process and the points for each test, from the system's source of random numbers, which no certificate can know.
 """
 
@@ -14,7 +14,9 @@ from random import SystemRandom
 from flint import fmpz
 
 LEAST = 1 << 255
-PRIMES = 245
+PRIMES = 240
+# numbers with a root in every field, beside 2: formulas have roots of small numbers, and no point would give these a value elsewhere
+SQUARES = (3, 5, 7, 11, 13)
 MOST_ROOTS = 4
 
 
@@ -28,18 +30,29 @@ class TooHigh(Exception):
 
 @cache
 def prime():
-    """A random prime that is 5 modulo 8, so that -1 is a square and roots are found by powers (Atkin)."""
+    """A random prime that is 1 modulo 8, so that -1 and 2 are squares, and modulo which small numbers are squares by reciprocity."""
     while True:
-        candidate = LEAST + SystemRandom().getrandbits(255) & ~7 | 5
-        if fmpz(candidate).is_prime():
+        candidate = LEAST + SystemRandom().getrandbits(255) & ~7 | 1
+        has_roots = all(candidate % number in {k * k % number for k in range(1, number)} for number in SQUARES)
+        if has_roots and fmpz(candidate).is_prime():
             return candidate
 
 
 def root_modulo(square, p):
-    """A root of a number modulo such a prime; none of a number without one."""
-    v = pow(2 * square, (p - 5) // 8, p)
-    root = square * v * (2 * square * v * v - 1) % p
-    return root if root * root % p == square else None
+    """A root of a number modulo a prime (Tonelli and Shanks); none of a number without one."""
+    if square == 0 or pow(square, (p - 1) // 2, p) != 1:
+        return 0 if square == 0 else None
+    twos = (p - 1 & 1 - p).bit_length() - 1
+    odd = p - 1 >> twos
+    unit = pow(next(k for k in range(2, p) if pow(k, (p - 1) // 2, p) != 1), odd, p)
+    root, rest = pow(square, (odd + 1) // 2, p), pow(square, odd, p)
+    # the order of the rest, a power of two, falls in each round
+    while rest != 1:
+        order = next(k for k in range(1, twos) if pow(rest, 1 << k, p) == 1)
+        factor = pow(unit, 1 << twos - order - 1, p)
+        unit, twos = factor * factor % p, order
+        root, rest = root * factor % p, rest * unit % p
+    return root
 
 
 class PrimeField:
