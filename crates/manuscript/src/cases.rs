@@ -2,6 +2,7 @@
 //! keeps from vanishing is no case.
 
 use crate::admissible::is_of_every_body;
+use crate::circle_signs::circle_signs;
 use crate::conditions::Hypothesis;
 use crate::consequence::{is_apart, is_apart_by};
 use crate::display::factors;
@@ -34,7 +35,10 @@ pub(crate) fn cases<'t, 'm>(
     assumed: &[Hypothesis],
     told: &dyn Fn(Sym) -> Sym,
 ) -> Result<Vec<Case<'t, 'm>>, Issue> {
-    let known: Vec<Condition> = assumed.iter().filter_map(|one| one.condition).collect();
+    let given: Vec<Condition> = assumed.iter().filter_map(|one| one.condition).collect();
+    // bounds of an angle keep its sine from vanishing
+    let zeros: Vec<Sym> = assumed.iter().filter_map(|one| one.equality.map(|(zero, _)| base.reduced(zero))).collect();
+    let known = [&given[..], &circle_signs(&zeros, &given)].concat();
     let mut all = vec![Case { assumed: Vec::new(), chosen: Vec::new(), is_replaced: false, motion: base.clone() }];
     // a letter that another hypothesis gives may make a product vanish
     let is_product =

@@ -56,12 +56,14 @@ pub(crate) fn scalar(text: &Passage, term: &Term, letters: &Letters<'_, '_>) -> 
     }
 }
 
-/// Reads the hypotheses of a claim.
+/// Reads the hypotheses of a claim: equalities last and the plainest of them first, so that their order in the file does not matter.
 ///
 /// # Errors
 /// The first text that is not a hypothesis.
 pub(crate) fn hypotheses(given: &[Passage], letters: &Letters<'_, '_>) -> Result<Vec<Hypothesis>, Issue> {
-    given.iter().map(|text| hypothesis(text, letters)).collect()
+    let mut all = given.iter().map(|text| hypothesis(text, letters)).collect::<Result<Vec<_>, Issue>>()?;
+    all.sort_by_cached_key(|one| one.equality.map(|(zero, _)| (zero.symbols_of().len(), one.told.0.clone())));
+    Ok(all)
 }
 
 fn hypothesis(text: &Passage, letters: &Letters<'_, '_>) -> Result<Hypothesis, Issue> {
@@ -83,7 +85,8 @@ fn hypothesis(text: &Passage, letters: &Letters<'_, '_>) -> Result<Hypothesis, I
     );
     let is_mixed = || dimension(left_own - right_own, &|name: &str| letters.dimension(name)).is_err();
     let scales = *relation == Relation::Equal && right_is != Sym::ZERO && is_mixed();
-    let is_number = |side: Sym| side.as_constant().is_some_and(|value| value.sign() != Some(0));
+    // such as 2 or the root of 2
+    let is_number = |side: Sym| side.symbols_of().is_empty() && side != Sym::ZERO;
     let own = (!is_number(left_own) && !is_number(right_own)).then_some(left_own - right_own);
     let mut found = Hypothesis { told, own, equality: None, scales, condition: None, at: text.span.clone() };
     match relation {

@@ -14,7 +14,7 @@ use crate::verdict::{allowed, neither, refute};
 use claims::Verdict;
 use latex::{Form, Relation, Statement, Term};
 use reader::Issue;
-use symbolic::Sym;
+use symbolic::{Hypotheses, Sym, normal};
 
 /// Letters of a constant without a value.
 pub(crate) const CONSTANTS: [&str; 3] = [r"\mathrm{const}", r"\text{const}", r"\mathit{const}"];
@@ -95,6 +95,10 @@ pub(crate) fn integral(
             record.constant(&motion, assumed, is, None);
             finding.judged.verdict = Verdict::Proved;
             finding.judged.evidence = "normal form of its rate along every motion is zero".to_owned();
+            let form = normal(own, &Hypotheses::none()).map(|form| form.to_sym());
+            if form.is_ok_and(|form| form.symbols_of().is_empty()) {
+                finding.judged.evidence += "; it is a number, so that this says nothing of the model";
+            }
             let found = [&found[..], &motion.divisors].concat();
             finding.judged.requires.extend(divisors(&found, told));
         }

@@ -92,7 +92,11 @@ impl PaperText {
                     Ok(finding)
                 });
                 match finding {
-                    Ok(finding) => {
+                    Ok(mut finding) => {
+                        // until its corrections are looked for
+                        if finding.judged.verdict == Verdict::Refuted {
+                            finding.search = Search::Cut;
+                        }
                         findings.push(finding);
                         told(&findings);
                     }
@@ -128,7 +132,6 @@ fn correct(
     finding: &mut Finding,
 ) {
     if !goes_on() {
-        finding.search = Search::Cut;
         return;
     }
     let Ok(assumed) = hypotheses(&claim.given, letters) else { return };

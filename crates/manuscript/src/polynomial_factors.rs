@@ -32,7 +32,8 @@ fn split_by(polynomial: Sym, leaf: Sym) -> Option<(Sym, Sym)> {
     match dense[..] {
         [constant, slope] => {
             let below = form(constant / slope)?.denominator();
-            let common = form(slope / below)?.to_sym();
+            // sines in a quotient may be told by cosines below the bar
+            let common = form(slope / below).filter(|common| common.denominator().as_constant().is_some())?.to_sym();
             let rest = form(polynomial / common)?.numerator();
             common.as_constant().is_none().then_some((common, rest))
         }

@@ -6,10 +6,11 @@ use crate::claim_row::{row, unread_row};
 use crate::clock;
 use crate::exit::{Exit, print, warn};
 use crate::output::{Form, Maker, Writes};
+use crate::progress::Progress;
 use charts::{ClaimRow, PaperSection, Report};
 use claims::Verdict;
 use clap::ArgGroup;
-use manuscript::{Change, Correction, Finding, PaperFindings, PaperText, UnjudgedClaim};
+use manuscript::{Change, Correction, Finding, PaperFindings, PaperText, Search, UnjudgedClaim};
 use reader::SceneError;
 use serde_json::json;
 use std::path::PathBuf;
@@ -96,7 +97,11 @@ pub fn judge(asked: &Args) -> Result<Exit, Exit> {
             asked.filter, paper.key
         )));
     }
+    let mut progress = Progress::new("verdicts and corrections");
+    let (all, is_open) = (paper.claims.len(), |one: &&Finding| one.search == Search::Cut);
     let so_far = |findings: &[Finding]| {
+        let settled = findings.len() - findings.iter().filter(is_open).count();
+        progress.set((findings.len() + settled) as f64 / (2 * all) as f64);
         // the exit code says that a list is not whole
         if asked.json {
             clock::publish(format!("{:#}\n", findings.iter().map(object).collect::<serde_json::Value>()));
@@ -109,6 +114,7 @@ pub fn judge(asked: &Args) -> Result<Exit, Exit> {
     // corrections are optional: the search for them ends in time for printing
     let goes_on = || !asked.test && clock::left() > KEPT;
     let PaperFindings { findings, unjudged, error } = paper.findings(folder.is_some(), so_far, goes_on)?;
+    drop(progress);
     let wrong: Vec<String> = findings.iter().filter_map(|finding| finding.as_expected().err()).collect();
     print(&match (asked.json, asked.test) {
         (true, _) => {

@@ -82,7 +82,8 @@ pub(super) fn factors(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<
                 Some(below) => over(summand, below, text),
                 None => before(summand, factor, text),
             };
-            all.push(((is_told(summand), below.is_some()), edit));
+            let is_of_numbers = NUMBERS.contains(&factor.as_str());
+            all.push(((is_told(summand), factor.starts_with(r"\frac") && !is_of_numbers), edit));
         }
     }
     all.sort_by_key(|(rank, _)| *rank);

@@ -38,8 +38,10 @@ pub(super) fn zeros(kind: Kind, places: &Places, rates: &[LetterRate], are_param
         return Vec::new();
     }
     let names: BTreeSet<&str> = places.atoms.iter().map(|atom| atom.name.as_str()).collect();
-    // a reaction is a result
-    let is_stated = |rate: &&LetterRate| rate.is_symbol && !rate.is_reaction && rate.is_parameter == are_parameters;
+    let has_acceleration = places.atoms.iter().any(|atom| atom.order == 2);
+    // a reaction is a result, and so is an acceleration where the formula has none
+    let is_result = |rate: &LetterRate| rate.is_reaction || rate.order == 2 && !has_acceleration;
+    let is_stated = |rate: &&LetterRate| rate.is_symbol && !is_result(rate) && rate.is_parameter == are_parameters;
     let mut all: Vec<&LetterRate> = rates.iter().filter(is_stated).collect();
     all.sort_by_key(|rate| (!names.contains(rate.name.as_str()), !rate.is_input, Reverse(rate.order)));
     let mut known: Vec<Sym> = Vec::new();
