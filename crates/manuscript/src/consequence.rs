@@ -7,6 +7,7 @@ use crate::exact_points::{Effort, completed, search};
 use crate::finding::Finding;
 use crate::letters::Letters;
 use crate::motion::{Motion, Solution, solution};
+use crate::natural_domain::written_divisors;
 use crate::polynomial_factors::polynomial_factors;
 use crate::real_signs::vanishes_by_signs;
 use crate::refutation::Refutation;
@@ -15,7 +16,7 @@ use crate::square_sums;
 use crate::verdict::neither;
 use claims::{Condition, Verdict};
 use model::equations::Equations;
-use symbolic::{Hypotheses, Node, Sym, decide, normal};
+use symbolic::{Hypotheses, Sym, decide, normal};
 
 /// The proof of a consequence from a condition.
 pub(crate) enum Way<'t, 'm> {
@@ -36,16 +37,6 @@ pub(crate) enum Step<'t, 'm> {
     /// The other condition fails at this point.
     Fails(Refutation),
     Open(Outcome),
-}
-
-/// The divisors that occur in an expression.
-pub(crate) fn written_divisors(expression: Sym) -> Vec<Sym> {
-    let divisor = |part: Sym| match part.node() {
-        Node::Quotient(_, below) if below.as_constant().is_none() => Some(below),
-        _ => None,
-    };
-    // each part once: multiples of an angle share most of theirs
-    Sym::ascending(&[expression]).into_iter().filter_map(divisor).collect()
 }
 
 /// Whether `then` is zero where `zero` is and both are defined.

@@ -94,6 +94,25 @@ impl<'t, 'm> Linearisation<'t, 'm> {
         all
     }
 
+    /// An expression to the first order in the deviations from the motion, accelerations among them.
+    pub fn form(&self, expression: Sym) -> Sym {
+        let trace = self.base.trace;
+        let expression = self.feedback.put_in(expression);
+        let there = |part: Sym| self.base.reduced(part);
+        let from = |letter: Sym| letter - there(letter);
+        let by_each = (0..trace.speeds.len()).flat_map(|place| {
+            let mut terms = vec![
+                there(trace.by_speed(expression, place)) * from(trace.speeds[place]),
+                there(trace.by_acceleration(expression, place)) * trace.accelerations[place],
+            ];
+            let coordinate = trace.coordinates.get(place);
+            terms.extend(coordinate.map(|&letter| there(trace.by_coordinate(expression, place)) * from(letter)));
+            terms
+        });
+        let by_inputs = self.inputs.iter().map(|&input| there(expression.diff(input)) * input);
+        by_each.chain(by_inputs).fold(there(expression), |sum, term| sum + term)
+    }
+
     /// Whether an expression is of the second order for all small accelerations, so that it says nothing of the motion.
     pub fn is_of_second_order(&self, expression: Sym) -> bool {
         let trace = self.base.trace;

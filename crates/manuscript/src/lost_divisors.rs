@@ -4,9 +4,9 @@
 //! restrict the motions, and may make N zero and leave D free, or make D zero as well. A bead on the circle x^2 + y^2 = R^2 has
 //! x' = -y y'/x; with y' = 0 it rests, except at x = 0.
 
-use crate::consequence::written_divisors;
 use crate::inertia::inertia_determinant;
 use crate::motion::Motion;
+use crate::natural_domain::written_divisors;
 use symbolic::{Hypotheses, Identity, Sym, decide, identified, normal, substitute_all};
 
 /// The needs of a proof beside its own divisors.

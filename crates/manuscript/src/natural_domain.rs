@@ -24,6 +24,16 @@ pub(crate) fn natural_domain(expressions: &[Sym]) -> Vec<Condition> {
     all
 }
 
+/// The divisors that occur in an expression.
+pub(crate) fn written_divisors(expression: Sym) -> Vec<Sym> {
+    let divisor = |part: Sym| match part.node() {
+        Node::Quotient(_, below) if below.as_constant().is_none() => Some(below),
+        _ => None,
+    };
+    // each part once: multiples of an angle share most of theirs
+    Sym::ascending(&[expression]).into_iter().filter_map(divisor).collect()
+}
+
 /// The factors of a product, without exponents.
 pub(crate) fn factors(product: Sym) -> Vec<Sym> {
     match product.node() {

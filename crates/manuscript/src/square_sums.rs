@@ -23,6 +23,14 @@ const LONGEST: usize = 240;
 /// The largest number of parts that are looked at there.
 const MOST_PARTS: u32 = 300;
 
+/// The effort of a search.
+struct Effort {
+    /// The number of parts that may still be looked at.
+    left: Cell<u32>,
+    /// Whether forms that exclude zero are looked for.
+    excludes_zero: bool,
+}
+
 /// Whether a short expression is a sum of squares and of products of given conditions that is nonnegative: none if not, otherwise whether zero is
 /// excluded.
 pub(crate) fn shows(expression: Sym, conditions: &[Condition]) -> Option<bool> {
@@ -31,19 +39,26 @@ pub(crate) fn shows(expression: Sym, conditions: &[Condition]) -> Option<bool> {
     if Sym::operations_of(&[expression]) > LONGEST || !expression.leaves_of().iter().any(is_circle) {
         return None;
     }
-    let found = within(expression, false, conditions, &Cell::new(MOST_PARTS))?;
-    Some(is_written_as_positive(found.written, &found.known) == Some(true))
+    let within = |excludes_zero: bool| {
+        let effort = Effort { left: Cell::new(MOST_PARTS), excludes_zero };
+        within(expression, excludes_zero, conditions, &effort)
+    };
+    within(false).map(|_| within(true).is_some())
 }
 
 /// None if no such form was found.
 pub(crate) fn square_sum(expression: Sym, is_strict: bool, conditions: &[Condition]) -> Option<SquareSum> {
-    within(expression, is_strict, conditions, &Cell::new(u32::MAX))
+    within(expression, is_strict, conditions, &Effort { left: Cell::new(u32::MAX), excludes_zero: false })
 }
 
-fn within(expression: Sym, is_strict: bool, conditions: &[Condition], left: &Cell<u32>) -> Option<SquareSum> {
+fn within(expression: Sym, is_strict: bool, conditions: &[Condition], effort: &Effort) -> Option<SquareSum> {
+    // one angle alone has its real roots
+    if !expression.leaves_of().iter().any(|leaf| leaf.symbol_name().is_some()) {
+        return None;
+    }
     let known = [conditions, &natural_domain(&[expression])].concat();
     let form = normal(expression, &Hypotheses::none()).ok()?;
-    let of = |part: Sym| sum(part, &known, DEPTH, left);
+    let of = |part: Sym| sum(part, &known, DEPTH, effort);
     let (above, below) = match of(form.denominator()) {
         Some(below) => (of(form.numerator())?, below),
         None => (of(-form.numerator())?, of(-form.denominator())?),
@@ -54,8 +69,8 @@ fn within(expression: Sym, is_strict: bool, conditions: &[Condition], left: &Cel
     (is_shown && is_same).then_some(SquareSum { written, known })
 }
 
-fn sum(polynomial: Sym, known: &[Condition], depth: usize, left: &Cell<u32>) -> Option<Sym> {
-    left.set(left.get().checked_sub(1)?);
+fn sum(polynomial: Sym, known: &[Condition], depth: usize, effort: &Effort) -> Option<Sym> {
+    effort.left.set(effort.left.get().checked_sub(1)?);
     let polynomial = normal(polynomial, &Hypotheses::none()).ok()?.to_sym();
     if is_written_as_positive(polynomial, known).is_some() {
         return Some(polynomial);
@@ -67,27 +82,35 @@ fn sum(polynomial: Sym, known: &[Condition], depth: usize, left: &Cell<u32>) -> 
         return None;
     }
     let letters = || polynomial.symbols_of().into_iter();
-    letters()
-        .find_map(|letter| by_powers(polynomial, letter, known, depth, left))
-        .or_else(|| letters().find_map(|letter| by_square(polynomial, letter, known, depth, left)))
-        .or_else(|| known.iter().find_map(|condition| by_factor(polynomial, *condition, known, depth, left)))
-        .or_else(|| known.iter().find_map(|condition| by_edge(polynomial, *condition, known, depth, left)))
-        .or_else(|| by_bounds(polynomial, |part| sum(part, known, depth - 1, left)))
+    let by_powers = || letters().find_map(|letter| by_powers(polynomial, letter, known, depth, effort));
+    let by_square = || letters().find_map(|letter| by_square(polynomial, letter, known, depth, effort));
+    let by_factor = || known.iter().find_map(|condition| by_factor(polynomial, *condition, known, depth, effort));
+    let by_edge = || known.iter().find_map(|condition| by_edge(polynomial, *condition, known, depth, effort));
+    let by_bounds = || by_bounds(polynomial, |part| sum(part, known, depth - 1, effort));
+    let rules: [&dyn Fn() -> Option<Sym>; 5] = [&by_powers, &by_square, &by_factor, &by_edge, &by_bounds];
+    let mut found = rules.into_iter().filter_map(|rule| rule());
+    if !effort.excludes_zero {
+        return found.next();
+    }
+    // a completed square may vanish where the distance from an edge does not
+    let first = found.next()?;
+    let is_strict = |form: &Sym| is_written_as_positive(*form, known) == Some(true);
+    if is_strict(&first) { Some(first) } else { found.find(is_strict).or(Some(first)) }
 }
 
 /// A sum of nonnegative powers of a letter with nonnegative coefficients.
-fn by_powers(polynomial: Sym, letter: Sym, known: &[Condition], depth: usize, left: &Cell<u32>) -> Option<Sym> {
+fn by_powers(polynomial: Sym, letter: Sym, known: &[Condition], depth: usize, effort: &Effort) -> Option<Sym> {
     let terms = coefficients(polynomial, &[letter]).ok().filter(|terms| terms.len() > 1)?;
     let term = |(exponents, value): (Vec<u32>, Sym)| {
         let power = letter.powi(exponents[0] as i32);
         is_written_as_positive(power, known)?;
-        Some(sum(value, known, depth - 1, left)? * power)
+        Some(sum(value, known, depth - 1, effort)? * power)
     };
     terms.into_iter().map(term).try_fold(Sym::ZERO, |sum, term| Some(sum + term?))
 }
 
 /// a s^2n + b s^n + c as a (s^n + b/2a)^2 + (4 a c - b^2)/4a.
-fn by_square(polynomial: Sym, letter: Sym, known: &[Condition], depth: usize, left: &Cell<u32>) -> Option<Sym> {
+fn by_square(polynomial: Sym, letter: Sym, known: &[Condition], depth: usize, effort: &Effort) -> Option<Sym> {
     let terms = coefficients(polynomial, &[letter]).ok()?;
     let degree = terms.iter().map(|(exponents, _)| exponents[0]).max().filter(|degree| degree % 2 == 0)?;
     let is_quadratic = terms.iter().all(|(exponents, _)| [0, degree / 2, degree].contains(&exponents[0]));
@@ -97,31 +120,25 @@ fn by_square(polynomial: Sym, letter: Sym, known: &[Condition], depth: usize, le
     let of =
         |power: u32| terms.iter().find(|(exponents, _)| exponents[0] == power).map_or(Sym::ZERO, |(_, value)| *value);
     let (a, b, c) = (of(degree), of(degree / 2), of(0));
-    let lead = sum(a, known, depth - 1, left).filter(|lead| is_written_as_positive(*lead, known) == Some(true))?;
-    let rest = sum(number(4) * a * c - b * b, known, depth - 1, left)?;
+    let lead = sum(a, known, depth - 1, effort).filter(|lead| is_written_as_positive(*lead, known) == Some(true))?;
+    let rest = sum(number(4) * a * c - b * b, known, depth - 1, effort)?;
     let square = (letter.powi((degree / 2) as i32) + b / (number(2) * a)).powi(2);
     Some(lead * square + rest / (number(4) * lead))
 }
 
 /// A condition, or the square of a nonzero expression, times another sum.
-fn by_factor(
-    polynomial: Sym,
-    condition: Condition,
-    known: &[Condition],
-    depth: usize,
-    left: &Cell<u32>,
-) -> Option<Sym> {
+fn by_factor(polynomial: Sym, condition: Condition, known: &[Condition], depth: usize, effort: &Effort) -> Option<Sym> {
     let by = match condition {
         Condition::Positive(of) | Condition::NotNegative(of) => of,
         Condition::NonZero(of) => of.powi(2),
         _ => return None,
     };
     let rest = normal(polynomial / by, &Hypotheses::none()).ok().filter(|rest| rest.denominator() == Sym::ONE)?;
-    Some(by * sum(rest.to_sym(), known, depth - 1, left)?)
+    Some(by * sum(rest.to_sym(), known, depth - 1, effort)?)
 }
 
 /// A letter in which a condition is linear, replaced by the distance from the boundary of the condition.
-fn by_edge(polynomial: Sym, condition: Condition, known: &[Condition], depth: usize, left: &Cell<u32>) -> Option<Sym> {
+fn by_edge(polynomial: Sym, condition: Condition, known: &[Condition], depth: usize, effort: &Effort) -> Option<Sym> {
     let (Condition::Positive(of) | Condition::NotNegative(of)) = condition else { return None };
     if of.symbol_name().is_some() {
         return None;
@@ -134,6 +151,6 @@ fn by_edge(polynomial: Sym, condition: Condition, known: &[Condition], depth: us
         let value = (edge - part(0).unwrap_or(Sym::ZERO)) / Sym::constant(factor);
         let others = known.iter().filter(|other| **other != condition).copied();
         let with = others.chain([condition.mapped(|_| edge)]).collect::<Vec<_>>();
-        Some(sum(polynomial.substitute(&[(letter, value)]), &with, depth - 1, left)?.substitute(&[(edge, of)]))
+        Some(sum(polynomial.substitute(&[(letter, value)]), &with, depth - 1, effort)?.substitute(&[(edge, of)]))
     })
 }

@@ -4,12 +4,13 @@ use crate::admissible::has_positive_parameters;
 use crate::certificate::Record;
 use crate::claim_text::ClaimText;
 use crate::conditions::Hypothesis;
-use crate::consequence::{Step, followed, require, step, written_divisors};
+use crate::consequence::{Step, followed, require, step};
 use crate::display::{Told, tell_point};
 use crate::equation::{Outcome, vanishes};
 use crate::finding::Finding;
 use crate::implications::condition;
 use crate::letters::Letters;
+use crate::natural_domain::written_divisors;
 use crate::refutation::Refutation;
 use crate::resting_equations::SteadyMotion;
 use crate::shortfall::tell_shortfall;
@@ -219,7 +220,9 @@ fn alone(steady: &SteadyMotion<'_, '_>, print: &Print<'_, '_, '_>, finding: &mut
         // a motion on which all letters are constant satisfies every equation
         let rests = all_rests(steady);
         if let Some(found) = failing.iter().find(|found| rests && is_steady(steady, found)) {
-            print.fails(steady, found, &[], finding, record);
+            let is_usual = |found: &Refutation| has_positive_parameters(found, motion);
+            let usual = if is_usual(found) { None } else { failing_motion(steady).filter(is_usual) };
+            print.fails(steady, usual.as_ref().unwrap_or(found), &[], finding, record);
             return false;
         }
         let why = "the equations of motion hold there whenever the printed condition does, and it was not shown that they ask for it";

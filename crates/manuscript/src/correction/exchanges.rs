@@ -67,13 +67,13 @@ pub(super) fn told(summand: &Summand, text: &str) -> String {
 
 /// The sign of each term that is not zero.
 pub(super) fn signs(places: &Places, text: &str) -> Vec<Edit> {
-    // printed signs first, since a wrong sign is usually printed
-    let of = |is_printed: bool| {
-        let chosen =
-            move |summand: &&Summand| summand.sign.is_some() == is_printed && &text[summand.span.clone()] != "0";
+    // printed signs first, since a wrong sign is usually printed; that of the letter whose value is told last
+    let rank = |summand: &Summand| if summand.sign.is_some() { 0 } else { 1 + usize::from(places.is_told(summand)) };
+    let of = |wanted: usize| {
+        let chosen = move |summand: &&Summand| rank(summand) == wanted && &text[summand.span.clone()] != "0";
         places.summands.iter().filter(chosen).map(|summand| sign(summand, text))
     };
-    of(true).chain(of(false)).collect()
+    (0..=2).flat_map(of).collect()
 }
 
 /// The opposite sign of a term.

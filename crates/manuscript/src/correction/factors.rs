@@ -6,7 +6,7 @@ use super::letter_rates::LetterRate;
 use super::places::{Places, Summand};
 use crate::change::EditKind;
 use std::ops::Range;
-use symbolic::Dimension;
+use symbolic::{Dimension, Hypotheses, normal};
 
 /// Numeric factors that are often missing or superfluous in formulas.
 const NUMBERS: [&str; 10] = [
@@ -36,6 +36,16 @@ pub(super) fn factors(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<
             }
         }
     }
+    // those of angles that are coordinates need not stand in the print
+    let is_angle = |rate: &&LetterRate| {
+        rate.order == 0 && rate.is_symbol && !rate.is_parameter && rate.dimension == Dimension::none()
+    };
+    for angle in rates.iter().filter(is_angle) {
+        let circles = [r"\cos", r"\sin"].map(|function| format!("{function}{{{}}}", angle.latex));
+        let is_new = |factor: &String| !candidates.contains(&factor.replace(['{', '}'], ""));
+        let new: Vec<String> = circles.into_iter().filter(is_new).collect();
+        candidates.extend(new);
+    }
     let inverse: Vec<String> =
         candidates[NUMBERS.len()..].iter().map(|call| format!(r"\frac{{1}}{{{call}}}")).collect();
     candidates.extend(inverse);
@@ -47,14 +57,15 @@ pub(super) fn factors(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<
     // a factor that changes no dimension
     let measured = || rates.iter().filter(|rate| rate.order == 0 && rate.dimension != Dimension::none());
     for above in measured() {
-        let others = measured().filter(|below| below.dimension == above.dimension && below.name != above.name);
+        // one that is no number under another name
+        let is_number = |below: &LetterRate| {
+            normal(above.value / below.value, &Hypotheses::none())
+                .is_ok_and(|form| form.to_sym().as_constant().is_some())
+        };
+        let others = measured().filter(|below| below.dimension == above.dimension && !is_number(below));
         candidates.extend(others.map(|below| format!(r"\frac{{{}}}{{{}}}", above.latex, below.latex)));
     }
     // the letter whose value is told stays alone, and a factor is rather lost on one side than superfluous on the other one
-    let is_told = |summand: &Summand| {
-        let is_alone = summand.side == Some(0) && summand.count == 1;
-        is_alone && places.atoms.iter().any(|atom| atom.span == summand.span)
-    };
     let mut all = Vec::new();
     for summand in places.summands.iter().filter(|summand| &text[summand.span.clone()] != "0") {
         for (place, factor) in summand.factors.iter().enumerate() {
@@ -68,7 +79,7 @@ pub(super) fn factors(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<
             };
             let words = format!("no factor `{}` in {}", &text[factor.clone()], told(summand, text));
             if text.get(span.clone()).is_some() && &text[factor.clone()] != "1" {
-                all.push(((is_told(summand), false), Edit::new(EditKind::ExtraFactor, span, after, words)));
+                all.push(((places.is_told(summand), false), Edit::new(EditKind::ExtraFactor, span, after, words)));
             }
         }
         for factor in &candidates {
@@ -82,8 +93,7 @@ pub(super) fn factors(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<
                 Some(below) => over(summand, below, text),
                 None => before(summand, factor, text),
             };
-            let is_of_numbers = NUMBERS.contains(&factor.as_str());
-            all.push(((is_told(summand), factor.starts_with(r"\frac") && !is_of_numbers), edit));
+            all.push(((places.is_told(summand), factor.starts_with(r"\frac")), edit));
         }
     }
     all.sort_by_key(|(rank, _)| *rank);

@@ -3,6 +3,7 @@
 use super::comparison::letters;
 use super::edit::Edit;
 use super::ground::Ground;
+use super::integral_terms::integral_terms;
 use super::places::Places;
 use super::probe::Probe;
 use super::search::edited;
@@ -11,6 +12,7 @@ use crate::change::EditKind;
 use crate::claim_text::Kind;
 use crate::letter_forms::ways_to_tell;
 use crate::letters::Letters;
+use crate::linearisation::Linearisation;
 use latex::{Chain, Meaning, Statement, Value, read, value};
 use model::equations::Equations;
 use std::ops::Range;
@@ -28,7 +30,10 @@ pub(super) fn lost(ground: &TextClaim<'_, '_, '_>, places: &Places, probe: &Prob
     if kind == Kind::IntegralOfMotion && most == 1 {
         let plain = || ground.rates().iter().filter(|rate| rate.order == 0).map(|rate| rate.latex.clone());
         let terms = || plain().flat_map(|latex| [("+", latex.clone()), ("-", latex)]).collect();
-        return added(open_sums(places, ground.text()).map(|sum| (sum, terms())));
+        let letters_alone = added(open_sums(places, ground.text()).map(|sum| (sum, terms())));
+        let of_integrals = |statement: &Statement| integral_terms(statement, letters);
+        let others = lost_terms(places, ground.text(), letters.spelt(), most, &of_integrals);
+        return [letters_alone, others].concat();
     }
     lost_terms(places, ground.text(), letters.spelt(), most, &|statement| sought_values(ground, statement, probe))
 }
@@ -149,27 +154,21 @@ fn one_difference(statement: &Statement, letters: &Letters<'_, '_>) -> Option<Sy
 /// The value that the sought term must have, in the paper's letters: by the motion, and by each equation of motion.
 fn missing(kind: Kind, difference: Sym, letters: &Letters<'_, '_>, probe: &Probe<'_, '_>) -> Vec<Sym> {
     let sought = sought();
+    // a term below a bar is linear in the numerator
+    let is_below = difference.diff(sought).symbols_of().contains(&sought);
+    let over_one = || normal(difference, &Hypotheses::none()).map_or(difference, |form| form.numerator());
+    let difference = if is_below { over_one() } else { difference };
     let plain = difference.substitute(&[(sought, Sym::ZERO)]);
     let slope = difference.diff(sought);
     if slope == Sym::ZERO || slope.symbols_of().contains(&sought) {
         return Vec::new();
     }
     let motion = probe.motion();
-    let mut residuals = vec![motion.reduced(plain)];
-    if kind == Kind::EquationOfMotion {
-        let trace = letters.trace;
-        let Equations { mass, bias, constraints } = Equations::of(trace);
-        for (k, row) in mass.iter().enumerate() {
-            let inertia = row.iter().zip(&trace.accelerations).fold(bias[k], |sum, (&entry, &rate)| sum + entry * rate);
-            let equation = constraints.iter().fold(inertia, |sum, one| sum - one.multiplier * one.row[k]);
-            for (j, &entry) in row.iter().enumerate().filter(|(_, entry)| **entry != Sym::ZERO) {
-                let factor = trace.by_acceleration(plain, j) / entry;
-                if factor != Sym::ZERO {
-                    residuals.push(plain - factor * equation);
-                }
-            }
-        }
-    }
+    let (residuals, slope) = match (kind, probe.linear()) {
+        (Kind::LinearisedEquation, Some(linear)) => (linear_residuals(plain, letters, linear), motion.reduced(slope)),
+        (Kind::EquationOfMotion, _) => (residuals(plain, letters, motion.reduced(plain)), slope),
+        _ => (vec![motion.reduced(plain)], slope),
+    };
     let mut found: Vec<Sym> = Vec::new();
     for residual in residuals {
         let Ok(form) = normal(-residual / slope, &motion.hypotheses) else { continue };
@@ -183,6 +182,58 @@ fn missing(kind: Kind, difference: Sym, letters: &Letters<'_, '_>, probe: &Probe
         }
     }
     found
+}
+
+/// The value of a printed equation along the motion, and its differences from multiples of the equations of motion.
+fn residuals(plain: Sym, letters: &Letters<'_, '_>, along: Sym) -> Vec<Sym> {
+    let trace = letters.trace;
+    let mut all = vec![along];
+    let moves = (0..trace.accelerations.len()).any(|j| trace.by_acceleration(plain, j) != Sym::ZERO);
+    for (equation, row) in equations_with_inertia(letters) {
+        // the lost term may be that of inertia
+        if !moves {
+            all.extend([plain - equation, plain + equation]);
+        }
+        for (j, &entry) in row.iter().enumerate().filter(|(_, entry)| **entry != Sym::ZERO) {
+            let factor = trace.by_acceleration(plain, j) / entry;
+            if factor != Sym::ZERO {
+                all.push(plain - factor * equation);
+            }
+        }
+    }
+    all
+}
+
+/// The differences of a printed linear equation from multiples of the linear equations of motion.
+fn linear_residuals(plain: Sym, letters: &Letters<'_, '_>, linear: &Linearisation<'_, '_>) -> Vec<Sym> {
+    let trace = letters.trace;
+    let printed = linear.form(plain);
+    let mut all = Vec::new();
+    for (equation, _) in equations_with_inertia(letters) {
+        let equation = linear.form(equation);
+        if trace.accelerations.iter().all(|&acceleration| printed.diff(acceleration) == Sym::ZERO) {
+            all.extend([printed - equation, printed + equation]);
+        }
+        for &acceleration in &trace.accelerations {
+            let entry = equation.diff(acceleration);
+            let factor = if entry == Sym::ZERO { Sym::ZERO } else { printed.diff(acceleration) / entry };
+            if factor != Sym::ZERO {
+                all.push(printed - factor * equation);
+            }
+        }
+    }
+    all
+}
+
+/// The equations of motion as expressions that are zero, each with its row of the mass matrix.
+fn equations_with_inertia(letters: &Letters<'_, '_>) -> Vec<(Sym, Vec<Sym>)> {
+    let trace = letters.trace;
+    let Equations { mass, bias, constraints } = Equations::of(trace);
+    let of = |(k, row): (usize, Vec<Sym>)| {
+        let inertia = row.iter().zip(&trace.accelerations).fold(bias[k], |sum, (&entry, &rate)| sum + entry * rate);
+        (constraints.iter().fold(inertia, |sum, one| sum - one.multiplier * one.row[k]), row)
+    };
+    mass.into_iter().enumerate().map(of).collect()
 }
 
 /// The number of terms of a sum, as it is written.
@@ -209,7 +260,7 @@ pub(super) fn lack(statement: &Statement, letters: &Letters<'_, '_>, probe: &Pro
 }
 
 /// The letters of the paper, and the sought letter.
-struct Sought<'a, 't, 'm>(&'a Letters<'t, 'm>);
+pub(super) struct Sought<'a, 't, 'm>(pub &'a Letters<'t, 'm>);
 
 impl Meaning for Sought<'_, '_, '_> {
     fn letter(&self, name: &str) -> Option<Value> {

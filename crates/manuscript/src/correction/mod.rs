@@ -14,6 +14,7 @@ mod exchanges;
 mod factors;
 mod ground;
 mod hypotheses;
+mod integral_terms;
 mod letter_rates;
 mod lost;
 mod lost_inertia;

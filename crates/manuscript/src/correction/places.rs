@@ -70,6 +70,14 @@ impl Places {
     }
 }
 
+impl Places {
+    /// Whether a term is the letter on the left side whose value the right side tells.
+    pub fn is_told(&self, summand: &Summand) -> bool {
+        let is_alone = summand.side == Some(0) && summand.count == 1;
+        is_alone && self.atoms.iter().any(|atom| atom.span == summand.span)
+    }
+}
+
 struct Finder<'a> {
     text: &'a str,
     found: Places,

@@ -97,6 +97,11 @@ impl<'t, 'm> Probe<'t, 'm> {
         &self.motion
     }
 
+    /// The linearisation of a linearised equation.
+    pub fn linear(&self) -> Option<&Linearisation<'t, 'm>> {
+        self.linear.as_ref()
+    }
+
     /// The expressions that must vanish, with both sides in the paper's letters.
     fn lines(&self, claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>) -> Option<Vec<Line>> {
         match self.kind {

@@ -3,6 +3,7 @@
 use super::combinations::{self, Effect, apart, is_small, size};
 use super::edit::{Edit, is_whole};
 use super::ground::{Ground, Look, Proof};
+use super::letter_rates::LetterRate;
 use super::lost::lost_beside;
 use super::places::Places;
 use super::values::values;
@@ -103,6 +104,16 @@ impl<'a, G: Ground> Search<'a, G> {
             return found;
         }
         let factors = factors::factors(places, text, self.ground.rates());
+        // a quantity that stands nowhere else is not lost beside other slips
+        let is_printed = |rate: &LetterRate| places.atoms.iter().any(|atom| atom.name == rate.name);
+        let is_quantity = |rate: &&LetterRate| (rate.order > 0 || !rate.is_symbol) && !is_printed(rate);
+        let foreign = self.ground.rates().iter().filter(is_quantity);
+        let foreign: Vec<&str> = foreign.map(|rate| rate.latex.as_str()).collect();
+        let adds_rate = |edit: &Edit| {
+            let added = [Some(edit.after.as_str()), edit.closing.as_ref().map(|(_, text)| text.as_str())];
+            added.into_iter().flatten().any(|added| foreign.iter().any(|rate| added.contains(rate)))
+        };
+        let factors = factors.into_iter().filter(|edit| !adds_rate(edit)).collect();
         let edits = [self.exchanges.clone(), factors, terms::superfluous(places, text)].concat();
         let edits = if size < LEAST_FOR_TWO { Vec::new() } else { edits };
         let effects = self.residual.as_ref().map_or_else(Vec::new, |residual| self.effects(&edits, residual));
