@@ -178,9 +178,9 @@ impl Ground for TextClaim<'_, '_, '_> {
         // letters that stand for products are what they stand for
         let meaning = |term: &Term| scalar(value(term, &self.letters.in_model()));
         let vanishes = |term: &Term| meaning(term).is_some_and(|value| vanishes_on(&self.allowed, value));
-        // deviations vanish on the motion about which an equation is linear
+        // where one deviation is printed that vanishes on the motion about which an equation is linear, several may be
         let is_linear = self.claim.kind == Kind::LinearisedEquation;
-        let empty = if is_linear { 0 } else { vanishing_factors(statement, &vanishes) };
+        let empty = vanishing_factors(statement, &vanishes).min(if is_linear { 1 } else { usize::MAX });
         let moves = |leaf: Sym| {
             let value = leaf.substitute(&self.letters.meanings(leaf));
             !value.symbols_of().iter().all(|symbol| self.letters.trace.parameters.contains(symbol))

@@ -60,3 +60,10 @@ fn cosine_and_sine_of_an_angle_are_on_one_circle() {
     });
     assert!((cos * cos + sin * sin - 1.0).abs() < 1e-12, "{}", found.text());
 }
+
+#[test]
+fn another_rest_is_shown_rather_than_a_world_without_weight() {
+    let found = on_pendulum("steady motion", r"\theta = 0", r"resting = ['\theta']");
+    assert_eq!(value(&found, "theta"), "pi", "{}", found.text());
+    assert!(!value(&found, "g").starts_with(['-', '0']), "{}", found.text());
+}

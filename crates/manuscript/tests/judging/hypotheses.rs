@@ -86,3 +86,31 @@ fn an_equality_of_letters_keeps_the_check_of_dimensions() {
         assert_eq!(found.judged.evidence.contains("has the dimension"), is_checked, "{}", found.text());
     }
 }
+
+#[test]
+fn the_order_of_hypotheses_does_not_matter() {
+    for (formula, given) in [
+        (r"\ddot\theta = 0", ["'m = 0'", "'g = 0'", "'l = 2'"]),
+        ("T = 0", ["'m = l'", "'l = 0'", "'g = m'"]),
+        (r"T = m \dot\theta^2", ["'m = 3'", r"'l = \sqrt{2}'", r"'\theta = \pi'"]),
+    ] {
+        let orders = [[0, 1, 2], [2, 1, 0], [1, 0, 2], [1, 2, 0]];
+        let verdicts = orders.map(|order| {
+            let given = order.map(|place| given[place]).join(", ");
+            let found = on_pendulum("formula", formula, &format!("given = [{given}]"));
+            assert!(found.judged.objections.is_empty(), "{}", found.text());
+            verdict(&found)
+        });
+        assert!(verdicts.iter().all(|one| *one == verdicts[0]), "{formula}: {verdicts:?}");
+    }
+}
+
+#[test]
+fn a_formula_that_holds_for_all_values_of_its_letters_says_nothing() {
+    for formula in ["0 = 0", "T = T", "m l + g = g + l m"] {
+        let found = on_pendulum("formula", formula, "");
+        assert!(found.judged.evidence.ends_with("says nothing of the model"), "{}", found.text());
+    }
+    let found = on_pendulum("formula", r"T = \frac{1}{2} m l^2 \dot\theta^2", "");
+    assert!(!found.judged.evidence.contains("says nothing"), "{}", found.text());
+}

@@ -127,3 +127,44 @@ fn a_lost_dot_of_an_acceleration_is_refuted_and_corrected() {
     assert_eq!(verdict(&found), "refuted", "{}", found.text());
     assert_eq!(formulas(&found), [r"\ddot{\theta} = -\frac{g}{l} \sin\theta"], "{}", found.text());
 }
+
+#[test]
+fn a_lost_term_of_a_linear_equation_is_found() {
+    let given = "given = ['\\alpha = 0', '\\dot{x} = 0']\nresting = ['\\alpha', '\\dot{x}']";
+    for (printed, corrected) in [
+        (r"m l \ddot{x} + (J + m l^2) \ddot\alpha = 0", r"m l \ddot{x} + (J + m l^2) \ddot\alpha + \alpha glm = 0"),
+        (r"(J + m l^2) \ddot\alpha + m g l \alpha = 0", r"(J + m l^2) \ddot\alpha + m g l \alpha + lm\ddot{x} = 0"),
+    ] {
+        let found = on(CART, "linearised equation", printed, given);
+        assert_eq!(formulas(&found), [corrected], "{}", found.text());
+    }
+}
+
+#[test]
+fn a_lost_term_of_an_integral_is_found_by_the_integrals_of_the_model() {
+    let found = on_pendulum("integral of motion", r"\frac{1}{2} m l^2 \dot\theta^2 = \mathrm{const}", "");
+    let [first] = &found.corrections[..] else { panic!("{}", found.text()) };
+    assert_eq!(first.changes[0].kind, EditKind::LostTerm, "{}", found.text());
+    let found = on(CART, "integral of motion", r"M \dot{x} + m l \dot\alpha \cos\alpha = \mathrm{const}", "");
+    assert_eq!(
+        formulas(&found),
+        [r"M \dot{x} + m l \dot\alpha \cos\alpha + m\dot{x} = \mathrm{const}"],
+        "{}",
+        found.text()
+    );
+}
+
+#[test]
+fn a_lost_term_below_a_bar_is_found() {
+    let system = PENDULUM.replace("mass = \"m\"", "mass = \"m\"\nframe = \"A\"\ninertia = \"J\"");
+    let system =
+        system.replace("g = \"m/s^2\"", "g = \"m/s^2\"\nJ = \"kg m^2\"").replace("'T' =", "'J' = \"J\"\n'T' =");
+    let found = on(&system, "formula", r"\ddot\theta = -\frac{m g l \sin\theta}{J}", "");
+    assert_eq!(formulas(&found), [r"\ddot\theta = -\frac{m g l \sin\theta}{J + l^2m}"], "{}", found.text());
+}
+
+#[test]
+fn the_sign_of_a_lone_left_side_is_the_last_to_be_wrong() {
+    let found = on_pendulum("equation of motion", r"\ddot\theta = \frac{g}{l} \sin\theta", "");
+    assert_eq!(formulas(&found), [r"\ddot\theta = -\frac{g}{l} \sin\theta"], "{}", found.text());
+}
