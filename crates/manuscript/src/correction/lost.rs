@@ -32,14 +32,22 @@ pub(super) fn lost(ground: &TextClaim<'_, '_, '_>, places: &Places, probe: &Prob
         let terms = || plain().flat_map(|latex| [("+", latex.clone()), ("-", latex)]).collect();
         let letters_alone = added(open_sums(places, ground.text()).map(|sum| (sum, terms())));
         let of_integrals = |statement: &Statement| integral_terms(statement, letters);
-        let others = lost_terms(places, ground.text(), letters.spelt(), most, &of_integrals);
+        let others = lost_terms(places, ground.text(), ground.known(), most, &of_integrals);
         return [letters_alone, others].concat();
     }
-    lost_terms(places, ground.text(), letters.spelt(), most, &|statement| sought_values(ground, statement, probe))
+    lost_terms(places, ground.text(), letters.spelt(), most, &|statement| missing_values(ground, statement, probe))
 }
 
 /// The values of the sought letter in a claim.
 pub(super) fn sought_values(ground: &TextClaim<'_, '_, '_>, statement: &Statement, probe: &Probe<'_, '_>) -> Vec<Sym> {
+    // a part of a linear equation has no value by itself
+    if ground.claim.kind == Kind::LinearisedEquation {
+        return Vec::new();
+    }
+    missing_values(ground, statement, probe)
+}
+
+fn missing_values(ground: &TextClaim<'_, '_, '_>, statement: &Statement, probe: &Probe<'_, '_>) -> Vec<Sym> {
     let zero = one_difference(statement, ground.letters);
     zero.map_or_else(Vec::new, |zero| missing(ground.claim.kind, zero, ground.letters, probe))
 }
@@ -128,6 +136,11 @@ fn added(terms: impl Iterator<Item = (Range<usize>, Vec<(&'static str, String)>)
         }
     }
     all.sort_by_key(|edit| edit.after.len());
+    // a quotient by a sum would make up for a term that is lost elsewhere
+    let is_plain = |edit: &Edit| !(edit.after.contains(r"\frac") && count(&edit.after) > 2);
+    if all.iter().any(is_plain) {
+        all.retain(is_plain);
+    }
     all
 }
 
@@ -164,13 +177,20 @@ fn missing(kind: Kind, difference: Sym, letters: &Letters<'_, '_>, probe: &Probe
         return Vec::new();
     }
     let motion = probe.motion();
-    let (residuals, slope) = match (kind, probe.linear()) {
-        (Kind::LinearisedEquation, Some(linear)) => (linear_residuals(plain, letters, linear), motion.reduced(slope)),
-        (Kind::EquationOfMotion, _) => (residuals(plain, letters, motion.reduced(plain)), slope),
-        _ => (vec![motion.reduced(plain)], slope),
+    let there = motion.reduced(slope);
+    let along = || (motion.reduced(plain), there);
+    let residuals: Vec<(Sym, Sym)> = match (kind, probe.linear()) {
+        (Kind::LinearisedEquation, Some(linear)) => {
+            linear_residuals(plain, letters, linear).into_iter().map(|residual| (residual, there)).collect()
+        }
+        (Kind::EquationOfMotion, _) => {
+            let of_equations = residuals(plain, letters).into_iter().map(|residual| (residual, slope));
+            std::iter::once(along()).chain(of_equations).collect()
+        }
+        _ => vec![along()],
     };
     let mut found: Vec<Sym> = Vec::new();
-    for residual in residuals {
+    for (residual, slope) in residuals {
         let Ok(form) = normal(-residual / slope, &motion.hypotheses) else { continue };
         // unchanged, or by letters that denote more than one symbol
         let told = ways_to_tell(letters, form.to_sym(), &motion.hypotheses);
@@ -184,10 +204,10 @@ fn missing(kind: Kind, difference: Sym, letters: &Letters<'_, '_>, probe: &Probe
     found
 }
 
-/// The value of a printed equation along the motion, and its differences from multiples of the equations of motion.
-fn residuals(plain: Sym, letters: &Letters<'_, '_>, along: Sym) -> Vec<Sym> {
+/// The differences of a printed equation from multiples of the equations of motion.
+fn residuals(plain: Sym, letters: &Letters<'_, '_>) -> Vec<Sym> {
     let trace = letters.trace;
-    let mut all = vec![along];
+    let mut all = Vec::new();
     let moves = (0..trace.accelerations.len()).any(|j| trace.by_acceleration(plain, j) != Sym::ZERO);
     for (equation, row) in equations_with_inertia(letters) {
         // the lost term may be that of inertia

@@ -45,6 +45,7 @@ use edit::Edit;
 use ground::{Ground, Proof};
 use latex::Statement;
 use search::{MOST_TOLD, Search};
+use std::cmp::Reverse;
 use text_claim::TextClaim;
 
 /// Corrections of a refuted claim, all of one size; empty if no edit is proved.
@@ -61,7 +62,7 @@ pub(crate) fn corrections(
         let right = right(claim, statement, letters, assumed);
         // the printed number has the wrong sign, not its letter
         let mut signs = exchanges::signs(&search.places, ground.text());
-        signs.reverse();
+        signs.sort_by_key(|sign| Reverse(sign.span.start));
         let power = right.as_ref().and_then(|right| power_of_ten(claim, right));
         // a power of ten beside another sign
         let with_sign = power.iter().flat_map(|power| signs.iter().map(|sign| vec![sign.clone(), power.clone()]));

@@ -177,9 +177,11 @@ impl Ground for TextClaim<'_, '_, '_> {
         let repeated = usize::from(states && self.difference(statement).is_some_and(is_given));
         // letters that stand for products are what they stand for
         let meaning = |term: &Term| scalar(value(term, &self.letters.in_model()));
-        let vanishes = |term: &Term| meaning(term).is_some_and(|value| vanishes_on(&self.allowed, value));
-        // where one deviation is printed that vanishes on the motion about which an equation is linear, several may be
+        // on the motion about which an equation is linear letters vanish as deviations; where one sum is such a deviation, several may be
         let is_linear = self.claim.kind == Kind::LinearisedEquation;
+        let is_deviation = |term: &Term| is_linear && matches!(term.form, Form::Letter(_) | Form::Rate(..));
+        let vanishes =
+            |term: &Term| !is_deviation(term) && meaning(term).is_some_and(|value| vanishes_on(&self.allowed, value));
         let empty = vanishing_factors(statement, &vanishes).min(if is_linear { 1 } else { usize::MAX });
         let moves = |leaf: Sym| {
             let value = leaf.substitute(&self.letters.meanings(leaf));

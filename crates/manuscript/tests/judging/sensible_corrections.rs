@@ -143,7 +143,7 @@ fn a_lost_term_of_a_linear_equation_is_found() {
 #[test]
 fn a_lost_term_of_an_integral_is_found_by_the_integrals_of_the_model() {
     let found = on_pendulum("integral of motion", r"\frac{1}{2} m l^2 \dot\theta^2 = \mathrm{const}", "");
-    let [first] = &found.corrections[..] else { panic!("{}", found.text()) };
+    let [first, ..] = &found.corrections[..] else { panic!("{}", found.text()) };
     assert_eq!(first.changes[0].kind, EditKind::LostTerm, "{}", found.text());
     let found = on(CART, "integral of motion", r"M \dot{x} + m l \dot\alpha \cos\alpha = \mathrm{const}", "");
     assert_eq!(
