@@ -103,7 +103,7 @@ fn without_even_powers(polynomial: Sym, circles: &[Circle]) -> (Sym, Sym) {
             rest = terms
                 .into_iter()
                 .fold(Sym::ZERO, |sum, (exponents, value)| sum + value * own.powi((exponents[0] - least) as i32));
-            power = power * own.powi(least as i32);
+            power *= own.powi(least as i32);
         }
     }
     (rest, power)
