@@ -162,7 +162,9 @@ fn by_cases<'t, 'm>(
     conditions: &[Condition],
     effort: Effort,
 ) -> Step<'t, 'm> {
-    let is_part = |part: &&Sym| parts.len() > 1 || solution(motion.trace, **part, None).is_some();
+    // a factor that is no shorter would be taken apart without end
+    let is_shorter = |part: Sym| Sym::operations_of(&[part]) < Sym::operations_of(&[zero]);
+    let is_part = |part: &&Sym| parts.len() > 1 && is_shorter(**part) || solution(motion.trace, **part, None).is_some();
     let mut divided: Vec<Sym> = Vec::new();
     let mut has_all = parts.iter().all(|part| is_part(&part));
     for part in parts.iter().filter(is_part) {
