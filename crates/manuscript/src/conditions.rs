@@ -56,13 +56,16 @@ pub(crate) fn scalar(text: &Passage, term: &Term, letters: &Letters<'_, '_>) -> 
     }
 }
 
-/// Reads the hypotheses of a claim: equalities last and the plainest of them first, so that their order in the file does not matter.
+/// Reads the hypotheses of a claim: equalities first and the plainest of them before the others, so that their order in the file does not matter.
 ///
 /// # Errors
 /// The first text that is not a hypothesis.
 pub(crate) fn hypotheses(given: &[Passage], letters: &Letters<'_, '_>) -> Result<Vec<Hypothesis>, Issue> {
     let mut all = given.iter().map(|text| hypothesis(text, letters)).collect::<Result<Vec<_>, Issue>>()?;
-    all.sort_by_cached_key(|one| one.equality.map(|(zero, _)| (zero.symbols_of().len(), one.told.0.clone())));
+    all.sort_by_cached_key(|one| match one.equality {
+        Some((zero, _)) => (zero.symbols_of().len(), one.told.0.clone()),
+        None => (usize::MAX, String::new()),
+    });
     Ok(all)
 }
 
