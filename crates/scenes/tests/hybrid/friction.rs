@@ -1,6 +1,9 @@
 //! One contact with dry friction: breakaway, sliding, sticking and grazing, compared with closed forms.
 
 use super::draws::{DRAWS, Draw, ends_at, first_zero, on_a_line};
+use dalembert_scenes::ModelScene;
+use integrators::Method;
+use simulation::{Axes, Choice, IvpScene};
 use std::f64::consts::{PI, TAU};
 
 /// A force r t moves a block from t = F/r on: m x = r (t - F/r)^3/6.
@@ -188,5 +191,47 @@ fn smooth_friction_brings_a_fast_block_to_rest() {
         let start = format!("[start]\n\"x'\" = \"{speed} m/s\"\n[run]\nspan = \"{span} s\"\n");
         let known = scale * (0.5 * (-after).exp()).asinh();
         ends_at(&on_a_line(&[("x", mass, &force)], &start), &[("x'", known)], 1e3);
+    }
+}
+
+/// A block that friction holds from 0.3 s on, beside a mass whose spring has a root.
+const HELD: &str = r#"
+title = "A block that friction holds beside a mass on an oblique spring"
+[coordinates]
+x = "m"
+y = "m"
+[points]
+P = "O + y*N.x"
+[bodies]
+block = { centre = "O + (1 m)*N.y + x*N.x", mass = "1 kg" }
+bob = { centre = "P", mass = "1 kg" }
+[[force]]
+on = "block"
+is = "((3 N)*sin((2 1/s)*t) - (50 N/m)*(x - (0.01 m)) - (5 N)*sign(x'))*N.x"
+[[force]]
+between = ["ground at O - (1 m)*N.y", "bob"]
+is = "-(20 N/m)*(distance(O - (1 m)*N.y, P) - (0.5 m))"
+[start]
+x = "0.3 m"
+"x'" = "0.5 m/s"
+y = "0.3 m"
+[run]
+span = "10 s"
+"#;
+
+/// The rates of the block are then rounding, and no sign of another branch of the root.
+#[test]
+fn taylor_goes_on_while_friction_holds_a_block() {
+    let scene = ModelScene::parse("held.toml", HELD).unwrap_or_else(|error| panic!("{error}"));
+    let problem = scene.problem(Axes::First);
+    let end = |method: Method, tolerance: f64| {
+        let run = problem.simulate(&Choice { method, tolerance, ..scene.run().choice() }, |_| ());
+        assert_eq!(run.stopped(), None, "{method} {tolerance}");
+        run.outcome.state
+    };
+    let known = end(Method::DormandPrince8, 1e-12);
+    for tolerance in [1e-6, 1e-8, 1e-10, 1e-12] {
+        let apart = end(Method::Taylor, tolerance).iter().zip(&known).map(|(one, other)| (one - other).abs());
+        assert!(apart.fold(0.0, f64::max) < 1e-9 + 1e2 * tolerance, "{tolerance}");
     }
 }

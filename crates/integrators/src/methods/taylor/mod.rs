@@ -170,6 +170,9 @@ impl<S: Real, T: TaylorSeries<S>> TaylorStepper<S, T> {
 /// branch.
 const OFF: f64 = 1e3;
 
+/// Differences below so many roundings of the largest component belong to none: the rates of a body that friction holds are rounding.
+const NOISE: f64 = 64.0;
+
 /// A motion that crosses over to another branch does so in a few steps. One that ends so many steps in a row on another branch has come to
 /// the end of its law, such as the bottom of a tank, and is turned back by each series within the tolerance.
 const MOST_ASTRAY: u32 = 12;
@@ -193,13 +196,15 @@ impl<S: Real, T: TaylorSeries<S>> TaylorStepper<S, T> {
                 let times = S::int(k as i64);
                 own.iter_mut().zip(terms).for_each(|(sum, term)| *sum = *sum * h + *term * times);
             }
+            let size = |i: usize| state[i].approx().abs() + rates[i].approx().abs() * step.approx();
+            let noise = S::EPSILON * NOISE * (0..states).map(size).fold(0.0, f64::max);
             (0..states).all(|i| {
                 let apart = (own[i] * *direction - rates[i]).magnitude().approx() * step.approx();
                 let value = state[i].approx().abs();
                 let allowed = method.tolerance.absolute(i) + method.tolerance.relative * value;
-                let rounding = S::EPSILON * (value + rates[i].approx().abs() * step.approx());
+                let rounding = S::EPSILON * size(i);
                 let sizes = own[i].approx().abs() + rates[i].approx().abs();
-                is_astray |= apart > OFF * rounding && apart > 0.5 * sizes * step.approx();
+                is_astray |= apart > noise.max(OFF * rounding) && apart > 0.5 * sizes * step.approx();
                 apart <= OFF * (allowed + rounding)
             })
         });
