@@ -28,6 +28,23 @@ fn bounces_come_to_an_end_where_their_sum_does() {
     }
 }
 
+/// A ball without a coordinate along the floor has friction there, which changes nothing.
+#[test]
+fn a_rough_floor_under_a_ball_on_a_line_is_as_a_smooth_one() {
+    let on_a_line = |friction: &str| {
+        let text = ball(0.5, friction).replace("x = \"m\"\n", "").replace("x*N.x + ", "");
+        text.replace("\"x'\" = \"1 m/s\"\n", "").replace("span = \"2 s\"", "span = \"1 s\"")
+    };
+    for impact in ["newton", "poisson", "moreau"] {
+        let law = format!("impact = \"{impact}\"\n");
+        let [smooth, rough] = [law.clone(), format!("{law}friction = \"0.3\"\n")]
+            .map(|friction| runs(&on_a_line(&friction), METHODS[0], 1e-12));
+        assert_eq!((smooth.stopped(), rough.stopped()), (None, None), "{impact}");
+        close(last(&rough, "y"), last(&smooth, "y"), 1e-12);
+        assert!(events(&rough).len() > 3, "{impact}");
+    }
+}
+
 #[test]
 fn a_coefficient_of_one_keeps_the_energy() {
     let trajectory = runs(&ball(1.0, ""), METHODS[0], 1e-12);

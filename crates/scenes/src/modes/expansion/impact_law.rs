@@ -64,6 +64,11 @@ impl<S: Real> Impact<S> {
         if self.friction.is_some_and(|friction| friction.approx().is_nan() || friction < S::zero()) {
             return Err(NotStruck::Friction);
         }
+        // a point that other bodies lead along its normal has friction, which changes nothing
+        let [[by_normal, _], [_, by_tangent]] = self.responses.map(|parts| parts.map(|part| part.approx().abs()));
+        if by_tangent <= SINGULAR * by_normal && self.friction.is_some() {
+            return Impact { friction: None, ..*self }.impulses();
+        }
         let impulses = match self.law {
             Restitution::Newton | Restitution::Moreau => self.by_newton(),
             Restitution::Poisson => self.by_poisson(),
@@ -242,6 +247,16 @@ mod tests {
         assert_eq!(of(0.1, 1.5), Err(NotStruck::Restitution));
         assert_eq!(of(0.1, f64::NAN), Err(NotStruck::Restitution));
         assert_eq!(of(-0.1, 0.5), Err(NotStruck::Friction));
+    }
+
+    #[test]
+    fn a_point_that_moves_along_its_normal_alone_bounces_as_a_smooth_one() {
+        for (law, restitution) in [(Restitution::Newton, 0.7), (Restitution::Poisson, 0.7), (Restitution::Newton, 0.0)]
+        {
+            let responses = [[0.5, 0.0], [0.0, 0.0]];
+            let impact = Impact { law, closing: -2.0, sliding: 0.0, responses, friction: Some(0.3), restitution };
+            close(impact.impulses().unwrap(), [4.0 * (1.0 + restitution), 0.0]);
+        }
     }
 
     #[test]
