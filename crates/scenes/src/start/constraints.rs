@@ -173,11 +173,25 @@ impl Constraints {
         Some(Unmet::Contradiction { at: [one, other].map(|place| self.known[place].at.clone()), residual, unit })
     }
 
+    /// Whether each residual is rounding: of terms in SI units of the order of one, or of larger ones, by the derivatives and the state.
+    pub fn met(&self, state: &[f64], (residuals, jacobian): &(DVector<f64>, DMatrix<f64>), order: usize) -> Vec<bool> {
+        let largest = |speed: usize| {
+            state[self.layout.places(speed, order)].iter().fold(1.0, |largest: f64, part| largest.max(part.abs()))
+        };
+        let sizes: Vec<f64> = (0..self.layout.speeds()).map(largest).collect();
+        let is_met = |(row, residual): (usize, &f64)| {
+            let slopes = jacobian.row(row);
+            let terms = slopes.iter().zip(&sizes).map(|(slope, size)| (slope * size).abs());
+            residual.abs() <= MET * terms.fold(1.0, f64::max)
+        };
+        residuals.iter().enumerate().map(is_met).collect()
+    }
+
     /// The first constraint that does not hold, with those of the free coordinates, or speeds, that move it.
     pub fn open(&self, state: &[f64], parameters: &[f64], level: Option<Level>, free: &[usize]) -> Option<Open> {
-        let (residuals, jacobian) = self.at(state, parameters, level);
-        let unmet = |residual: &f64| residual.is_nan() || residual.abs() > MET;
-        let worst = residuals.iter().position(unmet)?;
+        let at = self.at(state, parameters, level);
+        let worst = self.met(state, &at, usize::from(level.is_none())).iter().position(|is_met| !is_met)?;
+        let (residuals, jacobian) = at;
         let Known { title, at, level: own, .. } = &self.known[worst];
         let unit = self.unit_of(worst, level);
         let is_rate = level.is_none() && *own == Level::Position;

@@ -35,7 +35,7 @@ use std::fmt;
 /// Steps of Newton's method: from a fair guess six are many.
 const MOST_STEPS: usize = 50;
 
-/// Residuals below this, in SI units, are rounding of data with fifteen digits.
+/// Residuals below this, in SI units and beside larger terms relative to these, are rounding of data with fifteen digits.
 const MET: f64 = 1e-10;
 
 /// Residuals below this are what rounding leaves.
@@ -174,12 +174,13 @@ fn completed(
         let written = state.clone();
         let mut is_met = false;
         for _ in 0..MOST_STEPS {
-            let (residuals, jacobian) = constraints.at(&state, parameters, level);
+            let at = constraints.at(&state, parameters, level);
             // met, one more step leaves rounding alone
-            if is_met || residuals.amax() <= ROUNDED || free.is_empty() {
+            if is_met || at.0.amax() <= ROUNDED || free.is_empty() {
                 break;
             }
-            is_met = residuals.amax() <= MET;
+            is_met = constraints.met(&state, &at, order).iter().all(|is_met| *is_met);
+            let (residuals, jacobian) = at;
             let columns = DMatrix::from_fn(residuals.len(), free.len(), |row, at| jacobian[(row, free[at])]);
             if !residuals.iter().chain(columns.iter()).all(|number| number.is_finite()) {
                 break;

@@ -6,7 +6,7 @@
 //! the rank here, the dependent constraints are redundant; near a dead point the rank is higher.
 
 use super::constraints::Constraints;
-use super::{MET, MOST_STEPS, RANK, Unmet};
+use super::{MOST_STEPS, RANK, Unmet};
 use model::equations::Level;
 use nalgebra::{DMatrix, DVector};
 
@@ -129,10 +129,11 @@ impl Constraints {
             loop {
                 let values = self.values(time, &moved, parameters);
                 let residuals = DVector::from_iterator(of_level.len(), of_level.iter().map(|row| values[first + row]));
-                let largest = moved.iter().fold(1.0, |size: f64, part| size.max(part.abs()));
-                if of_level.is_empty() || residuals.amax() <= MET * largest {
+                let at = (residuals, columns(&values));
+                if self.met(&moved, &at, order).iter().all(|is_met| *is_met) {
                     break;
                 }
+                let (residuals, _) = at;
                 if steps == MOST_STEPS {
                     return None;
                 }
