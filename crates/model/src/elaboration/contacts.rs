@@ -222,14 +222,15 @@ fn law_of(source: &ContactSource) -> Sound<Restitution> {
     let fault =
         |title: &str, label: &str, accepted: &str| Err(Box::new(Fault::at(text.span(), title, label, accepted)));
     match text.text.trim() {
-        _ if source.restitution.is_none() => fault(
+        // which holds for contacts in touch too
+        "moreau" => Ok(Restitution::Moreau),
+        "newton" | "poisson" if source.restitution.is_none() => fault(
             "`impact` names the law of a coefficient of restitution",
             "`restitution` is missing",
             "restitution = \"0.5\" in the same table",
         ),
         "newton" => Ok(Restitution::Newton),
         "poisson" => Ok(Restitution::Poisson),
-        "moreau" => Ok(Restitution::Moreau),
         _ => fault(
             "the law of restitution is Newton's, Poisson's or Moreau's",
             "none of them",
