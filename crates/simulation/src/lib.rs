@@ -50,6 +50,7 @@ pub mod references;
 pub mod run;
 pub mod run_failure;
 pub mod simulate;
+mod singular_rows;
 mod transition;
 pub mod work_precision;
 

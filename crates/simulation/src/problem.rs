@@ -62,6 +62,12 @@ impl Problem {
         if let Some(switching) = &self.switching {
             return events::integrate((&**switching, &*self.margins), (method, tolerance), span, observer, false);
         }
+        // a start beside a singular position may lead away from it
+        let zeros = vec![0.0; span.state.len()];
+        if (self.margins)(span.start, &span.state, &zeros).iter().any(|margin| margin.goes_on && margin.value <= 0.0) {
+            let alone = OneLaw(Arc::clone(&self.law));
+            return events::integrate((&alone, &*self.margins), (method, tolerance), span, observer, false);
+        }
         Ending { law: &*self.law, margins: &*self.margins }.integrate((method, tolerance), span, observer)
     }
 

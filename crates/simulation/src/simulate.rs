@@ -1,6 +1,7 @@
 //! Running a problem: its trajectory as a reader wants it.
 
 use super::problem::Row;
+use super::singular_rows::interpolated;
 use super::{Axes, Problem, Run};
 use crate::events::Passage;
 use integrators::{
@@ -111,6 +112,7 @@ impl Problem {
             first: self.invariants.iter().map(|one| (one.value)(0.0, &self.state)).collect(),
             checked: Vec::new(),
             singular_positions: Vec::new(),
+            between: None,
             broken_off: false,
             progress,
         };
@@ -119,9 +121,12 @@ impl Problem {
             true => self.integrate_through_singular_positions(choice.method, &tolerance, &span, &mut kept),
             false => self.integrate(choice.method, &tolerance, &span, &mut kept),
         };
-        let Kept { times, rows, states, checked, singular_positions, .. } = kept;
+        let Kept { times, rows, states, checked, singular_positions, between, .. } = kept;
         let states = states.unwrap_or_default();
-        let last = (self.row)(outcome.time, &outcome.state);
+        let last = match rows.last().filter(|_| between == Some(outcome.time)) {
+            Some(interpolated) => interpolated.clone(),
+            None => (self.row)(outcome.time, &outcome.state),
+        };
         let mut passages = self.switching.as_ref().map_or_else(Vec::new, |switching| switching.passages());
         passages.extend(singular_positions);
         passages.sort_by(|one, other| one.time.total_cmp(&other.time));
@@ -278,6 +283,8 @@ struct Kept<'a, F> {
     checked: Vec<Vec<f64>>,
     /// The singular positions that were passed.
     singular_positions: Vec<Passage>,
+    /// The time of the last sample beside one.
+    between: Option<f64>,
     broken_off: bool,
     progress: F,
 }
@@ -292,13 +299,21 @@ impl<F: FnMut(f64) -> ControlFlow<()>> Observer<f64> for Kept<'_, F> {
         }
     }
 
-    fn singular_position(&mut self, time: f64, state: &[f64], error: f64) {
+    fn sample_between(&mut self, time: f64, state: &[f64], nodes: &[(f64, Vec<f64>)]) {
+        self.sample(time, state);
+        if let Some(row) = self.rows.last_mut() {
+            *row = interpolated(self.row, (time, state), nodes);
+        }
+        self.between = Some(time);
+    }
+
+    fn singular_position(&mut self, time: f64, state: &[f64], error: f64, nodes: &[(f64, Vec<f64>)]) {
         let what = format!(
             "singular position of the constraints, passed on the smooth branch of the motion (two Taylor series of it agree to {:.0e}); \
              other motions may follow too",
             error.max(f64::EPSILON)
         );
-        let row = (self.row)(time, state);
+        let row = interpolated(self.row, (time, state), nodes);
         self.singular_positions.push(Passage { time, what, then: Some(String::new()), row });
     }
 

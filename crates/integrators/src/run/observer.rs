@@ -12,9 +12,15 @@ pub trait Observer<S> {
     /// beginning to its end.
     fn between(&mut self, _begin: f64, _end: f64, _state_at: &dyn Fn(f64, &mut [S])) {}
 
+    /// As [`Observer::sample`], beside a singular position of the constraints, where reactions at the state are not accurate: they may be
+    /// interpolated between states at times on either side.
+    fn sample_between(&mut self, time: f64, state: &[S], _nodes: &[(f64, Vec<S>)]) {
+        self.sample(time, state);
+    }
+
     /// A singular position of the constraints, passed on the smooth branch of the motion, with the difference of two Taylor series of it
-    /// behind the position, relative to the largest component.
-    fn singular_position(&mut self, _time: f64, _state: &[S], _error: f64) {}
+    /// behind the position, relative to the largest component, and the states on either side.
+    fn singular_position(&mut self, _time: f64, _state: &[S], _error: f64, _nodes: &[(f64, Vec<S>)]) {}
 
     /// The fraction of the span that is done, after every accepted step.
     fn progress(&mut self, _fraction: f64) {}
@@ -90,9 +96,14 @@ impl<S, A: Observer<S>, B: Observer<S>> Observer<S> for (A, B) {
         self.1.step(time, state);
     }
 
-    fn singular_position(&mut self, time: f64, state: &[S], error: f64) {
-        self.0.singular_position(time, state, error);
-        self.1.singular_position(time, state, error);
+    fn sample_between(&mut self, time: f64, state: &[S], nodes: &[(f64, Vec<S>)]) {
+        self.0.sample_between(time, state, nodes);
+        self.1.sample_between(time, state, nodes);
+    }
+
+    fn singular_position(&mut self, time: f64, state: &[S], error: f64, nodes: &[(f64, Vec<S>)]) {
+        self.0.singular_position(time, state, error, nodes);
+        self.1.singular_position(time, state, error, nodes);
     }
 
     fn progress(&mut self, fraction: f64) {
@@ -114,8 +125,12 @@ impl<S, T: Observer<S> + ?Sized> Observer<S> for &mut T {
         (**self).step(time, state);
     }
 
-    fn singular_position(&mut self, time: f64, state: &[S], error: f64) {
-        (**self).singular_position(time, state, error);
+    fn sample_between(&mut self, time: f64, state: &[S], nodes: &[(f64, Vec<S>)]) {
+        (**self).sample_between(time, state, nodes);
+    }
+
+    fn singular_position(&mut self, time: f64, state: &[S], error: f64, nodes: &[(f64, Vec<S>)]) {
+        (**self).singular_position(time, state, error, nodes);
     }
 
     fn progress(&mut self, fraction: f64) {

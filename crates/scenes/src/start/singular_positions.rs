@@ -22,8 +22,9 @@ const SINGULAR: &str =
 const KEPT: &str = "the constraints that are used become dependent at this position, but the redundant one, which was left out, would still \
      hold the system: remove one of the others from the file instead, and the run passes this position";
 
-/// A position is singular where s falls below this part of its value at the start: bars whose lengths differ by the part e come to a part of
-/// the order of e^(1/2), so that bars that differ by a millionth pass it on the whole, and those that differ by a ten-thousandth always.
+/// A position is singular where s falls below this part of its largest value at the start and at the positions beside it, so that a start
+/// near a singular position does not lower it. Bars whose lengths differ by the part e come to a part of the order of e^(1/2): those that
+/// differ by a millionth pass it on the whole, and those that differ by a ten-thousandth always.
 const LEAST: f64 = 1e-3;
 
 /// Above this value of s^2 its rate does not matter, since the bound of that is enough.
@@ -47,7 +48,8 @@ const MOST_DRIFT: f64 = 1e4;
 /// Elsewhere a coordinate may change the rows by so many times what it does at these positions.
 const SAFETY: f64 = 2.0;
 
-/// By so much angles differ from the start, where the lengths of the rows are looked at: no part of a turn.
+/// By so much angles differ from the start, where the rows and their independence are looked at: no part of a turn. Lengths differ by as
+/// many times the length over which the rows change.
 const ASIDE: [f64; 3] = [0.37, -0.61, 1.93];
 
 /// A measure of the linear independence of the constraints of a model.
@@ -184,21 +186,38 @@ impl SingularPositions {
             },
             ..*self
         };
-        let angles: Vec<usize> = (0..self.angles.len()).filter(|place| self.angles[*place]).collect();
+        let here = singular.look(0.0, start);
+        singular.lengths = (0..kept).map(|row| here.rows.row(row).norm()).collect();
+        let scales: Vec<f64> = (0..self.angles.len()).map(|place| singular.scale(start, place)).collect();
         let aside = |by: &f64| {
             let mut state = start.to_vec();
-            angles.iter().for_each(|&place| state[place] += by * (1.0 + place as f64).sqrt());
+            scales
+                .iter()
+                .enumerate()
+                .for_each(|(place, scale)| state[place] += by * scale * (1.0 + place as f64).sqrt());
             state
         };
         let states: Vec<Vec<f64>> = [start.to_vec()].into_iter().chain(ASIDE.iter().map(aside)).collect();
+        singular.lengths = vec![1.0; kept];
         let all: Vec<Look> = states.iter().map(|state| singular.look(0.0, state)).collect();
         let length = |row: usize| all.iter().map(|look| look.rows.row(row).norm()).fold(0.0, f64::max);
         singular.lengths = (0..kept).map(length).collect();
         singular.weights = (0..self.angles.len()).map(|place| singular.weight(&states, place)).collect();
         let mut at_start = singular.look(0.0, start);
         singular.knows_time = ASIDE.iter().any(|time| singular.look(time.abs(), start).rows != at_start.rows);
-        singular.least = LEAST * LEAST * at_start.independence(self.rank);
-        (singular.least > 0.0).then_some(singular)
+        let independence = |state: &Vec<f64>| singular.look(0.0, state).independence(self.rank);
+        let largest = states.iter().map(independence).fold(0.0, f64::max);
+        singular.least = LEAST * LEAST * largest;
+        (at_start.independence(self.rank) > 0.0).then_some(singular)
+    }
+
+    /// One radian, or the length over which a coordinate changes the rows by their own size; zero beside free frames.
+    fn scale(&self, start: &[f64], place: usize) -> f64 {
+        match self.angles[place] {
+            true => 1.0,
+            false if self.angles.len() > self.counts[3] => 0.0,
+            false => Some(self.weight(&[start.to_vec()], place)).filter(|&weight| weight > 0.0).map_or(0.0, f64::recip),
+        }
     }
 
     /// The most by which a coordinate changes the rows.

@@ -141,3 +141,111 @@ fn an_event_in_the_position_ends_the_run() {
     let run = run(&EQUAL_RODS.replace("[start]", event), None);
     assert!(run.stopped().is_some_and(|why| why.contains("singular position")), "{:?}", run.stopped());
 }
+
+/// The cranks turn with the coupler at a constant rate, so that the angles at the end are known. Of its methods each comes to a line with
+/// other steps.
+const PARALLELOGRAM: &str = r#"
+title = "A parallelogram of cranks"
+[coordinates]
+a = "rad"
+b = "rad"
+c = "rad"
+[points]
+P = "O + (1 m)*(cos(a)*N.x + sin(a)*N.y)"
+Q = "P + (2 m)*(cos(b)*N.x + sin(b)*N.y)"
+R = "O + (2 m)*N.x + (1 m)*(cos(c)*N.x + sin(c)*N.y)"
+[bodies]
+one = { turns = "a", inertia = "(0.35 kg m^2)" }
+two = { turns = "c", inertia = "(0.35 kg m^2)" }
+[bodies.coupler]
+turns = "b"
+centre = "P + (Q - P)/2"
+mass = "1 kg"
+inertia = "(0.1 kg m^2)"
+[[constraint]]
+name = "loop"
+zero = "Q - R"
+[outputs]
+F = "reaction(loop) . N.x"
+[start]
+a = "60 deg"
+c = "60 deg"
+"a'" = "1 rad/s"
+[run]
+span = "10 s"
+through_singular_positions = true
+"#;
+
+/// The parallelogram from another angle, over another span.
+fn parallelogram(angle: &str, span: &str) -> String {
+    PARALLELOGRAM.replace("60 deg", angle).replace("10 s", span)
+}
+
+#[test]
+fn every_method_passes_at_every_tolerance() {
+    for method in METHODS {
+        for tolerance in [1e-5, 1e-7, 1e-8, 1e-10] {
+            let text =
+                parallelogram("60 deg", "10 s").replace("through", &format!("tolerance = {tolerance:e}\nthrough"));
+            let run = run(&text, Some(method));
+            assert_eq!((run.stopped(), run.passages.len()), (None, 3), "{method} {tolerance}");
+            let apart = (run.outcome.state[0] - (PI / 3.0 + 10.0)).abs();
+            assert!(apart < 1e-5 + 100.0 * tolerance, "{method} {tolerance}: {apart}");
+        }
+    }
+}
+
+#[test]
+fn a_start_near_a_position_passes_all_of_them() {
+    for (angle, from, passed) in [("179.9 deg", 179.9, 4), ("179.99 deg", 179.99, 4), ("180.01 deg", 180.01, 3)] {
+        for method in METHODS {
+            let run = run(&parallelogram(angle, "10 s"), Some(method));
+            assert_eq!((run.stopped(), run.passages.len()), (None, passed), "{angle} {method}");
+            let apart = (run.outcome.state[0] - (f64::to_radians(from) + 10.0)).abs();
+            assert!(apart < 2e-4, "{angle} {method}: {apart}");
+        }
+    }
+}
+
+/// Rounding of such a start decides its directions by more than the tolerance.
+#[test]
+fn a_start_that_rounding_decides_does_not_begin() {
+    let run = run(&parallelogram("180.0001 deg", "10 s"), None);
+    assert!(
+        run.stopped().is_some_and(|why| why.starts_with("does not begin: singular position")),
+        "{:?}",
+        run.stopped()
+    );
+}
+
+#[test]
+fn a_span_may_end_beside_a_position() {
+    for (span, passed) in [("2.0943 s", 0), ("2.094395 s", 0), ("2.0944 s", 1), ("2.095 s", 1)] {
+        let run = run(&parallelogram("60 deg", span), None);
+        assert_eq!((run.stopped(), run.passages.len()), (None, passed), "{span}");
+        let time: f64 = span.trim_end_matches(" s").parse().expect("a number");
+        assert!((run.outcome.state[0] - PI / 3.0 - time).abs() < 1e-9 && run.outcome.time == time, "{span}");
+    }
+}
+
+/// The coupler on its circle needs half of its mass times the acceleration at each end.
+#[test]
+fn reactions_beside_a_position_are_those_of_the_smooth_motion() {
+    let mut text = parallelogram("60 deg", "2.094395 s");
+    text = text.replace("through", "tolerance = 1e-10\nsamples = 40\nthrough");
+    let run = run(&text, Some(Method::Taylor));
+    let place = run.column("F").expect("the output");
+    for (time, row) in run.times.iter().zip(&run.rows).chain([(&run.outcome.time, &run.last)]) {
+        let force = -0.5 * (PI / 3.0 + time).cos();
+        assert!((row[place] - force).abs() < 1e-5, "{time}: {} {force}", row[place]);
+    }
+}
+
+#[test]
+fn lengths_of_a_thousand_kilometres_close_a_loop() {
+    let text = PARALLELOGRAM.replace("(1 m)", "(1000000 m)").replace("(2 m)", "(2000000 m)");
+    let text = text.replace("0.35 kg m^2", "3.5e11 kg m^2").replace("0.1 kg m^2", "1e11 kg m^2");
+    let run = run(&text, None);
+    assert_eq!((run.stopped(), run.passages.len()), (None, 3));
+    assert!((run.outcome.state[0] - (PI / 3.0 + 10.0)).abs() < 1e-5);
+}

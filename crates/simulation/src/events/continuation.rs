@@ -6,191 +6,225 @@
 //! where the states are close to the position, the remainder of the series where they are far from it, so pairs of several distances are
 //! tried, and the one whose sums agree best is taken. The derivative of the series
 //! must be the rate of the law at the state behind: a series that converges to no motion of the law is no continuation.
+//!
+//! A run may begin beside a singular position. Where it leaves the position, series lead away from it. Where it comes to the position,
+//! series backwards in time give states before the start, from which the motion is continued.
 
 use super::law_end::SwitchesAndEnds;
+use super::trail::{FIRST, Instant, ORDER, Trail, away};
 use integrators::{Observer, Ode, System, TaylorSeries, Tolerance};
-
-/// The number of states of a trail at which it is thinned out, and the factor by which their distances to the last one then grow at least.
-const MOST: usize = 128;
-const THINNED: f64 = 1.25;
-
-/// The order of the series.
-const ORDER: usize = 24;
 
 /// The distance of the state behind, by that of the nearer state before. A rounding error e of the constraints makes the motion pass the
 /// position beside the branch, by the order of e/t at the distance t: from a base at the distance b the terms of e/t grow with the power
 /// k as ((t + b)/b)^k, so that t is to be small beside b.
 const PARTS: [f64; 5] = [1.0, 0.5, 0.25, 0.125, 0.0625];
 
-/// Distances of two states from a position differ by this factor at least.
-const APART: f64 = 1.2;
-
-/// States within one step, each at half the distance of the one before.
-const HALVINGS: i32 = 6;
-
 /// Both sums differ by no more than so many tolerances, or by this part of the largest component.
 const AGREED: f64 = 10.0;
 const ROUNDING: f64 = 1e-9;
 
-/// Bisections by which the position is found between the states, and looks at the signals behind it.
+/// Of sums that agree to this part the nearest are taken: fewer events may fall into the way.
+const SURE: f64 = 1e-13;
+
+/// Bisections by which the ends of the position's neighbourhood are found, and looks at the signals behind it.
 const BISECTIONS: usize = 40;
 const LOOKS: u32 = 16;
 
 /// The derivative of the series differs from the rates of the law by no more than this part of the largest rate.
 const OF_RATES: f64 = 1e-5;
 
-/// States of a motion up to the last one, the denser the later they are: steps become short before a singular position.
-#[derive(Debug, Default)]
-pub(super) struct Trail {
-    states: Vec<(f64, Vec<f64>)>,
-    /// Room of states that were dropped.
-    spare: Vec<Vec<f64>>,
-}
+/// The states on either side of a position from which quantities beside it are interpolated.
+const NODES: u32 = 4;
 
-impl Trail {
-    pub fn restart(&mut self, time: f64, state: &[f64]) {
-        self.spare.extend(self.states.drain(..).map(|(_, room)| room));
-        self.step(time, state);
-    }
-
-    pub fn step(&mut self, time: f64, state: &[f64]) {
-        if self.states.len() == MOST {
-            let mut kept = f64::INFINITY;
-            let dropped = self.states.extract_if(.., |(known, _)| {
-                let distance = (time - *known).abs();
-                let goes = distance * THINNED > kept;
-                kept = if goes { kept } else { distance };
-                goes
-            });
-            self.spare.extend(dropped.map(|(_, room)| room));
-        }
-        let mut room = self.spare.pop().unwrap_or_default();
-        room.clear();
-        room.extend_from_slice(state);
-        self.states.push((time, room));
-    }
-}
-
-/// The motion from before a singular position to a state behind, on its smooth branch.
+/// The motion over a neighbourhood of a singular position, to a state behind.
 pub(super) struct Continuation<'a> {
-    /// The time of the singular position.
-    pub passed: f64,
+    /// The position; none where the motion leaves it.
+    position: Option<Position>,
     /// The state behind.
     pub time: f64,
-    pub state: Vec<f64>,
-    /// The largest difference of both sums, relative to the largest component.
-    pub error: f64,
+    state: Vec<f64>,
     series: Box<dyn TaylorSeries<f64> + 'a>,
     expanded_at: f64,
 }
 
+/// A singular position that is passed.
+#[derive(Clone, Copy, Debug)]
+struct Position {
+    /// The times between which the margins do not hold; the position lies in the middle.
+    around: [f64; 2],
+    /// The largest difference of both sums, relative to the largest component.
+    error: f64,
+}
+
+impl Position {
+    fn time(&self) -> f64 {
+        f64::midpoint(self.around[0], self.around[1])
+    }
+}
+
 impl<'a> Continuation<'a> {
-    /// The continuation of a motion that came to a singular position with an event, within the span up to `end`. None where no pair of sums
+    /// The continuation of a motion that came to a singular position with an event. None where no pair of sums
     /// agrees, or where a switch falls, or another margin, before the state behind.
     pub fn of(
         (law, tolerance): (&'a dyn System, &Tolerance),
         trail: &Trail,
-        ((event, met), end): ((f64, &[f64]), f64),
+        (event, met): (f64, &[f64]),
         switches: &SwitchesAndEnds<'_>,
     ) -> Option<Self> {
         let mut series = law.taylor()?;
-        let states = bases(&mut *series, trail, event)?;
-        let mut best: Option<Candidate<'_>> = None;
-        for pair in states.windows(2) {
-            let [near, far] = [&pair[0], &pair[1]];
-            let times = PARTS.map(|part| nearer_of(event + part * (event - near.0), end, event));
-            let [ones, others] = [near, far].map(|(base, state)| {
-                series.expand(*base, state, ORDER);
-                times.map(|time| {
-                    let mut sum = vec![0.0; state.len()];
-                    series.sum(time - base, &mut sum);
-                    sum
-                })
-            });
-            for ((time, one), mut state) in times.into_iter().zip(ones).zip(others) {
-                let Some(error) = difference(tolerance, &one, &state) else { continue };
-                if let Some(projection) = law.projection() {
-                    projection.project(time, &mut state);
-                }
-                // an error is that of a direction, by the distance from the position
-                let doubt = error.max(f64::EPSILON) / (time - event).abs();
-                if best.as_ref().is_none_or(|best| doubt < best.doubt)
-                    && difference(tolerance, &one, &state).is_some()
-                    && is_motion(law, &*series, (time, time - far.0), &state)
-                    && switches.hold((event, met), (time, &state))
-                {
-                    best = Some(Candidate { base: far, time, state, error, doubt });
+        let chains = trail.chains(law, event)?;
+        let mut candidates: Vec<Candidate> = Vec::new();
+        for (number, chain) in chains.iter().enumerate() {
+            for pair in chain.windows(2) {
+                let [far, near] = [&pair[0], &pair[1]];
+                let times = PARTS.map(|part| event + part * (event - near.0));
+                let mut sums = |(base, state): &Instant| {
+                    series.expand(*base, state, ORDER);
+                    times.map(|time| {
+                        let mut sum = vec![0.0; state.len()];
+                        series.sum(time - base, &mut sum);
+                        sum
+                    })
+                };
+                // rounding in the first state of a chain is in all others
+                let is_behind = |other: &&Instant| (event - other.0).abs() <= (event - far.0).abs();
+                let other = chains.get(number + 1).and_then(|other| other.iter().find(is_behind)).map(&mut sums);
+                let agrees = |place: usize, state: &[f64]| {
+                    other.as_ref().is_none_or(|other| difference(tolerance, &other[place], state).is_some())
+                };
+                for (place, (one, mut state)) in sums(near).into_iter().zip(sums(far)).enumerate() {
+                    let time = times[place];
+                    let Some(error) = difference(tolerance, &one, &state) else { continue };
+                    if let Some(projection) = law.projection() {
+                        projection.project(time, &mut state);
+                    }
+                    let is_behind = switches.hold((event, met), (time, &state));
+                    if is_behind && difference(tolerance, &one, &state).is_some() && agrees(place, &state) {
+                        candidates.push(Candidate { base: far.clone(), behind: (time, state), error });
+                    }
                 }
             }
         }
-        let Candidate { base: (expanded_at, base), time, state, error, .. } = best?;
-        series.expand(*expanded_at, base, ORDER);
-        let found = Continuation { passed: event, time, state, error, series, expanded_at: *expanded_at };
-        let is_up = |at: f64| switches.hold((event, met), (at, &found.at(at)));
-        let between = |part: f64| event + part * (time - event);
-        // the position lies in the middle of where its margin is not positive
-        let (mut below, mut above) = (0.0, 1.0);
-        for _ in 0..BISECTIONS {
-            let middle = f64::midpoint(below, above);
-            if is_up(between(middle)) { above = middle } else { below = middle }
-        }
-        let rest_is_up =
-            (0..LOOKS).all(|look| is_up(between(above + (1.0 - above) * f64::from(look) / f64::from(LOOKS))));
-        let passed = between(0.5 * above);
-        (rest_is_up && !is_up(passed)).then_some(Continuation { passed, ..found })
+        let distance = |candidate: &Candidate| (candidate.behind.0 - event).abs();
+        let nearest = candidates.iter().map(distance).fold(f64::INFINITY, f64::min);
+        // an error is that of a direction, by the distance from the position
+        let doubt = |candidate: &Candidate| (candidate.error * nearest / distance(candidate)).max(SURE);
+        candidates
+            .sort_by(|one, other| doubt(one).total_cmp(&doubt(other)).then(distance(one).total_cmp(&distance(other))));
+        candidates.into_iter().find_map(|Candidate { base: (expanded_at, base), behind: (time, state), error }| {
+            series.expand(expanded_at, &base, ORDER);
+            let is_found = is_motion(law, &*series, (time, time - expanded_at), &state);
+            let at = |at: f64| {
+                let mut sum = state.clone();
+                series.sum(at - expanded_at, &mut sum);
+                sum
+            };
+            let around = is_found.then(|| around((expanded_at, event, time), &at, met, switches)).flatten()?;
+            let series = law.taylor().map(|mut series| {
+                series.expand(expanded_at, &base, ORDER);
+                series
+            })?;
+            Some(Continuation { position: Some(Position { around, error }), time, state, series, expanded_at })
+        })
+    }
+
+    /// The motion from a start beside a singular position that it leaves, to where the margins hold.
+    pub fn leaving(
+        (law, tolerance): (&'a dyn System, &Tolerance),
+        start: &Instant,
+        span: f64,
+        switches: &SwitchesAndEnds<'_>,
+    ) -> Option<Self> {
+        let mut series = law.taylor()?;
+        let (time, state) = away(law, start, FIRST * span, (switches, 1))?.pop()?;
+        series.expand(time, &state, ORDER);
+        let found = Continuation { position: None, time, state, series, expanded_at: time };
+        difference(tolerance, &start.1, &found.at(start.0)).map(|_| found)
+    }
+
+    /// Whether another continuation leads to the same state, by the tolerance.
+    pub fn agrees(&self, other: &Self, tolerance: &Tolerance) -> bool {
+        difference(tolerance, &self.state, &other.at(self.time)).is_some()
     }
 
     /// The state at a time before the one behind.
     pub fn at(&self, time: f64) -> Vec<f64> {
+        if time == self.time {
+            return self.state.clone();
+        }
         let mut state = self.state.clone();
         self.series.sum(time - self.expanded_at, &mut state);
         state
     }
 
-    /// Shows an observer the samples in between, and the state behind; returns their number.
-    pub fn show(&self, outputs: &[f64], event: f64, states: usize, observer: &mut dyn Observer<f64>) -> usize {
+    /// Shows an observer the samples from an event to a time at most that of the state behind, and the state then; returns their number.
+    pub fn show(
+        &self,
+        outputs: &[f64],
+        (event, end): (f64, f64),
+        states: usize,
+        observer: &mut dyn Observer<f64>,
+    ) -> usize {
         let direction = self.time - event;
-        let within = |output: &&f64| (**output - event) * direction > 0.0 && (self.time - **output) * direction >= 0.0;
-        let samples: Vec<f64> = outputs.iter().filter(within).copied().collect();
-        samples.iter().for_each(|output| observer.sample(*output, &self.at(*output)[..states]));
-        observer.singular_position(self.passed, &self.at(self.passed)[..states], self.error);
-        observer.step(self.time, &self.state[..states]);
-        samples.len()
+        let is_within =
+            |time: f64, [from, to]: [f64; 2]| (time - from) * direction > 0.0 && (to - time) * direction >= 0.0;
+        let nodes = self.position.map(|position| self.nodes(position, states)).unwrap_or_default();
+        let mut shown = 0;
+        for output in outputs.iter().copied().filter(|output| is_within(*output, [event, end])) {
+            let state = self.at(output);
+            match self.position.is_some_and(|position| is_within(output, position.around)) {
+                true => observer.sample_between(output, &state[..states], &nodes),
+                false => observer.sample(output, &state[..states]),
+            }
+            shown += 1;
+        }
+        if let Some(position) = self.position.filter(|position| is_within(position.time(), [event, end])) {
+            let state = self.at(position.time());
+            observer.singular_position(position.time(), &state[..states], position.error, &nodes);
+        }
+        observer.step(end, &self.at(end)[..states]);
+        shown
+    }
+
+    /// States on either side of the position, where the margins hold.
+    fn nodes(&self, Position { around: [from, to], .. }: Position, states: usize) -> Vec<Instant> {
+        let steps = (1..=NODES).map(|node| f64::from(node) / f64::from(NODES));
+        let before = steps.clone().map(|step| from + step * (self.expanded_at - from));
+        let behind = steps.map(|step| to + step * (self.time - to));
+        let times = before.chain(behind);
+        times.map(|time| (time, self.at(time)[..states].to_vec())).collect()
     }
 }
 
 /// A state behind a singular position, by the series of a state before.
-struct Candidate<'a> {
-    base: &'a (f64, Vec<f64>),
-    time: f64,
-    state: Vec<f64>,
-    /// The difference of both sums, and this by the distance from the position.
+struct Candidate {
+    base: Instant,
+    behind: Instant,
+    /// The difference of both sums.
     error: f64,
-    doubt: f64,
 }
 
-/// The nearer of two times to an event before both.
-fn nearer_of(time: f64, other: f64, event: f64) -> f64 {
-    if (time - event).abs() < (other - event).abs() { time } else { other }
-}
-
-/// States before an event, from the nearest on: those that the motion left, and some on the series of the last one.
-fn bases(series: &mut dyn TaylorSeries<f64>, trail: &Trail, event: f64) -> Option<Vec<(f64, Vec<f64>)>> {
-    let (last, state) = trail.states.iter().rev().find(|(time, _)| *time != event)?;
-    series.expand(*last, state, ORDER);
-    let within = (1..=HALVINGS).rev().map(|halving| {
-        let time = event - (event - last) * 0.5_f64.powi(halving);
-        let mut sum = state.clone();
-        series.sum(time - last, &mut sum);
-        (time, sum)
-    });
-    let mut states: Vec<(f64, Vec<f64>)> = Vec::new();
-    for (time, state) in within.chain(trail.states.iter().rev().filter(|(time, _)| *time != event).cloned()) {
-        if states.last().is_none_or(|(known, _)| (event - time).abs() > APART * (event - known).abs()) {
-            states.push((time, state));
+/// The times around an event, between a base and a time behind, from and to which the margins hold; none where they do not hold up to there
+/// again, or a switch falls.
+fn around(
+    (base, event, time): (f64, f64, f64),
+    at: &dyn Fn(f64) -> Vec<f64>,
+    met: &[f64],
+    switches: &SwitchesAndEnds<'_>,
+) -> Option<[f64; 2]> {
+    let is_up = |time: f64| switches.hold((event, met), (time, &at(time)));
+    let end = |outside: f64, inside: f64, holds: &dyn Fn(f64) -> bool| {
+        let (mut outside, mut inside) = (outside, inside);
+        for _ in 0..BISECTIONS {
+            let middle = f64::midpoint(outside, inside);
+            if holds(middle) { outside = middle } else { inside = middle }
         }
-    }
-    Some(states)
+        outside
+    };
+    let to = end(time, event, &is_up);
+    let from = end(base, event, &|time: f64| switches.margins_hold(time, &at(time)));
+    let rest_is_up = (0..LOOKS).all(|look| is_up(to + (time - to) * f64::from(look) / f64::from(LOOKS)));
+    (rest_is_up && !is_up(f64::midpoint(from, to))).then_some([from, to])
 }
 
 /// The largest difference of two states relative to the largest component; none where it is more than the tolerance allows.

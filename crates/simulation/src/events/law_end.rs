@@ -139,6 +139,20 @@ impl SwitchesAndEnds<'_> {
         self.ends.as_ref()?.at(event.time, state).get(margin).copied()
     }
 
+    /// The margin of a singular position that does not hold at a state, with its rate.
+    pub fn beside(&self, time: f64, state: &[f64]) -> Option<(Margin, f64)> {
+        let ends = self.ends.as_ref()?;
+        let place = ends.at(time, state).iter().position(|margin| margin.goes_on && margin.value <= 0.0)?;
+        let mut signals = vec![Signal::default(); ends.count()];
+        ends.signals(time, state, &mut signals);
+        Some((ends.at(time, state)[place], signals[place].rate))
+    }
+
+    /// Whether the law holds at a state.
+    pub fn margins_hold(&self, time: f64, state: &[f64]) -> bool {
+        self.ends.as_ref().is_none_or(|ends| outside(&ends.at(time, state)).is_none())
+    }
+
     /// Whether the law holds at a state, and no switch has fallen that was positive at an event before.
     pub fn hold(&self, event: (f64, &[f64]), (time, state): (f64, &[f64])) -> bool {
         let signals = |time: f64, state: &[f64]| {

@@ -5,6 +5,7 @@ mod law_end;
 mod one_law;
 mod poles;
 mod segments;
+mod trail;
 
 pub use law_end::{Ending, Margin, Margins, of_leading, outside};
 pub(crate) use one_law::OneLaw;

@@ -1,11 +1,13 @@
 //! Runs of systems whose law changes at events: segment after segment, each from an event, located to rounding, to the next.
 
-use super::continuation::{Continuation, Trail};
+use super::continuation::Continuation;
 use super::law_end::{Ending, Ends, Margins, SwitchesAndEnds};
 use super::poles::{PoleWatch, up_to};
+use super::trail::{Instant, Trail};
 use crate::law::Law;
 use integrators::{
-    Absolute, Deviation, End, Event, Method, Observer, Outcome, Span, Switches, Tolerance, Work, integrate_to_event,
+    Absolute, Deviation, End, Event, Failure, Method, Observer, Outcome, Span, Switches, System, Tolerance, Work,
+    integrate_to_event,
 };
 use std::sync::Arc;
 
@@ -110,6 +112,10 @@ pub(crate) fn integrate(
         rest.budget = span.budget;
         rest.longest_first = segment.longest_first;
         rest.budget.evaluations = span.budget.evaluations.saturating_sub(at.work.rates);
+        if rest.budget.evaluations == 0 {
+            at.state.truncate(states);
+            return (Outcome { end: spent(here, span), ..at }, None);
+        }
         for monitor in &span.monitors {
             rest = rest.with_monitor(&monitor.name, move |time, state| (monitor.value)(time, &state[..states]));
             if let Some(size) = &monitor.size {
@@ -119,13 +125,26 @@ pub(crate) fn integrate(
         let whole = span.end - span.start;
         let done = (here - span.start) / whole;
         let share = (span.end - here) / whole;
+        let ends = Ends::of(Ending { law: &*segment.law, margins }, here, &at.state[..states], segment.followed);
+        let switches = SwitchesAndEnds { switches: &*segment.switches, ends };
+        let tolerance = with_followed(tolerance, segment.followed);
+        if let Some((margin, rate)) = switches.beside(here, &at.state) {
+            let begin = (here, at.state.clone());
+            at.state.truncate(states);
+            let found = (rate > 0.0 || goes_on)
+                .then(|| from_beside((&*segment.law, &tolerance), (&begin, rate), whole, &switches))
+                .flatten();
+            let Some(found) = found else { return (at, Some(margin.what)) };
+            sampled += moved(&mut at, &found, (&outputs, span.end), observer);
+            if at.time == span.end {
+                return (Outcome { end: End::Reached, ..at }, None);
+            }
+            continue;
+        }
         if let Some(trail) = &mut trail {
             trail.restart(here, &at.state);
         }
         let mut part = Part { observer, states, sampled: &mut sampled, done, share, trail: trail.as_mut() };
-        let ends = Ends::of(Ending { law: &*segment.law, margins }, here, &at.state[..states], segment.followed);
-        let switches = SwitchesAndEnds { switches: &*segment.switches, ends };
-        let tolerance = with_followed(tolerance, segment.followed);
         let mut watch = PoleWatch::new((&*segment.law, &tolerance), (here, &at.state), &mut part);
         let (mut outcome, event) = integrate_to_event(&*segment.law, method, &tolerance, &rest, &switches, &mut watch);
         let pole = watch.end(&outcome);
@@ -136,6 +155,9 @@ pub(crate) fn integrate(
             state.truncate(states);
             return (up_to(at, (time, state)), Some(why));
         }
+        if let End::Stopped(Failure::TooManyEvaluations { at: time, .. }) = at.end {
+            at.end = spent(time, span);
+        }
         let Some(event) = event else {
             let failed = matches!(at.end, End::Stopped(failure) if !failure.is_broken_off());
             let why = if failed { switching.obstacle(at.time, &at.state) } else { None };
@@ -143,13 +165,12 @@ pub(crate) fn integrate(
         };
         if let Some(margin) = switches.end(&event, &at.state) {
             let met = (event.time, &whole_state[..]);
-            let beyond = trail
-                .as_ref()
-                .filter(|_| margin.goes_on)
-                .and_then(|trail| Continuation::of((&*segment.law, &tolerance), trail, (met, span.end), &switches));
+            let beyond = |trail: &Trail| Continuation::of((&*segment.law, &tolerance), trail, met, &switches);
+            let beyond = trail.as_ref().filter(|_| margin.goes_on).and_then(|trail| {
+                beyond(trail).or_else(|| beyond(&trail.extended(&*segment.law, event.time, &switches)?))
+            });
             let Some(beyond) = beyond else { return (at, Some(margin.what)) };
-            sampled += beyond.show(&outputs, event.time, states, observer);
-            (at.time, at.state) = (beyond.time, beyond.state[..states].to_vec());
+            sampled += moved(&mut at, &beyond, (&outputs, span.end), observer);
             if at.time == span.end {
                 return (Outcome { end: End::Reached, ..at }, None);
             }
@@ -166,6 +187,51 @@ pub(crate) fn integrate(
         };
     }
     (at, Some(TOO_MANY))
+}
+
+/// The motion from a start beside a singular position, where the margin has a rate, to where the law determines it; none where rounding of
+/// the start decides it.
+fn from_beside<'a>(
+    (law, tolerance): (&'a dyn System, &Tolerance),
+    (begin, rate): (&Instant, f64),
+    span: f64,
+    switches: &SwitchesAndEnds<'_>,
+) -> Option<Continuation<'a>> {
+    let motion = |begin: &Instant| match rate > 0.0 {
+        true => Continuation::leaving((law, tolerance), begin, span, switches),
+        false => Trail::before(law, begin, span, switches)
+            .and_then(|trail| Continuation::of((law, tolerance), &trail, (begin.0, &begin.1), switches)),
+    };
+    let found = motion(begin)?;
+    let (mut rounded, mut by) = (begin.clone(), f64::EPSILON);
+    for part in &mut rounded.1 {
+        *part *= 1.0 + by;
+        by = -by;
+    }
+    if let Some(projection) = law.projection() {
+        projection.project(rounded.0, &mut rounded.1);
+    }
+    found.agrees(&motion(&rounded)?, tolerance).then_some(found)
+}
+
+/// The end of a run that has spent its evaluations.
+fn spent(at: f64, span: &Span<'_, f64>) -> End {
+    End::Stopped(Failure::TooManyEvaluations { at, allowed: span.budget.evaluations })
+}
+
+/// Moves a run along a continuation, to the end of the span at most; returns the number of samples that were shown.
+fn moved(
+    at: &mut Outcome<f64>,
+    beyond: &Continuation<'_>,
+    (outputs, end): (&[f64], f64),
+    observer: &mut dyn Observer<f64>,
+) -> usize {
+    let (states, is_last) = (at.state.len(), (end - at.time).abs() <= (beyond.time - at.time).abs());
+    let time = if is_last { end } else { beyond.time };
+    let shown = beyond.show(outputs, (at.time, time), states, observer);
+    at.state = beyond.at(time)[..states].to_vec();
+    at.time = time;
+    shown
 }
 
 /// A tolerance of a state with integrals of rates of signals behind it, each of the size one.

@@ -15,6 +15,8 @@ const THROUGH: &str = "`through_singular_positions = true` under [run], by which
 const UNKNOWN: &str =
     "no smooth branch of the motion, on which no event falls into this position, was found behind it; ";
 
+const UNIQUE: &str = "`run`, which goes on along the smooth branch of the motion, where this command needs the one motion that the equations determine; or ";
+
 const REMEDIES: &str = "a dimension that differs by a ten-thousandth leads past on one branch; or a start from which the motion turns before; \
      or an [[event]] with `end = true` before this position";
 
@@ -36,6 +38,11 @@ pub(super) fn lost(run: &Samples<'_>) -> Option<RunFailure> {
     let place = (0..run.model().positions()).filter(|place| moved.contains(place));
     let place: Vec<String> = place.map(|place| run.told(place, state[place])).collect();
     let place = if place.is_empty() { String::new() } else { format!(" at {}", place.join(", ")) };
+    let ways = match (run.scene.run.through_singular_positions, run.choice.through_singular_positions) {
+        (_, true) => UNKNOWN,
+        (true, false) => UNIQUE,
+        (false, false) => THROUGH,
+    };
     Some(RunFailure {
         kind: FailureKind::DependentConstraints,
         at: time,
@@ -45,6 +52,6 @@ pub(super) fn lost(run: &Samples<'_>) -> Option<RunFailure> {
             if titles.len() > 1 { "depend on each other" } else { "loses its direction" },
             least / at_start
         ),
-        remedy: format!("{}{REMEDIES}", if run.scene.run.through_singular_positions { UNKNOWN } else { THROUGH }),
+        remedy: format!("{ways}{REMEDIES}"),
     })
 }

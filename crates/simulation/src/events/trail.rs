@@ -1,0 +1,144 @@
+//! States of a motion before a singular position, from which it is continued beyond.
+
+use super::law_end::SwitchesAndEnds;
+use integrators::{System, Taylor, TaylorSeries, Tolerance};
+
+/// The order of the series.
+pub(super) const ORDER: usize = 24;
+
+/// The number of states of a trail at which it is thinned out, and the factor by which their distances to the last one then grow at least.
+const MOST: usize = 128;
+const THINNED: f64 = 1.25;
+
+/// The distances of states from which the motion is computed again differ by this factor at least.
+const FARTHER: f64 = 2.0;
+
+/// The error of a step between such states: rounding.
+const EXACTLY: f64 = 1e-15;
+
+/// States that are computed again, each at half the distance of the one before.
+const HALVINGS: usize = 6;
+
+/// The first step away from a singular position beside which a run begins, as a part of the span; the next ones are each twice as long. The series of a motion that
+/// is off its branch by rounding converges up to the position only, so that no step is longer than the distance from it.
+pub(super) const FIRST: f64 = 1e-11;
+const DOUBLINGS: i32 = 40;
+
+/// States before the first one of a trail, or before a start, where the margins hold.
+const BEFORE: usize = 9;
+
+/// A time with its state.
+pub(super) type Instant = (f64, Vec<f64>);
+
+/// States of a motion up to the last one, the denser the later they are: steps become short before a singular position.
+#[derive(Debug, Default)]
+pub(super) struct Trail {
+    states: Vec<Instant>,
+    /// Room of states that were dropped.
+    spare: Vec<Vec<f64>>,
+}
+
+impl Trail {
+    /// The states of a motion before its start beside a singular position, by series backwards in time. None where they do not lead to where
+    /// the margins hold.
+    pub fn before(law: &dyn System, start: &Instant, span: f64, switches: &SwitchesAndEnds<'_>) -> Option<Self> {
+        let mut states = away(law, start, -FIRST * span, (switches, BEFORE))?;
+        states.reverse();
+        states.push(start.clone());
+        Some(Trail { states, spare: Vec::new() })
+    }
+
+    /// The trail with states before its first one, for a run that began not far from an event.
+    pub fn extended(&self, law: &dyn System, event: f64, switches: &SwitchesAndEnds<'_>) -> Option<Self> {
+        let first = self.states.first()?;
+        let mut states = away(law, first, first.0 - event, (switches, BEFORE))?;
+        states.reverse();
+        states.extend(self.states.iter().cloned());
+        Some(Trail { states, spare: Vec::new() })
+    }
+
+    pub fn restart(&mut self, time: f64, state: &[f64]) {
+        self.spare.extend(self.states.drain(..).map(|(_, room)| room));
+        self.step(time, state);
+    }
+
+    pub fn step(&mut self, time: f64, state: &[f64]) {
+        if self.states.len() == MOST {
+            let mut kept = f64::INFINITY;
+            let dropped = self.states.extract_if(.., |(known, _)| {
+                let distance = (time - *known).abs();
+                let goes = distance * THINNED > kept;
+                kept = if goes { kept } else { distance };
+                goes
+            });
+            self.spare.extend(dropped.map(|(_, room)| room));
+        }
+        let mut room = self.spare.pop().unwrap_or_default();
+        room.clear();
+        room.extend_from_slice(state);
+        self.states.push((time, room));
+    }
+
+    /// Chains of states towards an event, the nearest chain first. Each begins with a state of the trail, and goes on by the series of the
+    /// motion: two states of a chain differ by rounding, whatever the method and its tolerance.
+    pub fn chains(&self, law: &dyn System, event: f64) -> Option<Vec<Vec<Instant>>> {
+        let mut path = Path::of(law)?;
+        let mut chains: Vec<Vec<Instant>> = Vec::new();
+        for from in self.states.iter().rev().filter(|(time, _)| *time != event) {
+            let is_farther = |chain: &Vec<Instant>| (event - from.0).abs() >= FARTHER * (event - chain[0].0).abs();
+            if chains.last().is_none_or(is_farther) {
+                let next = |last: &Instant| path.moved(last, f64::midpoint(last.0, event));
+                chains.push(std::iter::successors(Some(from.clone()), next).take(HALVINGS + 1).collect());
+            }
+        }
+        Some(chains)
+    }
+}
+
+/// The motion computed again to rounding.
+struct Path<'a> {
+    law: &'a dyn System,
+    taylor: Taylor<Box<dyn TaylorSeries<f64> + 'a>>,
+}
+
+impl<'a> Path<'a> {
+    fn of(law: &'a dyn System) -> Option<Self> {
+        Some(Path { law, taylor: Taylor::new(law.taylor()?, &Tolerance::both(EXACTLY)) })
+    }
+
+    /// The state at another time; none where no steps lead there.
+    fn moved(&mut self, (time, state): &Instant, next: f64) -> Option<Instant> {
+        let mut moved = state.clone();
+        self.taylor.propagate(*time, next, &mut moved).ok()?;
+        if let Some(projection) = self.law.projection() {
+            projection.project(next, &mut moved);
+        }
+        moved.iter().all(|part| part.is_finite()).then_some((next, moved))
+    }
+}
+
+/// States farther and farther from a singular position, from a first step on, until so many of them are where the margins hold.
+pub(super) fn away(
+    law: &dyn System,
+    start: &Instant,
+    first: f64,
+    (switches, count): (&SwitchesAndEnds<'_>, usize),
+) -> Option<Vec<Instant>> {
+    let mut path = Path::of(law)?;
+    let mut states: Vec<Instant> = Vec::new();
+    let mut up = 0;
+    for doubling in 0..DOUBLINGS {
+        let last = states.last().unwrap_or(start);
+        let Some(next) = path.moved(last, last.0 + first * f64::from(doubling).exp2()) else { break };
+        let holds = switches.margins_hold(next.0, &next.1);
+        if !holds && up > 0 {
+            break;
+        }
+        up += usize::from(holds);
+        states.push(next);
+        if up == count {
+            break;
+        }
+    }
+    (up > 0).then_some(states)
+}
