@@ -174,7 +174,8 @@ impl Search<'_, '_> {
                 None => beyond = time,
             }
         }
-        self.is_near(&last).then(|| self.event(Happening::Falls, last))
+        let falls = self.of(&last).rate * (b.time - a.time) < 0.0;
+        (falls && self.is_near(&last)).then(|| self.event(Happening::Falls, last))
     }
 
     fn is_near(&self, instant: &Instant) -> bool {

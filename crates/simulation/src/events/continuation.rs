@@ -30,6 +30,9 @@ const SURE: f64 = 1e-13;
 const BISECTIONS: usize = 40;
 const LOOKS: u32 = 16;
 
+/// Parts in which a position is sought on a series where it does not lie at the event.
+const SCANNED: u32 = 4096;
+
 /// The derivative of the series differs from the rates of the law by no more than this part of the largest rate.
 const OF_RATES: f64 = 1e-5;
 
@@ -178,7 +181,8 @@ impl<'a> Continuation<'a> {
             }
             shown += 1;
         }
-        if let Some(position) = self.position.filter(|position| is_within(position.time(), [event, end])) {
+        // steps may collapse a rounding behind the position
+        if let Some(position) = self.position.filter(|position| (end - position.time()) * direction >= 0.0) {
             let state = self.at(position.time());
             observer.singular_position(position.time(), &state[..states], position.error, &nodes);
         }
@@ -221,8 +225,11 @@ fn around(
         }
         outside
     };
-    let to = end(time, event, &is_up);
-    let from = end(base, event, &|time: f64| switches.margins_hold(time, &at(time)));
+    // a method that comes beside the position may find its event behind
+    let scan = (1..SCANNED).map(|part| base + (time - base) * f64::from(part) / f64::from(SCANNED));
+    let inside = [event].into_iter().chain(scan).find(|time| !is_up(*time))?;
+    let to = end(time, inside, &is_up);
+    let from = end(base, inside, &|time: f64| switches.margins_hold(time, &at(time)));
     let rest_is_up = (0..LOOKS).all(|look| is_up(to + (time - to) * f64::from(look) / f64::from(LOOKS)));
     (rest_is_up && !is_up(f64::midpoint(from, to))).then_some([from, to])
 }

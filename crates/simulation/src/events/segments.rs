@@ -203,10 +203,12 @@ fn from_beside<'a>(
             .and_then(|trail| Continuation::of((law, tolerance), &trail, (begin.0, &begin.1), switches)),
     };
     let found = motion(begin)?;
-    let (mut rounded, mut by) = (begin.clone(), f64::EPSILON);
-    for part in &mut rounded.1 {
-        *part *= 1.0 + by;
-        by = -by;
+    let largest = begin.1.iter().fold(0.0, |largest: f64, part| largest.max(part.abs()));
+    let mut rounded = begin.clone();
+    for (place, part) in rounded.1.iter_mut().enumerate() {
+        // parts that are no multiples of each other, of both signs
+        let by = ((place + 1) as f64 * 0.618_033_988_749_894_9).fract() * 2.0 - 1.0;
+        *part += 2.0 * f64::EPSILON * largest * by;
     }
     if let Some(projection) = law.projection() {
         projection.project(rounded.0, &mut rounded.1);
