@@ -62,32 +62,29 @@ impl Again<'_> {
         let mut outcome = run(&span().within_step());
         self.extra = self.extra + outcome.work;
         if !outcome.reached() {
-            if let Some(found) = self.by_series(step, time) {
-                return Some(found);
-            }
             outcome = run(&span());
             self.extra = self.extra + outcome.work;
         }
         if !outcome.reached() {
-            return None;
+            return self.by_series(from, time);
         }
         instant.move_to(self.switches, time, &outcome.state);
         Some(instant)
     }
 
-    /// The instant by the series of the motion from the beginning of the step, where a distance may come to zero: another method has
+    /// The instant by the series of the motion, where a distance may come to zero: another method has
     /// stages beside the zero, where the law has no numbers. `None` where the law has no series, or one of several branches.
-    fn by_series(&self, step: &Instant, time: f64) -> Option<Instant> {
-        if step.signals.iter().all(|signal| signal.pace.near == 0.0) {
+    fn by_series(&self, from: &Instant, time: f64) -> Option<Instant> {
+        if from.signals.iter().all(|signal| signal.pace.near == 0.0) {
             return None;
         }
         let series = self.system.taylor().filter(|series| !series.has_branches())?;
-        let (mut state, mut taylor) = (step.state.clone(), Taylor::new(series, self.tolerance));
-        taylor.propagate(step.time, time, &mut state).ok()?;
+        let (mut state, mut taylor) = (from.state.clone(), Taylor::new(series, self.tolerance));
+        taylor.propagate(from.time, time, &mut state).ok()?;
         if let Some(projection) = self.system.projection() {
             projection.project(time, &mut state);
         }
-        let mut instant = step.clone();
+        let mut instant = from.clone();
         instant.move_to(self.switches, time, &state);
         Some(instant)
     }

@@ -174,8 +174,7 @@ impl Search<'_, '_> {
                 None => beyond = time,
             }
         }
-        let falls = self.of(&last).rate * (b.time - a.time) < 0.0;
-        (falls && self.is_near(&last)).then(|| self.event(Happening::Falls, last))
+        self.is_near(&last).then(|| self.event(Happening::Falls, last))
     }
 
     fn is_near(&self, instant: &Instant) -> bool {
