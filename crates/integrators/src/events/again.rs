@@ -14,6 +14,9 @@ const NARROW: f64 = 1e-4;
 /// The part of the change of a function over the interval that may fall into such a gap.
 const SMOOTH: f64 = 1e-2;
 
+/// Up to this square of a distance the law may have no numbers within the step.
+const BESIDE: f64 = 0.02;
+
 /// Evaluations that a part of a step may take, for each state and as many again.
 const PATIENCE: u64 = 50;
 
@@ -75,7 +78,7 @@ impl Again<'_> {
     /// The instant by the series of the motion, where a distance may come to zero: another method has
     /// stages beside the zero, where the law has no numbers. `None` where the law has no series, or one of several branches.
     fn by_series(&self, from: &Instant, time: f64) -> Option<Instant> {
-        if from.signals.iter().all(|signal| signal.pace.near == 0.0) {
+        if !from.signals.iter().any(|signal| signal.pace.near > 0.0 && signal.value <= BESIDE) {
             return None;
         }
         let series = self.system.taylor().filter(|series| !series.has_branches())?;
