@@ -132,10 +132,13 @@ impl<'m> Trace<'m> {
         }
         for (place, part) in model.arena.parts.iter().enumerate() {
             match part {
-                Part::Scalar(Scalar::Switch(..)) => {
-                    let letter = trace.letter_of_next_switch();
-                    trace.switches.push(letter);
-                    trace.scalars[place] = letter;
+                Part::Scalar(Scalar::Switch(switch, _)) => {
+                    // conditions that differ at equality alone share a switch
+                    if *switch == trace.switches.len() {
+                        let letter = trace.letter_of_next_switch();
+                        trace.switches.push(letter);
+                    }
+                    trace.scalars[place] = trace.switches[*switch];
                 }
                 Part::Scalar(scalar) => trace.scalars[place] = trace.scalar_of(scalar),
                 Part::Vector(vector) => trace.vectors[place] = trace.vector_of(vector),

@@ -217,7 +217,7 @@ fn riccati(page: &mut Page, r: &ReleasedLetters) {
                 _ => "",
             })
             .fails([Line::formula(derived, letter(name), printed[k])]);
-        page.claim("eq3.36", corrected, format!("Bellman's equation with the weights of the criterion gives {says}"))
+        page.claim("eq3.36", corrected, format!("Bellman's equation with these weights gives {says}"))
             .under(&names)
             .holds([Line::formula(derived, letter(name), right[k])]);
         page.correct();
