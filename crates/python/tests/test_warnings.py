@@ -37,7 +37,7 @@ def heard(call):
 
 def test_a_warning_of_a_text_is_told_where_it_is_read_and_not_again():
     [(message, file)] = heard(lambda: dalembert.Model.from_text(UNUSED))
-    assert "nothing uses the parameter `spare`" in message and file == "test_warnings.py"
+    assert "the parameter `spare` is not used" in message and file == "test_warnings.py"
     with pytest.raises(UserWarning, match="spare"), warnings.catch_warnings():
         warnings.simplefilter("error")
         dalembert.Model.from_text(UNUSED)

@@ -62,7 +62,7 @@ fn with(file: &str, piece: &str) -> String {
 fn unused_in(text: &str, block: &str) -> BTreeSet<String> {
     let scene = ModelScene::parse("book", text).unwrap_or_else(|error| panic!("{error}"));
     let (unused, others): (Vec<&Fault>, Vec<&Fault>) =
-        scene.model.warnings.iter().partition(|warning| warning.title.starts_with("nothing uses the parameter `"));
+        scene.model.warnings.iter().partition(|warning| warning.title.ends_with("` is not used"));
     assert!(others.is_empty(), "{others:?}\n{block}");
     let choice = Choice { allowed: Duration::from_secs(60), ..scene.run().choice() };
     let trajectory = scene.problem(choice.axes).simulate(&choice, |_| {});

@@ -172,7 +172,7 @@ fn a_regulator_of_a_distance_leaves_the_place_of_both_out() {
     assert!((cost(&found) / found.predicted - 1.0).abs() < 1e-8, "{} {}", cost(&found), found.predicted);
     // no force between the carts changes x + x' + y': with a place in the cost it is a variation that does not die away
     let placed = self::found(&text.replace("(x'/(1 m/s))^2", "(x'/(1 m/s))^2 + (y/(1 m))^2"));
-    assert!(placed.is_err_and(|why| why.contains("no input reaches the variation")));
+    assert!(placed.is_err_and(|why| why.contains("and no input influences it")));
 }
 
 /// Inside its bounds the loop of a law that changes is that of the law without them; beyond them it costs more, and an event ends it.
@@ -237,7 +237,10 @@ fn what_inputs_do_not_reach_is_told() {
             + &format!("[[force]]\nalong = \"y\"\nis = \"m*g{force}\"\n")
     };
     let why = found(&beside("")).expect_err("nothing moves y");
-    assert!(why.contains("no input reaches the variation with the eigenvalue 0.0000 1/s"), "{why}");
+    assert!(
+        why.contains("the mode with the eigenvalue 0.0000 1/s does not decay, and no input influences it"),
+        "{why}"
+    );
     let damped = one(&beside(" - k*y - d*y'"));
     let Controllability::Modes(modes) = damped.controllability else { panic!("{:?}", damped.controllability) };
     assert_eq!(modes.len(), 2);
@@ -255,7 +258,7 @@ fn criteria_that_mean_nothing_are_refused_at_their_place() {
         (cost, "(x/(1 m))^4 + (u/(10 N))^2", "terms beyond the second degree"),
         (cost, "(x/(1 m))^2", "the cost grows with every input"),
         (cost, "(x/(1 m))^2 + (x''/(1 m/s^2))^2 + (u/(10 N))^2", "holds accelerations"),
-        (cost, "(theta'/(1 rad/s))^2 + (u/(10 N))^2", "no solution with which every variation dies away"),
+        (cost, "(theta'/(1 rad/s))^2 + (u/(10 N))^2", "no solution that makes the motion stable"),
         ("inputs = [\"u\"]", "inputs = [\"v\"]", "no input is called `v`"),
         ("displaced = {", "last = \"(x/(1 m))^2\"\ndisplaced = {", "a cost of the end belongs to a horizon"),
         ("displaced = {", "horizon = \"2 m\"\ndisplaced = {", "the horizon cannot be read"),

@@ -2,7 +2,8 @@
 
 use super::problem::Row;
 
-/// The part of the largest value at nodes by which polynomials through all of them and through the inner ones may differ.
+/// The part of the largest value at nodes by which polynomials through all of them and through the inner ones may differ, and by which the
+/// value at the nearest node may differ from the polynomial through the others.
 const INTERPOLATED: f64 = 1e-3;
 
 /// The row beside a singular position: the state as it is, and the quantities computed from it by the polynomial through their values at
@@ -11,18 +12,25 @@ const INTERPOLATED: f64 = 1e-3;
 pub(super) fn interpolated(row: &Row, (time, state): (f64, &[f64]), nodes: &[(f64, Vec<f64>)]) -> Vec<f64> {
     let mut own = row(time, state);
     let rows: Vec<Vec<f64>> = nodes.iter().map(|(time, state)| row(*time, state)).collect();
-    let weight = |place: usize, among: &[usize]| {
+    let weight = |at: f64, place: usize, among: &[usize]| {
         let others = among.iter().filter(|other| **other != place);
-        others.map(|&other| (time - nodes[other].0) / (nodes[place].0 - nodes[other].0)).product::<f64>()
+        others.map(|&other| (at - nodes[other].0) / (nodes[place].0 - nodes[other].0)).product::<f64>()
     };
     let mut near: Vec<usize> = (0..nodes.len()).collect();
     near.sort_by(|&one, &other| (nodes[one].0 - time).abs().total_cmp(&(nodes[other].0 - time).abs()));
     let inner = &near[..near.len() - near.len() / 4];
     for (place, value) in own.iter_mut().enumerate().skip(state.len()) {
-        let through = |among: &[usize]| among.iter().map(|&node| weight(node, among) * rows[node][place]).sum::<f64>();
+        let through = |at: f64, among: &[usize]| {
+            among.iter().map(|&node| weight(at, node, among) * rows[node][place]).sum::<f64>()
+        };
         let largest = rows.iter().fold(0.0, |largest: f64, row| largest.max(row[place].abs()));
-        let [all, of_inner] = [through(&near), through(inner)];
-        *value = if (all - of_inner).abs() <= INTERPOLATED * largest { all } else { f64::NAN };
+        let [all, of_inner] = [through(time, &near), through(time, inner)];
+        // an odd pole has the polynomial zero through nodes on both sides, which none of its values obeys
+        let obeys = near.split_first().is_none_or(|(&nearest, others)| {
+            (rows[nearest][place] - through(nodes[nearest].0, others)).abs() <= INTERPOLATED * largest
+        });
+        let has_limit = obeys && (all - of_inner).abs() <= INTERPOLATED * largest;
+        *value = if has_limit { all } else { f64::NAN };
     }
     own
 }

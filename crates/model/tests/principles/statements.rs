@@ -250,6 +250,6 @@ fn a_mistake_that_cannot_be_made_says_why() {
     let model = Model::of(&slider_crank()).unwrap_or_else(|faults| panic!("{faults:?}"));
     apart(|| {
         let why = mistaken(&Trace::of(&model), Mistake::ConstraintsInEnergy).expect_err("positions alone");
-        assert!(why.to_string().contains("no constraint of the system speaks of speeds"), "{why}");
+        assert!(why.to_string().contains("the system has no constraint that contains speeds"), "{why}");
     });
 }

@@ -90,7 +90,7 @@ fn diodes_that_mean_nothing_are_refused_at_their_place() {
         ("current = \"q'\"", "current = \"q''*(1 s)\"", "is linear in rates of coordinates"),
         ("current = \"q'\"", "current = \"q'^2/(1 A)\"", "has a speed that is linear in rates of coordinates"),
         ("current = \"q'\"", "", "`current` is missing"),
-        ("current = \"q'\"", "current = \"q'\"\ndrop = \"L\"", "the drop of a diode has the dimension"),
+        ("current = \"q'\"", "current = \"q'\"\ndrop = \"L\"", "the drop of a diode must have the dimension"),
         ("current = \"q'\"", "current = \"q'\"\nside = \"one\"", "unknown key `side`"),
         ("reaction(D)", "gap(D)", "`D` is a diode, which has a `reaction` alone"),
         ("[[diode]]", "[diode]", "double brackets"),

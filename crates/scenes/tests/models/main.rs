@@ -162,7 +162,8 @@ fn a_start_is_completed_so_that_the_constraints_hold() {
     let wrong = text.replace("s = \"0.4 m\"", "theta = \"0 rad\"\nphi = \"0 rad\"\ns = \"0.5 m\"");
     let refused = ModelScene::parse("scene.toml", &wrong).expect_err("the loop is open").to_string();
     assert!(
-        refused.contains("`pin` along R.x does not hold at the start") && refused.contains("0.1 m by the coordinates"),
+        refused.contains("`pin` along R.x does not hold at the start")
+            && refused.contains("0.1 m with the coordinates"),
         "{refused}"
     );
 }

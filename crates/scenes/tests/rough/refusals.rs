@@ -23,7 +23,8 @@ fn a_contact_that_is_incomplete_is_refused_with_an_example() {
     assert!(said(&[(normal, "normal = \"N.x\"\nsides = \"two\"\n")]).contains("on one side or on both"));
     assert!(said(&[("name = \"floor\"", "name = \"wall\"")]).contains("the name of another contact"));
     assert!(
-        said(&[("friction = \"f\"", "friction = \"m\"")]).contains("the coefficient of friction has the dimension")
+        said(&[("friction = \"f\"", "friction = \"m\"")])
+            .contains("the coefficient of friction must have the dimension")
     );
     assert!(said(&[("reaction(wall)", "reaction(wal)")]).contains("is `wall` meant?"));
     assert!(said(&[("friction(floor)", "friction(flor)")]).contains("no contact is called `flor`"));
