@@ -14,12 +14,13 @@ submit! {
             let mut data = top.table("data", "the number of beads");
             let beads = data.count("beads", "number of beads", 1, 9).value;
             issues.extend(data.finish());
-            let mut source = Source::default();
-            source.parameters = vec![("m", "1 kg").into()];
-            source.coordinates = (1..=beads).map(|k| (format!("x{k}").as_str(), "m").into()).collect();
-            source.bodies = (1..=beads)
-                .map(|k| BodySource::particle(&format!("bead{k}"), &format!("O + x{k}*N.x"), "m"))
-                .collect();
+            let bead = |k| BodySource::particle(&format!("bead{k}"), &format!("O + x{k}*N.x"), "m");
+            let source = Source {
+                parameters: vec![("m", "1 kg").into()],
+                coordinates: (1..=beads).map(|k| (format!("x{k}").as_str(), "m").into()).collect(),
+                bodies: (1..=beads).map(bead).collect(),
+                ..Source::default()
+            };
             Some(with_tables(source, top))
         },
     }
@@ -36,6 +37,6 @@ fn a_named_system_reads_tables_whose_names_mean_others_elsewhere() {
 #[test]
 fn a_word_that_the_named_system_does_not_read_is_still_told() {
     let text = BEADS.replace("[run]", "[constants]\nm = \"2 kg\"\n\n[run]");
-    let error = ModelScene::parse("scene.toml", &text).err().expect("constants are parameters").to_string();
+    let error = ModelScene::parse("scene.toml", &text).expect_err("constants are parameters").to_string();
     assert!(error.contains("unknown key `constants`") && error.contains("help: [parameters]"), "{error}");
 }

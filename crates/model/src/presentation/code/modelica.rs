@@ -181,7 +181,7 @@ pub fn modelica(trace: &Trace<'_>, form: &MatrixForm, name: &str, start: &[f64])
     for (name, value) in outputs.iter().zip(&shown_values) {
         let _ = writeln!(text, "  {name} = {value};");
     }
-    text += &when_clauses(trace, (&shown.sets, &sets), &events, &state);
+    text += &when_clauses(trace, &shown.sets, &sets, &events, &state);
     let _ = writeln!(text, "end {name};");
     Ok(text)
 }
@@ -189,7 +189,8 @@ pub fn modelica(trace: &Trace<'_>, form: &MatrixForm, name: &str, start: &[f64])
 /// Events: those that set a common state are branches of one clause, since a state is reinitialised in one clause alone.
 fn when_clauses(
     trace: &Trace<'_>,
-    (places, values): (&[Vec<(usize, Sym)>], &[String]),
+    places: &[Vec<(usize, Sym)>],
+    values: &[String],
     expressions: &[String],
     state: &[String],
 ) -> String {
