@@ -117,7 +117,8 @@ def test_a_bicycle_by_kane_is_the_same():
     method, names = bicycle()
     found = dalembert.Model.from_text(BICYCLE).check(method, names)
     assert found.same is True and found.verdict == "identified", found
-    # the constraints are proved, the equations of motion are equal at random points of prime fields
-    assert [one.verdict for one in found.equations] == ["proved"] * 4 + ["identified"] * 6, found
+    # the equations of motion are equal at random points of prime fields, the constraints at the latest
+    assert [one.verdict for one in found.equations[4:]] == ["identified"] * 6, found
+    assert {one.verdict for one in found.equations[:4]} <= {"proved", "identified"}, found
     # divisors of thousands of characters stay in `requires`
     assert len(repr(found)) < 5000

@@ -23,7 +23,7 @@ use model::{Entry, Text, Trace};
 use rates::{PeerRates, without_multipliers};
 use reader::SceneError;
 use scenes::SystemText;
-use symbolic::Sym;
+use symbolic::{Identity, Sym, identified};
 
 /// Equations of motion as texts in the language of models, without units.
 #[derive(Clone, Debug, Default)]
@@ -126,15 +126,19 @@ impl PeerEquations {
         let is_constraint = |row: Sym| {
             let reduced = held.reduced(row);
             let vanishes_there = || matches!(vanishes(&held, row, &[]), Outcome::Zero(_) | Outcome::Identified(_));
-            reduced == Sym::ZERO || (generic_rank(&[vec![reduced]]) == 0 && vanishes_there())
+            // roots that are written differently have one value in an identity test alone
+            let is_identity = || matches!(identified(&[reduced]), Identity::Identified { .. });
+            reduced == Sym::ZERO || (generic_rank(&[vec![reduced]]) == 0 && vanishes_there()) || is_identity()
         };
-        let (differentiated, others): (Vec<Sym>, Vec<Sym>) =
-            rows.iter().filter(|row| without_multipliers_in(**row)).partition(|row| is_constraint(**row));
-        let held_by = rank(differentiated.iter().map(|row| by(*row, &rates.accelerations)).collect());
+        let (differentiated, others): (Vec<usize>, Vec<usize>) =
+            (0..rows.len()).filter(|&row| without_multipliers_in(rows[row])).partition(|&row| is_constraint(rows[row]));
+        // by their own letters, which the rows no longer hold
+        let accelerations_of = |&row: &usize| by(rates.equations[row], &rates.accelerations);
+        let held_by = rank(differentiated.iter().map(accelerations_of).collect());
         let theirs = rates.accelerations.len().saturating_sub(held_by);
         // a row that was not decided may be a constraint as well
-        let is_open = |row: &Sym| !matches!(vanishes(&held, *row, &[]), Outcome::NonZero(_));
-        let open = if theirs > freedom { others.iter().filter(|row| is_open(row)).count() } else { 0 };
+        let is_open = |row: &&usize| !matches!(vanishes(&held, rows[**row], &[]), Outcome::NonZero(_));
+        let open = if theirs > freedom { others.iter().filter(is_open).count() } else { 0 };
         let projected = Projected { trace, held: &held, free: &free, slopes: &slopes };
 
         let mut requires: Vec<Sym> = along.divisors.clone();
