@@ -23,7 +23,7 @@ const PARTS: [f64; 5] = [1.0, 0.5, 0.25, 0.125, 0.0625];
 const AGREED: f64 = 10.0;
 const ROUNDING: f64 = 1e-9;
 
-/// Of sums that agree to this part the nearest are taken: fewer events may fall into the way.
+/// Among sums that agree to this part the nearest are taken: fewer events may fall into the way.
 const SURE: f64 = 1e-13;
 
 /// Bisections by which the ends of the position's neighbourhood are found, and looks at the signals behind it.

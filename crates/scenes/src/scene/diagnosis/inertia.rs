@@ -198,7 +198,7 @@ impl<'a> Look<'a> {
         Some((value, (left * eigenvectors.column(least)).iter().copied().collect()))
     }
 
-    /// What leads away from the singular place soonest; none where the eigenvalue stays as it is all around.
+    /// The coordinate, or the time, that leads away from the singular place soonest; `None` if the eigenvalue stays as it is all around.
     fn cause(&self, time: f64, state: &[f64], span: f64, least: f64) -> Option<Cause> {
         let at = |time: f64, state: &[f64]| self.least(time, state).map_or(0.0, |(least, _)| least);
         let moved = |place: usize| {

@@ -3,12 +3,12 @@
 //!
 //! A family is enclosed in pieces, in each of which there is one motion, and no other, for every value of its parameters.
 
-mod adjoining;
 mod columns;
 mod ends;
 mod identities;
 mod local;
 mod pieces;
+mod sweep;
 
 pub(super) use identities::Identity;
 
@@ -16,13 +16,13 @@ use super::equations::{NO_CASE, SteadyEquations};
 use super::friction::Friction;
 use super::search::{Boxes, Tangents};
 use super::turns_to_zero;
-use adjoining::Sweep;
 use algebra::boxes::Equations;
 use ends::{Ends, Extent};
 use field::Interval;
 use local::Local;
 use pieces::{Limits, Piece, Pieces, Underdetermined};
 use std::f64::consts::PI;
+use sweep::Sweep;
 
 /// A family of steady motions, in adjoining pieces.
 #[derive(Clone, Debug)]
