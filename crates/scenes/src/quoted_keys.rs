@@ -9,15 +9,15 @@ pub fn with_quoted_primes(mut error: SceneError) -> SceneError {
         let Some(place) = issue.span.as_ref().map(|span| span.start.min(text.len())) else { continue };
         let begin = text.as_bytes()[..place].iter().rposition(|byte| *byte == b'\n').map_or(0, |at| at + 1);
         let line = text.get(begin..).and_then(|rest| rest.lines().next()).unwrap_or("");
-        let help = match primed_key(line) {
-            Some(key) => format!("a key with a prime stands in quotes: \"{key}\" = ..."),
-            None if let Some(key) = unquoted_key(line) => {
+        let help = match (primed_key(line), unquoted_key(line)) {
+            (Some(key), _) => format!("a key with a prime stands in quotes: \"{key}\" = ..."),
+            (None, Some(key)) => {
                 format!(
                     "a key with other characters than ASCII letters, digits, `-` and `_` stands in quotes: \"{key}\" = ..."
                 )
             }
-            None if issue.label.contains("duplicate") => "each name stands once in its table".to_owned(),
-            None => "keys, tables and texts as TOML has them: key = \"text\", [table], [[list of tables]]".to_owned(),
+            _ if issue.label.contains("duplicate") => "each name stands once in its table".to_owned(),
+            _ => "keys, tables and texts as TOML has them: key = \"text\", [table], [[list of tables]]".to_owned(),
         };
         issue.help = Some(help);
     }

@@ -40,15 +40,15 @@ pub(super) fn combinations(rows: &Rows, at_rest: &[(Sym, Sym)]) -> Result<Vec<Ve
     let letters = rows.condition_letters.iter().map(Some).chain(rows.contacts.iter().map(|_| None));
     let contacts = rows.condition_letters.iter().map(|_| None).chain(rows.contacts.iter().map(Some));
     for ((value, letter), contact) in values.iter().zip(letters).zip(contacts) {
-        let cases: &[Case] = match value.as_constant() {
-            _ if let Some(contact) = contact => contact.cases(at_rest),
+        let cases: &[Case] = match (contact, value.as_constant()) {
+            (Some(contact), _) => contact.cases(at_rest),
             _ if vanishes(*value) => &[Case::Between],
-            Some(number) if number.to_f64() > 0.0 => &[Case::Holds],
-            Some(_) => &[Case::Fails],
-            None if letter.is_some_and(|letter| is_continuous(rows, &values, (*letter, *value))) => {
+            (None, Some(number)) if number.to_f64() > 0.0 => &[Case::Holds],
+            (None, Some(_)) => &[Case::Fails],
+            (None, None) if letter.is_some_and(|letter| is_continuous(rows, &values, (*letter, *value))) => {
                 &[Case::Holds, Case::Fails]
             }
-            None => &[Case::Holds, Case::Fails, Case::Between],
+            (None, None) => &[Case::Holds, Case::Fails, Case::Between],
         };
         all = all.iter().flat_map(|own| cases.iter().map(move |case| [&own[..], &[*case]].concat())).collect();
         if all.len() > MOST {

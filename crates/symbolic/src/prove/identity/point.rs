@@ -30,9 +30,11 @@ pub(super) fn values(program: &Program, field: &Field, random: &mut Random, sign
         let [a, b] = arguments.map(|place| values.get(place).copied().unwrap_or(0));
         let value = match node {
             Node::Constant(_) => field.reduced(is.as_constant()?)?,
-            Node::Root(_) if let Some(signs) = signs => match roots.get(&a) {
-                Some(&known) => known,
-                None => {
+            Node::Symbol(_) => random.below(field.0),
+            Node::Root(_) => match (signs, roots.get(&a)) {
+                (None, _) => *functions.entry((Opaque::Root, a, 0)).or_insert_with(|| random.below(field.0)),
+                (Some(_), Some(&known)) => known,
+                (Some(signs), None) => {
                     let root = field.root(a)?;
                     let is_other = signs >> roots.len() & 1 == 1;
                     let root = if is_other { field.minus(0, root) } else { root };
@@ -40,8 +42,6 @@ pub(super) fn values(program: &Program, field: &Field, random: &mut Random, sign
                     root
                 }
             },
-            Node::Symbol(_) => random.below(field.0),
-            Node::Root(_) => *functions.entry((Opaque::Root, a, 0)).or_insert_with(|| random.below(field.0)),
             Node::Elementary(which, ..) => {
                 let key = (Opaque::Elementary(which), a, b);
                 *functions.entry(key).or_insert_with(|| random.below(field.0))
