@@ -12,6 +12,7 @@ mod judgement;
 mod motion;
 mod parameter_divisors;
 mod rotation;
+mod step;
 mod vector;
 
 pub(crate) use free_frame::FreeFrame;
@@ -22,7 +23,7 @@ pub use rotation::{quaternion_rates, turned_further};
 pub(crate) use vector::Frames;
 pub use vector::Vector;
 
-use crate::arena::{AtZero, Function, Number, Part, Scalar};
+use crate::arena::{Function, Number, Part, Scalar};
 use crate::equations::held_of;
 use crate::expression::Exponent;
 use crate::joints::Joints;
@@ -30,10 +31,11 @@ use crate::presentation::FreeTurn;
 use crate::principles::lagrange::inertia;
 use crate::principles::loads::generalised;
 use crate::{FrameId, Input, Model, ScalarId, Turn, VectorId};
-use field::{Analytic, Elementary, Over, Rational, Scalar as _};
+use field::{Analytic, Over, Rational, Scalar as _};
 use judgement::Judgement;
 use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
+use step::step;
 use symbolic::{Derivation, Sym};
 
 /// A model over symbols.
@@ -355,22 +357,6 @@ impl<'m> Trace<'m> {
         Joints::of(self)
     }
 }
-
-/// (1 + T)/2 with T = tanh(c x) and a c beyond all sizes: 1 or 0, and 1/2 at zero; 1 - T^2, which is 1 at zero alone, makes that 1 or 0. The
-/// derivative is zero elsewhere than at zero.
-fn step(x: Sym, at_zero: AtZero) -> Sym {
-    let large = Sym::lift(Rational::exactly(STEEP));
-    let steep = (large * x).elementary(Elementary::Tanh, large * x);
-    let twice = match at_zero {
-        AtZero::Half => Sym::ONE + steep,
-        AtZero::On => Sym::ONE + steep + (Sym::ONE - steep * steep),
-        AtZero::Off => steep + steep * steep,
-    };
-    twice / (Sym::ONE + Sym::ONE)
-}
-
-/// The factor c of the step function above: tanh(c x) is one for every x above 1e-298.
-const STEEP: f64 = 1e300;
 
 /// A power or a function, of an argument.
 fn of_argument(scalar: &Scalar, a: Sym) -> Sym {
