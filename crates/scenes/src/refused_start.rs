@@ -2,6 +2,7 @@
 
 use crate::modes::{Refused, Unfit};
 use crate::readiness::refused;
+use crate::row_units::measured;
 use model::Model;
 use reader::Issue;
 
@@ -9,10 +10,11 @@ use reader::Issue;
 pub(crate) fn not_started(model: &Model, why: Refused) -> Issue {
     match why {
         Refused::Law(reason) => refused(model, &reason),
-        Refused::Contact(Unfit { contact, why, accepted }) => {
+        Refused::Contact(Unfit { contact, why, accepted, found }) => {
             let one = &model.contacts[contact];
             let title = format!("this system cannot start: {why}");
-            Issue::at(one.at.clone(), title, one.title(contact)).accepted(accepted)
+            let found = found.map_or_else(String::new, |(value, unit)| format!(": {}", measured(value, unit)));
+            Issue::at(one.at.clone(), title, one.title(contact) + &found).accepted(accepted)
         }
         Refused::Motion { why, switch: None } if !model.contacts.is_empty() => {
             let places = model.contacts.iter().map(|contact| &contact.at);

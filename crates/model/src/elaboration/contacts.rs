@@ -219,22 +219,15 @@ fn sides_of(text: &Text) -> Sound<Sides> {
 
 fn law_of(source: &ContactSource) -> Sound<Restitution> {
     let Some(text) = &source.impact else { return Ok(Restitution::default()) };
-    let fault =
-        |title: &str, label: &str, accepted: &str| Err(Box::new(Fault::at(text.span(), title, label, accepted)));
     match text.text.trim() {
-        // which holds for contacts in touch too
         "moreau" => Ok(Restitution::Moreau),
-        "newton" | "poisson" if source.restitution.is_none() => fault(
-            "`impact` names the law of a coefficient of restitution",
-            "`restitution` is missing",
-            "restitution = \"0.5\" in the same table",
-        ),
         "newton" => Ok(Restitution::Newton),
         "poisson" => Ok(Restitution::Poisson),
-        _ => fault(
+        _ => Err(Box::new(Fault::at(
+            text.span(),
             "the law of restitution is Newton's, Poisson's or Moreau's",
             "none of them",
             "impact = \"newton\", impact = \"poisson\", impact = \"moreau\"",
-        ),
+        ))),
     }
 }

@@ -1,5 +1,6 @@
 //! Modes of a hybrid model: the case of each condition and contact, the law of each mode, and the events that end it.
 
+mod accumulation;
 mod algebraic;
 mod combinations;
 mod contacts;

@@ -1,6 +1,7 @@
 //! The state of contacts at the start of a run and after events: open, at rest or sliding, with impacts that change the speeds.
 
 use super::Modes;
+use super::accumulation::Impact;
 use super::course::Sets;
 use super::decision::TERMS;
 use super::expansion::{Instant, Kind, NotStruck, Touching};
@@ -24,12 +25,6 @@ const ENERGY: &str =
 const TURNS: &str =
     "an impact with friction in space would turn the direction of sliding, which its laws do not follow";
 pub(crate) const NEGATIVE: &str = "a coefficient of friction is negative";
-/// Bouncing ends when all further bounces together take less than this fraction of the time of the run.
-const BOUNCES: f64 = 1e-9;
-/// The same for contacts that share impacts: rounding of their gaps keeps bounces of several in turn from becoming shorter.
-const SHARED_BOUNCES: f64 = 1e-6;
-/// A fall exceeds the previous one by at most this many roundings of the gap.
-const DEEPER: f64 = 8.0;
 
 impl Modes {
     /// The touch of the contacts at a given state.
@@ -92,7 +87,11 @@ impl Modes {
                     blocked.phases[contact] = Phase::Slips { forwards: true, face: Face::Front };
                     expansions.return_to_zero(time, state, &blocked, 0.0);
                 }
-                false => expansions.return_to_touch(time, state, contact),
+                // the others in touch too: a rest of their gaps would grow into the next flight of a body that rocks
+                false => {
+                    let closed = expansions.in_touch(mode).into_iter().filter(|other| *other != contact);
+                    expansions.close_gaps(time, state, &[contact].into_iter().chain(closed).collect::<Vec<_>>());
+                }
             }
         }
         if let Some(contact) = closing
@@ -118,7 +117,7 @@ impl Modes {
             if shares {
                 let instant = Instant { late, ..Instant::at(time, state) };
                 let [together, others] = expansions.partners(&instant, mode, contact, SLACK);
-                together.iter().for_each(|&other| expansions.return_to_touch(time, state, other));
+                expansions.close_gaps(time, state, &[together.clone(), expansions.in_touch(mode)].concat());
                 let instant = Instant { late, ..Instant::at(time, state) };
                 let after = expansions.struck_together(&instant, (&together, &others), &mode.cases).map_err(why)?;
                 state.copy_from_slice(&after.state);
@@ -134,15 +133,15 @@ impl Modes {
                 return Err(TOGETHER);
             }
             sets = Sets::Impact(contact);
-            let mut closed = mode.clone();
-            for &bouncing in &struck {
-                if self.bounces_end(mode, bouncing, time, state)? {
-                    sets = Sets::LastBounce;
-                    ended.push(bouncing);
-                    closed.phases[bouncing] = Phase::Slips { forwards: true, face: Face::Front };
+            let impact = Impact { struck: &struck, opened: &opened, stay: &stay, stick: &stick };
+            ended = self.accumulated(mode, impact, (time, state))?;
+            if !ended.is_empty() {
+                sets = Sets::LastBounce;
+                opened.retain(|contact| !ended.contains(contact));
+                let mut closed = mode.clone();
+                for &contact in &ended {
+                    closed.phases[contact] = Phase::Slips { forwards: true, face: Face::Front };
                 }
-            }
-            if sets == Sets::LastBounce {
                 expansions.return_to_zero(time, state, &closed, 0.0);
             }
         }
@@ -182,24 +181,6 @@ impl Modes {
         };
         let contacts = expansions.contacts(&Instant { late, ..Instant::at(time, state) }, &mode.cases);
         Ok((contacts.into_iter().zip(phases).enumerate().map(of).collect(), sets))
-    }
-
-    /// Whether the remaining bounces of a contact are short compared with the time of the run, or no higher than the rounding of its gap.
-    fn bounces_end(&self, mode: &Mode, contact: usize, time: f64, state: &[f64]) -> Result<bool, &'static str> {
-        let expansions = self.laws.expansions().map_err(refused)?;
-        let [_, restitution] = expansions.coefficients(time, state, (contact, &mode.cases));
-        let found = expansions.at::<2>(&Instant::at(time, state), mode);
-        let Some(Touching { gap, gap_rate, .. }) = found.map(|found| found.contacts[contact]) else { return Ok(false) };
-        let [rate, acceleration] = gap_rate.terms;
-        // the flights last 2 v/a, then e times that, and so on; the first one is v^2/(2 a) high
-        let rest = 2.0 * rate / -acceleration / (1.0 - restitution);
-        let height = rate * rate / (-2.0 * acceleration);
-        // a gap is zero up to its rounding d, which lengthens each fall: the next height e^2 (h + d) is not below h for h = d e^2/(1 - e^2)
-        let square = restitution * restitution;
-        let lowest = SLACK * gap.doubts[0] * (1.0 + DEEPER * square / (1.0 - square));
-        let part = if expansions.shares_impacts(contact) { SHARED_BOUNCES } else { BOUNCES };
-        let is_over = (0.0..part * time).contains(&rest) || (0.0..lowest).contains(&height);
-        Ok(rate > 0.0 && acceleration < 0.0 && restitution < 1.0 && is_over)
     }
 
     /// The touch of the contacts after an event has set the state: contacts that it did not change remain in touch.

@@ -7,7 +7,8 @@ use symbolic::{Sym, apart};
 
 /// The names of conditions, contacts and events.
 pub(super) struct Words {
-    conditions: Vec<String>,
+    /// The expressions that the conditions compare with zero.
+    compared: Vec<String>,
     contacts: Vec<String>,
     /// Whether each contact has friction.
     are_rough: Vec<bool>,
@@ -17,25 +18,25 @@ pub(super) struct Words {
 
 impl Words {
     pub fn of(model: &Model, events: &[String], condition_lines: &[usize]) -> Self {
-        // a long condition has a number and the line in which it stands
-        let condition = |(place, letter): (usize, &Sym)| {
+        // a long expression has a number and the line in which it stands
+        let compared = |(place, letter): (usize, &Sym)| {
             let name = letter.to_string();
-            match (name.strip_prefix("[condition ").and_then(|rest| rest.strip_suffix(']')), condition_lines.get(place))
-            {
-                (Some(rest), Some(line)) => format!("[condition {rest} in line {line}]"),
-                _ => name,
+            let expression = name.strip_prefix('[').and_then(|rest| rest.strip_suffix(" > 0]")).unwrap_or(&name);
+            match (expression.starts_with("condition "), condition_lines.get(place)) {
+                (true, Some(line)) => format!("{expression} (line {line})"),
+                _ => expression.to_owned(),
             }
         };
-        let conditions = apart(|| Trace::of(model).switches.iter().enumerate().map(condition).collect());
+        let compared = apart(|| Trace::of(model).switches.iter().enumerate().map(compared).collect());
         let contacts = model.contacts.iter().enumerate().map(|(place, contact)| contact.title(place)).collect();
         let are_rough = model.contacts.iter().map(|contact| contact.friction.is_some()).collect();
         let one_ways = model.contacts.iter().map(|contact| contact.one_way).collect();
-        Words { conditions, contacts, are_rough, one_ways, events: events.to_vec() }
+        Words { compared, contacts, are_rough, one_ways, events: events.to_vec() }
     }
 
     /// A condition.
     pub fn condition(&self, switch: usize) -> String {
-        self.conditions[switch].clone()
+        format!("[{} > 0]", self.compared[switch])
     }
 
     /// A contact.
@@ -81,9 +82,9 @@ impl Words {
     /// An event.
     pub fn fall(&self, fall: Fall) -> String {
         match fall {
-            Fall::Passes { switch } => format!("{} changes", self.conditions[switch]),
-            Fall::Leaves { switch, .. } => format!("nothing keeps {} at its change any more", self.conditions[switch]),
-            Fall::Frees { switch } => format!("the share of {} leaves its bound", self.conditions[switch]),
+            Fall::Passes { switch } => format!("{} reaches 0", self.compared[switch]),
+            Fall::Leaves { switch, .. } => format!("{} leaves 0", self.compared[switch]),
+            Fall::Frees { switch } => format!("the share of {} leaves its bound", self.condition(switch)),
             Fall::Closes { contact } | Fall::Lifts { contact } if self.one_ways[contact].is_some() => {
                 let (name, is_diode) = (&self.contacts[contact], self.one_ways[contact] == Some(OneWay::Diode));
                 match (fall, is_diode) {
@@ -134,11 +135,11 @@ impl Words {
     /// A mode.
     pub fn mode(&self, mode: &Mode) -> String {
         let case = |(name, case): (&String, &Case)| match case {
-            Case::On => format!("{name} = 1"),
-            Case::Off => format!("{name} = 0"),
-            Case::Held | Case::Shared | Case::Spent { .. } => format!("{name} stays at its change"),
+            Case::On => format!("{name} > 0"),
+            Case::Off => format!("{name} < 0"),
+            Case::Held | Case::Shared | Case::Spent { .. } => format!("{name} stays at 0"),
         };
-        let cases = self.conditions.iter().zip(&mode.cases).map(case);
+        let cases = self.compared.iter().zip(&mode.cases).map(case);
         let phases = mode.phases.iter().enumerate().map(|(contact, phase)| self.phase(contact, *phase));
         cases.chain(phases).collect::<Vec<String>>().join(", ")
     }

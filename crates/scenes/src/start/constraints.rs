@@ -1,6 +1,6 @@
 //! The constraints of a model with their derivatives, compiled for starts and for the monitoring of runs.
 
-use super::{MET, Open, Unmet};
+use super::{MET, Open, RANK, ROUNDED, Unmet};
 use crate::compiled_system::NotCompiled;
 use crate::layout::Layout;
 use crate::letters::Inputs;
@@ -187,6 +187,14 @@ impl Constraints {
         residuals.iter().enumerate().map(is_met).collect()
     }
 
+    /// Whether all residuals are rounding errors of terms of the order of one, or of the derivatives where these are smaller: millimetres by radians.
+    pub fn are_rounded(&self, (residuals, jacobian): &(DVector<f64>, DMatrix<f64>)) -> bool {
+        residuals
+            .iter()
+            .enumerate()
+            .all(|(row, residual)| residual.abs() <= ROUNDED * jacobian.row(row).amax().min(1.0))
+    }
+
     /// The first constraint that does not hold, with those of the free coordinates, or speeds, that move it.
     pub fn open(&self, state: &[f64], parameters: &[f64], level: Option<Level>, free: &[usize]) -> Option<Open> {
         let at = self.at(state, parameters, level);
@@ -198,7 +206,9 @@ impl Constraints {
         let level = if level.is_some() { Level::Position } else { Level::Speed };
         let residual = residuals[worst].is_finite().then_some(residuals[worst]);
         let order = usize::from(level == Level::Speed);
-        let moves = (0..self.layout.speeds()).filter(|&speed| jacobian[(worst, speed)] != 0.0);
+        let slopes = jacobian.row(worst);
+        // products of the components of unit vectors leave rounding errors for derivatives that are zero
+        let moves = (0..self.layout.speeds()).filter(|&speed| slopes[speed].abs() > RANK * slopes.amax());
         let (moved, given): (Vec<usize>, Vec<usize>) = moves.partition(|speed| free.contains(speed));
         // the orientation of a free frame is given as a whole
         let name = |speed: usize| {

@@ -38,8 +38,11 @@ const MOST_STEPS: usize = 50;
 /// Residuals below this, in SI units and beside larger terms relative to these, are rounding of data with fifteen digits.
 const MET: f64 = 1e-10;
 
-/// Residuals below this are what rounding leaves.
+/// Residuals below this, relative to the largest derivative and to one, are rounding errors.
 const ROUNDED: f64 = 1e-14;
+
+/// A step on constraints that hold already is worth another one where it reduces the largest residual to this fraction.
+const SHRINKS: f64 = 0.1;
 
 /// A component of a state that changes by less than this relative amount, or of the largest component where it was zero, keeps its
 /// value: the change is the rounding of a few steps by singular values.
@@ -172,14 +175,18 @@ fn completed(
         let is_given = |speed: &usize| layout.places(*speed, order).any(|at| given[at]);
         let free: Vec<usize> = (0..layout.speeds()).filter(|speed| !is_given(speed)).collect();
         let written = state.clone();
-        let mut is_met = false;
+        // the largest residual of a state that meets the constraints
+        let mut met = f64::INFINITY;
         for _ in 0..MOST_STEPS {
             let at = constraints.at(&state, parameters, level);
-            // met, one more step leaves rounding alone
-            if is_met || at.0.amax() <= ROUNDED || free.is_empty() {
+            let largest = at.0.amax();
+            // once met, further steps leave rounding alone: it counts where a contact of small bodies is to touch
+            if free.is_empty() || constraints.are_rounded(&at) || largest > SHRINKS * met {
                 break;
             }
-            is_met = constraints.met(&state, &at, order).iter().all(|is_met| *is_met);
+            if constraints.met(&state, &at, order).iter().all(|is_met| *is_met) {
+                met = largest;
+            }
             let (residuals, jacobian) = at;
             let columns = DMatrix::from_fn(residuals.len(), free.len(), |row, at| jacobian[(row, free[at])]);
             if !residuals.iter().chain(columns.iter()).all(|number| number.is_finite()) {

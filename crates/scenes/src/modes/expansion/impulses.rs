@@ -14,7 +14,7 @@ use nalgebra::DMatrix;
 use num_traits::{One, Zero};
 
 /// Steps of Newton's method to remove the residuals of an integration.
-const IMPULSES: usize = 3;
+pub(super) const IMPULSES: usize = 3;
 
 /// A change counts if it exceeds its error bound by this factor.
 const CHANGES: f64 = 16.0;
@@ -97,33 +97,6 @@ impl Expansions {
             }
         }
         true
-    }
-
-    /// Moves a contact that has closed so that its gap is zero, by the displacement that a force along the normal would cause, which does not change
-    /// constraints.
-    pub fn return_to_touch(&self, time: f64, state: &mut [f64], contact: usize) {
-        let clock = Jet::<1>::constant(time, 0.0);
-        let letter = self.reaction([contact, 0]);
-        let all = vec![Jet::zero(); self.letters()];
-        for _ in 0..IMPULSES {
-            let parts = rounded(state);
-            let values = self.values(clock, &parts, &all, &[]);
-            let gap = self.of_contact(&values, Quantity::Gap, contact).terms[0];
-            let slope = self.slopes_by(&values, &vec![None; self.kinds.len()], &[letter], &[letter])[0][0].terms[0];
-            if gap == 0.0 || slope == 0.0 {
-                return;
-            }
-            let added = self.responses(clock, &parts, &all, &[letter]);
-            let moved: Vec<Jet<1>> = parts
-                .iter()
-                .zip(&added[0])
-                .map(|(part, rate)| *part - Jet::constant(gap / slope * rate, 0.0))
-                .collect();
-            let by_impulse = self.values(clock, &moved, &all, &[]);
-            for place in 0..self.positions {
-                state[place] += by_impulse[place].terms[0] - values[place].terms[0];
-            }
-        }
     }
 
     /// The impulses of a contact that closes, normal and along each tangent, by the values of the tape.
@@ -248,6 +221,6 @@ impl Expansions {
 }
 
 /// A state with the errors of its numbers.
-fn rounded(state: &[f64]) -> Vec<Jet<1>> {
+pub(super) fn rounded(state: &[f64]) -> Vec<Jet<1>> {
     state.iter().map(|value| Jet::constant(*value, ROUNDINGS * ROUNDING * value.abs())).collect()
 }

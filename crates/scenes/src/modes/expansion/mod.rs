@@ -4,6 +4,7 @@
 //! order by order from g' = 0, reactions of closed contacts from gap'' = 0 and v' = 0; these equations are linear in them.
 
 mod accelerations;
+mod closed_gaps;
 mod distribution;
 mod elimination;
 mod equations;
