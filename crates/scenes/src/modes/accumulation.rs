@@ -57,17 +57,12 @@ impl Modes {
         let expansions = self.laws.expansions().map_err(refused)?;
         let [_, restitution] = expansions.coefficients(time, state, (contact, &mode.cases));
         let found = expansions.at::<2>(&Instant::at(time, state), mode);
-        let Some(Touching { gap, gap_rate, .. }) = found.map(|found| found.contacts[contact]) else { return Ok(false) };
-        let [rate, acceleration] = gap_rate.terms;
-        // the flights last 2 v/a, then e times that, and so on; the first one is v^2/(2 a) high
-        let rest = 2.0 * rate / -acceleration / (1.0 - restitution);
-        let height = rate * rate / (-2.0 * acceleration);
-        // a gap is zero up to its rounding d, which lengthens each fall: the next height e^2 (h + d) is not below h for h = d e^2/(1 - e^2)
-        let square = restitution * restitution;
-        let lowest = SLACK * gap.doubts[0] * (1.0 + DEEPER * square / (1.0 - square));
+        let Some(found) = found else { return Ok(false) };
+        let flight = Flight::of(&found.contacts[contact]);
         let part = if expansions.shares_impacts(contact) { SHARED_BOUNCES } else { BOUNCES };
-        let is_over = (0.0..part * time).contains(&rest) || (0.0..lowest).contains(&height);
-        Ok(rate > 0.0 && acceleration < 0.0 && restitution < 1.0 && is_over)
+        let rest = flight.duration / (1.0 - restitution);
+        let is_over = (0.0..part * time).contains(&rest) || flight.height < flight.lowest(restitution);
+        Ok(flight.duration > 0.0 && flight.duration.is_finite() && restitution < 1.0 && is_over)
     }
 
     /// Whether the flights of contacts that an impact has opened are short compared with the time of the run, as those of a block that rocks from
@@ -95,14 +90,13 @@ impl Modes {
             };
         }
         let Some(found) = expansions.at::<2>(&Instant::at(time, state), &next) else { return Ok(false) };
-        let flight = |contact: &usize| {
-            let [rate, acceleration] = found.contacts[*contact].gap_rate.terms;
-            if acceleration < 0.0 { 2.0 * rate / -acceleration } else { f64::INFINITY }
-        };
         let flies = |contact: &&usize| next.phases[**contact] == Phase::Apart;
-        let longest = struck.iter().chain(opened).filter(flies).map(flight).fold(0.0, f64::max);
+        let flights: Vec<Flight> =
+            struck.iter().chain(opened).filter(flies).map(|contact| Flight::of(&found.contacts[*contact])).collect();
+        let longest = flights.iter().map(|flight| flight.duration).fold(0.0, f64::max);
         let ratio = longest / (time - last);
-        Ok(ratio < SHRINKS && longest / (1.0 - ratio) < SHARED_BOUNCES * time)
+        let is_low = flights.iter().all(|flight| flight.height < flight.lowest(ratio));
+        Ok(ratio < SHRINKS && (longest / (1.0 - ratio) < SHARED_BOUNCES * time || is_low))
     }
 
     /// The time of the last impact of the run.
@@ -110,6 +104,34 @@ impl Modes {
         let course = self.course.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         let is_impact = |sets: Sets| matches!(sets, Sets::Impact(_) | Sets::LastBounce);
         course.iter().rev().filter_map(|leg| leg.cause).find(|cause| is_impact(cause.sets)).map(|cause| cause.time)
+    }
+}
+
+/// The free motion of a gap after an impact.
+struct Flight {
+    /// The time until the gap is zero again, s: 2 v/a. It is infinite where nothing pulls the bodies together.
+    duration: f64,
+    /// The largest gap: v^2/(2 a).
+    height: f64,
+    /// The rounding error of the gap.
+    rounding: f64,
+}
+
+impl Flight {
+    fn of(Touching { gap, gap_rate, .. }: &Touching<2>) -> Self {
+        let [rate, acceleration] = gap_rate.terms;
+        let rounding = SLACK * gap.doubts[0];
+        if acceleration >= 0.0 {
+            return Flight { duration: f64::INFINITY, height: f64::INFINITY, rounding };
+        }
+        Flight { duration: 2.0 * rate / -acceleration, height: rate * rate / (-2.0 * acceleration), rounding }
+    }
+
+    /// The height below which flights do not become shorter, although an impact reduces velocities to a fraction e. A gap is zero up to its rounding
+    /// error d, which lengthens each fall: the next height e^2 (h + d) is not below h for h = d e^2/(1 - e^2).
+    fn lowest(&self, fraction: f64) -> f64 {
+        let square = fraction * fraction;
+        self.rounding * (1.0 + DEEPER * square / (1.0 - square))
     }
 }
 
