@@ -8,11 +8,11 @@ use reader::Issue;
 use std::ops::Range;
 use symbolic::{Sym, Tape, apart};
 
-/// The part of the sum of the principal moments by which one may exceed the sum of the two others, for data with few digits.
+/// Tolerance of the triangle inequality between principal moments of inertia, as a part of their sum: printed data have few digits.
 const ROUNDING: f64 = 1e-9;
 
-/// All bodies that cannot exist, as far as numbers show: a mass that is not positive, a principal moment of inertia that is negative
-/// or larger than the sum of the two others.
+/// Returns an issue for each body that is physically impossible: its mass is not positive, or a principal moment of inertia is negative
+/// or larger than the sum of the two others. Masses and moments that are not constant numbers are skipped.
 pub fn impossible(model: &Model) -> Vec<Issue> {
     let numbers: Vec<Option<f64>> = apart(|| {
         let trace = Trace::of(model);
@@ -27,15 +27,15 @@ pub fn impossible(model: &Model) -> Vec<Issue> {
 #[derive(Debug)]
 pub(crate) struct BodyNumbers {
     tape: Tape,
-    /// Whether each number depends on parameters alone; the others are not judged.
+    /// For each output of the tape: true if the number depends on parameters alone. Other numbers are not checked.
     constant: Vec<bool>,
 }
 
 impl BodyNumbers {
-    /// Compiles the functions.
+    /// Compiles the functions of a model.
     ///
     /// # Errors
-    /// Where they have no values.
+    /// An expression has no value.
     pub fn of(model: &Model) -> Result<Self, NotCompiled> {
         apart(|| {
             let trace = Trace::of(model);
@@ -54,7 +54,7 @@ impl BodyNumbers {
         })
     }
 
-    /// All bodies that cannot exist with these values of the parameters.
+    /// An issue for each body that is physically impossible with these values of the parameters, in SI units.
     pub fn impossible(&self, model: &Model, parameters: &[f64]) -> Vec<Issue> {
         let mut values = vec![f64::NAN; self.constant.len()];
         self.tape.over().evaluate(parameters, &mut values);
@@ -64,13 +64,13 @@ impl BodyNumbers {
     }
 }
 
-/// Mass, moments and products of inertia of each body, one body after the other.
+/// Mass (kg), moments and products of inertia (kg m²) of each body, body by body; only those that the model gives.
 fn scalars(model: &Model, trace: &Trace<'_>) -> Vec<Sym> {
     let wanted = model.bodies.iter().flat_map(|body| body.mass.into_iter().chain(entries(body).into_iter().flatten()));
     wanted.map(|id| trace.scalar(id)).collect()
 }
 
-/// Bodies that cannot exist by the numbers of [`scalars`]; missing numbers are not judged.
+/// An issue for each impossible body. `numbers` has the order of [`scalars`]; `None` is not checked.
 fn judged(model: &Model, numbers: &[Option<f64>]) -> Vec<Issue> {
     let mut numbers = numbers.iter().copied();
     let mut issues = Vec::new();
@@ -111,8 +111,8 @@ fn judged(model: &Model, numbers: &[Option<f64>]) -> Vec<Issue> {
     issues
 }
 
-/// The principal moments of inertia, where all three moments about axes are given and all entries are numbers; the given moments
-/// themselves where no product is given.
+/// The principal moments of inertia, kg m². `inertia` is xx, yy, zz, xy, xz, yz. `None` if xx, yy or zz is not given, or an entry is not
+/// a number. Without products of inertia the axes are principal, and xx, yy, zz are returned.
 fn principal(inertia: &[Option<Option<f64>>; 6]) -> Option<[f64; 3]> {
     let [xx, yy, zz, ..] = *inertia;
     let [xx, yy, zz] = [xx??, yy??, zz??];
@@ -130,19 +130,19 @@ fn principal(inertia: &[Option<Option<f64>>; 6]) -> Option<[f64; 3]> {
     Some(moments)
 }
 
-/// Whether three numbers can be the principal moments of inertia of masses: each is the sum of two of the three second moments of the
-/// mass, none of which is negative.
+/// The triangle inequality of principal moments of inertia: each is the sum of two of the three second moments of the mass distribution,
+/// which are not negative.
 fn is_possible([a, b, c]: [f64; 3]) -> bool {
     let rounding = ROUNDING * (a.abs() + b.abs() + c.abs());
     [[a, b, c], [b, c, a], [c, a, b]].iter().all(|[one, other, last]| *last <= one + other + rounding)
 }
 
-/// A number without the rounding of its last digits.
+/// The number rounded to twelve significant digits, without the rounding errors of the eigenvalues.
 pub(crate) fn shown(value: f64) -> f64 {
     format!("{value:.11e}").parse().unwrap_or(value)
 }
 
-/// The moments of inertia about axes, then the products of inertia, where they are given.
+/// The entries xx, yy, zz, xy, xz, yz of a body's tensor of inertia, where they are given. A body with one moment has it in place of xx.
 fn entries(body: &Body) -> [Option<ScalarId>; 6] {
     match &body.inertia {
         None => [None; 6],

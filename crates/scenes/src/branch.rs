@@ -1,4 +1,5 @@
-//! Redundant constraints: everywhere, or only on the branch of configurations that contains the start.
+//! Removal of redundant constraints: equations that depend on the others everywhere, or only on the branch of configurations that
+//! contains the start.
 
 use crate::readiness::{completed, leave_out, unmet_at};
 use crate::start::{Completed, Unmet, consistent};
@@ -7,7 +8,8 @@ use model::equations::dependent_everywhere;
 use model::{Fault, Model, Trace};
 use reader::SceneError;
 
-/// Removes the equations of constraints that are redundant on the branch of the start, where the model has a start.
+/// Removes the equations that are redundant on the branch of the start but not everywhere. A model without a consistent start is
+/// unchanged.
 pub(crate) fn on_branch(model: &mut Model) {
     let Ok(mut completed) = completed(model) else { return };
     let everywhere = everywhere(model, &completed);
@@ -15,16 +17,16 @@ pub(crate) fn on_branch(model: &mut Model) {
     leave_out(model, &completed);
 }
 
-/// The equations of constraints that are redundant at a start and at every other one.
+/// The equations among `implied`, as pairs of constraint and component, that are redundant at every configuration.
 fn everywhere(model: &Model, Completed { implied, .. }: &Completed) -> Vec<[usize; 2]> {
     symbolic::apart(|| dependent_everywhere(&Trace::of(model), implied))
 }
 
-/// Removes the equations of redundant constraints from the model of a text, with a warning for each. Redundancy on one branch is known
-/// only where the start of the file satisfies the constraints; otherwise redundancy everywhere counts. `name` is the text's in messages.
+/// Removes redundant equations of constraints from the model of a file, and prints a warning for each. If the start of the file does not
+/// satisfy the constraints, only equations that are redundant everywhere are removed. `name` is the name of the file in messages.
 ///
 /// # Errors
-/// Constraints that contradict each other.
+/// Two constraints contradict each other.
 pub(crate) fn without_implied((name, text): (&str, &str), model: &mut Model) -> Result<(), SceneError> {
     if let Err(unmet @ Unmet::Contradiction { .. }) = consistent(model) {
         return Err(SceneError { path: name.to_owned(), text: text.to_owned(), issues: vec![unmet_at(model, unmet)] });
@@ -46,7 +48,11 @@ pub(crate) fn without_implied((name, text): (&str, &str), model: &mut Model) -> 
     Ok(())
 }
 
-/// Judges quasi-velocities on the branch of the start, where they do not determine the speeds at a general point.
+/// Repeats the check that quasi-velocities determine the speeds, after the constraints that are redundant on the branch of the start are
+/// removed.
+///
+/// # Errors
+/// The quasi-velocities do not determine the speeds on this branch either.
 pub(crate) fn settled(mut model: Model) -> Result<Model, Vec<Fault>> {
     if !model.unsettled.is_empty() {
         on_branch(&mut model);
@@ -55,7 +61,7 @@ pub(crate) fn settled(mut model: Model) -> Result<Model, Vec<Fault>> {
     if model.unsettled.is_empty() { Ok(model) } else { Err(model.unsettled) }
 }
 
-/// The first coordinates of a state with their units.
+/// A text with the first coordinates of a state, at most [`MOST_TOLD`], with their units: `x = 0.5 m, theta = 1.2 rad`.
 pub(crate) fn in_words(model: &Model, state: &[f64]) -> String {
     let all = model.state_names().into_iter().zip(state).take(model.positions());
     let with_unit = |unit: &str| if unit == "1" { String::new() } else { format!(" {unit}") };
@@ -67,10 +73,10 @@ pub(crate) fn in_words(model: &Model, state: &[f64]) -> String {
     words.join(", ")
 }
 
-/// The largest number of coordinates in a sentence.
+/// The largest number of coordinates in a message.
 const MOST_TOLD: usize = 6;
 
-/// A number with the few digits that distinguish branches.
+/// A number with four decimals, enough to distinguish branches.
 fn short(value: f64) -> String {
     let rounded = (value * 1e4).round() / 1e4;
     if rounded == 0.0 { "0".to_owned() } else { format!("{rounded}") }

@@ -2,14 +2,14 @@
 
 use model::{Event, Model};
 
-/// Whether the law of a model, or its state, changes at conditions, at events or with its contacts. An event that ends the run, and sets
-/// nothing, changes neither.
+/// True if the equations of motion or the state of a model can change during a run: at conditions, at events, or with contacts. Events
+/// that only end the run do not count.
 pub(crate) fn changes(model: &Model) -> bool {
     let is_end = |event: &Event| event.ends && event.set.is_empty();
     !(model.switches.is_empty() && model.contacts.is_empty() && model.events.iter().all(is_end))
 }
 
-/// Whether a run watches for events, be it for its end alone.
+/// True if a run must locate events, including events that only end the run.
 pub(crate) fn is_watched(model: &Model) -> bool {
     changes(model) || !model.events.is_empty()
 }

@@ -1,10 +1,11 @@
-//! Forces between points that coincide at the start: along no line.
+//! Check for forces between two points that coincide: the direction of such a force is undefined.
 
 use crate::letters::Letters;
 use crate::program::recorded;
 use model::{Force, FrameId, Material, Model, Trace};
 
-/// The pairs of points of forces that coincide at a state, by their names.
+/// The names of each pair of points between which a force acts and which coincide at `state` (coordinates, then speeds) at time zero.
+/// Empty if the positions have no value.
 pub fn of_forces(model: &Model, state: &[f64]) -> Vec<[String; 2]> {
     let pairs: Vec<[Material; 2]> = (model.forces.iter())
         .filter_map(|force| match force {
@@ -29,7 +30,7 @@ pub fn of_forces(model: &Model, state: &[f64]) -> Vec<[String; 2]> {
     coincide.map(|(pair, _)| pair.map(|end| called(model, end))).collect()
 }
 
-/// A body by its name, where the point is its centre of mass, or a point by its own.
+/// The quoted name of the body if the point is its centre of mass, else the quoted name of the point.
 fn called(model: &Model, end: Material) -> String {
     let of_body = end.body.map(|body| &model.bodies[body.0]).filter(|body| body.centre == Some(end.point));
     let name = of_body.map_or(&model.points[end.point.0].name, |body| &body.name);

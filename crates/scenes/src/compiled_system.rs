@@ -1,4 +1,4 @@
-//! The equations of motion of a model, compiled for runs: rates, series and derivatives from one trace.
+//! The compiled equations of motion of a model: rates of the state, Taylor series and Jacobian, all from one trace.
 
 mod implicit_speeds;
 mod outputs;
@@ -28,24 +28,25 @@ use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 use symbolic::{Sym, apart, substitute_all};
 
-/// The reason for which a model has no equations of motion that can run.
+/// The reason for which the equations of motion of a model cannot be compiled.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NotCompiled {
-    /// A parameter or an input without a value.
+    /// A parameter or an input has no value. `what` is the word "parameter" or "input".
     Open { what: &'static str, name: String },
-    /// A coordinate has no inertia.
+    /// No mass and no moment of inertia moves with the coordinate.
     Massless { coordinate: String },
-    /// A constraint is redundant.
+    /// The constraint with this index depends on those before it.
     Redundant { constraint: usize },
-    /// A law that changes with contacts, or with the equilibrium in which a run begins, where one law is asked for.
+    /// The caller needs one law for all times, but the law changes with contacts, or the run starts from an equilibrium.
     Changes,
-    /// A condition, or an event, that depends on accelerations or reactions, by its place.
+    /// A condition or an event depends on accelerations or reactions. `at` is its byte range in the file.
     OfAccelerations { at: Range<usize> },
-    /// A switch that no value between its cases keeps at zero.
+    /// The motion with the condition of this index at zero (sliding mode) is undetermined: the law does not depend on the value of the
+    /// switch between its two cases.
     NotHeld { switch: usize },
-    /// A contact whose reaction does not determine whether it stays in touch.
+    /// The reaction of the contact with this index is not determined by the motion.
     NotHeldContact { contact: usize },
-    /// An expression has no values.
+    /// An expression has no value; `reason` says which.
     Undefined { reason: String },
     /// The equations are too long to be compiled.
     TooLong,
@@ -78,41 +79,42 @@ impl fmt::Display for NotCompiled {
     }
 }
 
-/// The law of a model with the values of its parameters: q' = u, and u' by the equations of motion.
+/// The equations of motion of a model, with numbers for its parameters: q' = u, u' = M^-1 F for a state of coordinates, then speeds.
 #[derive(Debug)]
 pub struct CompiledSystem {
     model: Arc<Model>,
-    /// The mode in which the law holds.
+    /// The mode for which the law is compiled: the case of each condition and the regime of each contact.
     pub mode: Mode,
     rates: Rates,
-    /// Algebraic speeds of this mode for which no expression stands.
+    /// Algebraic speeds of this mode that no expression gives: roots of their laws.
     implicit: Option<ImplicitSpeeds>,
-    /// Scalars that a run shows beside the state, from the state, and from accelerations and multipliers where these are solved for.
+    /// The outputs and energies of the model. Inputs are the state, and with [`Rates::Solved`] also accelerations and multipliers.
     outputs: Program,
-    /// The outputs that depend on the motion, where there is none: they have no value.
+    /// Indices of outputs that are NaN because they depend on accelerations or reactions, at a start without a motion.
     without_value: Vec<usize>,
-    /// Whether the sum of kinetic and potential energy is constant.
+    /// True if the sum of kinetic and potential energy is constant.
     pub keeps_energy: bool,
-    /// The projection onto the constraints, made when a run first asks for it; `None` where no constraint is projected.
+    /// The projection onto the constraints, compiled when a run first needs it; `None` if no constraint is projected.
     projection: OnceLock<Option<Arc<ConstraintProjection>>>,
-    /// Whether accelerations are eliminated over a tree of many bodies: series and derivatives then grow linearly with the bodies too.
+    /// True if accelerations are eliminated along a tree of many bodies. The length of series and derivatives is then linear in the
+    /// number of bodies.
     is_tree: bool,
 }
 
 /// The evaluation of the rates.
 #[derive(Debug)]
 enum Rates {
-    /// The elimination is written down: any field, series too.
+    /// Explicit expressions of the accelerations, evaluated over any field.
     Written(Box<Program>),
-    /// Accelerations are solved for at each evaluation.
+    /// Linear equations for accelerations and multipliers, solved at each evaluation.
     Solved(Arc<ImplicitLaw>),
 }
 
 impl CompiledSystem {
-    /// Derives the equations and compiles them; `mode` has the case of each switch.
+    /// Derives and compiles the equations of a mode.
     ///
     /// # Errors
-    /// The reason for which there is no law.
+    /// The reason for which the equations cannot be compiled.
     pub fn of(model: &Arc<Model>, mode: &Mode) -> Result<Self, NotCompiled> {
         CompiledSystem::has_equations(model)?;
         if Elimination::of(model) == Elimination::Solved {
@@ -128,7 +130,7 @@ impl CompiledSystem {
             }
         }
         match CompiledSystem::written(model, mode) {
-            // a constraint may move what has no inertia
+            // a constraint may determine a coordinate without inertia
             Err(NotCompiled::Massless { coordinate }) if !is_watched(model) && !model.constraints.is_empty() => {
                 CompiledSystem::solved(model).map_err(|_| NotCompiled::Massless { coordinate })
             }
@@ -136,19 +138,20 @@ impl CompiledSystem {
         }
     }
 
-    /// The system at a start from which no motion continues, or several do: the law with open contacts, which no run follows.
+    /// The system for a start from which no motion, or more than one, continues: the law with all contacts open. It serves to show the
+    /// start; outputs that depend on the motion are NaN.
     ///
     /// # Errors
-    /// The reason for which there is no such law.
+    /// The equations with open contacts cannot be compiled.
     pub fn without_motion(model: &Arc<Model>) -> Result<Self, NotCompiled> {
         let apart = CompiledSystem::of(model, &Mode::off(model))?;
         Ok(CompiledSystem { without_value: symbolic::apart(|| of_motion(model)), ..apart })
     }
 
-    /// Whether all letters of a model have values, and its conditions and events hold no unknowns of its equations.
+    /// Checks that all parameters and inputs have values, and that no condition or event depends on accelerations or reactions.
     ///
     /// # Errors
-    /// The first that has none.
+    /// The first parameter or input without a value, or the first such condition or event.
     pub(crate) fn has_equations(model: &Model) -> Result<(), NotCompiled> {
         has_values(model)?;
         of_accelerations(model).map_or(Ok(()), |at| Err(NotCompiled::OfAccelerations { at }))
@@ -206,7 +209,8 @@ impl CompiledSystem {
         &self.model
     }
 
-    /// The law for every method, with series and derivatives on demand; constraints are kept on the level of accelerations (index 1).
+    /// The law for every integrator; series and derivatives are compiled on demand. Constraints hold at the level of accelerations (index
+    /// 1).
     pub fn law(self: &Arc<Self>) -> Arc<dyn Law> {
         match &self.rates {
             Rates::Written(rates) => {
@@ -226,18 +230,19 @@ impl CompiledSystem {
         }
     }
 
-    /// A law whose accepted steps are projected onto the constraints; its state may have further components behind those of the motion.
+    /// `law` with accepted steps projected onto the constraints. Its state may have further components behind coordinates and speeds.
     pub(crate) fn projected(&self, law: Arc<dyn Law>) -> Arc<dyn Law> {
         let made = self.projection.get_or_init(|| ConstraintProjection::of(&self.model).map(Arc::new));
         ConstraintProjection::onto(made.as_ref(), law)
     }
 
-    /// Whether its accelerations are written down, so that its law can be rewritten.
+    /// True if accelerations are explicit expressions, which symbolic rewriting needs.
     pub(crate) fn is_written(&self) -> bool {
         matches!(self.rates, Rates::Written(_))
     }
 
-    /// Whether one of these columns of a run depends on each state: states by their names, then outputs and energies.
+    /// For each component of the state: true if one of the columns `wanted` of a run depends on it. Columns are states, outputs and
+    /// energies by name.
     pub(crate) fn states_behind(&self, wanted: &[String]) -> Vec<bool> {
         let states = self.model.positions() + self.model.speeds();
         let columns = columns(&self.model);
@@ -256,7 +261,7 @@ impl CompiledSystem {
         found
     }
 
-    /// Whether its rates run as machine code; else their operations are followed one by one.
+    /// True if the rates are compiled to machine code; otherwise they are interpreted.
     pub fn is_code(&self) -> bool {
         match &self.rates {
             Rates::Written(program) => program.is_code(),
@@ -264,17 +269,18 @@ impl CompiledSystem {
         }
     }
 
-    /// Whether a series solves for its accelerations, where rates have them written down: it has fewer products from there on.
+    /// True if Taylor series solve linear equations for the accelerations although the rates have them as expressions: from
+    /// [`LEAST_SOLVED`] unknowns on this needs fewer products.
     pub(crate) fn has_solved_series(&self) -> bool {
         !self.is_tree && !changes(&self.model) && self.model.speeds() + self.model.constraints.len() >= LEAST_SOLVED
     }
 
-    /// Whether some algebraic speeds have no expression in this mode, so that a run follows them by their rates.
+    /// True if some algebraic speeds are given by no expression in this mode; a run then integrates their rates.
     pub(crate) fn has_implicit_speeds(&self) -> bool {
         self.implicit.is_some()
     }
 
-    /// Sets the algebraic speeds of a state to what they are in this mode: the rates of their coordinates.
+    /// Sets the algebraic speeds of a state to their values in this mode: the rates of their coordinates.
     pub(crate) fn set_algebraic_speeds<S: Real + Running>(&self, time: S, state: &mut [S])
     where
         Self: Ode<S>,
@@ -292,7 +298,8 @@ impl CompiledSystem {
         }
     }
 
-    /// The outputs at a time and a state.
+    /// The outputs, then kinetic and potential energy, at a time (s) and a state, in SI units; NaN for outputs that depend on a motion
+    /// that does not exist.
     pub fn outputs(&self, time: f64, state: &[f64]) -> Vec<f64> {
         let mut values = vec![f64::NAN; self.model.outputs.len() + ENERGIES];
         match &self.rates {
@@ -304,7 +311,7 @@ impl CompiledSystem {
     }
 }
 
-/// A speed by the name of its coordinate, or of its free frame.
+/// The name of the coordinate of a speed; for a free frame the name of the component of its angular velocity.
 pub(crate) fn speed_name(model: &Model, speed: usize) -> String {
     match model.coordinates.get(speed) {
         Some(coordinate) => coordinate.name.clone(),
@@ -312,7 +319,7 @@ pub(crate) fn speed_name(model: &Model, speed: usize) -> String {
     }
 }
 
-/// The first condition or event that depends on accelerations or reactions.
+/// The byte range in the file of the first condition or event that depends on accelerations or reactions.
 pub(crate) fn of_accelerations(model: &Model) -> Option<Range<usize>> {
     if !is_watched(model) {
         return None;
@@ -328,12 +335,18 @@ pub(crate) fn of_accelerations(model: &Model) -> Option<Range<usize>> {
     })
 }
 
-/// Whether every parameter and every input has a value.
+/// Checks that every parameter and every input has a value.
+///
+/// # Errors
+/// [`NotCompiled::Open`] with the first that has none.
 pub(crate) fn has_values(model: &Model) -> Result<(), NotCompiled> {
     has_values_but(model, &[])
 }
 
-/// Whether every input and every parameter but some, by their places, has a value.
+/// Checks that every input, and every parameter except those with the indices `given`, has a value.
+///
+/// # Errors
+/// [`NotCompiled::Open`] with the first that has none.
 pub(crate) fn has_values_but(model: &Model, given: &[usize]) -> Result<(), NotCompiled> {
     let mut open = model.parameters.iter().enumerate().filter(|(_, parameter)| parameter.value.is_none());
     let parameter = open.find(|(place, _)| !given.contains(place)).map(|(_, open)| &open.name);
@@ -345,7 +358,7 @@ pub(crate) fn has_values_but(model: &Model, given: &[usize]) -> Result<(), NotCo
     }
 }
 
-/// The rates of the state over letters.
+/// The rates of the state in a mode, as expressions over `letters`.
 pub(crate) fn rates(model: &Model, mode: &Mode, letters: Letters<'_>) -> Result<Vec<Sym>, NotCompiled> {
     let trace = Trace::of(model);
     let ModeMotion { accelerations, speeds, .. } = ModeMotion::of(&trace, mode)?;
@@ -353,7 +366,7 @@ pub(crate) fn rates(model: &Model, mode: &Mode, letters: Letters<'_>) -> Result<
     Ok(letters.put_into(&trace, &[moved, accelerations].concat()))
 }
 
-/// Symbols of the model by those of the state, and parameters by their values.
+/// Substitutions: symbols of the model by those of `time` and `state`, parameters by their values.
 pub(crate) fn values(trace: &Trace<'_>, time: Sym, state: &[Sym]) -> Vec<(Sym, Sym)> {
     Letters::with_data(time, state).known(trace)
 }
@@ -367,7 +380,7 @@ macro_rules! runs {
 
             fn rates(&self, t: $field, y: &[$field], dy: &mut [$field]) {
                 match &self.rates {
-                    // made for a state of this length
+                    // the program was compiled for this dimension, so it cannot fail
                     Rates::Written(program) => program.run(t, y, dy).unwrap_or(()),
                     Rates::Solved(law) => law.rates(t, y, dy),
                 }

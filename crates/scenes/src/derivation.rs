@@ -1,4 +1,4 @@
-//! The equations of motion of a text by a named principle, in matrix form.
+//! Derivation of the equations of motion of a file by a named principle, in matrix form.
 
 use crate::readiness::{start_of, starting};
 use crate::system_text::SystemText;
@@ -9,12 +9,13 @@ use std::fmt;
 use symbolic::Language;
 use units::nearest;
 
-/// A principle of mechanics that commands know by name.
+/// A principle of mechanics with a name for commands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NamedPrinciple {
-    /// In the rates of all coordinates; some along the quasi-velocities of a text that has them.
+    /// Equations in the rates of all coordinates. For a system with quasi-velocities, virtual power, Appell and Hamel give equations
+    /// along these.
     InRates(Principle),
-    /// Along quasi-velocities alone: those of the text, or independent rates.
+    /// Equations along quasi-velocities: those of the file, or independent rates.
     AlongQuasiVelocities(QuasiPrinciple),
 }
 
@@ -33,10 +34,10 @@ impl NamedPrinciple {
         }
     }
 
-    /// The principle of a name, `kane` and `jourdain` among them.
+    /// The principle with this name, in any case and with `_` or a space for `-`. `kane` and `jourdain` are names of virtual power.
     ///
     /// # Errors
-    /// No principle has this name; the sentence says which do.
+    /// No principle has this name; the message lists the accepted names.
     pub fn of_name(name: &str) -> Result<Self, String> {
         let plain = name.to_lowercase().replace(['_', ' '], "-");
         if matches!(plain.as_str(), "kane" | "jourdain") {
@@ -50,7 +51,7 @@ impl NamedPrinciple {
         })
     }
 
-    /// The principle along the quasi-velocities of a file, where it has such equations.
+    /// The form of the principle along quasi-velocities; `None` if it has none.
     fn in_quasi_velocities(self) -> Option<QuasiPrinciple> {
         match self {
             Self::AlongQuasiVelocities(principle) => Some(principle),
@@ -61,7 +62,7 @@ impl NamedPrinciple {
         }
     }
 
-    /// The first principle that applies to a model.
+    /// The default principle for a model.
     pub fn usual(model: &Model) -> Self {
         let has_energy = model.energies.kinetic.is_some();
         Self::InRates(match model.quasi_velocities.is_empty() {
@@ -72,10 +73,10 @@ impl NamedPrinciple {
     }
 }
 
-/// The reason for which there are no equations.
+/// The reason for which no equations are derived.
 #[derive(Debug)]
 pub enum NotDerived {
-    /// The text has faults.
+    /// The file has errors.
     Text(SceneError),
     /// The principle does not apply, or the equations are too long.
     Refused(String),
@@ -102,20 +103,23 @@ fn refused(why: impl fmt::Display) -> NotDerived {
     NotDerived::Refused(why.to_string())
 }
 
-/// Equations of motion of a text, over the letters of a trace.
+/// Derived equations of motion.
 pub struct Derived<'t, 'm> {
+    /// The symbols of the model.
     pub trace: &'t Trace<'m>,
+    /// The equations.
     pub form: MatrixForm,
-    /// The principle that gave them.
+    /// The principle of the derivation.
     pub principle: NamedPrinciple,
-    /// Whether quasi-velocities do not determine the speeds at the start: these equations have no value there.
+    /// True if the quasi-velocities do not determine the speeds at the start, where the equations then have no value.
     pub vanishes_at_start: bool,
 }
 
-/// Derives the equations of motion of a text by a principle, by default the first that applies, and hands them to `show`.
+/// Derives the equations of motion of a file and passes them to `show`, whose result is returned. Without a `principle` the default of
+/// [`NamedPrinciple::usual`] applies. `code` says that the equations are printed as code.
 ///
 /// # Errors
-/// The text is wrong, or the principle does not apply to its system.
+/// The file has errors, or the principle does not apply to its system.
 pub fn derived<R: Send>(
     text: &SystemText,
     principle: Option<NamedPrinciple>,
@@ -138,7 +142,7 @@ pub fn derived<R: Send>(
                     quasi.name()
                 )));
             }
-            // rates are independent there
+            // the start selects the independent rates
             if let Ok(state) = start_of(&model) {
                 model = starting(&model, &state);
             }
@@ -149,7 +153,7 @@ pub fn derived<R: Send>(
     let NamedPrinciple::InRates(in_rates) = principle else {
         return Err(refused("this principle needs quasi-velocities"));
     };
-    // symbols belong to this graph alone, so that `show` runs within it
+    // symbols belong to this graph alone, so `show` must run inside
     symbolic::apart(|| {
         let trace = Trace::of(&model);
         let form = MatrixForm::of(&trace, in_rates).map_err(refused)?.in_file(&model, &text.text);
@@ -157,7 +161,7 @@ pub fn derived<R: Send>(
     })
 }
 
-/// Equations of more operations have letters for the slopes of speeds, where these make them fewer by a quarter.
+/// Longer equations, in operations, get letters for the derivatives by speeds, if these make them shorter by a quarter.
 const MOST_WITHOUT_LETTERS: f64 = 12_000.0;
 
 fn in_quasi_velocities<R: Send>(
@@ -170,7 +174,7 @@ fn in_quasi_velocities<R: Send>(
         let trace = Trace::of(model);
         let start = start_of(model).ok();
         let written = |velocities: Result<QuasiVelocities<'_, '_>, Vec<Fault>>| {
-            // judged when the file was read
+            // independence was checked when the file was read, except for some branches
             let velocities = velocities.map_err(|_| refused("its quasi-velocities are not independent"))?;
             let form = MatrixForm::in_quasi_velocities(&trace, &velocities, quasi).map_err(refused)?;
             let form = match &start {
@@ -193,24 +197,27 @@ fn in_quasi_velocities<R: Send>(
     })
 }
 
-/// A notation for equations.
+/// A notation in which equations are printed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Notation {
-    /// For reading.
+    /// Plain text.
     Text,
+    /// LaTeX.
     Latex,
+    /// A Python program with SymPy.
     Sympy,
+    /// Source code with common subexpressions.
     Code(Language),
 }
 
-/// Longer equations are code alone: a megabyte of text has two hundred thousand operations.
+/// Longer equations, in operations, are printed as code only. A megabyte of text has two hundred thousand operations.
 const MOST_WRITTEN: f64 = 1_000_000.0;
 
 impl Derived<'_, '_> {
     /// The equations in a notation.
     ///
     /// # Errors
-    /// They are too long for it.
+    /// The equations are too long for this notation.
     pub fn written(&self, notation: Notation) -> Result<String, String> {
         let Derived { trace, form, .. } = self;
         match notation {
@@ -235,10 +242,10 @@ impl Derived<'_, '_> {
         }
     }
 
-    /// The equations with their common parts written out.
+    /// The equations without letters for common parts.
     ///
     /// # Errors
-    /// They are too long to be read.
+    /// The equations are too long to be read.
     pub fn for_reading(&self) -> Result<MatrixForm, String> {
         self.is_read()?;
         let read = self.form.for_reading();

@@ -1,4 +1,10 @@
-//! The accelerations at the start, and the reason for which they are undetermined there.
+//! Diagnosis of starts at which accelerations are undetermined. Accelerations u' and multipliers λ solve
+//!
+//!   [ M  J^T ] [   u'    ]   [ -h ]
+//!   [ J   0  ] [ -lambda ] = [ -c ]
+//!
+//! A null vector of this matrix is a motion without inertia that satisfies the constraints: the system lacks an inertia, or the start is
+//! a singularity of the coordinates, such as the pole for the azimuth of spherical angles.
 //!
 //!   [ M  J^T ] [   u'    ]   [ -h ]
 //!   [ J   0  ] [ -lambda ] = [ -c ]
@@ -18,7 +24,7 @@ use reader::Issue;
 use std::ops::Range;
 use symbolic::apart;
 
-/// The reason for which the motion does not begin; `None` where it begins.
+/// The reason for which accelerations are not finite at `start` (coordinates, then speeds); `None` if they are.
 pub fn missing(model: &Model, system: &CompiledSystem, start: &[f64]) -> Option<Issue> {
     let mut rates = vec![0.0; start.len()];
     Ode::<f64>::rates(system, 0.0, start, &mut rates);
@@ -64,10 +70,12 @@ pub fn missing(model: &Model, system: &CompiledSystem, start: &[f64]) -> Option<
     ))
 }
 
+/// The advice for expressions without a value.
 const NO_NUMBER: &str = "another start: a division by zero, `unit` of a zero vector, a force between points that coincide, \
                          `ln` or `sqrt` of a negative number, and numbers beyond 1.8e308 in SI units have no value";
 
-/// The reason for which a coordinate has no inertia, where the mass matrix has numbers at the start.
+/// An issue for a direction without inertia at the start, with all conditions positive; `None` if the mass matrix has no value there or
+/// there is no such direction.
 pub(crate) fn massless(model: &Model) -> Option<Issue> {
     let mode = Mode { cases: vec![Case::On; model.switches.len()], phases: Vec::new() };
     let terms = MotionMatrix::of(model, &mode)?.at(0.0, &model.start_state())?;
@@ -75,7 +83,7 @@ pub(crate) fn massless(model: &Model) -> Option<Issue> {
     Some(resisted_by_nothing(model, &direction))
 }
 
-/// The reason for which the law of a coordinate without inertia, with a condition or a contact, cannot be solved.
+/// An issue for a coordinate without inertia whose law changes at a condition or a contact and cannot be solved for its speed.
 pub(crate) fn with_unsolved_law(model: &Model) -> Option<Issue> {
     let (place, why) = model.unsolved_law?;
     let (name, at) = moved(model, place);
@@ -107,7 +115,7 @@ pub(crate) fn with_unsolved_law(model: &Model) -> Option<Issue> {
     Some(Issue::at(at, title, label).accepted(accepted))
 }
 
-/// The fault of a direction of speeds without inertia that no constraint determines: one speed, or a combination of several.
+/// The issue for a direction of speeds with neither inertia nor a constraint: one speed, or a combination of several.
 fn resisted_by_nothing(model: &Model, direction: &[f64]) -> Issue {
     let (name, at) = moved(model, largest(direction));
     let size = direction[largest(direction)].abs();
@@ -152,7 +160,7 @@ fn resisted_by_nothing(model: &Model, direction: &[f64]) -> Issue {
     Issue::at(at, title, label).accepted(inertia_for(model, largest(direction)))
 }
 
-/// The parameter of the inertia along a speed that is zero.
+/// The parameter with the value zero that is the inertia along a speed, if there is one.
 fn vanishing(model: &Model, speed: usize) -> Option<&Parameter> {
     let held: Vec<usize> = apart(|| {
         let trace = Trace::of(model);
@@ -173,10 +181,10 @@ pub(crate) fn inertia_for(model: &Model, speed: usize) -> &'static str {
     }
 }
 
-/// Parts of a direction below this part of the largest one are rounding.
+/// Components below this part of the largest are rounding errors.
 const PART: f64 = 1e-9;
 
-/// The name of the coordinate that a speed moves, and its place in the file; for a speed of a free frame the speed's own name.
+/// The name of the coordinate of a speed, and its byte range in the file; for a free frame the name of the speed, and an empty range.
 fn moved(model: &Model, speed: usize) -> (String, Range<usize>) {
     match model.coordinates.get(speed) {
         Some(coordinate) => (coordinate.name.clone(), coordinate.at.clone()),
@@ -184,12 +192,12 @@ fn moved(model: &Model, speed: usize) -> (String, Range<usize>) {
     }
 }
 
-/// The place of the first entry that is no number.
+/// The index of the first entry that is not finite.
 fn without_value(row: &[f64]) -> Option<usize> {
     row.iter().position(|entry| !entry.is_finite())
 }
 
-/// The place of the largest entry.
+/// The index of the entry with the largest absolute value.
 fn largest(direction: &[f64]) -> usize {
     let larger =
         |best: usize, (place, part): (usize, &f64)| if part.abs() > direction[best].abs() { place } else { best };

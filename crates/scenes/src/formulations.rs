@@ -1,7 +1,8 @@
-//! Formulations of a model with constraints: projection, index 1 without projection, stabilisation, or index 2 by Gear-Gupta-Leimkuhler.
+//! Formulations of a model with constraints: index 1 with projection, index 1 without, Baumgarte's stabilisation, and index 2 of Gear,
+//! Gupta and Leimkuhler (1985).
 //!
-//! The last formulation is a DAE of index 2 with the speeds u, the rates q' = T(q) u of the coordinates, and J_g the rows of position
-//! constraints,
+//! The last is a DAE of index 2 with the speeds u, the rates q' = T(q) u of the coordinates, the rows J_g of position constraints, and an
+//! additional multiplier mu for each of these:
 //!
 //!   q' = T (u + M^-1 J_g^T mu),   M u' + h = J^T lambda,   0 = f(q, t),   0 = df/dt, 0 = phi(q, u, t) .
 
@@ -18,8 +19,8 @@ use simulation::{CompiledDae, Problem};
 use std::sync::Arc;
 use symbolic::{Sym, apart, substitute_all};
 
-/// The own formulation of a problem of a model, and every other treatment of its constraints that has the same motion: the start of the
-/// problem may meet those of a model, or not.
+/// The formulation of the file, then every other formulation with an equal motion. `meets` tells whether the start of the problem
+/// satisfies the constraints of a model: if it violates stabilised constraints, no other formulation has an equal motion.
 pub(crate) fn formulations(
     model: &Arc<Model>,
     problem: impl Fn() -> Problem,
@@ -37,7 +38,7 @@ pub(crate) fn formulations(
         return ways;
     }
     let reduced = Arc::new(model.led_at(None));
-    // where the start violates stabilised constraints, they have a motion of their own
+    // the decay of violated stabilised constraints is part of the motion
     if led > 0 && !meets(&reduced) {
         return ways;
     }
@@ -60,15 +61,15 @@ pub(crate) fn formulations(
     ways
 }
 
-/// A model as a DAE of index 2 with the constraints on the levels of positions and speeds.
+/// A model as a DAE of index 2 with constraints f = 0 and df/dt = 0.
 struct HeldModel {
     model: Arc<Model>,
-    /// The number of constraints of positions, and that of all.
+    /// The number of position constraints, and of all constraints.
     counts: [usize; 2],
 }
 
 impl HeldModel {
-    /// None where the accelerations are no functions of the multipliers, or too long to be written down.
+    /// The DAE of a model; `None` if the accelerations cannot be eliminated, or their expressions would be too long.
     fn of(model: &Arc<Model>) -> Option<Self> {
         if model.speeds() + model.constraints.len() > MOST_WRITTEN {
             return None;
@@ -82,7 +83,7 @@ impl HeldModel {
         })
     }
 
-    /// Rates of the state, f(t, y), then the columns of B(t, y).
+    /// The vector a and the columns of B in y' = a(t, y) + B(t, y) z for a state y and multipliers z = (mu, lambda).
     fn affine(&self, t: Sym, y: &[Sym]) -> Option<Vec<Vec<Sym>>> {
         let trace = Trace::of(&self.model);
         let equations = Equations::of(&trace);
@@ -102,7 +103,7 @@ impl HeldModel {
     }
 }
 
-/// The places of constraints of positions.
+/// Indices of the position constraints.
 fn positions(constraints: &[Equation]) -> impl Iterator<Item = usize> {
     let levels = constraints.iter().enumerate();
     levels.filter(|(_, constraint)| constraint.level == Level::Position).map(|(place, _)| place)

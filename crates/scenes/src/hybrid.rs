@@ -1,4 +1,4 @@
-//! A scene whose law changes at events: its reference solution, and runs of every method across its events.
+//! Scenes whose law changes at events: reference solutions, and runs of every method across the events.
 
 use crate::modes::{Modes, RunTable};
 use crate::scene::ModelScene;
@@ -13,24 +13,27 @@ use simulation::work_precision::{Configuration, Formulation, Observed, Standing,
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-/// The tolerance of the run in `f64` that finds the sequence of laws.
+/// Tolerance and method of the run in `f64` that determines the sequence of laws.
 const TOLERANCE: f64 = 1e-13;
 const METHOD: Method = Method::DormandPrince8;
 
-/// The number of evaluations after which jamming of a contact is tested: growing reactions lose their digits, and rounding makes steps
-/// ever shorter.
+/// The number of evaluations of a first attempt. When a contact jams, reactions grow without bound, rounding makes steps ever shorter,
+/// and the run must not use its whole budget.
 const FEW: u64 = 1_000_000;
 
-/// Sizes below this part of the largest of their kind are rounding of a zero.
+/// Sizes below this part of the largest of their kind are rounding errors.
 const ROUNDING: f64 = 1e-9;
 
-/// A run in `f64` with its sequence of laws.
+/// A run in `f64` that determines the sequence of laws.
 struct Told {
     modes: Arc<Modes>,
+    /// The laws of the run, with the times of the events between them.
     course: RunTable,
+    /// The largest absolute value of each component of the state.
     sizes: Vec<f64>,
+    /// The time of the end, s.
     end: f64,
-    /// Whether it reached the end of the span.
+    /// True if the run reached the end of the time span.
     is_whole: bool,
 }
 
@@ -105,14 +108,14 @@ impl Hybrid for ModelScene {
     }
 }
 
-/// The sizes of positions, or of speeds, for relative errors; a component that is only rounding takes the largest size of its kind.
+/// Sizes of positions, or of speeds, for relative errors. A component that is only rounding error gets the largest size.
 fn of_kind(sizes: &[f64]) -> Vec<f64> {
     let whole = sizes.iter().copied().fold(0.0, f64::max);
     let whole = if whole > 0.0 { whole } else { 1.0 };
     sizes.iter().map(|size| if *size > ROUNDING * whole { *size } else { whole }).collect()
 }
 
-/// A start, and the laws that follow from it.
+/// A start, and the sequence of laws from this start.
 struct Laws<'a> {
     start: &'a [f64],
     course: RunTable,
@@ -128,7 +131,7 @@ impl Owner for Laws<'_> {
     }
 }
 
-/// A motion across its events, by any method.
+/// The motion of a scene across its events, for any method.
 struct Motion {
     problem: Problem,
     modes: Arc<Modes>,
@@ -151,7 +154,7 @@ impl HybridMotion for Motion {
         span: &Span<'_, f64>,
         observer: &mut dyn Observer<f64>,
     ) -> Outcome<f64> {
-        // runs side by side have modes of their own
+        // concurrent runs need modes of their own
         self.problem.across(&self.modes.of_another_run(), (method, tolerance), span, observer)
     }
 }

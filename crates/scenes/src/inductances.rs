@@ -1,4 +1,4 @@
-//! Check of inductances: the magnetic energy must be positive for small changes of the currents at the start.
+//! Check of inductances: the matrix of second derivatives of the co-energy by the currents must be positive semidefinite at the start.
 
 use crate::admissible::shown;
 use model::{Model, Trace};
@@ -6,10 +6,11 @@ use nalgebra::DMatrix;
 use reader::Issue;
 use symbolic::{Sym, apart};
 
-/// A negative part below this of the largest one is rounding.
+/// Negative values below this part of the largest are rounding errors.
 const ROUNDING: f64 = 1e-12;
 
-/// Physically impossible inductances, by their values at the start: a negative one, or mutual ones that are too large.
+/// An issue for physically impossible inductances at `start`: a negative inductance, a mutual inductance that is too large, or a
+/// combination of currents with negative energy. `None` if there is none, or the co-energy has no value.
 pub(crate) fn impossible_inductances(model: &Model, start: &[f64]) -> Option<Issue> {
     let coenergy = model.energies.coenergy?;
     let (currents, inductances) = apart(|| {
@@ -65,7 +66,7 @@ pub(crate) fn impossible_inductances(model: &Model, start: &[f64]) -> Option<Iss
             }
         }
     }
-    // scaled, so that the units of currents do not matter
+    // scaled to a unit diagonal, so that the result does not depend on units
     let scale: Vec<f64> = (0..n).map(|place| inductances[(place, place)].max(0.0).sqrt()).collect();
     let scaled = DMatrix::from_fn(n, n, |row, column| match scale[row] * scale[column] {
         0.0 => 0.0,

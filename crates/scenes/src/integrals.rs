@@ -1,10 +1,11 @@
-//! First integrals of a scene's motion, as functions of its state: the energy and cyclic momenta.
+//! First integrals of a scene's motion as functions of its state: the energy and momenta of cyclic coordinates.
 //!
-//! Loads without a given energy have one where their power is Q . u with a gradient Q that does not depend on speeds: from the start q0
+//! Loads without a given energy have a potential if their power is Q . u with a gradient Q(q) that does not depend on speeds. From the
+//! start q0,
 //!
 //!   V(q) = -integral of Q(q0 + s (q - q0)) . (q - q0) over s from 0 to 1 ,
 //!
-//! by Gauss's quadrature, whose error is below rounding where loads are smooth along the path.
+//! computed by Gauss quadrature, whose error is below rounding for smooth loads.
 
 use crate::changing_laws::is_watched;
 use crate::letters::Letters;
@@ -20,31 +21,34 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 use symbolic::{Sym, apart};
 
-/// The number of points of Gauss's quadrature.
+/// The number of nodes of the Gauss quadrature.
 const POINTS: usize = 20;
 
-/// The largest number of speeds for which a potential of loads is sought: the work grows with its square.
+/// The largest number of speeds for which the gradient is tested: the work is quadratic in this number.
 const MOST_ASKED: usize = 10;
 
 /// A scene as a problem with its first integrals.
 pub struct SceneWithIntegrals {
+    /// The problem, without the integrals.
     pub problem: Problem,
+    /// The first integrals; momenta of cyclic coordinates are last.
     pub integrals: Vec<Integral>,
-    /// Components that need not return in a periodic motion, since nothing depends on them.
+    /// Indices of state components that may differ after a period: cyclic coordinates and work.
     idle: Vec<usize>,
+    /// Indices of the coordinates without a dimension.
     angles: Vec<usize>,
-    /// The places of the speeds whose momenta are kept, in the state; their momenta are the last integrals.
+    /// Indices in the state of the speeds of cyclic coordinates.
     cyclic: Vec<usize>,
 }
 
 impl SceneWithIntegrals {
-    /// A problem with the integrals that it names.
+    /// A problem with the invariants that it defines itself.
     pub fn plain(mut problem: Problem) -> Self {
         let integrals = std::mem::take(&mut problem.invariants).into_iter().map(Integral::from).collect();
         SceneWithIntegrals { problem, integrals, idle: Vec::new(), angles: Vec::new(), cyclic: Vec::new() }
     }
 
-    /// The integrals of a scene; `None` where its law changes at conditions, contacts or events.
+    /// A scene with its integrals; `None` if its law changes at conditions, contacts or events.
     pub fn of(scene: &ModelScene) -> Option<Self> {
         let model = &*scene.model;
         if is_watched(model) {
@@ -74,8 +78,8 @@ impl SceneWithIntegrals {
         })
     }
 
-    /// The change of E - sum u p from its value at a steady motion, with the energy E, the constant cyclic speeds u and their momenta p:
-    /// a quantity of second order about the motion.
+    /// The integral E - sum u p minus its value at a steady motion, J, with the energy E, the cyclic speeds u of the steady motion and
+    /// their momenta p. It is of second order in the deviation from the steady motion.
     pub fn energy_about(&self, steady: &[f64]) -> Integral {
         let first = self.integrals.len() - self.cyclic.len();
         let energy = self.integrals.first().map(|energy| (1.0, Arc::clone(&energy.value)));
@@ -91,7 +95,7 @@ impl SceneWithIntegrals {
         Integral { name: "energy of the oscillation".to_owned(), unit: "J".to_owned(), value, size: None }
     }
 
-    /// The difference of a component between end and start: zero for whole turns of an angle, and where nothing depends on it.
+    /// The difference of a state component between end and start: modulo 2 pi for angles, zero for cyclic coordinates and work.
     pub fn gap(&self, component: usize, end: f64, start: f64) -> f64 {
         let gap = end - start;
         match component {
@@ -102,7 +106,7 @@ impl SceneWithIntegrals {
     }
 }
 
-/// Kinetic and potential energy with that of the loads.
+/// The energy including the potential of the loads, J; `None` if the loads have no potential.
 fn energy_of_loads(model: &Model, start: &[f64]) -> Option<Integral> {
     let n = model.speeds();
     if model.positions() != n || start.len() != 2 * n || n > MOST_ASKED {
@@ -122,7 +126,7 @@ fn energy_of_loads(model: &Model, start: &[f64]) -> Option<Integral> {
     let rule = Collocation::<f64>::new(Family::Gauss, POINTS);
     let values = move |time: f64, state: &[f64]| {
         let mut values = vec![f64::NAN; 3 + n];
-        // made for a state of this length
+        // the program was compiled for this length, so it cannot fail
         program.run(time, state, &mut values).unwrap_or(());
         values
     };
@@ -154,7 +158,7 @@ fn energy_of_loads(model: &Model, start: &[f64]) -> Option<Integral> {
     })
 }
 
-/// Whether loads with this power are the gradient of an energy.
+/// True if loads with this power are the gradient of a function of the coordinates.
 fn are_gradient(trace: &Trace<'_>, power: Sym, loads: &[Sym]) -> bool {
     let all = loads.iter().zip(&trace.speeds).fold(Sym::ZERO, |sum, (&load, &speed)| sum + load * speed);
     let knows_more = |load: &Sym| {
@@ -168,7 +172,7 @@ fn are_gradient(trace: &Trace<'_>, power: Sym, loads: &[Sym]) -> bool {
         && (0..n).all(|i| (0..i).all(|j| vanishes(loads[i].diff(q[j]) - loads[j].diff(q[i]))))
 }
 
-/// Conserved momenta of cyclic coordinates, and the places of these coordinates among so many states.
+/// Momenta of cyclic coordinates, and the indices of these coordinates. `states` is the number of state components without work.
 fn momenta(model: &Model, states: usize) -> (Vec<Integral>, Vec<usize>) {
     let kept = apart(|| {
         let trace = Trace::of(model);
@@ -185,7 +189,7 @@ fn momenta(model: &Model, states: usize) -> (Vec<Integral>, Vec<usize>) {
         let program = program.clone();
         let value = move |time: f64, state: &[f64]| {
             let mut values = vec![f64::NAN; count];
-            // metered quantities, such as work, follow the state
+            // integrated quantities, such as work, are behind the state
             program.run(time, &state[..states], &mut values).unwrap_or(());
             values[place]
         };

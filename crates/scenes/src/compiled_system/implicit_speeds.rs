@@ -1,4 +1,5 @@
-//! Speeds without inertia that a mode does not give by an expression: roots of their laws, by Newton's method from their last values.
+//! Implicit algebraic speeds: speeds without inertia that no expression gives in a mode. Newton's method finds them as roots of their
+//! laws, from their last values.
 
 use crate::compiled_system::NotCompiled;
 use crate::letters::Letters;
@@ -9,19 +10,22 @@ use model::{Model, Trace};
 use simulation::{Program, Running};
 use symbolic::{Derivation, Sym, apart, substitute_all};
 
-/// Steps of Newton's method: from the values in the mode before five are usual.
+/// The largest number of steps of Newton's method. From the values in the previous mode five steps are usual.
 const MOST_STEPS: usize = 60;
 
-/// The step by which these speeds come nearer to the roots of their laws, as a program of the state.
+/// The Newton step of the implicit speeds, compiled as a function of the state.
 #[derive(Debug)]
 pub(crate) struct ImplicitSpeeds {
-    /// By their places among the speeds.
+    /// Indices of the implicit speeds among all speeds.
     places: Vec<usize>,
     steps: Program,
 }
 
 impl ImplicitSpeeds {
-    /// The implicit speeds of a mode; `None` where each algebraic speed has an expression.
+    /// The implicit speeds of a mode; `None` if every algebraic speed has an expression.
+    ///
+    /// # Errors
+    /// The mode has no motion, or the step cannot be compiled.
     pub fn of(model: &Model, mode: &Mode) -> Result<Option<Self>, NotCompiled> {
         let places = apart(|| -> Result<Vec<usize>, NotCompiled> {
             let trace = Trace::of(model);
@@ -37,7 +41,8 @@ impl ImplicitSpeeds {
         Ok(Some(ImplicitSpeeds { places, steps: steps(model, implicit)? }))
     }
 
-    /// The reactions of a model between the cases of its conditions, from which those of each case are sought; none where it has none.
+    /// Newton's step for algebraic reactions with every switch at 1/2, the middle of its cases. Its root is the first guess for the
+    /// reactions in each case. `None` if the model has none.
     pub fn in_the_middle(model: &Model) -> Option<Self> {
         if model.impulses.is_empty() || model.algebraic_speeds != model.impulses {
             return None;
@@ -51,7 +56,8 @@ impl ImplicitSpeeds {
         Some(ImplicitSpeeds { places: model.impulses.clone(), steps: steps(model, laws).ok()? })
     }
 
-    /// Moves these speeds of a state to the roots of their laws; a state at which the steps are no numbers stays.
+    /// Moves the implicit speeds of a state to the roots of their laws, in place; `first` is the index of the first speed in `state`.
+    /// Stops without an error if a step is not finite.
     pub fn set<S: Real + Running>(&self, time: S, (first, state): (usize, &mut [S])) {
         let mut step = vec![S::zero(); self.places.len()];
         let mut last = f64::INFINITY;
@@ -72,7 +78,7 @@ impl ImplicitSpeeds {
     }
 }
 
-/// Newton's step for letters that sums keep at zero.
+/// The program of Newton's step for pairs (letter, law): each law is an expression whose value is zero at the root.
 fn steps(model: &Model, laws: impl Fn(&Trace<'_>) -> Vec<(Sym, Sym)> + Send + Sync) -> Result<Program, NotCompiled> {
     let states = model.positions() + model.speeds();
     recorded(states, |time, state| {

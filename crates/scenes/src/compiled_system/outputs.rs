@@ -7,10 +7,10 @@ use model::equations::constraints_of;
 use model::{Model, Trace};
 use symbolic::{Sym, substitute_all};
 
-/// Kinetic and potential energy stand behind the outputs.
+/// The number of energies behind the outputs: kinetic and potential energy, J.
 pub const ENERGIES: usize = 2;
 
-/// Letters that a motion gives.
+/// Letters whose values follow from the motion and not from the state.
 struct Unknowns {
     /// Accelerations, then multipliers.
     solved: Vec<Sym>,
@@ -30,7 +30,7 @@ impl Unknowns {
         }
     }
 
-    /// Whether one of them stands in an expression.
+    /// True if the expression contains one of these letters.
     fn stand_in(&self, expression: Sym) -> bool {
         let used = expression.symbols_of();
         let Unknowns { solved, reactions, others } = self;
@@ -38,7 +38,7 @@ impl Unknowns {
     }
 }
 
-/// The outputs, the kinetic and the potential energy.
+/// The outputs, then kinetic and potential energy, as expressions over `letters`.
 pub(crate) fn outputs(model: &Model, mode: &Mode, letters: Letters<'_>) -> Vec<Sym> {
     let trace = Trace::of(model);
     let shown = model.outputs.iter().map(|output| trace.scalar(output.is));
@@ -46,7 +46,8 @@ pub(crate) fn outputs(model: &Model, mode: &Mode, letters: Letters<'_>) -> Vec<S
     letters.put_into(&trace, &determined(&trace, mode, all))
 }
 
-/// Expressions of a trace without the letters that a motion gives.
+/// Replaces accelerations, multipliers, reactions, switches and algebraic speeds in expressions by their values in a mode. Without a
+/// motion in this mode they are unchanged.
 pub(crate) fn determined(trace: &Trace<'_>, mode: &Mode, mut all: Vec<Sym>) -> Vec<Sym> {
     let unknowns = Unknowns::of(trace);
     if all.iter().any(|each| unknowns.stand_in(*each))
@@ -63,7 +64,7 @@ pub(crate) fn determined(trace: &Trace<'_>, mode: &Mode, mut all: Vec<Sym>) -> V
     all
 }
 
-/// The outputs and energies, with accelerations and multipliers as further inputs.
+/// The outputs and energies with accelerations and multipliers as inputs `unknowns`, for laws that solve for them.
 pub(crate) fn outputs_of_solved(model: &Model, letters: Letters<'_>, unknowns: &[Sym]) -> Vec<Sym> {
     let trace = Trace::of(model);
     let shown = model.outputs.iter().map(|output| trace.scalar(output.is));
@@ -72,7 +73,7 @@ pub(crate) fn outputs_of_solved(model: &Model, letters: Letters<'_>, unknowns: &
     letters.put_into(&trace, &all)
 }
 
-/// The places of outputs that depend on the motion, and have no value where none is known.
+/// Indices of the outputs that depend on accelerations, multipliers, reactions, switches or algebraic speeds.
 pub(crate) fn of_motion(model: &Model) -> Vec<usize> {
     let trace = Trace::of(model);
     let unknowns = Unknowns::of(&trace);

@@ -1,5 +1,5 @@
-//! Checks for every system in a file: principles agree, the power balance holds, loads act in pairs and do not depend on the
-//! observer, forces that depend on speeds dissipate energy, and the inertia is positive.
+//! Checks of a system: principles agree, the power balance holds, loads between bodies are equal and opposite and do not depend on the
+//! observer, forces that depend on speeds dissipate energy, and inertias are positive.
 
 mod observer;
 mod passivity;
@@ -13,7 +13,7 @@ use model::principles::Principle;
 use model::{Agreement, Model, Pairs, Trace, agreement, statements};
 use symbolic::apart;
 
-/// Every check of a model, inputs without a value at zero.
+/// All checks of a model. Inputs without a value are set to zero.
 pub fn conform(model: &Model) -> Vec<Finding> {
     let mut model = model.clone();
     model.close_inputs();
@@ -33,7 +33,7 @@ pub fn conform(model: &Model) -> Vec<Finding> {
     .collect()
 }
 
-/// The verdict on the agreement of principles, with its subject in words.
+/// The verdict for an agreement of two derivations; `says` is the statement in words.
 fn verdict(found: &Agreement, says: &str) -> PropertyVerdict {
     match found {
         Agreement::Proved { .. } | Agreement::Theorem { .. } => PropertyVerdict::Proved(says.to_owned()),
@@ -43,7 +43,7 @@ fn verdict(found: &Agreement, says: &str) -> PropertyVerdict {
     }
 }
 
-/// Compares energies and virtual displacements with the equations of bodies with the loads of their joints.
+/// Compares Lagrange's equations with the equations of Newton and Euler.
 fn principles(model: &Model) -> PropertyVerdict {
     let trace = Trace::of(model);
     match agreement(&trace, Principle::Lagrange, Principle::NewtonEuler) {

@@ -1,7 +1,7 @@
 //! Check that loads between bodies are objective: a common displacement or velocity of all bodies does not change them.
 //!
-//! If the coordinates allow a common motion of all bodies along an axis or about it, let d be its speeds. A load between two bodies must not
-//! change if d is added to the speeds, or if positions and speeds are displaced along d.
+//! If the coordinates allow a common rigid motion of all bodies along an axis or about it, let d be its speeds. A load between two bodies
+//! must not change if d is added to the speeds, or if positions and speeds are displaced along d.
 
 use super::states::{Expressions, States};
 use crate::layout::Layout;
@@ -13,13 +13,13 @@ use symbolic::{Sym, apart, substitute_all};
 /// The number of states at which the loads are compared.
 const STATES: usize = 12;
 
-/// A motion of all bodies together is found where nothing is left of it beyond this part.
+/// Largest residual, relative to the velocities, for which speeds count as a common rigid motion of all bodies.
 const ALIKE: f64 = 1e-9;
 
 /// The relative change above which a load counts as changed.
 const CHANGES: f64 = 1e-6;
 
-/// The displacement of positions, per unit of their size.
+/// Displacement of positions, m or rad, for difference quotients.
 const SMALL: f64 = 1e-5;
 
 /// A load between two bodies, neither of which is the ground.
@@ -29,7 +29,7 @@ enum Load<'m> {
 }
 
 impl Load<'_> {
-    /// Forces, then torques.
+    /// All loads between two moving bodies: forces, then torques.
     fn all<'m>(trace: &Trace<'m>) -> Vec<Load<'m>> {
         let model: &'m Model = trace.model;
         let moves = |point: &Material| !trace.velocity(point.point).is_zero();
@@ -61,18 +61,19 @@ impl Load<'_> {
     }
 }
 
-/// All expressions that are compared at a state.
+/// The compiled expressions of the check: positions of the centres of mass, derivatives of velocities by speeds, loads; all in axes of
+/// the ground.
 struct Compared {
     expressions: Expressions,
     layout: Layout,
-    /// Bodies with their velocities, then those with their turns; each has three rows.
+    /// Number of velocities: of centres of mass, then angular velocities; each has three components.
     rows: usize,
     centres: usize,
     speeds: usize,
     forces: usize,
 }
 
-/// The verdict of all loads between bodies.
+/// The verdict for all loads between bodies, at [`STATES`] states and for six rigid motions.
 pub(super) fn verdict(model: &Model) -> PropertyVerdict {
     apart(|| {
         let trace = Trace::of(model);
@@ -138,7 +139,8 @@ impl Compared {
         Some(Compared { expressions, layout: Layout::of(model), rows, centres, speeds: n, forces: count })
     }
 
-    /// The speeds of a motion of all bodies together: along an axis, or about it through the origin.
+    /// The speeds of a common rigid motion of all bodies with unit velocity: translation along axis `motion` for `motion` < 3, else
+    /// rotation about axis `motion - 3` through the origin. `None` if the coordinates do not allow such a motion.
     fn together(&self, values: &[f64], motion: usize) -> Option<DVector<f64>> {
         let (place, slopes) = values.split_at(3 * self.centres);
         let n = self.speeds;
@@ -169,7 +171,8 @@ impl Compared {
         &values[3 * self.centres + 3 * self.rows * self.speeds..]
     }
 
-    /// The first load that changes, and with what; the outer none where the bodies have no such motion.
+    /// The first load that a common rigid motion changes, and whether it depends on a velocity or on a place. The outer `None`: the
+    /// bodies have no such motion.
     #[allow(clippy::type_complexity)]
     fn changed(&self, time: f64, state: &[f64], motion: usize) -> Option<Option<(usize, &'static str)>> {
         let here = self.expressions.at(time, state);
@@ -185,7 +188,7 @@ impl Compared {
         if let Some(load) = self.differs(self.loads(&here), self.loads(&faster), 1.0, [0.0; 3]) {
             return Some(Some((load, "a velocity")));
         }
-        // the rate of the motion's speeds where the state goes on
+        // the rate of d along the state's own motion, by a difference quotient
         let speeds = DVector::from_fn(self.speeds, |speed, _| state[self.layout.positions() + speed]);
         let step = SMALL / (1.0 + speeds.amax());
         let on = displaced(state, 0, step, &speeds);
@@ -201,7 +204,8 @@ impl Compared {
         Some(found.map(|load| (load, "a place")))
     }
 
-    /// The first load that changes from one state to another, per length of the way, but for torques that turn with the bodies.
+    /// The first load that differs between two states whose distance is `way`. `turned` is the rotation of the bodies: torques are
+    /// vectors that turn with them.
     fn differs(&self, one: &[f64], other: &[f64], way: f64, turned: [f64; 3]) -> Option<usize> {
         let tolerance = |size: f64| CHANGES.max(SMALL * f64::from(u8::from(way < 1.0))) * (size + f64::MIN_POSITIVE);
         let forces = (0..self.forces).find(|&load| {

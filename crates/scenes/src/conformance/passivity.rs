@@ -12,14 +12,14 @@ use symbolic::{Hypotheses, Sym, apart, decide, substitute_all};
 /// The number of states at which the power is evaluated.
 const STATES: usize = 2_000;
 
-/// The part of the sum of the terms' sizes that counts as rounding.
+/// Power up to this part of the sum of the absolute terms counts as rounding error.
 const ROUNDING: f64 = 1e-11;
 
-/// Positions about the start: near it first, then anywhere about.
+/// Relative distances of sampled positions from the start: near it, then anywhere.
 const NEAR: f64 = 0.05;
 const ANYWHERE: f64 = 1.0;
 
-/// The verdict: exact where their power is a quadratic form with constant coefficients, else by many states.
+/// The verdict: exact if the power is a quadratic form of the speeds with constant coefficients, otherwise by sampled states.
 pub(super) fn verdict(model: &Model) -> PropertyVerdict {
     if model.parameters.iter().any(|parameter| parameter.value.is_none()) {
         return PropertyVerdict::DoesNotApply("some parameters have no value".to_owned());
@@ -27,7 +27,7 @@ pub(super) fn verdict(model: &Model) -> PropertyVerdict {
     apart(|| {
         let trace = Trace::of(model);
         let mut forces = forces_without_potential(&trace);
-        // the law of a reaction is no force
+        // the equation of a reaction's impulse is an algebraic law, not a force
         model.impulses.iter().for_each(|&impulse| forces[impulse] = Sym::ZERO);
         let held: Vec<Sym> = forces.iter().flat_map(|force| force.symbols_of()).collect();
         let chooses = trace.switches.iter().any(|switch| held.contains(switch));
@@ -46,7 +46,8 @@ pub(super) fn verdict(model: &Model) -> PropertyVerdict {
     })
 }
 
-/// sum (Q(q, u) - Q(q, 0)) u as a quadratic form with constant coefficients.
+/// The matrix of second derivatives of the power sum (Q(q, u) - Q(q, 0)) u by the speeds; `None` if the power is not a quadratic form
+/// with constant coefficients.
 fn quadratic(trace: &Trace<'_>, forces: &[Sym]) -> Option<Vec<Vec<Rational>>> {
     let state: Vec<Sym> = trace.coordinates.iter().chain(&trace.speeds).copied().collect();
     let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
@@ -71,7 +72,7 @@ fn quadratic(trace: &Trace<'_>, forces: &[Sym]) -> Option<Vec<Vec<Rational>>> {
     decide(rest, &Hypotheses::none()).is_zero().then_some(numbers)
 }
 
-/// Whether a form is positive nowhere, by its pivots.
+/// True if a quadratic form is negative semidefinite, by exact pivots.
 fn is_never_positive(mut form: Vec<Vec<Rational>>) -> bool {
     let sign = |number: Rational| number.sign().unwrap_or(1);
     let mut open: Vec<usize> = (0..form.len()).collect();
@@ -89,11 +90,11 @@ fn is_never_positive(mut form: Vec<Vec<Rational>>) -> bool {
             }
         }
     }
-    // where the diagonal is zero the rest must be
+    // a semidefinite matrix with a zero diagonal is zero
     open.iter().all(|&row| open.iter().all(|&column| sign(form[row][column]) == 0))
 }
 
-/// Searches for a state at which the power is positive.
+/// The verdict by sampling: searches for a state at which the forces that depend on speeds have positive power.
 fn sampled(trace: &Trace<'_>, forces: &[Sym]) -> PropertyVerdict {
     let model = trace.model;
     let Some(expressions) = Expressions::of(trace, forces) else {
@@ -133,9 +134,10 @@ fn sampled(trace: &Trace<'_>, forces: &[Sym]) -> PropertyVerdict {
     }
 }
 
-/// Numbers of a state that are shown.
+/// The largest number of state components in a message.
 const MOST_SHOWN: usize = 6;
 
+/// A text with the power, W, and the state at which it occurs.
 fn gives(model: &Model, state: &[f64], power: f64) -> String {
     let names = model.state_names().into_iter().map(|(name, _)| name).zip(state);
     // the speeds first: positions explain them
@@ -148,7 +150,7 @@ fn gives(model: &Model, state: &[f64], power: f64) -> String {
     format!("{} W at {}", short(power), shown.collect::<Vec<_>>().join(", "))
 }
 
-/// A number rounded to four digits.
+/// A number rounded to four significant digits.
 fn short(value: f64) -> f64 {
     format!("{value:.3e}").parse().unwrap_or(value)
 }

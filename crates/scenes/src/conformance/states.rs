@@ -1,4 +1,4 @@
-//! Expressions of a model at pseudo-random states, which are equal in every run.
+//! Values of expressions of a model at pseudo-random states. The sequence of states is fixed.
 
 use crate::letters::Letters;
 use crate::readiness::start_of;
@@ -7,7 +7,7 @@ use simulation::ensemble::draw::Draw;
 use std::cell::RefCell;
 use symbolic::{Sym, Tape, substitute_all};
 
-/// Compiled expressions of time and state, with the cases that conditions have there.
+/// Compiled expressions of time and state, in which each condition selects its case by its sign.
 pub(super) struct Expressions {
     tape: Tape,
     conditions: usize,
@@ -15,7 +15,7 @@ pub(super) struct Expressions {
 }
 
 impl Expressions {
-    /// None where they have no values.
+    /// Compiles expressions; `None` if one has no value.
     pub fn of(trace: &Trace<'_>, expressions: &[Sym]) -> Option<Self> {
         let model = trace.model;
         let named =
@@ -30,7 +30,8 @@ impl Expressions {
         Some(Expressions { tape, conditions: cases.len(), values: RefCell::new(vec![0.0; all.len()]) })
     }
 
-    /// Their values; a condition may ask for those before it, and one that is at zero has either side.
+    /// The values at a time and a state. Conditions may depend on earlier conditions, hence the repeated evaluation; a condition at zero
+    /// gives the middle of its cases.
     pub fn at(&self, time: f64, state: &[f64]) -> Vec<f64> {
         let mut values = self.values.borrow_mut();
         let mut numbers = [state, &[time], &vec![0.5; self.conditions]].concat();
@@ -44,17 +45,18 @@ impl Expressions {
     }
 }
 
-/// States about the start of a model.
+/// A generator of pseudo-random states around the start of a model.
 pub(super) struct States {
     start: Vec<f64>,
     positions: usize,
-    /// Places of reactions and of their impulses, which no state chooses: they are those of the start.
+    /// Indices of reactions and of their impulses; they keep the values of the start, since the state does not determine them.
     resting: Vec<usize>,
     drawn: Draw,
     count: usize,
 }
 
 impl States {
+    /// The generator for a model, around its completed start.
     pub fn about_start(trace: &Trace<'_>) -> Self {
         let model = trace.model;
         let start = start_of(model).unwrap_or_else(|_| model.start_state());
@@ -63,13 +65,14 @@ impl States {
         States { start, positions, resting, drawn: Draw::new(1, 1, "states"), count: 0 }
     }
 
-    /// A number between -1 and 1.
+    /// The next number, uniform in (-1, 1).
     fn number(&mut self) -> f64 {
         self.count += 1;
         2.0 * self.drawn.even(self.count) - 1.0
     }
 
-    /// A time and a state: positions within a part of their size and of one, speeds of any size.
+    /// The next time and state. Time is uniform in (0, 1) s. Positions deviate from the start by up to `part` (1 + |value|); speeds have
+    /// a common random scale between 1e-3 and 1e3 (SI).
     pub fn next(&mut self, part: f64) -> (f64, Vec<f64>) {
         let size = 10_f64.powf(3.0 * self.number());
         let mut state = self.start.clone();

@@ -1,5 +1,5 @@
-//! The corrections of a state as one compiled function of it, with their linear equations eliminated symbolically. A step takes two
-//! evaluations of it: one before the coordinates are displaced, and one after, which changes the speeds.
+//! The projection of a state as one compiled function, with its linear equations eliminated symbolically. A step needs two evaluations:
+//! the first gives the displacement of the coordinates, the second the change of the speeds.
 
 use super::residuals::Kept;
 use super::{LEFT, MET, ROUNDS, WITHOUT_INERTIA};
@@ -11,21 +11,21 @@ use model::{Model, Trace};
 use simulation::Program;
 use symbolic::{Sym, substitute_all};
 
-/// The most constraints whose elimination is written down: its length grows as their third power.
+/// The largest number of constraints that are eliminated symbolically: the length of the program grows with its third power.
 const MOST: usize = 24;
 
-/// The corrections of a model whose constraints are independent.
+/// The compiled projection of a model whose constraints are independent.
 #[derive(Debug)]
 pub(super) struct Corrections {
-    /// Residuals of positions, then of all rates; the square of the size of each; the displacement of the coordinates, the change of the
-    /// speeds; the residuals of the rates after that change.
+    /// Outputs: residuals of position constraints, then of all rates; the square of the scale of each; the displacement of the
+    /// coordinates; the change of the speeds; the residuals of the rates after this change.
     program: Program,
     positions: usize,
     rates: usize,
     speeds: usize,
 }
 
-/// The values of the program at a state.
+/// The outputs of [`Corrections::program`] at a state, by name.
 struct Found<'a> {
     positions: Residuals<'a>,
     rates: Residuals<'a>,
@@ -34,14 +34,14 @@ struct Found<'a> {
     rates_after: Residuals<'a>,
 }
 
-/// Residuals and the squares of their sizes.
+/// Residuals, and the squares of their scales.
 struct Residuals<'a> {
     values: &'a [f64],
     squares: &'a [f64],
 }
 
 impl Residuals<'_> {
-    /// Whether each is below so many roundings of its size; false for what is no number.
+    /// True if every residual is at most `roundings` machine epsilons times its scale; false for NaN.
     fn are_below(&self, roundings: f64) -> bool {
         let least = (roundings * f64::EPSILON).powi(2);
         self.values.iter().zip(self.squares).all(|(value, square)| value * value <= least * square)
@@ -53,7 +53,8 @@ impl Residuals<'_> {
 }
 
 impl Corrections {
-    /// `None` for too many constraints, for constraints that depend on each other, and where an expression has no value.
+    /// Compiles the projection over `inputs` input numbers. `None` if there are too many constraints, constraints are dependent or not
+    /// linear in the speeds, or an expression has no value.
     pub fn over(
         model: &Model,
         inputs: usize,
@@ -65,7 +66,7 @@ impl Corrections {
             let kept = Kept::of(&trace);
             let Some(all) = written(&trace, &kept) else { return vec![Sym::UNDEFINED] };
             counts = Some((kept.places_of_positions().len(), kept.count()));
-            // any inertia measures a way: that of one of the cases of a condition
+            // the metric needs some inertia, not the exact one: every condition is set to its positive case
             let on: Vec<(Sym, Sym)> = trace.switches.iter().map(|&switch| (switch, Sym::ONE)).collect();
             letters(time, inputs).put_into(&trace, &substitute_all(&all, &on))
         })?;
@@ -73,7 +74,7 @@ impl Corrections {
         Some(Corrections { program, positions, rates, speeds })
     }
 
-    /// The number of values of the program.
+    /// The number of outputs of the program.
     pub fn values(&self) -> usize {
         2 * (self.positions + self.rates + self.speeds) + self.rates
     }
@@ -94,8 +95,8 @@ impl Corrections {
         }
     }
 
-    /// Projects a state, and returns whether it was moved; `None` where that does not lead to the constraints, the state then being
-    /// anything. The values are room for [`Self::values`] numbers.
+    /// Projects the state `y` in place, and returns whether it was moved. `None` if the iteration does not converge; `y` is then
+    /// undefined. `values` is work space for [`Self::values`] numbers.
     pub fn bring(&self, layout: Layout, t: f64, y: &mut [f64], values: &mut [f64]) -> Option<bool> {
         let (mut is_moved, mut last) = (false, f64::INFINITY);
         for _ in 0..=ROUNDS {
@@ -126,11 +127,12 @@ fn displace(layout: Layout, y: &mut [f64], order: usize, by: &[f64]) {
     by.iter().enumerate().filter(|(_, by)| **by != 0.0).for_each(|(speed, by)| layout.displace(y, (speed, order), *by));
 }
 
-/// The values of the program; `None` where the constraints are too many, depend on each other, or are not linear in the speeds.
+/// The outputs of the program as expressions; `None` if there are more than [`MOST`] constraints, or they are dependent or not linear in
+/// the speeds.
 fn written(trace: &Trace<'_>, kept: &Kept) -> Option<Vec<Sym>> {
     let rows = kept.rows();
     let is_moved = |entry: &Sym| entry.symbols_of().iter().any(|symbol| trace.speeds.contains(symbol));
-    // rates that are not linear in the speeds take more than one correction
+    // rates that are not linear in the speeds need more than one correction
     if rows.len() > MOST || rows.iter().copied().flatten().any(is_moved) {
         return None;
     }
@@ -160,7 +162,8 @@ fn written(trace: &Trace<'_>, kept: &Kept) -> Option<Vec<Sym>> {
     Some([residuals.clone(), kept.sizes(trace), displacement, change, after].concat())
 }
 
-/// W: the inverse of the diagonal of the mass matrix; speeds without inertia take most of the correction.
+/// The diagonal of W: inverse diagonal entries of the mass matrix. A speed without inertia has a large entry and takes most of the
+/// correction.
 fn mobilities(trace: &Trace<'_>) -> Vec<Sym> {
     let energy = trace.kinetic_and_coenergy();
     let inertias = (0..trace.speeds.len()).map(|speed| trace.by_speed(trace.by_speed(energy, speed), speed));

@@ -1,18 +1,18 @@
-//! The projection onto the constraints for an ensemble member, whose parameters are inputs.
+//! The projection onto the constraints for an ensemble member, with its parameters as inputs.
 
 use super::ConstraintProjection;
 use integrators::Projection;
 use std::cell::RefCell;
 
-/// The projection onto the constraints for an ensemble member.
+/// The projection of one ensemble member.
 pub(crate) struct OfMember<'a> {
     projection: &'a ConstraintProjection,
-    /// The state, then the parameters.
+    /// The state, then the parameters of the member.
     inputs: RefCell<Vec<f64>>,
 }
 
 impl<'a> OfMember<'a> {
-    /// A state of the member, and its parameters.
+    /// The projection of the member with these parameters. `state` gives the dimension.
     pub fn new(projection: &'a ConstraintProjection, state: &[f64], parameters: &[f64]) -> Self {
         OfMember { projection, inputs: RefCell::new([state, parameters].concat()) }
     }

@@ -1,17 +1,17 @@
-//! Projection onto the constraints f = 0 of a model, and onto their rates. With the residuals r of position constraints the coordinates are
-//! displaced by d, then with those of all rates the speeds are changed by d,
+//! Projection onto the constraints f = 0 of a model, and onto their rates. Newton's correction for a residual r is
 //!
 //!   d = -W J^T (J W J^T)^-1 r ,
 //!
-//! where W is the diagonal matrix of the inverse diagonal entries of the mass matrix M. Runs have the errors that M^-1 in place of W gives,
-//! which takes twice as long. One factorisation at a state serves all its corrections. Stabilised constraints are not projected;
-//! redundant ones hold with those that imply them.
+//! where J is the Jacobian of the constraints, and W is the diagonal matrix of the inverse diagonal entries of the mass matrix M. The
+//! residuals of position constraints give a displacement of the coordinates, then the residuals of all rates a change of the speeds. Runs
+//! with M^-1 in place of W have equal errors and take twice as long. One factorisation at a state serves all its corrections. Stabilised
+//! constraints are not projected; redundant constraints hold with those that imply them.
 //!
-//! The corrections of few independent constraints are one compiled function of the state. Where these are many, redundant, or the state is
-//! singular, the equations are factorised at the state.
+//! Up to 24 independent constraints are projected by one compiled function of the state. If there are more, if they are redundant, or if
+//! the state is singular, the equations are factorised at the state.
 //!
-//! A residual is rounding where it is below a few roundings of its size: the root of the sum of squares of its derivatives times
-//! coordinates, speeds and time.
+//! The scale of a residual is the root of the sum of squares of its derivatives times coordinates, speeds and time. A residual below a
+//! few machine epsilons of its scale is rounding error.
 
 mod corrections;
 mod member;
@@ -31,37 +31,39 @@ use std::ops::Range;
 use std::sync::{Arc, Mutex, PoisonError};
 use symbolic::{Sym, substitute_all};
 
-/// The residual, in roundings of its size, up to which a state is not corrected.
+/// A state whose residuals are at most this many machine epsilons of their scales is not corrected.
 const LEFT: f64 = 8.0;
 
-/// The residual, in roundings of its size, at which the correction ends.
+/// The iteration ends at residuals of at most this many machine epsilons of their scales.
 const MET: f64 = 4.0;
 
-/// The largest number of corrections of positions and speeds: the first one leaves the square of a step's error, the second rounding.
+/// The largest number of corrections. The first leaves a residual of the order of the squared error of the step, the second only
+/// rounding.
 const ROUNDS: usize = 4;
 
-/// The mobility of a speed without inertia relative to the largest other one: such speeds take most of the correction.
+/// The entry of W for a speed without inertia, relative to the largest other entry: such speeds take most of the correction.
 const WITHOUT_INERTIA: f64 = 1e4;
 
 /// The projection onto the constraints of a model.
 #[derive(Debug)]
 pub(crate) struct ConstraintProjection {
     layout: Layout,
-    /// The number of components of a state, plus that of the parameters where these are inputs.
+    /// The number of inputs: the components of a state, and for ensembles the parameters.
     inputs: usize,
-    /// The places of constraints of positions among those of all rates, and the number of the latter.
+    /// Indices of the position constraints among all constraints, and the number of all constraints.
     positions: Vec<usize>,
     rates: usize,
-    /// Independent constraints, not too many.
+    /// The projection as one compiled function; `None` if constraints are dependent or too many.
     corrections: Option<Corrections>,
-    /// Residuals of positions, then of all rates.
+    /// Outputs: residuals of position constraints, then of all rates.
     residuals: Program,
-    /// The residuals, the square of the size of each, the entries of J, the diagonal of the mass matrix.
+    /// Outputs: the residuals, the squares of their scales, the entries of J, the diagonal of the mass matrix.
     all: Program,
     /// Row and column of each entry of J.
     entries: Vec<(usize, usize)>,
     /// The sparsity pattern of J W J^T.
     pattern: Pattern,
+    /// Work spaces that no call uses at present.
     rooms: Mutex<Vec<Room>>,
 }
 
@@ -80,23 +82,23 @@ struct Room {
 }
 
 impl ConstraintProjection {
-    /// Whether steps of a model are projected: not without constraints that hold, nor with algebraic speeds.
+    /// True if steps of the model are projected: it has a constraint without stabilisation, and no algebraic speeds.
     pub fn is_of(model: &Model) -> bool {
         model.algebraic_speeds.is_empty() && model.constraints.iter().any(|one| one.gains.is_none())
     }
 
-    /// The projection for the values of the parameters; `None` where it is not used, or an expression has no value.
+    /// The projection for the model's values of the parameters; `None` if the model is not projected, or an expression has no value.
     pub fn of(model: &Model) -> Option<Self> {
         let states = model.positions() + model.speeds();
         ConstraintProjection::over(model, states, |time, state| Letters::with_data(time, state))
     }
 
-    /// Whether a model has position constraints; residuals of other constraints do not grow by themselves.
+    /// True if a projected model has position constraints. Only their residuals accumulate errors.
     pub fn keeps_positions(model: &Model) -> bool {
         ConstraintProjection::is_of(model) && symbolic::apart(|| Kept::of(&Trace::of(model)).hold_positions())
     }
 
-    /// The projection of a state with the parameters behind it.
+    /// The projection for ensembles: inputs are the state, then the parameters.
     pub fn of_members(model: &Model) -> Option<Self> {
         let states = model.positions() + model.speeds();
         ConstraintProjection::over(model, states + model.parameters.len(), |time, inputs| {
@@ -111,7 +113,7 @@ impl ConstraintProjection {
         }
         let speeds = model.speeds();
         let corrections = Corrections::over(model, inputs, &letters);
-        // where corrections are written down, a factorisation at a state is rare
+        // with compiled corrections, a factorisation at a state is rare
         let program = |function: &mut (dyn FnMut(Sym, &[Sym]) -> Vec<Sym> + Send)| match corrections {
             Some(_) => Program::for_few(inputs, function),
             None => Program::of(inputs, function),
@@ -131,7 +133,7 @@ impl ConstraintProjection {
             (entries, slopes) = kept.slopes();
             let all: Vec<Sym> =
                 kept.residuals().into_iter().chain(kept.sizes(&trace)).chain(slopes).chain(inertias).collect();
-            // any inertia measures a way: that of one of the cases of a condition
+            // the metric needs some inertia, not the exact one: every condition is set to its positive case
             let on: Vec<(Sym, Sym)> = trace.switches.iter().map(|&switch| (switch, Sym::ONE)).collect();
             letters(time, inputs).put_into(&trace, &substitute_all(&all, &on))
         });
@@ -139,7 +141,7 @@ impl ConstraintProjection {
         let touches = |row: usize, column: usize| entries.binary_search(&(row, column)).is_ok();
         let meet = |(row, other): &(usize, usize)| (0..speeds).any(|k| touches(*row, k) && touches(*other, k));
         let places = (0..rates).flat_map(|row| (0..rates).map(move |other| (row, other))).filter(meet).collect();
-        // rows that follow from others have no share of their own
+        // dependent rows get no multiplier
         let pattern = Pattern::new(rates, 0, places);
         let (layout, rooms) = (Layout::of(model), Mutex::default());
         Some(ConstraintProjection {
@@ -156,7 +158,8 @@ impl ConstraintProjection {
         })
     }
 
-    /// A law of the motion, its state perhaps with more behind it, whose steps end on the constraints where there are some.
+    /// `law` with accepted steps projected, or `law` itself without a projection. Its state may have further components behind those of
+    /// the motion.
     pub fn onto(projection: Option<&Arc<Self>>, law: Arc<dyn Law>) -> Arc<dyn Law> {
         match projection {
             Some(projection) => Arc::new(ProjectedLaw::new(law, Arc::clone(projection) as _)),
@@ -183,7 +186,7 @@ impl ConstraintProjection {
         }
     }
 
-    /// The largest residuals of positions and of rates, each in roundings of its size.
+    /// The largest residuals of positions and of rates, in machine epsilons of their scales; NaN if one is NaN.
     fn off(&self, room: &Room) -> [f64; 2] {
         let (residuals, squares) = room.all[..2 * self.count()].split_at(self.count());
         let roundings = |(residual, square): (&f64, &f64)| match *residual {
@@ -218,7 +221,7 @@ impl ConstraintProjection {
         factors.factor(matrix).ok()
     }
 
-    /// Corrects the coordinates (order 0) or the speeds (order 1) by the present residuals.
+    /// Corrects the coordinates (`order` 0) or the speeds (`order` 1) of `y` by the residuals in `room`.
     fn correct(&self, order: usize, y: &mut [f64], room: &mut Room) {
         let Room { all, mobilities, rows, factors, right, .. } = room;
         if order == 0 {
@@ -238,7 +241,8 @@ impl ConstraintProjection {
         }
     }
 
-    /// Projects a state, and returns whether it was moved. A state whose residual cannot be reduced is unchanged.
+    /// Projects the state `y` in place, and returns whether it was moved. A state whose residuals cannot be reduced is unchanged. `None`
+    /// if an expression or the factorisation has no value.
     fn bring(&self, t: f64, y: &mut [f64], room: &mut Room) -> Option<bool> {
         if let Some(corrections) = &self.corrections {
             room.kept.copy_from_slice(y);
@@ -250,7 +254,7 @@ impl ConstraintProjection {
         self.bring_by_factors(t, y, room)
     }
 
-    /// As [`Self::bring`], by a factorisation at the state.
+    /// The projection of [`Self::bring`] by a factorisation at the state.
     #[cold]
     fn bring_by_factors(&self, t: f64, y: &mut [f64], room: &mut Room) -> Option<bool> {
         self.all.run(t, y, &mut room.all)?;
@@ -272,7 +276,7 @@ impl ConstraintProjection {
                 }
             }
             let now = largest(off);
-            // false for NaN too: such a correction is undone
+            // false for NaN too; the correction is then undone
             if now < best {
                 (best, moved) = (now, true);
             } else {

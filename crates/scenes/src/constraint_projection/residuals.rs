@@ -1,10 +1,10 @@
-//! Residuals of the constraints that hold along a motion, and the scale of the terms of each.
+//! Residuals of the constraints that are projected, and their scales.
 
 use model::Trace;
 use model::equations::{Equation, Level, constraints_of};
 use symbolic::{Derivation, Sym};
 
-/// Constraints that hold along the motion.
+/// The constraints of a model without stabilisation.
 pub(super) struct Kept(Vec<Equation>);
 
 impl Kept {
@@ -21,11 +21,12 @@ impl Kept {
         self.0.iter().map(|constraint| &*constraint.row).collect()
     }
 
-    /// Whether one of them holds positions.
+    /// True if a position constraint is among them.
     pub fn hold_positions(&self) -> bool {
         !self.places_of_positions().is_empty()
     }
 
+    /// Indices of the position constraints.
     pub fn places_of_positions(&self) -> Vec<usize> {
         (0..self.0.len()).filter(|&place| self.0[place].level == Level::Position).collect()
     }
@@ -34,13 +35,13 @@ impl Kept {
         self.0.iter().filter(|constraint| constraint.level == Level::Position)
     }
 
-    /// f of the position constraints, then the rates of all constraints.
+    /// Residuals: f of the position constraints, then df/dt of all constraints.
     pub fn residuals(&self) -> Vec<Sym> {
         let zeros = self.of_positions().map(|constraint| constraint.zero);
         zeros.chain(self.0.iter().map(|constraint| constraint.rate)).collect()
     }
 
-    /// The entries of J by row and column, those that are the constant zero left out.
+    /// The entries of J that are not identically zero, with their rows and columns.
     pub fn slopes(&self) -> (Vec<(usize, usize)>, Vec<Sym>) {
         let entries = self.0.iter().enumerate().flat_map(|(row, constraint)| {
             constraint.row.iter().enumerate().map(move |(column, slope)| ((row, column), *slope))
@@ -48,10 +49,10 @@ impl Kept {
         entries.filter(|(_, slope)| *slope != Sym::ZERO).unzip()
     }
 
-    /// The squares of the sizes of the residuals.
+    /// The squares of the scales of the residuals.
     pub fn sizes(&self, trace: &Trace<'_>) -> Vec<Sym> {
         let own = trace.model.coordinates.len();
-        // the turns of a free frame are of the size one
+        // the scale of a rotation of a free frame is one radian
         let by_places = |slopes: &[Sym], expression: Sym| {
             let times = |(place, slope): (usize, &Sym)| match place < own {
                 true => *slope * trace.coordinates[place],

@@ -1,5 +1,5 @@
-//! Ensemble members whose law changes at conditions, events or contacts, or fast in time: each runs alone, with laws compiled for its
-//! values.
+//! Ensemble members that run one by one, with laws compiled for their own parameters: their law changes at conditions, events or
+//! contacts, or limits the step at some times.
 
 use super::ModelEnsemble;
 use crate::changing_laws::is_watched;
@@ -11,11 +11,11 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Duration;
 
-/// The time limit of a member: none, since the time of the whole run is limited.
+/// The time limit of a member: practically none, since the time of the whole ensemble is limited.
 const UNLIMITED: Duration = Duration::from_secs(1 << 30);
 
-/// All that decides the laws and the events of a model that has any, or whose law changes fast by itself at some times, for its fingerprint;
-/// none of one without.
+/// A text that determines the laws and events of a model, for the fingerprint of the ensemble; `None` if the members run in batches.
+/// `has_haste` is true if the law limits the step at some times.
 pub(super) fn laws_of(model: &Model, has_haste: bool) -> Option<String> {
     (is_watched(model) || has_haste).then(|| described(model).unwrap_or_else(|reason| reason.to_string()))
 }

@@ -1,6 +1,6 @@
-//! Ensembles of a system that is written in its file: each member has its own parameters, coordinates and speeds at the start.
+//! Ensembles of a system in a file: each member has its own parameters and start.
 //!
-//! Members with one law run in batches; those whose law changes run one by one (`lone_members.rs`).
+//! Members with one law run in batches; members whose law changes run one by one (`lone_members.rs`).
 
 mod lone_members;
 
@@ -27,16 +27,18 @@ use std::fmt::{self, Write};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-/// A model with a run, and its law for all values of its parameters.
+/// A model with its run, and its law as a function of the parameters.
 #[derive(Debug)]
 struct ModelEnsemble {
     scene: ModelScene,
     law: Law,
-    /// The projection onto the constraints for members in a batch.
+    /// The projection onto the constraints for members in batches.
     projection: Option<ConstraintProjection>,
+    /// The solver that completes the start of a member.
     start: StartSolver,
-    /// The singular positions; `None` for a system without closed loops.
+    /// The singular positions of closed loops; `None` without closed loops.
     singular: Option<SingularPositions>,
+    /// Masses and moments of inertia as functions of the parameters.
     bodies: BodyNumbers,
     /// The target of each variable.
     targets: Vec<Target>,
@@ -45,35 +47,38 @@ struct ModelEnsemble {
 /// The law of all members.
 #[derive(Debug)]
 enum Law {
+    /// One law with parameters as inputs.
     Batch(Box<ParametricLaw>),
-    /// Text that determines the laws of members that run alone, for the fingerprint.
+    /// Members run one by one. The text determines their laws, for the fingerprint.
     Alone(String),
 }
 
-/// A number of a model that may vary, by its place.
+/// A number of the model that may vary among members, by its index.
 #[derive(Clone, Copy, Debug)]
 enum Target {
+    /// A parameter.
     Parameter(usize),
-    /// Coordinates, then speeds.
+    /// A component of the state at the start: coordinates, then speeds.
     Start(usize),
-    /// A quasi-velocity at the start, by its place among those that the file gives there.
+    /// A quasi-velocity at the start, by its index among those that the file gives.
     StartSpeed(usize),
-    /// The orientation of a free frame, by its number: a turn about its own axes, beside that of the file.
+    /// The orientation of the free frame with this number at the start: a rotation vector (rad) in its own axes, relative to the start of
+    /// the file.
     Turn(usize),
 }
 
-/// Reads a file with `[coordinates]` and `[ensemble]`; `name` is what messages call it.
+/// Reads a file with `[coordinates]` and `[ensemble]`; `name` is its name in messages.
 ///
 /// # Errors
-/// All that is wrong with it, each at its place.
+/// The file has errors; each is given with its position.
 pub fn parse_ensemble(name: &str, text: &str) -> Result<EnsembleScene, SceneError> {
     parse_ensemble_with(name, text, Given::default())
 }
 
-/// Reads a file with `[coordinates]` and `[ensemble]`, with additional data from a calling program.
+/// Reads a file with `[coordinates]` and `[ensemble]`, with additional data `given` by a calling program.
 ///
 /// # Errors
-/// All that is wrong with it, each at its place.
+/// The file has errors; each is given with its position.
 pub fn parse_ensemble_with(name: &str, text: &str, given: Given) -> Result<EnsembleScene, SceneError> {
     tables(name, text, |top, issues| {
         top.known(&["failure"]);
@@ -96,7 +101,7 @@ pub fn parse_ensemble_with(name: &str, text: &str, given: Given) -> Result<Ensem
     })
 }
 
-/// All numbers of a model that may vary, each with its place.
+/// All numbers of a model that may vary, and the target of each.
 fn variables(scene: &ModelScene) -> (Vec<Variable>, Vec<Target>) {
     let model = &scene.model;
     let variable = |table, key: &str, meaning: String, unit: String, count: usize| Variable {
@@ -133,7 +138,7 @@ fn variables(scene: &ModelScene) -> (Vec<Variable>, Vec<Target>) {
     parameters.chain(start).chain(turns).chain(speeds).chain(currents).unzip()
 }
 
-/// Warnings of starts that vary: angles without a unit that are more than a turn.
+/// Warnings for varied angles at the start whose numbers have no unit and exceed a full turn: probably degrees.
 fn bare_starts(model: &Model, text: &str) -> Vec<Fault> {
     let angles = model.coordinates.iter().filter(|coordinate| coordinate.unit == "rad").map(|angle| &angle.name);
     let turns = model.free.iter().map(|frame| &model.frames[frame.0].name);
@@ -147,7 +152,7 @@ fn bare_starts(model: &Model, text: &str) -> Vec<Fault> {
             for key in ["from", "to", "mean", "deviation", "values"] {
                 let Some(written) = law.written(key, "angle") else { continue };
                 let largest = written.value.split_whitespace().map(|word| (word.parse::<f64>(), word));
-                // the first without a number is the unit
+                // the first word that is no number is the unit
                 let numbers: Vec<(f64, &str)> = largest.map_while(|(value, word)| Some((value.ok()?, word))).collect();
                 let is_bare = numbers.len() == written.value.split_whitespace().count();
                 let largest = numbers.into_iter().max_by(|one, other| one.0.abs().total_cmp(&other.0.abs()));
@@ -166,7 +171,7 @@ fn bare_starts(model: &Model, text: &str) -> Vec<Fault> {
     found.unwrap_or_default()
 }
 
-/// One line of `[ensemble.vary]` for a model.
+/// An example line of `[ensemble.vary]` for messages.
 fn example(model: &Model) -> String {
     let (name, unit) = match (model.parameters.first(), model.coordinates.first()) {
         (Some(parameter), _) => (format!("parameters.{}", parameter.name), parameter.unit.clone()),
@@ -185,7 +190,7 @@ impl ModelEnsemble {
         if model.equilibrium.is_some() {
             return Err(Unmet::NotCompiled(NotCompiled::Changes));
         }
-        // series of a batch have no step bounds
+        // batches do not support step bounds
         let has_haste = !scene.system.law().step_bounds(0.0, scene.run.span).is_empty();
         let law = match laws_of(model, has_haste) {
             Some(laws) => Law::Alone(laws),
@@ -195,14 +200,14 @@ impl ModelEnsemble {
             Law::Batch(_) => ConstraintProjection::of_members(model),
             Law::Alone(_) => None,
         };
-        // members may start where other constraints are redundant
+        // other constraints may be redundant at the start of a member
         let start = StartSolver::of(&in_touch(&model.whole()))?;
         let bodies = BodyNumbers::of(model).map_err(Unmet::NotCompiled)?;
         let singular = SingularPositions::of(model, &scene.start);
         Ok(ModelEnsemble { scene, law, projection, start, singular, bodies, targets })
     }
 
-    /// The last values of a member for its row.
+    /// The final values of a member: state, outputs, and the change of the energy if it is conserved.
     fn end(law: &ParametricLaw, [parameters, start]: [&[f64]; 2], time: f64, state: &[f64]) -> Last {
         let energy = |outputs: &[f64]| outputs[outputs.len() - ENERGIES..].iter().sum::<f64>();
         let outputs = law.outputs(time, state, parameters);
@@ -225,7 +230,10 @@ impl ModelEnsemble {
         speeds
     }
 
-    /// Parameters and start of a member.
+    /// The parameters and the completed start of a member.
+    ///
+    /// # Errors
+    /// A body is physically impossible, the start cannot be completed, or other constraints are redundant than in the file.
     fn placed(&self, drawn: &[Drawn]) -> Result<(Vec<f64>, Vec<f64>), Stopped> {
         let model = &self.scene.model;
         let mut parameters: Vec<f64> = model.parameters.iter().filter_map(|parameter| parameter.value).collect();
@@ -324,7 +332,7 @@ impl ParametricSystem for ModelEnsemble {
         let Ok(Ready { start, system, .. }) = ready(&mut model) else { return Vec::new() };
         let scene = self.scene.with(model, system, start);
         let own = scene.run.choice();
-        // as the members run
+        // the failures must be those of the member's own method
         let method = if self.alone().is_some() { own.method } else { Method::Taylor };
         let choice = Choice { method, ..own };
         let trajectory = scene.problem(Axes::First).simulate_while(&choice, |_| match goes_on() {
@@ -360,7 +368,7 @@ impl ParametricSystem for ModelEnsemble {
     }
 }
 
-/// The text of an unmet condition in a row.
+/// The reason for which a member has no start, in words.
 fn told(unmet: &Unmet) -> String {
     match unmet {
         Unmet::Open(open) => open.to_string(),

@@ -4,34 +4,38 @@ use crate::linearisation::{At, Point, VariedEquations};
 use model::equations::Level;
 use nalgebra::{DMatrix, DVector};
 
-/// The residual, relative to the balancing forces, below which it is rounding.
+/// Residuals below this part of the sum of absolute terms are rounding errors.
 const MET: f64 = 1e-11;
 
-/// An equation is at least this part as large as the largest one.
+/// The scale of an equation is at least this part of the largest scale.
 const FLOOR: f64 = 1e-3;
 
 impl VariedEquations {
-    /// The places of all constraints of positions.
+    /// Indices of all position constraints.
     pub(super) fn of_positions(&self) -> Vec<usize> {
         let positions = self.constraints.iter().enumerate().filter(|(_, known)| known.level == Level::Position);
         positions.map(|(place, _)| place).collect()
     }
 }
 
-/// The equations at a point: residuals, their derivatives along directions, by currents and by multipliers, and the sizes of the
-/// balancing terms.
+/// The equations of an equilibrium at a point. Unknowns, the columns of the Jacobian: displacements along directions, currents,
+/// multipliers. Rows: balances of forces, position constraints, rates of all constraints.
 pub(super) struct Balance {
-    /// Directions of free coordinates, columns.
+    /// Directions of displacement as columns, over the free coordinates.
     pub directions: DMatrix<f64>,
     /// The number of steady currents.
     pub currents: usize,
+    /// Residuals of all rows.
     pub residuals: DVector<f64>,
+    /// Derivatives of the residuals by the unknowns.
     pub jacobian: DMatrix<f64>,
+    /// Sum of the absolute terms of each row.
     scales: DVector<f64>,
 }
 
 impl Balance {
-    /// `currents` are directions of speeds, columns.
+    /// The equations at a point. `free` has the indices of the free coordinates, `currents` the directions of steady currents over all
+    /// speeds, as columns.
     pub fn of(
         equations: &VariedEquations,
         point: &Point,
@@ -40,7 +44,7 @@ impl Balance {
     ) -> Self {
         let At { motion, zero, rate, .. } = equations.at(point);
         let (n, m) = (motion.values.len(), zero.values.len());
-        // constraints of speeds have no f of positions: their row is that of the rate
+        // constraints of speeds have no row for f(q), only one for the rate
         let places = equations.of_positions();
         let rows = n + places.len() + m;
         let part = |row: usize| match row.checked_sub(n) {
@@ -81,14 +85,14 @@ impl Balance {
         }
     }
 
-    /// Parts of an unknown: of coordinates, of currents, of multipliers.
+    /// The parts of a vector of unknowns: displacements, currents, multipliers.
     pub fn parts(&self, of: &DVector<f64>) -> [DVector<f64>; 3] {
         let (places, moved) = (self.directions.ncols(), self.directions.ncols() + self.currents);
         let parts = [(0, places), (places, moved), (moved, of.len())];
         parts.map(|(from, to)| of.rows(from, to - from).into_owned())
     }
 
-    /// Whether a coordinate changes an equation.
+    /// True if a displacement changes the equation of this row to first order.
     pub fn is_moved(&self, row: usize) -> bool {
         self.jacobian.row(row).columns(0, self.directions.ncols()).amax() > 0.0
     }
@@ -102,9 +106,9 @@ impl Balance {
         if size.is_nan() { f64::INFINITY } else { size }
     }
 
-    /// The worst equation that does not hold.
+    /// The row with the largest residual among those that exceed rounding; `None` if all equations hold.
     pub fn unmet(&self) -> Option<usize> {
-        // an equation that nothing changes has no size of its own
+        // a row of zeros in the Jacobian has no scale
         let least = FLOOR * self.scales.iter().copied().fold(0.0, f64::max);
         let excess = |row: usize| self.residuals[row].abs() - MET * self.scales[row].max(least);
         let open = (0..self.residuals.len()).filter(|&row| excess(row).is_nan() || excess(row) > 0.0);

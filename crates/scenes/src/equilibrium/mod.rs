@@ -1,14 +1,15 @@
-//! An equilibrium near a guess: coordinates at which all accelerations vanish, with all speeds zero but steady currents.
+//! Search for an equilibrium near a guess: all accelerations and speeds are zero, except steady currents.
 //!
 //!   h(q, u) - Q(q, u) - J^T lambda = 0,    f(q) = 0,    df/dt = 0,    u = D i
 //!
-//! The columns of D are directions of cyclic charges, on which no equation depends; their rates i are unknowns in place of the charges.
+//! The columns of D are directions of cyclic charges, on which no equation depends. The unknowns are coordinates, multipliers λ, and the
+//! rates i of these charges.
 //!
-//! The method is Newton's with least changes, by singular values: of a family of equilibria the nearest one is found. Forces are
-//! those at time zero.
+//! The method is Newton's with least-norm steps by singular value decomposition; in a family of equilibria it finds one near the guess.
+//! Forces are evaluated at time zero.
 //!
-//! With nonholonomic constraints every step is a displacement that they allow: motions from the start can reach the equilibrium. Where
-//! none is found so, a start that must itself be an equilibrium may lie elsewhere.
+//! With nonholonomic constraints, steps are displacements along the constraints, so that motions from the start can reach the
+//! equilibrium. If none is found, a start that must itself be an equilibrium is searched for without this restriction.
 
 mod balance;
 mod ways;
@@ -27,66 +28,67 @@ use ways::Ways;
 /// An equilibrium, with information on its uniqueness.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equilibrium {
-    /// Coordinates, then speeds, of which steady currents alone are not zero.
+    /// Coordinates, then speeds (SI); speeds are zero except steady currents.
     pub state: Vec<f64>,
-    /// Directions of coordinates, currents and reactions in which equilibria stand side by side: of those that motions reach, where they are
-    /// sought among these.
+    /// The dimension of the family of equilibria in coordinates, currents and multipliers. If `is_reached`, only displacements along the
+    /// constraints count.
     pub family: usize,
-    /// Coordinates and currents along which no force rises to first order, each the largest part of its direction.
+    /// Names of the coordinates and currents along which no force changes to first order: the largest component of each such direction.
     pub flat: Vec<String>,
-    /// Whether it is sought, and found, among positions that motions from the start reach along constraints of speeds.
+    /// True if the equilibrium was found among positions that motions from the start reach along constraints of speeds.
     pub is_reached: bool,
 }
 
 /// The reason for which there is no equilibrium.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoEquilibrium {
-    /// The start has a speed.
+    /// The start has a nonzero speed.
     Moves {
         speed: String,
     },
-    /// Residual at the best point found, and whether a coordinate changes it there.
+    /// No solution was found: the equation with the largest residual at the best point, and `is_moved`: whether a coordinate changes it
+    /// to first order.
     NotFound {
         equation: String,
         residual: f64,
         unit: String,
         is_moved: bool,
     },
-    /// A constraint drives the system in every position: its rate at rest.
+    /// The rate of a constraint does not vanish at zero speeds, in any position. `residual` is this rate.
     Driven {
         constraint: String,
         residual: f64,
         unit: String,
     },
-    /// A condition is zero there, or has another case than in the law that leads there.
+    /// The condition with this index is zero at the equilibrium, or has another case there than in the law that was solved.
     AtCondition {
         switch: usize,
     },
     NotCompiled(NotCompiled),
 }
 
-/// Singular values below this part of the largest one are taken for zero.
+/// Singular values below this part of the largest count as zero.
 const RANK: f64 = 1e-11;
 
-/// The largest number of restarts with the law of the point that was found, where it differs from that of the guess.
+/// The largest number of restarts after the conditions have other cases at the solution than at the guess.
 const MOST_LAWS: usize = 8;
 
-/// A point with the law of conditions there.
+/// The point with each condition in its case at this point.
 fn chosen(equations: &VariedEquations, point: &Point) -> Point {
     let mut there = point.clone();
     equations.choose(&mut there);
     there
 }
 
-/// Coordinates that `[start]` gives are kept; those that it leaves out, or gives as a guess, are moved. With `all` every coordinate is.
-/// Currents at the start are those with which the search begins.
+/// Searches for an equilibrium. Coordinates given in `[start]` are fixed; those that are missing or given as a guess are unknowns. With
+/// `all` every coordinate is an unknown. Currents at the start are the first guess.
 ///
 /// # Errors
-/// The reason for which there is no equilibrium.
+/// [`NoEquilibrium`] with the reason.
 pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibrium> {
     let layout = Layout::of(model);
     let (n, names) = (layout.speeds(), model.state_names());
-    // inputs that follow the state are forces as others
+    // inputs that depend on the state are ordinary forces
     let equations = VariedEquations::with_inputs(model, &[], &[]).map_err(NoEquilibrium::NotCompiled)?;
     let is_current = |start: &&StartValue| equations.charges.contains(&start.coordinate);
     let mut moving = model.start.iter().filter(|start| start.order == 1 && start.value != 0.0 && !is_current(start));
@@ -101,7 +103,7 @@ pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibriu
     let currents = equations.cyclic(&equations.around(&guess), &equations.charges);
     guess.speeds = &currents * (currents.transpose() * &guess.speeds);
     let given = given(model);
-    // a charge that is a direction of its own stays as it starts
+    // the value of a cyclic charge is arbitrary: it keeps its start
     let is_cyclic = |speed: usize| currents.row(speed).norm() > 1.0 - FLAT;
     let is_free = |&speed: &usize| !is_cyclic(speed) && (all || !layout.places(speed, 0).any(|at| given[at]));
     let free: Vec<usize> = (0..n).filter(is_free).collect();
@@ -164,7 +166,7 @@ pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibriu
                     (format!("the equation of forces along `{name}`"), force_unit(along))
                 }
                 Some(k) => {
-                    // those of positions stand twice: as they are, and as rates
+                    // position constraints have two rows: f and df/dt
                     let places = equations.of_positions();
                     let known = &equations.constraints[places.get(k).copied().unwrap_or_else(|| k - places.len())];
                     if k >= places.len() && system.jacobian.row(row).amax() == 0.0 {
@@ -187,23 +189,24 @@ pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibriu
     }
 }
 
-/// Smaller parts of a unit direction are rounding.
+/// Components of a unit vector below this value are rounding errors.
 const FLAT: f64 = 1e-6;
 
-/// The name of what a speed moves: of a free frame one of its turns.
+/// The name of the coordinate of a speed; for a free frame the name of its rotation component.
 fn name_of(names: &[(String, String)], layout: Layout, speed: usize) -> String {
     let order = usize::from(layout.places(speed, 0).len() > 1);
     names[layout.places(speed, order).start].0.clone()
 }
 
-/// A matrix with rows of zeros below, until it has as many rows as columns: then each direction has a singular value.
+/// The matrix with rows of zeros appended until it is square or tall: then each column direction has a singular value.
 fn square(matrix: &DMatrix<f64>) -> DMatrix<f64> {
     let rows = matrix.nrows().max(matrix.ncols());
     DMatrix::from_fn(rows, matrix.ncols(), |row, column| if row < matrix.nrows() { matrix[(row, column)] } else { 0.0 })
 }
 
 impl Equilibrium {
-    /// The choice among equilibria, where constraints of speeds decide it or no force does to first order.
+    /// A sentence on the selection among several equilibria; `None` if the equilibrium is isolated and not restricted by constraints of
+    /// speeds.
     pub fn choice(&self) -> Option<String> {
         if let (false, [_, ..]) = (self.is_reached, self.flat.as_slice()) {
             let flat: Vec<String> = self.flat.iter().map(|name| format!("`{name}`")).collect();

@@ -1,4 +1,4 @@
-//! Newton's method from a guess to an equilibrium, with least changes.
+//! Newton's method for an equilibrium, with least-norm steps.
 
 use super::RANK;
 use super::balance::Balance;
@@ -7,43 +7,43 @@ use crate::linearisation::{Point, VariedEquations};
 use crate::start::Leaf;
 use nalgebra::{DMatrix, DVector};
 
-/// The largest number of steps of Newton's method, and of halvings of a step.
+/// The largest number of Newton steps, and of halvings of one step.
 const MOST_STEPS: usize = 100;
 const MOST_HALVES: usize = 30;
 
-/// A coordinate moves by at most this part of its size, or of one radian or metre, in a step.
+/// A step changes a coordinate by at most this part of its size, or of one metre or radian.
 const LONGEST: f64 = 0.3;
 
-/// Guesses beside the given one: their number, the first distance from it, in radians or metres, and how distances grow.
+/// Further guesses: their number, their first distance from the given one (m or rad), and the growth factor of the distance.
 const MOST_GUESSES: i32 = 24;
 const ASIDE: f64 = 0.05;
 const GROWTH: f64 = 1.2;
 
-/// Multiples of the golden section are spread evenly.
+/// The golden ratio conjugate: fractional parts of its multiples are evenly distributed.
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
 /// The search for an equilibrium from a guess.
 pub(super) struct Ways<'a> {
     pub equations: &'a VariedEquations,
-    /// Speeds whose coordinates may move.
+    /// Indices of the free coordinates.
     pub free: &'a [usize],
-    /// Directions of charges for which no equation asks: over all speeds, columns.
+    /// Directions of cyclic charges over all speeds, as columns.
     pub currents: &'a DMatrix<f64>,
-    /// Constraints of speeds that the ways go along.
+    /// Nonholonomic constraints along which displacements must go, if any.
     pub leaf: Option<Leaf<'a>>,
 }
 
 impl Ways<'_> {
-    /// The best point that is found from a guess or from others around it.
+    /// The best point found from a guess, or from further guesses around it.
     pub fn near(&self, guess: &Point) -> (Point, Balance) {
         let (mut point, mut system) = self.balanced(guess.clone());
-        // a guess at which a force is stationary, an angle of 90 degrees, says nothing of the way: others around it do
+        // at a guess with a stationary force, such as an angle of 90 degrees, the step is undetermined
         for attempt in 0..MOST_GUESSES {
             if system.unmet().is_none() {
                 break;
             }
             let size = ASIDE * GROWTH.powi(attempt);
-            // in turn to both sides, by parts that are no multiples of each other
+            // alternating sides, with incommensurable components
             let side = if attempt % 2 == 0 { size } else { -size };
             let part = |at: usize, _| side * (((at + 1) as f64 * GOLDEN).fract() + 0.5);
             let other = self.moved(guess, &DVector::from_fn(self.free.len(), part));
@@ -55,11 +55,11 @@ impl Ways<'_> {
         (point, system)
     }
 
-    /// The best point that Newton's method comes to from a guess.
+    /// The best point that Newton's method reaches from one guess.
     fn balanced(&self, guess: Point) -> (Point, Balance) {
         let m = guess.multipliers.len();
         let (mut point, mut system) = (guess.clone(), self.system(&guess));
-        // multipliers that balance most of the forces, to begin with
+        // first guess of the multipliers: least squares of the force balance
         let reactions = system.jacobian.columns(system.jacobian.ncols() - m, m).into_owned();
         if m > 0
             && system.is_finite()
@@ -80,11 +80,11 @@ impl Ways<'_> {
             let largest = decomposed.singular_values.amax();
             let Ok(step) = decomposed.solve(&-&system.residuals, RANK * largest) else { break };
             let [displaced, currents, multipliers] = system.parts(&step);
-            // rounding of the largest part: a part that is none of it comes with the next step
+            // smaller components are rounding errors of the largest; if real, the next step contains them
             let felt = |part: f64| if part.abs() > f64::EPSILON * step.amax() { part } else { 0.0 };
             let (displaced, currents) = (&system.directions * displaced, self.currents * currents);
             let (displaced, currents) = (displaced.map(felt), currents.map(felt));
-            // a step must stay within the range in which derivatives are valid
+            // limits the step to the range in which derivatives are valid
             let places = self.free.iter().zip(displaced.iter());
             let far = places.map(|(&place, part)| part.abs() / self.equations.size(&point, place));
             let grown = point.speeds.iter().zip(currents.iter()).map(|(now, part)| part.abs() / (1.0 + now.abs()));
@@ -106,7 +106,7 @@ impl Ways<'_> {
         (point, system)
     }
 
-    /// The point after a displacement of the free coordinates, along the constraints of speeds.
+    /// The point after a displacement of the free coordinates, along the nonholonomic constraints if there are any.
     fn moved(&self, point: &Point, displaced: &DVector<f64>) -> Point {
         let mut next = point.clone();
         match &self.leaf {
@@ -123,12 +123,12 @@ impl Ways<'_> {
         next
     }
 
+    /// The equations at a point, with directions that exclude the cyclic charges.
     fn system(&self, point: &Point) -> Balance {
         let all = match &self.leaf {
             Some(leaf) => leaf.directions(point.coordinates.as_slice(), self.free),
             None => DMatrix::identity(self.free.len(), self.free.len()),
         };
-        // along the others no equation changes
         let mut still = Rows::none(all.ncols());
         still.add(&(self.currents.select_rows(self.free).transpose() * &all));
         let directions = all * still.kernel();

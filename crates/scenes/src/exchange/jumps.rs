@@ -1,10 +1,11 @@
-//! Conditions at which forces jump with a speed, such as dry friction: such a condition may stay at zero (sliding mode).
+//! Conditions at which forces are discontinuous in a speed, such as dry friction. The motion may keep such a condition at zero (sliding
+//! mode).
 
 use model::MatrixForm;
 use symbolic::{Derivation, Hypotheses, Sym, normal, substitute_all};
 
-/// The first condition that its own two cases may keep at zero: it holds a speed, and the equations are not shown to be the same in both
-/// cases where it is zero.
+/// The index of the first condition that may stay at zero: it depends on a speed, and the equations are not proved equal in both cases
+/// where it is zero.
 pub(super) fn sticking(form: &MatrixForm) -> Option<usize> {
     let terms: Vec<Sym> = form.mass.iter().flatten().chain(&form.inertia).chain(&form.forces).copied().collect();
     let held = form.constraints.iter().flat_map(|held| held.row.iter().chain([&held.bias, &held.zero]).copied());
@@ -18,7 +19,7 @@ pub(super) fn sticking(form: &MatrixForm) -> Option<usize> {
     })
 }
 
-/// Whether jumps vanish where a condition is zero, by a letter in which the condition is linear.
+/// True if the jumps are proved to vanish where the condition is zero. The condition is solved for a letter in which it is linear.
 fn vanish_with(form: &MatrixForm, condition: Sym, jumps: &[Sym]) -> bool {
     let letters = [&form.speeds, &form.positions, &form.parameters, &form.inputs].into_iter().flatten().copied();
     letters.chain([form.time]).any(|letter| {
@@ -31,7 +32,7 @@ fn vanish_with(form: &MatrixForm, condition: Sym, jumps: &[Sym]) -> bool {
     })
 }
 
-/// Whether an expression is shown to be zero.
+/// True if the expression is proved to be identically zero.
 fn is_zero(expression: Sym) -> bool {
     expression == Sym::ZERO || normal(expression, &Hypotheses::none()).is_ok_and(|form| form.is_zero())
 }

@@ -1,4 +1,5 @@
-//! Export of a text to other simulators: its equations with parameters that can be changed, its events, and refused features.
+//! Export of a system in a file to other simulators, with its equations, variable parameters and events; unsupported features are
+//! refused.
 
 mod jumps;
 mod refusals;
@@ -16,7 +17,7 @@ use refusals::refused;
 use simulation::{Run, run};
 use std::sync::Arc;
 
-/// A program that another simulator reads.
+/// A language of exported programs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Program {
     C,
@@ -26,11 +27,11 @@ pub enum Program {
     Modelica,
 }
 
-/// The default tolerance and time span of a text without `[run]`.
+/// The default tolerance and time span (s) of a file without `[run]`.
 const TOLERANCE: f64 = 1e-8;
 const SPAN: f64 = 10.0;
 
-/// A system with its start, ready for export.
+/// A system with a complete start (coordinates, then speeds), ready for export.
 struct Exported<'a> {
     text: &'a SystemText,
     model: Model,
@@ -38,14 +39,17 @@ struct Exported<'a> {
 }
 
 impl<'a> Exported<'a> {
-    /// The system of a text, in which all quantities needed for a run have values.
+    /// The system of a file.
+    ///
+    /// # Errors
+    /// The file has errors, a feature cannot be exported, a quantity has no value, or no motion continues from the start.
     fn of(text: &'a SystemText) -> Result<Self, SceneError> {
         let model = text.for_equations()?;
         let told = |issue: Issue| told(text, issue);
         if let Some(issue) = refused(&model) {
             return Err(told(issue));
         }
-        // inputs are zero until the importer sets them
+        // inputs are zero until the importing program sets them
         let mut closed = Arc::new(model.clone());
         Arc::make_mut(&mut closed).close_inputs();
         let found = ready(&mut closed).map_err(told)?;
@@ -55,7 +59,7 @@ impl<'a> Exported<'a> {
         }
     }
 
-    /// Shows its equations in the rates of coordinates.
+    /// Passes the equations in the rates of coordinates to `show`.
     fn shown<R: Send>(
         &self,
         show: impl FnOnce(&Trace<'_>, &MatrixForm) -> Result<R, String> + Send,
@@ -77,7 +81,7 @@ impl<'a> Exported<'a> {
 }
 
 impl Exported<'_> {
-    /// A result that was written, where no condition may keep itself at zero.
+    /// The exported result, or an error if the condition with the given index may stay at zero.
     fn without_sticking<R>(&self, (written, sticks): (R, Option<usize>)) -> Result<R, SceneError> {
         let Some(condition) = sticks else { return Ok(written) };
         let place = self.model.switch_places[condition].clone();
@@ -91,10 +95,10 @@ fn told(text: &SystemText, issue: Issue) -> SceneError {
     SceneError { path: text.name.clone(), text: text.text.clone(), issues: vec![issue] }
 }
 
-/// The run of a text, where it says one.
+/// The run of a file, if it has one.
 fn run_of(text: &SystemText) -> Option<Run> {
     let mut found = None;
-    // the other tables have been read and checked before
+    // the other tables were checked before
     let _ = tables(&text.name, &text.text, |top, issues| {
         found = run::read(top, issues, None);
         Some(())
@@ -102,10 +106,11 @@ fn run_of(text: &SystemText) -> Option<Run> {
     found
 }
 
-/// A text as a functional mock-up unit for model exchange and co-simulation. `origin` is one line on its origin, `tool` the program.
+/// The system of a file as a functional mock-up unit (FMI) for model exchange and co-simulation. `identifier` is its name in C, `origin`
+/// one line on its source, `tool` the name of the exporting program.
 ///
 /// # Errors
-/// All that is wrong with the text, and what a unit cannot carry, at its place in the file.
+/// The file has errors, or a feature cannot be exported; each error has its position in the file.
 pub fn unit(text: &SystemText, identifier: &str, origin: &str, tool: &str) -> Result<Unit, SceneError> {
     let exported = Exported::of(text)?;
     let Exported { model, start, .. } = &exported;
@@ -155,10 +160,10 @@ pub fn unit(text: &SystemText, identifier: &str, origin: &str, tool: &str) -> Re
     })
 }
 
-/// A text as a program in another language, with its start; and sentences on omitted features.
+/// The system of a file as a program in another language, with its start, and sentences on features that the program omits.
 ///
 /// # Errors
-/// All that is wrong with the text, and what the language cannot carry, at its place in the file.
+/// The file has errors, or a feature cannot be exported; each error has its position in the file.
 pub fn program(text: &SystemText, program: Program, identifier: &str) -> Result<(String, Vec<String>), SceneError> {
     let exported = Exported::of(text)?;
     let start = &exported.start;

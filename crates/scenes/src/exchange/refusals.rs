@@ -1,10 +1,10 @@
-//! Features of a system that cannot be exported, each with its place in the file.
+//! Features of a system that cannot be exported as explicit equations with events.
 
 use crate::compiled_system::of_accelerations;
 use model::Model;
 use reader::Issue;
 
-/// The first part of a system that explicit equations with events do not carry.
+/// An issue for the first feature that cannot be exported, with its position in the file; `None` if all can.
 pub(super) fn refused(model: &Model) -> Option<Issue> {
     let only_run = "`dalembert run` runs this system";
     if let Some(open) = model.parameters.iter().find(|parameter| parameter.value.is_none()) {

@@ -1,24 +1,24 @@
-//! Runs of a catalogue entry with one number varied.
+//! Runs of an entry of the catalogue of failures, with one number varied.
 
 use super::{FailureEntry, MARGIN, Varied};
 use crate::scene::ModelScene;
 use simulation::{Axes, Choice, IvpScene, Problem, RunFailure, Trajectory};
 use std::ops::ControlFlow;
 
-/// A run of an entry.
+/// The result of one run of an entry.
 pub struct TriedEntry {
-    /// Whether it holds.
+    /// True if the run was complete, kept the condition `while`, and did not show the expected failure.
     pub holds: bool,
     /// All failures of the run.
     pub failures: Vec<RunFailure>,
-    /// The reason for which the run stopped early, where it did.
+    /// The reason for an early stop, if the run stopped early.
     pub stopped: Option<String>,
-    /// The last law of the run, where its law changes.
+    /// A text on the last change of the law during the run: time (s), event, new law.
     pub last_law: Option<String>,
 }
 
 impl FailureEntry {
-    /// The run with a value of the number that is varied; none where there is no such scene, or where it is broken off.
+    /// Runs the entry with a value of the varied number. `None` if this value gives no scene, or `goes_on` stops the run.
     pub fn tried(&self, value: f64, goes_on: &dyn Fn() -> ControlFlow<()>) -> Option<TriedEntry> {
         let scene = self.with(value)?;
         let choice = scene.run.choice();
@@ -37,13 +37,13 @@ impl FailureEntry {
         Some(TriedEntry { holds, failures, stopped, last_law })
     }
 
-    /// The problem with a value of the number that is varied, with what its scene chooses.
+    /// The problem with a value of the varied number, and the choices of its run; `None` if this value gives no scene.
     pub fn problem(&self, value: f64) -> Option<(Problem, Choice)> {
         let scene = self.with(value)?;
         Some((scene.problem(Axes::First), scene.run.choice()))
     }
 
-    /// Whether a row of the outputs keeps `while` positive.
+    /// True if the condition `while` is positive in a row of outputs, or the entry has none.
     pub fn keeps_row(&self, names: &[String], row: &[f64]) -> bool {
         let place = names.iter().position(|name| name == MARGIN);
         place.is_none_or(|place| row[place] > 0.0)
@@ -53,7 +53,7 @@ impl FailureEntry {
         rows.iter().skip(1).chain([&trajectory.last]).all(|row| self.keeps_row(names, row))
     }
 
-    /// The scene with a value of the number that is varied.
+    /// The scene with a value of the varied number: a quantity, the time span (s), or the step size (s).
     fn with(&self, value: f64) -> Option<ModelScene> {
         let span = match &self.varies {
             Varied::Value(name) => return self.scene.varied(&[(name, value)]).ok(),

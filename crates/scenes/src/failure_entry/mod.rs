@@ -1,4 +1,4 @@
-//! Entries of the catalogue of failures as text: a scene with the table `[failure]`, whose threshold is an expression of its parameters.
+//! An entry of the catalogue of failures: a scene file with the table `[failure]`, whose threshold is an expression of the parameters.
 //!
 //! ```toml
 //! [failure]
@@ -15,8 +15,8 @@
 //! expects = "Zeno"                         # the name of the failure that a run shows; may be left out
 //! ```
 //!
-//! A run holds where it reaches its end, shows no failure of the kind that is expected, and `while` stays positive after the start. The
-//! measured threshold lies between a run that holds and one that does not.
+//! A run holds if it reaches its end, shows no failure of the expected kind, and `while` stays positive after the start. The measured
+//! threshold lies between a run that holds and one that does not.
 
 mod measurement;
 mod reading;
@@ -27,36 +27,40 @@ use crate::scene::ModelScene;
 use field::Rational;
 use simulation::FailureKind;
 
-/// The names under which the expressions of an entry are outputs of its scene.
+/// Names of the outputs that are added to the scene for the expressions `threshold` and `while`.
 const THRESHOLD: &str = "failure_threshold";
 const MARGIN: &str = "failure_margin";
 
-/// An entry of the catalogue.
+/// An entry of the catalogue of failures.
 #[derive(Debug)]
 pub struct FailureEntry {
+    /// The name in `dalembert failures`.
     pub name: String,
+    /// The failure in one line.
     pub title: String,
+    /// The reason for which the failure must occur.
     pub why: String,
+    /// A remedy, in one sentence.
     pub advice: String,
-    /// The quantity that has the threshold.
+    /// The quantity of which `threshold` is a value, in words.
     pub of: String,
     /// The threshold as written in the file.
     pub formula: String,
-    /// The threshold for the data of the file as a fraction, where it is one with few digits.
+    /// The exact threshold for the data of the file, if it is a fraction with few digits.
     pub exact: Option<Rational>,
-    /// The threshold for the data of the file as text, with its roots and functions.
+    /// The exact threshold for the data of the file as text, with roots and functions.
     pub written: String,
     /// The threshold in SI units.
     pub threshold: f64,
     /// The unit of the threshold; empty for a pure number.
     pub unit: String,
-    /// The relative accuracy of the measured threshold is one over this number.
+    /// The reciprocal of the relative accuracy of the measured threshold.
     pub within: u32,
-    /// The condition under which a run holds, as the file has it.
+    /// The expression `while` as written in the file; it is positive as long as a run holds.
     pub margin: Option<String>,
-    /// The failure that the run at `fails_at` must show.
+    /// The kind of failure that the run at `fails_at` must show.
     pub expects: Option<FailureKind>,
-    /// Two values in SI units: a run holds at the first one and fails at the second one.
+    /// Two values of the varied number in SI units: a run holds at the first and fails at the second.
     pub between: [f64; 2],
     varies: Varied,
     scene: ModelScene,
@@ -67,8 +71,8 @@ pub struct FailureEntry {
 enum Varied {
     /// The constant step of the method.
     Step,
-    /// The length of the run.
+    /// The time span of the run.
     Span,
-    /// A parameter, a coordinate or a speed at the start.
+    /// The parameter, or the coordinate or speed at the start, with this name.
     Value(String),
 }

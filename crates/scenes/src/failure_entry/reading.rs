@@ -1,4 +1,4 @@
-//! The table `[failure]` of a scene.
+//! Parser of the table `[failure]` of a scene.
 
 use super::{FailureEntry, MARGIN, THRESHOLD, Varied};
 use crate::letters::Letters;
@@ -19,7 +19,7 @@ const WITHIN: usize = 1_000;
 /// The largest number of digits of a printed fraction.
 const MOST_DIGITS: usize = 24;
 
-/// The keys as they stand in the file.
+/// The values of the keys of `[failure]`.
 struct Keys {
     texts: [String; 5],
     threshold: At<String>,
@@ -32,10 +32,10 @@ struct Keys {
 }
 
 impl FailureEntry {
-    /// Reads a scene with `[failure]`; `name` is what messages call it.
+    /// Reads a scene with the table `[failure]`; `name` is the name of the file in messages.
     ///
     /// # Errors
-    /// All that is wrong with it, each at its place.
+    /// The file has errors; each is given with its position.
     pub fn parse(name: &str, text: &str) -> Result<Self, SceneError> {
         let read = tables(name, text, |top, issues| {
             top.known(&["ensemble"]);
@@ -70,7 +70,7 @@ impl Keys {
         let within =
             table.optional_count("within", "one by the part of the threshold to which runs agree", 10, 1_000_000);
         let [holds, fails] = ["holds_at", "fails_at"].map(|key| {
-            // reading a missing key as a text reports it as missing
+            // reading a key as text reports it if missing
             if !table.has(key) {
                 table.text(key, "a value with its unit, such as \"0.1 s\"");
             }
@@ -95,7 +95,10 @@ impl Keys {
         Some(Keys { texts, threshold, margin, vary, between: [holds?, fails?], expects, within, outputs })
     }
 
-    /// With the scene, whose outputs hold the expressions.
+    /// The entry for a scene that contains the expressions as outputs.
+    ///
+    /// # Errors
+    /// Dimensions do not agree, the threshold depends on the motion, or it does not lie between `holds_at` and `fails_at`.
     fn entry(self, scene: ModelScene) -> Result<FailureEntry, Issue> {
         let Keys { texts: [name, title, why, advice, of], threshold, margin, vary, between, expects, within, .. } =
             self;
@@ -153,12 +156,12 @@ impl Keys {
     }
 }
 
-/// The name of a failure without its explanation.
+/// The name of a failure without the explanation after the colon.
 fn short(kind: FailureKind) -> &'static str {
     kind.name().split(':').next().unwrap_or_default()
 }
 
-/// The number that is varied, with its dimension.
+/// The varied number and its dimension.
 fn varied(scene: &ModelScene, At { value, span }: &At<String>) -> Result<(Varied, Dimension), Issue> {
     let parameter = scene.model.parameters.iter().find(|parameter| parameter.name == *value);
     if let Some(parameter) = parameter {
@@ -183,7 +186,10 @@ fn varied(scene: &ModelScene, At { value, span }: &At<String>) -> Result<(Varied
     }
 }
 
-/// The threshold as a fraction, as a text, and as a number; the letter of the motion that it depends on, where it does.
+/// The threshold as a fraction, as text, and as a number in SI units.
+///
+/// # Errors
+/// The letter of the motion on which the threshold depends.
 fn evaluated(scene: &ModelScene) -> Result<(Option<Rational>, String, f64), String> {
     let model = &*scene.model;
     let place = model.outputs.iter().position(|output| output.name == THRESHOLD).unwrap_or_default();
@@ -191,7 +197,7 @@ fn evaluated(scene: &ModelScene) -> Result<(Option<Rational>, String, f64), Stri
     apart(|| {
         let trace = Trace::of(model);
         let state: Vec<Sym> = trace.coordinates.iter().chain(&trace.speeds).copied().collect();
-        // the decimals of the file, and not the doubles that run
+        // exact decimals of the file instead of doubles
         let data = model.parameters.iter().zip(&trace.parameters);
         let data: Vec<Sym> = data
             .map(|(own, letter)| own.value.map_or(*letter, |value| Sym::constant(Rational::decimal(value))))

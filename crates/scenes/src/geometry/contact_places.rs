@@ -1,21 +1,21 @@
-//! Places where contacts act: on planes or on curves, and on bodies in which they are not fixed.
+//! Classification of contacts by samples of the motion: contacts with planes, and with round bodies.
 
 use super::Wheel;
 use super::figure::{Figure, Symbolic};
 use super::rigid::{Link, Structure, within};
 use model::Model;
 
-/// Directions that differ by less are one.
+/// Differences of directions, and relative differences of lengths, below this value are rounding errors.
 const SAME: f64 = 1e-7;
 
-/// For each contact of the symbolic geometry whether it is one of a plane: fixed in the ground, or in the body that is touched.
+/// For each contact: true if its surface is a plane that is fixed in the ground or in the touched body.
 pub(super) fn planes(model: &Model, samples: &[Figure], symbolic: &Symbolic, structure: &Structure) -> Vec<bool> {
     let near = SAME * structure.size.max(f64::MIN_POSITIVE);
     let is_plane = |(number, (contact, _)): (usize, &(usize, usize))| {
         let body = model.contacts[*contact].with.map(|body| &model.bodies[body.0]);
         let frame = body.and_then(|body| body.frame).map_or(0, |frame| structure.turning[frame.0]);
         let base = body.and_then(|body| body.centre).map_or(0, |centre| centre.0);
-        // the normal, and the distance along it
+        // the normal in axes of the touched body, and the distance of the plane from its centre
         let seen = |at: &Figure| {
             let touch = at.touches[number];
             let foot = at.places[touch.point] - touch.gap * touch.normal;
@@ -27,7 +27,7 @@ pub(super) fn planes(model: &Model, samples: &[Figure], symbolic: &Symbolic, str
     symbolic.contacts.iter().enumerate().map(is_plane).collect()
 }
 
-/// Round bodies beside wheels that are known: those that are touched, along the normal, at one distance from their centres.
+/// Round bodies that are not in `known`: their contact point lies along the normal, at a constant distance from their centre.
 pub(super) fn rounds(
     model: &Model,
     (samples, known): (&[Figure], &[Wheel]),
@@ -41,7 +41,7 @@ pub(super) fn rounds(
             symbolic.touched.iter().filter(|(body, at)| at == point && Some(*body) != with).map(|(body, _)| *body);
         for body in own.chain(with) {
             let Some(centre) = model.bodies[body].centre else { continue };
-            // the body that is touched ends where the gap begins
+            // the surface of the touched body lies at the gap's distance from the point
             let share = if Some(body) == with { 1.0 } else { 0.0 };
             let arm = |at: &Figure| {
                 let touch = at.touches[number];
@@ -53,7 +53,7 @@ pub(super) fn rounds(
                 (arm.norm() - radius).abs() <= SAME * radius && arm.cross(&normal).norm() <= SAME * radius
             };
             let turned = model.bodies[body].frame.map_or(0, |frame| structure.turning[frame.0]);
-            // feet of a block are places of a plate, and a pin of a body is fixed in it
+            // excludes blocks with several feet, and points that are fixed in a body
             let inside = |at: &Figure| within(&at.frames[turned], arm(at).0);
             let rests = samples.iter().all(|at| (inside(at) - inside(&samples[0])).norm() <= SAME * radius);
             let centre = structure.first[centre.0];
@@ -71,7 +71,7 @@ pub(super) fn rounds(
     found
 }
 
-/// Whether two places are a centre of a body and a place at which it touches, such that the way between them is no bar.
+/// True if `ends` are the centre of a body and a point at which it touches, and no frame fixes both: their connection is not a bar.
 pub(super) fn is_passing(model: &Model, symbolic: &Symbolic, structure: &Structure, ends: &[usize; 2]) -> bool {
     let first = &structure.first;
     let is_fixed = |link: &Link| link.frame != 0 && ends.iter().all(|end| link.places.contains(end));

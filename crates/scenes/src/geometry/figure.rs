@@ -1,4 +1,4 @@
-//! Places, axes, normals and inertias of a system, compiled as functions of time and state.
+//! Points, axes, normals, loads and inertias of a system, compiled as functions of time and state.
 
 use crate::compiled_system::NotCompiled;
 use crate::letters::Letters;
@@ -10,58 +10,67 @@ use nalgebra::Vector3;
 use simulation::Program;
 use symbolic::{Sym, substitute_all};
 
-/// The places and directions of a system at a time, along the axes of the ground.
+/// Points and vectors of a system at a time, in components along the axes of the ground, SI units.
 #[derive(Clone, Debug, Default)]
 pub struct Figure {
+    /// Time, s.
     pub time: f64,
+    /// The position of each point, m.
     pub places: Vec<Vector3<f64>>,
-    /// The axes x, y and z of each frame.
+    /// The unit vectors of the axes x, y, z of each frame.
     pub frames: Vec<[Vector3<f64>; 3]>,
+    /// All contacts of bodies.
     pub touches: Vec<Touch>,
-    /// Forces that do not act between two places, each with its place.
+    /// Forces that do not act between two points, N, each with the index of its point.
     pub forces: Vec<(usize, Vector3<f64>)>,
-    /// Torques that are neither of a spring nor of a dashpot, in the order of the geometry.
+    /// Torques that are neither of a spring nor of a dashpot, N m, in the order of the geometry.
     pub torques: Vec<Vector3<f64>>,
-    /// The mass, and the entries xx, yy, zz, xy, xz, yz of the inertia tensor of each body; zero where it has none.
+    /// The mass, kg, and the entries xx, yy, zz, xy, xz, yz of the inertia tensor, kg m², of each body; zero if not given.
     pub inertias: Vec<[f64; 7]>,
+    /// The acceleration of gravity, m/s².
     pub gravity: Vector3<f64>,
 }
 
-/// A contact.
+/// A contact at a time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touch {
     /// The index of the contact in the model.
     pub contact: usize,
+    /// The index of the touching point in [`Figure::places`].
     pub point: usize,
+    /// The unit normal of the surface.
     pub normal: Vector3<f64>,
+    /// The distance from the surface, m.
     pub gap: f64,
-    /// The friction on the body that touches, N; zero where it is unknown, or rounding beside the normal reaction.
+    /// The friction force on the touching body, N; zero if it is unknown or below the rounding of the normal reaction.
     pub friction: Vector3<f64>,
 }
 
-/// The symbolic part of the geometry.
+/// The part of the geometry that does not depend on the state. Points and frames are given by their indices.
 #[derive(Debug, Default)]
 pub(super) struct Symbolic {
     pub names: Vec<String>,
-    /// The place that each is found from, with the frame of the way.
+    /// For each point: the point from which the model defines it, and the frame of the connecting vector.
     pub bases: Vec<Option<(usize, FrameId)>>,
+    /// Springs and dashpots between points.
     pub elements: Vec<Element>,
+    /// Pairs of points at a constant distance.
     pub rods: Vec<[usize; 2]>,
     pub torsions: Vec<Torsion>,
-    /// The frames of each torque.
+    /// The two frames of each torque.
     pub couples: Vec<[FrameId; 2]>,
     pub gears: Vec<Gear>,
-    /// Whether a force or a torque changes at a condition.
+    /// True if a force or a torque depends on a condition.
     pub has_switched_loads: bool,
-    /// Bodies with points at which they are said to move.
+    /// Pairs (body, point) that contacts or rolling constraints of the model relate.
     pub touched: Vec<(usize, usize)>,
-    /// The places that forces act on.
+    /// The points on which forces act.
     forces: Vec<usize>,
-    /// The contacts of planes, and the points that touch.
+    /// Pairs (contact, touching point).
     pub contacts: Vec<(usize, usize)>,
 }
 
-/// The program, and how its values are read.
+/// The compiled geometry, and the numbers by which its outputs are divided.
 #[derive(Debug)]
 pub(super) struct Recorded {
     program: Program,
@@ -76,15 +85,18 @@ pub(super) struct Recorded {
     contacts: Vec<(usize, usize)>,
 }
 
-/// The number of states near the start from which the structure is found.
+/// The number of sampled states near the start.
 const SAMPLES: u64 = 5;
-/// Friction below this part of the normal reaction is rounding.
+/// Friction below this part of the normal reaction is a rounding error.
 const ROUNDING: f64 = 1e-9;
-/// Trials of the cases of conditions: one may decide another.
+/// The largest number of iterations for the cases of conditions: one condition may depend on another.
 const TRIALS: usize = 4;
 
 impl Recorded {
-    /// Writes the geometry of a model down.
+    /// Compiles the geometry of a model.
+    ///
+    /// # Errors
+    /// An expression has no value.
     pub fn of(model: &Model) -> Result<(Self, Symbolic), NotCompiled> {
         let states = model.positions() + model.speeds();
         let switches = model.switches.len();
@@ -104,7 +116,7 @@ impl Recorded {
         Ok((recorded, symbolic))
     }
 
-    /// The places and directions at a time and a state. A condition that is zero there counts as one half: its two sides are alike.
+    /// The figure at a time (s) and a state. A condition at zero gives the middle of its two cases.
     pub fn figure(&self, time: f64, state: &[f64]) -> Figure {
         let mut cases = vec![1.0; self.switches];
         let mut values = Vec::new();
@@ -120,7 +132,8 @@ impl Recorded {
         self.read(time, values)
     }
 
-    /// The same with the values that the mode of a run determines; switches that are no numbers follow from their conditions.
+    /// The figure with values that the mode of a run determines: switches, then for each contact its friction vector and normal reaction,
+    /// N. Switches that are not numbers follow from their conditions.
     pub fn figure_with(&self, time: f64, state: &[f64], of_mode: &[f64]) -> Figure {
         let (switches, contacts) = of_mode.split_at(self.switches.min(of_mode.len()));
         let mut figure = match switches.len() == self.switches && switches.iter().all(|switch| switch.is_finite()) {
@@ -136,7 +149,7 @@ impl Recorded {
         figure
     }
 
-    /// All values; not numbers at a state of another length.
+    /// All outputs of the program; NaN for a state of another length.
     fn values(&self, time: f64, state: &[f64], cases: &[f64]) -> Vec<f64> {
         let vectors = self.places + 3 * self.frames + self.contacts.len() + self.forces.len() + self.torques + 1;
         let length = 3 * vectors + self.contacts.len() + 7 * self.bodies + self.switches;
@@ -165,7 +178,7 @@ impl Recorded {
         Figure { time, places, frames, touches, forces, torques, inertias, gravity }
     }
 
-    /// Figures at several states about one: coordinates and time moved by steps that follow no line.
+    /// Figures at `state` and at pseudo-random states around it; coordinates and time are varied, speeds are not.
     pub fn samples(&self, state: &[f64]) -> Vec<Figure> {
         let moved = |sample: u64, share: f64| {
             let part = |place: u64| 2.0 * fraction(sample * 1_009 + place) - 1.0;
@@ -176,7 +189,7 @@ impl Recorded {
         };
         let mut found = vec![self.figure(0.0, state)];
         for sample in 1..=SAMPLES {
-            // far away an expression may have no value
+            // an expression may have no value far from the start
             let near = [1.0, 0.1, 0.01].into_iter().map(|share| moved(sample, share)).find(Figure::has_values);
             found.extend(near);
         }
@@ -185,13 +198,13 @@ impl Recorded {
 }
 
 impl Figure {
-    /// Whether places and frames are numbers.
+    /// True if all points and frames have finite components.
     pub fn has_values(&self) -> bool {
         self.places.iter().chain(self.frames.iter().flatten()).flatten().all(|value| value.is_finite())
     }
 }
 
-/// The geometry over letters, and all its values: conditions last.
+/// The geometry, and all outputs of the program as expressions; conditions are last.
 fn written(model: &Model, (time, state): (Sym, &[Sym]), cases: &[Sym]) -> (Symbolic, Vec<Sym>) {
     let trace = Trace::of(model);
     let geometry = model::geometry::Geometry::of(&trace);
@@ -223,7 +236,7 @@ fn written(model: &Model, (time, state): (Sym, &[Sym]), cases: &[Sym]) -> (Symbo
     }
     values.extend(model.switches.iter().map(|switch| trace.scalar(*switch)));
     let values = put(&values);
-    // a reaction is none of the geometry
+    // expressions with unknown letters, such as reactions, are left out
     let known =
         |each: Sym| if each.symbols_of().iter().all(|letter| inputs.contains(letter)) { each } else { Sym::ZERO };
     let symbolic = Symbolic {
@@ -242,7 +255,7 @@ fn written(model: &Model, (time, state): (Sym, &[Sym]), cases: &[Sym]) -> (Symbo
     (symbolic, values.into_iter().map(known).collect())
 }
 
-/// The entries xx, yy, zz, xy, xz, yz of an inertia tensor.
+/// The entries xx, yy, zz, xy, xz, yz of an inertia tensor; zero if not given.
 fn moments(trace: &Trace<'_>, inertia: Option<&Inertia>) -> [Sym; 6] {
     let mut moments = [Sym::ZERO; 6];
     match inertia {
@@ -256,7 +269,7 @@ fn moments(trace: &Trace<'_>, inertia: Option<&Inertia>) -> [Sym; 6] {
     moments
 }
 
-/// A number between 0 and 1, always the same for a place.
+/// A pseudo-random number in [0, 1) that depends on `place` alone (splitmix64; Steele, Lea and Flood 2014).
 fn fraction(place: u64) -> f64 {
     let mut bits = place.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

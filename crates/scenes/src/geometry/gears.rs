@@ -1,34 +1,38 @@
-//! Gears and belts as circles, where the model tells their centres, else in words.
+//! Gears and belts: as pairs of circles if the model gives their centres, otherwise as sentences.
 
 use super::Geometry;
 use super::figure::{Figure, Symbolic};
 use model::geometry::{Gear, GearTurn};
 
-/// Two fractions of a distance that differ by less count as equal.
+/// Relative differences of distances below this value are rounding errors.
 const SAME: f64 = 1e-7;
-/// The radius of the larger pulley of a belt, as a part of the distance of the centres: the model tells the ratio alone.
+/// The drawn radius of the larger pulley of a belt, as a part of the distance of the centres. The model gives only the ratio of the
+/// radii.
 const PULLEY: f64 = 0.3;
 
-/// Two wheels that turn together.
+/// Two wheels with proportional angles.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GearPair {
     pub wheels: [GearWheel; 2],
-    /// Whether both turn the same way, as the pulleys of a belt do.
+    /// True if both turn in one direction, as the pulleys of a belt; false for a pair of toothed wheels.
     pub is_belt: bool,
 }
 
 /// A wheel of a gear or a belt.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GearWheel {
+    /// The index of the point at its centre.
     pub centre: usize,
+    /// Radius, m.
     pub radius: f64,
+    /// The index of the frame that turns with the wheel.
     pub frame: usize,
-    /// The axis of the frame about which it turns: x, y or z.
+    /// The index of the axis of rotation in this frame: 0, 1, 2 for x, y, z.
     pub axis: usize,
 }
 
 impl Geometry {
-    /// The gears with circles, and sentences on the others.
+    /// Gears as pairs of circles, and sentences on those whose centres are unknown.
     pub(super) fn gears_of(&self, symbolic: &Symbolic, samples: &[Figure]) -> (Vec<GearPair>, Vec<String>) {
         let (mut pairs, mut told) = (Vec::new(), Vec::new());
         for gear in &symbolic.gears {
@@ -61,7 +65,7 @@ impl Geometry {
             return None;
         }
         let is_belt = gear.ratio > 0.0;
-        // both have one speed at the rim
+        // equal speeds at the rims
         let second = if is_belt { PULLEY * distance / ratio.max(1.0) } else { distance / (1.0 + ratio) };
         (wheels[0].radius, wheels[1].radius) = (ratio * second, second);
         Some(GearPair { wheels, is_belt })
@@ -86,7 +90,7 @@ impl Geometry {
     }
 }
 
-/// A ratio with at most four digits.
+/// A ratio as text with at most four significant digits.
 fn written(ratio: f64) -> String {
     let digits = 3_i32.saturating_sub(ratio.log10().floor() as i32).clamp(0, 9) as usize;
     let text = format!("{ratio:.digits$}");

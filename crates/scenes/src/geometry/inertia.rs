@@ -1,25 +1,26 @@
-//! The ellipsoid of a body by its inertia: homogeneous, or a thin plate where one of its axes has no length.
+//! The ellipsoid with the inertia of a body: homogeneous, or a thin plate if one of its axes has no length.
 
 use super::Geometry;
 use super::figure::Figure;
 use model::Inertia;
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 
-/// Half axes that are shorter than this part of the longest are none.
+/// Half axes shorter than this part of the longest are drawn as zero.
 const FLAT: f64 = 1e-3;
 
-/// An ellipsoid by its half axes.
+/// An ellipsoid in the frame of a body's inertia.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ellipsoid {
-    /// Along the axes of its frame, each of length one.
+    /// Unit vectors of the principal axes, in the frame of [`Geometry::inertia_frame`].
     pub axes: [Vector3<f64>; 3],
-    /// The half axes in metres; for a body without mass those for one kilogram.
+    /// The half axes, m; for a body without mass, the half axes for one kilogram.
     pub lengths: [f64; 3],
+    /// True if the body has a positive mass.
     pub has_mass: bool,
 }
 
 impl Geometry {
-    /// The frame of a body's inertia.
+    /// The index of the frame in whose axes a body's inertia is given; `None` without inertia.
     pub fn inertia_frame(&self, body: usize) -> Option<usize> {
         let body = self.model.bodies.get(body)?;
         match body.inertia.as_ref()? {
@@ -28,7 +29,8 @@ impl Geometry {
         }
     }
 
-    /// The ellipsoid of a body that has an inertia, along the axes of [`Geometry::inertia_frame`].
+    /// The ellipsoid of a body, in the axes of [`Geometry::inertia_frame`]. `None` if the body has no inertia or its tensor is not
+    /// finite.
     pub fn ellipsoid(&self, figure: &Figure, body: usize) -> Option<Ellipsoid> {
         let [mass, xx, yy, zz, xy, xz, yz] = *figure.inertias.get(body)?;
         let has_mass = mass > 0.0;
@@ -52,7 +54,7 @@ impl Geometry {
                     true => (Vector3::new(xx, yy, zz), unit),
                     false => (eigenvalues, std::array::from_fn(|k| eigenvectors.column(k).into_owned())),
                 };
-                // integrals of the squares along each axis
+                // the mean square of the distance along each axis: a²/5 for an ellipsoid, a²/4 for a thin elliptic plate
                 let squares: [f64; 3] = std::array::from_fn(|k| (0.5 * moments.sum() - moments[k]).max(0.0) / mass);
                 let largest = squares.iter().copied().fold(0.0, f64::max);
                 let is_plate = squares.iter().any(|square| *square <= FLAT * FLAT * largest);

@@ -1,7 +1,7 @@
-//! The geometry of a system: relations between its places that hold in all states, and their positions at a time.
+//! The geometry of a system for drawings: relations between its points that hold in all states, and their positions at a time.
 //!
-//! The structure is found, not declared: places that keep their coordinates in a frame at several distant states are fixed in it.
-//! Thus links are found by their ends, whether a body, a massless frame, or cosines and sines describe their rotation.
+//! The relations are found numerically: points with constant coordinates in a frame at several distant states are fixed in this frame. A
+//! link is found in this way even if its rotation is described by a massless frame, or by sines and cosines.
 
 mod contact_places;
 mod figure;
@@ -26,62 +26,71 @@ use nalgebra::Vector3;
 use rigid::Structure;
 use std::sync::Arc;
 
-/// The structure of a system with the program of its places.
+/// The structure of a system, and the compiled positions of its points. Points, frames and bodies are given by their indices.
 #[derive(Debug)]
 pub struct Geometry {
     pub model: Arc<Model>,
-    /// Names of places, empty where they have none.
+    /// Names of the points; empty for points without a name.
     pub names: Vec<String>,
-    /// For each place the first one that coincides with it at all times.
+    /// For each point, the first point that coincides with it at all times.
     pub first: Vec<usize>,
-    /// Places that are fixed in the ground.
+    /// Points that are fixed in the ground.
     pub ground: Vec<usize>,
+    /// Groups of points that are fixed relative to each other.
     pub links: Vec<Link>,
-    /// Places that move along a line of the ground, with its direction.
+    /// Points that move on a line fixed in the ground, with the unit vector of the line.
     pub slides: Vec<(usize, Vector3<f64>)>,
-    /// Places that move along a line of a frame from another place.
+    /// Pairs of points whose connecting vector has a constant direction in a moving frame, and a variable length.
     pub telescopes: Vec<[usize; 2]>,
+    /// Springs and dashpots between two points.
     pub elements: Vec<Element>,
+    /// Pairs of points at a constant distance.
     pub rods: Vec<[usize; 2]>,
-    /// Bodies that roll, and round ones that slide without turning.
+    /// Bodies that roll, and round bodies that slide without turning.
     pub wheels: Vec<Wheel>,
+    /// Torsion springs and rotary dashpots.
     pub rotaries: Vec<Rotary>,
-    /// The joint of each torque of a figure.
+    /// The joint of each torque of [`Figure::torques`].
     pub couples: Vec<Joint>,
+    /// Gears and belts with known centres.
     pub gears: Vec<GearPair>,
-    /// Sentences on gears whose centres no place tells.
+    /// Sentences on gears whose centres are unknown.
     pub told_gears: Vec<String>,
-    /// For each contact of a figure whether it is one of a plane, and not of a curve.
+    /// For each contact of [`Figure::touches`]: true if its surface is a plane, false for a curve.
     pub planes: Vec<bool>,
-    /// Whether a force or a torque changes at a condition, such as dry friction.
+    /// True if a force or a torque depends on a condition, such as dry friction.
     pub has_switched_loads: bool,
-    /// The normal of the plane in which everything moves; none of a system in space.
+    /// The unit normal of the plane in which all points move; `None` for a motion in space.
     pub plane: Option<Vector3<f64>>,
-    /// The largest distance of two places.
+    /// The size of the system, m: the diagonal of the largest box around its points.
     pub size: f64,
-    /// The first of the frames that turn together with each.
+    /// For each frame, the first frame that does not rotate relative to it.
     turning: Vec<usize>,
+    /// The position of each point at the start, m.
     at_start: Vec<Vector3<f64>>,
     recorded: Recorded,
 }
 
-/// A body that rolls, or a round one that slides without turning.
+/// A body that rolls, or a round body that slides without turning.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wheel {
+    /// The index of the body.
     pub body: usize,
-    /// The point where it touches.
+    /// The index of its contact point.
     pub point: usize,
+    /// Radius, m.
     pub radius: f64,
-    /// The axis of its frame; none of a ball, and of a body that does not turn.
+    /// The index of the axis of rotation in its frame; `None` for a ball, and for a body that does not turn.
     pub axis: Option<usize>,
+    /// True if the body can rotate.
     pub turns: bool,
 }
 
 impl Geometry {
-    /// The geometry of a model whose parameters and inputs have values, about a state.
+    /// The geometry of a model, found from samples around a state. Parameters and inputs must have values.
     ///
     /// # Errors
-    /// An expression of a place has no value.
+    /// A parameter, an input or an expression has no value.
     pub fn of(model: &Arc<Model>, state: &[f64]) -> Result<Self, NotCompiled> {
         let (recorded, symbolic) = Recorded::of(model)?;
         let samples = recorded.samples(state);
@@ -150,17 +159,17 @@ impl Geometry {
         Ok(geometry)
     }
 
-    /// The places at a time and a state.
+    /// The figure at a time (s) and a state (coordinates, then speeds).
     pub fn figure(&self, time: f64, state: &[f64]) -> Figure {
         self.recorded.figure(time, state)
     }
 
-    /// The same with the values that the mode of a run determines: of switches, then of the friction of contacts.
+    /// The figure with values that the mode of a run determines: switches, then friction and normal reactions of contacts.
     pub fn figure_with(&self, time: f64, state: &[f64], of_mode: &[f64]) -> Figure {
         self.recorded.figure_with(time, state, of_mode)
     }
 
-    /// The figure of the motion that goes on from a start.
+    /// The figure at time zero with the friction of the motion that continues from `start`.
     pub fn first_figure(&self, start: &[f64]) -> Figure {
         let has_friction = self.model.contacts.iter().any(|contact| contact.friction.is_some());
         let is_of_mode = self.has_switched_loads || has_friction;
@@ -168,17 +177,17 @@ impl Geometry {
         self.figure_with(0.0, start, &of_mode.unwrap_or_default())
     }
 
-    /// The place of a body's centre of mass.
+    /// The index of the point at a body's centre of mass.
     pub fn centre(&self, body: usize) -> Option<usize> {
         Some(self.first[self.model.bodies.get(body)?.centre?.0])
     }
 
-    /// Whether two frames keep their angles to each other.
+    /// True if two frames do not rotate relative to each other.
     pub fn turn_together(&self, one: usize, other: usize) -> bool {
         self.turning[one] == self.turning[other]
     }
 
-    /// Whether anything has a place: more than the origin, or a body that turns.
+    /// True if there is something to draw: more than one point, a body that turns, or a frame.
     pub fn is_seen(&self) -> bool {
         self.first.iter().any(|place| *place != self.first[0])
             || self.model.bodies.iter().any(|body| body.frame.is_some())

@@ -1,4 +1,5 @@
-//! Relations between places that hold in all states: fixed in the ground, fixed together in a frame, on a line.
+//! Relations between points that hold in all sampled states: fixed in the ground, fixed in a common frame, on a line, at a constant
+//! distance.
 
 use super::Wheel;
 use super::figure::{Figure, Symbolic};
@@ -7,28 +8,28 @@ use nalgebra::Vector3;
 
 type Vector = Vector3<f64>;
 
-/// Lengths that differ by less than this part of the size are one.
+/// Differences of lengths below this part of the size of the system are rounding errors.
 const SAME: f64 = 1e-7;
 
-/// Places that are fixed together in a frame.
+/// A link: points that are fixed in a common frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Link {
-    /// By the first of those that are one.
+    /// Indices of the points; of coincident points only the first.
     pub places: Vec<usize>,
-    /// A frame that turns with it.
+    /// The index of a frame that turns with the link.
     pub frame: usize,
-    /// The bodies that it is part of.
+    /// Indices of the bodies that contain the link.
     pub bodies: Vec<usize>,
 }
 
 impl Link {
-    /// Its two ends, of a bar.
+    /// The two ends of a link with two points; `None` for other links.
     pub(super) fn pair(&self) -> Option<[usize; 2]> {
         self.places.as_slice().try_into().ok()
     }
 }
 
-/// The structure of a system.
+/// The structure of a system; for its fields see [`super::Geometry`].
 #[derive(Debug, Default)]
 pub(super) struct Structure {
     pub first: Vec<usize>,
@@ -36,15 +37,16 @@ pub(super) struct Structure {
     pub links: Vec<Link>,
     pub slides: Vec<(usize, Vector)>,
     pub telescopes: Vec<[usize; 2]>,
-    /// Places that keep their distance from the one that they are found from, in no frame: by sines and cosines of an angle.
+    /// Pairs of points at a constant distance but in no common frame, such as points given by sines and cosines of an angle.
     pub rods: Vec<[usize; 2]>,
     pub plane: Option<Vector>,
     pub size: f64,
-    /// The first of the frames that turn together with each.
+    /// For each frame, the first frame that does not rotate relative to it.
     pub turning: Vec<usize>,
 }
 
 impl Structure {
+    /// The structure that all samples have.
     pub fn of(model: &Model, samples: &[Figure], symbolic: &Symbolic) -> Self {
         let size = size(samples);
         let near = if size > 0.0 { SAME * size } else { SAME };
@@ -63,7 +65,7 @@ impl Structure {
             }
         }
         name_bodies(model, &mut links, (&first, &turning));
-        // places on the axis of a turn are fixed in two frames
+        // points on an axis of rotation are fixed in two frames: links that are part of others are dropped
         let all = links.clone();
         let is_part = |(number, link): (usize, &Link)| {
             !all.iter().enumerate().any(|(other, larger)| {
@@ -107,7 +109,7 @@ impl Structure {
     }
 }
 
-/// Links without the points at which wheels touch what they roll on: these only pass.
+/// Links without contact points of wheels, which are fixed in the wheel only for an instant.
 pub(super) fn without_touched(links: Vec<Link>, wheels: &[Wheel], model: &Model, first: &[usize]) -> Vec<Link> {
     let touches = |link: &Link, place: usize| {
         wheels.iter().any(|wheel| {
@@ -123,14 +125,14 @@ pub(super) fn without_touched(links: Vec<Link>, wheels: &[Wheel], model: &Model,
     kept.filter(|link| link.places.len() > 1).collect()
 }
 
-/// The bodies of links: those that turn with one of its frames, by their centres where they have some.
+/// Assigns to each link the bodies that turn with its frame and have their centre among its points.
 fn name_bodies(model: &Model, links: &mut [Link], (first, turning): (&[usize], &[usize])) {
     for (number, body) in model.bodies.iter().enumerate() {
         let turned = body.frame.map_or(0, |frame| turning[frame.0]);
         for link in links.iter_mut().filter(|link| link.frame == turned) {
             let is_there = match body.centre {
                 Some(centre) => link.places.contains(&first[centre.0]),
-                // about a place of the ground
+                // a body without a centre turns about the origin
                 None => link.places.contains(&first[0]),
             };
             if is_there {
@@ -140,7 +142,7 @@ fn name_bodies(model: &Model, links: &mut [Link], (first, turning): (&[usize], &
     }
 }
 
-/// The first place of those that are one, a named one where there is one.
+/// For each point, the first of the points that coincide with it in all samples; points with a name come first.
 fn firsts(samples: &[Figure], symbolic: &Symbolic, near: f64) -> Vec<usize> {
     let count = symbolic.names.len();
     let mut first: Vec<usize> = (0..count).collect();
@@ -157,7 +159,7 @@ fn firsts(samples: &[Figure], symbolic: &Symbolic, near: f64) -> Vec<usize> {
     first
 }
 
-/// The first of the frames that keep their angles to each other.
+/// For each frame, the first frame that does not rotate relative to it in all samples.
 fn turning_together(model: &Model, samples: &[Figure]) -> Vec<usize> {
     let mut first: Vec<usize> = (0..model.frames.len()).collect();
     for frame in 0..model.frames.len() {
@@ -176,7 +178,7 @@ fn turning_together(model: &Model, samples: &[Figure]) -> Vec<usize> {
     first
 }
 
-/// Classes of places that are fixed together in a frame.
+/// Classes of points whose differences are constant in the axes of a frame.
 fn fixed_together(samples: &[Figure], frame: usize, first: &[usize], near: f64) -> Vec<Vec<usize>> {
     let inside: Vec<Vec<Vector>> =
         samples.iter().map(|at| at.places.iter().map(|place| within(&at.frames[frame], *place)).collect()).collect();
@@ -195,7 +197,7 @@ fn fixed_together(samples: &[Figure], frame: usize, first: &[usize], near: f64) 
     classes
 }
 
-/// The direction of the line on which points move; none where they rest, or leave every line.
+/// The unit vector of the line on which all points lie; `None` if they coincide or are not on one line.
 fn line_of(points: impl Iterator<Item = Vector>, near: f64) -> Option<Vector> {
     let points: Vec<Vector> = points.collect();
     let start = *points.first()?;
@@ -213,13 +215,13 @@ fn line_of(points: impl Iterator<Item = Vector>, near: f64) -> Option<Vector> {
     ways.iter().all(|way| off(way) <= near).then_some(along)
 }
 
-/// The normal of the plane in which all places move and about which all frames turn.
+/// The unit normal of the plane in which all points move and about which all frames turn; `None` for a motion in space.
 fn plane(samples: &[Figure], near: f64) -> Option<Vector> {
     let axes = samples.first()?.frames.first()?;
     let is_normal = |normal: &Vector| {
         let start = samples[0].places.first().map_or(0.0, |place| normal.dot(place));
         let is_flat = |at: &Figure| at.places.iter().all(|place| (normal.dot(place) - start).abs() <= near);
-        // an axis of every frame that turns stays the normal
+        // each frame either does not move or has an axis along the normal
         let rests = |frame: usize| {
             let axes = &samples[0].frames[frame];
             samples.iter().all(|at| at.frames[frame].iter().zip(axes).all(|(now, then)| (now - then).norm() <= SAME))
@@ -229,10 +231,10 @@ fn plane(samples: &[Figure], near: f64) -> Option<Vector> {
         samples.iter().all(is_flat)
             && (0..samples[0].frames.len()).all(|frame| rests(frame) || (0..3).any(|axis| is_axis(frame, axis)))
     };
-    // a motion on a line has several normals: the one towards the reader comes first
+    // a motion on a line has several normals: z, which points to the reader, is preferred
     let known = [axes[2], axes[1], axes[0]].into_iter().find(is_normal);
     known.or_else(|| {
-        // a plane that leans, through three places
+        // an inclined plane through three points
         let places: Vec<Vector> = samples.iter().flat_map(|at| at.places.iter().copied()).collect();
         let start = *places.first()?;
         let far = places.iter().map(|place| place - start).max_by(|a, b| a.norm().total_cmp(&b.norm()))?;
@@ -243,7 +245,7 @@ fn plane(samples: &[Figure], near: f64) -> Option<Vector> {
     })
 }
 
-/// The largest distance of two places at one time, as far as boxes tell it.
+/// The diagonal of the largest box around all points at one time, m.
 fn size(samples: &[Figure]) -> f64 {
     let of = |at: &Figure| {
         let along = |k: usize| {
@@ -258,7 +260,7 @@ fn size(samples: &[Figure]) -> f64 {
     samples.iter().map(of).fold(0.0, f64::max)
 }
 
-/// A vector along the axes of a frame.
+/// The components of a vector along the axes of a frame.
 pub(super) fn within(axes: &[Vector; 3], vector: Vector) -> Vector {
     Vector3::from(axes.map(|axis| axis.dot(&vector)))
 }

@@ -1,13 +1,14 @@
-//! Rolling bodies, found by a contact point that keeps its distance from the centre and is not fixed in the body.
+//! Detection of rolling bodies: the contact point has a constant distance from the centre and is not fixed in the body.
 
 use super::Wheel;
 use super::figure::{Figure, Symbolic};
 use super::rigid::{Structure, within};
 use model::Model;
 
-/// Parts of a radius that differ by less are one.
+/// Relative differences of lengths below this value are rounding errors.
 const SAME: f64 = 1e-7;
 
+/// All bodies that roll in the samples. The axis of rotation is the axis of the body's frame that is normal to the radius.
 pub(super) fn wheels(model: &Model, samples: &[Figure], symbolic: &Symbolic, structure: &Structure) -> Vec<Wheel> {
     let mut found: Vec<Wheel> = Vec::new();
     for &(body, point) in &symbolic.touched {

@@ -1,4 +1,4 @@
-//! Equations of motion as linear equations in accelerations and multipliers:
+//! Equations of motion as linear equations for accelerations u' and multipliers λ:
 //!
 //!   [ M  J^T ] [   u'    ]   [ -h ]
 //!   [ J   0  ] [ -lambda ] = [ -c ]
@@ -9,7 +9,8 @@ use model::equations::{Equations, constraints_of};
 use symbolic::Sym;
 use symbolic::linear::Solve;
 
-/// The equations of a trace over letters. Accelerations must be determined; multipliers of constraints that others imply need not.
+/// The linear equations of a trace over `letters`. The accelerations must be determined by them; multipliers of redundant constraints
+/// need not.
 pub(crate) fn linear_equations(trace: &Trace<'_>, letters: Letters<'_>) -> Solve {
     let Equations { mass, bias, constraints } = Equations::of(trace);
     let (n, m) = (bias.len(), constraints.len());
@@ -27,7 +28,7 @@ pub(crate) fn linear_equations(trace: &Trace<'_>, letters: Letters<'_>) -> Solve
     Solve::new(unknowns, n, entry, right)
 }
 
-/// The symbols of a trace for accelerations and multipliers, each with the input that stands for it.
+/// Substitutions: symbols of accelerations and multipliers, in this order, by `inputs`.
 pub(crate) fn unknown_letters(trace: &Trace<'_>, inputs: &[Sym]) -> Vec<(Sym, Sym)> {
     let multipliers = constraints_of(trace).into_iter().map(|one| one.multiplier);
     trace.accelerations.iter().copied().chain(multipliers).zip(inputs.iter().copied()).collect()

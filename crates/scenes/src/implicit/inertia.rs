@@ -1,10 +1,11 @@
-//! The rank of the inertia at general positions: accelerations are determined by masses alone, with constraints, or not at all.
+//! Numerical rank test of the equations of motion: accelerations are determined by the mass matrix alone, by the mass matrix with
+//! constraints, or not at all. The second case is the first equation, and the third case the second equation, for some u other than zero:
 //!
-//!   M u = 0    or    [ M  J^T ; J  0 ] (u, lambda) = 0    with u that is not zero
+//!   M u = 0    or    [ M  J^T ; J  0 ] (u, lambda) = 0
 //!
-//! The mass matrix of a point mass ahead of a knife edge is singular everywhere because of cos^2 + sin^2 = 1, which no single entry shows.
-//! Ranks are computed in double-double, with the values of the parameters, at a few states near the start: a pivot that is only rounding there
-//! is so in every run.
+//! Example: the mass matrix of a point mass ahead of a knife edge is singular everywhere because of cos^2 + sin^2 = 1, which no single
+//! entry shows. Ranks are computed in double-double arithmetic, with the values of the parameters, at a few states near the start. A pivot
+//! that is rounding error at these states is taken as zero at all states.
 
 use super::linear_equations;
 use crate::elimination::MOST_WRITTEN;
@@ -16,28 +17,28 @@ use model::{Model, Trace};
 use simulation::Program;
 use symbolic::{Sym, apart};
 
-/// Distances of the places from the start, as parts of the size of each number of the state.
+/// Distances of the test states from the start, relative to the size of each component.
 const ASIDE: [f64; 4] = [0.5, 0.3, 0.01, 0.003];
 
-/// A pivot below this is rounding, in a matrix whose rows and columns have the size one.
+/// A pivot below this value is a rounding error, if rows and columns are scaled to the size one.
 const ROUNDED: f64 = 1e-23;
 
-/// Rounds in which rows and columns are brought to the size one (Ruiz 2001).
+/// Iterations of the scaling of rows and columns to the size one (Ruiz 2001).
 const ROUNDS: usize = 20;
 
-/// The part of inertia in the accelerations of a model.
+/// The determination of accelerations by the inertia of a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Inertia {
-    /// The masses resist every motion of the speeds that have an inertia as they stand; or nothing else was found.
+    /// The mass matrix is regular on the speeds that appear in it; or the test was not possible.
     Resists,
-    /// Some combination of speeds moves no mass, and the constraints determine it.
+    /// Some combination of speeds has no inertia, but the constraints determine it.
     Held,
-    /// Some combination of speeds moves no mass and breaks no constraint; this speed is in it.
+    /// Some combination of speeds, among them `speed`, has no inertia, and no constraint determines it.
     Open { speed: usize },
 }
 
 impl Inertia {
-    /// The inertia of a model whose law is the same at all times and whose parameters have values.
+    /// The result for a model whose law does not change and whose parameters have values.
     pub fn of(model: &Model) -> Self {
         let (n, m) = (model.speeds(), model.constraints.len());
         if n == 0 || n + m > MOST_WRITTEN || !model.algebraic_speeds.is_empty() {
@@ -47,11 +48,11 @@ impl Inertia {
     }
 }
 
-/// The matrix of the equations of motion at any place.
+/// The matrix of the equations of motion as a function of the state.
 struct Everywhere {
     program: Program,
     pattern: Pattern,
-    /// The speeds, and those of them that have an inertia as their equations stand.
+    /// The number of speeds, and the indices of those with a nonzero row of the mass matrix.
     speeds: usize,
     inertial: Vec<usize>,
 }
@@ -82,7 +83,7 @@ impl Everywhere {
             pivots(part(matrix, &self.inertial, &self.inertial)).len() < self.inertial.len()
         };
         let [speeds, multipliers]: [Vec<usize>; 2] = [(0..n).collect(), (n..size).collect()];
-        // beyond what constraints that follow from others leave of their multipliers
+        // multipliers of redundant constraints are undetermined in any case
         let open = |matrix: &Vec<Vec<DoubleDouble>>| {
             let columns = pivots(matrix.clone());
             let independent = pivots(part(matrix, &multipliers, &speeds)).len();
@@ -95,7 +96,7 @@ impl Everywhere {
         if found.iter().all(is_singular) { Inertia::Held } else { Inertia::Resists }
     }
 
-    /// The matrix at a place beside the start, where all of it has values.
+    /// The matrix at test state number `place` near the start; `None` if an entry is not finite.
     fn beside(&self, start: &[f64], place: usize) -> Option<Vec<Vec<DoubleDouble>>> {
         let aside =
             |component: usize| ASIDE[place] * (0.5 + ((component * 7 + place * 3 + 1) as f64 * 0.618_034).fract());
@@ -118,12 +119,12 @@ impl Everywhere {
     }
 }
 
-/// Some rows and columns of a matrix.
+/// The submatrix of some rows and columns.
 fn part(matrix: &[Vec<DoubleDouble>], rows: &[usize], columns: &[usize]) -> Vec<Vec<DoubleDouble>> {
     rows.iter().map(|&row| columns.iter().map(|&column| matrix[row][column]).collect()).collect()
 }
 
-/// The columns of the pivots of a matrix, the largest first.
+/// The columns of the pivots of Gaussian elimination with complete pivoting; their number is the rank.
 fn pivots(mut matrix: Vec<Vec<DoubleDouble>>) -> Vec<usize> {
     let columns = matrix.first().map_or(0, Vec::len);
     scale(&mut matrix);
@@ -152,7 +153,7 @@ fn pivots(mut matrix: Vec<Vec<DoubleDouble>>) -> Vec<usize> {
     found
 }
 
-/// Brings the rows and the columns of a matrix to the size one, by powers of two.
+/// Scales rows and columns of a matrix to the size one by powers of two (Ruiz 2001).
 fn scale(matrix: &mut [Vec<DoubleDouble>]) {
     let columns = matrix.first().map_or(0, Vec::len);
     let by = |largest: f64| if largest > 0.0 { (-largest.log2() / 2.0).round().exp2() } else { 1.0 };

@@ -1,4 +1,4 @@
-//! The law of a system whose accelerations are solved for, with series and a Jacobian.
+//! The law of a system whose accelerations are solved for numerically, with Taylor series and Jacobian.
 
 use super::slopes::ImplicitSlopes;
 use super::{Implicit, recurrence};
@@ -7,12 +7,12 @@ use integrators::{JacobianFn, Ode, StepBounds, System, TaylorSeries, Variations}
 use simulation::{LawSeries, TimeScales};
 use std::sync::{Arc, OnceLock};
 
-/// The law of a system whose accelerations are solved for.
+/// A law whose accelerations are solved for at each evaluation.
 #[derive(Debug)]
 pub(crate) struct ImplicitLaw {
     pub equations: Arc<Implicit>,
     series: LawSeries,
-    /// `None` where the time stands in lines only.
+    /// The time scales of explicit functions of time, which limit the step; `None` if time appears only linearly.
     time_scales: OnceLock<Option<TimeScales>>,
 }
 

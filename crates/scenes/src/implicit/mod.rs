@@ -1,8 +1,8 @@
-//! Accelerations by a linear solve with pivoting at each evaluation: for systems whose symbolic elimination would be too long, and
-//! for coordinates without inertia that constraints move.
+//! Accelerations by a linear solve with pivoting at each evaluation. Used if the symbolic elimination would be too long, or if
+//! constraints determine coordinates without inertia.
 //!
-//! One list of expressions serves all methods: as machine code and over every field, as series with one factorisation per step, and
-//! for the Jacobian,
+//! One list of expressions of the matrix A and the right side b serves all methods: rates in machine code or over any field, Taylor
+//! series with one factorisation per step, and the Jacobian by directional derivatives
 //!
 //!   A z' = b' - A' z .
 
@@ -28,11 +28,11 @@ use simulation::{Program, Running};
 use std::sync::{Arc, Mutex, PoisonError};
 use symbolic::linear::Solve;
 
-/// The equations of motion of a model with the values of its parameters, their accelerations and multipliers as unknowns.
+/// The linear equations for accelerations and multipliers of a model, with numbers for its parameters.
 #[derive(Debug)]
 pub(crate) struct Implicit {
     model: Arc<Model>,
-    /// The entries of the matrix, then the right side.
+    /// The program for the entries of the matrix A, then the right side b.
     terms: Program,
     pattern: Pattern,
     plain: Pool<f64>,
@@ -64,7 +64,10 @@ impl<S: Magnitude> Room<S> {
 }
 
 impl Implicit {
-    /// The equations of a model without conditions whose parameters have values.
+    /// The equations of a model without conditions, with values for all parameters.
+    ///
+    /// # Errors
+    /// An expression has no value, or the equations are too long.
     pub fn of(model: &Arc<Model>) -> Result<Self, NotCompiled> {
         let mut pattern = None;
         let terms = recorded(model.positions() + model.speeds(), |time, state| {
@@ -78,17 +81,17 @@ impl Implicit {
         Ok(Implicit { model: Arc::clone(model), terms, pattern, plain, directed, exact })
     }
 
-    /// Whether its terms run as machine code.
+    /// True if the expressions are compiled to machine code.
     pub fn is_code(&self) -> bool {
         self.terms.is_code()
     }
 
-    /// The length of [`Self::extend`].
+    /// The length of the result of [`Self::extend`].
     pub fn extended(&self) -> usize {
         self.model.positions() + self.model.speeds() + self.pattern.size()
     }
 
-    /// The state, followed by accelerations and multipliers, which are NaN where they are not determined.
+    /// The state, then accelerations and multipliers; these are NaN where they are not determined.
     pub fn extend(&self, time: f64, state: &[f64]) -> Vec<f64> {
         let mut extended = state.to_vec();
         extended.resize(self.extended(), f64::NAN);
@@ -98,12 +101,14 @@ impl Implicit {
             accelerations.copy_from_slice(&found[..speeds]);
             multipliers.iter_mut().zip(&found[speeds..]).for_each(|(lambda, less)| *lambda = -less);
         });
-        // undetermined accelerations and multipliers stay NaN
         shown.unwrap_or(());
         extended
     }
 
-    /// Solves for the accelerations and the negative multipliers, and hands them to `show`; `None` where they are not determined.
+    /// Solves for the accelerations, then the negative multipliers, and passes them to `show`.
+    ///
+    /// # Errors
+    /// An expression has no value, or the matrix is singular; `show` is then not called.
     fn solve<S: Magnitude + Running>(
         &self,
         pool: &Pool<S>,

@@ -1,4 +1,4 @@
-//! Taylor series of the equations of motion, with accelerations and multipliers by one factorisation per step.
+//! Taylor series of the motion: accelerations and multipliers need one factorisation per step for all orders.
 
 use super::{linear_equations, unknown_letters};
 use crate::letters::{Inputs, Letters};
@@ -9,8 +9,8 @@ use std::collections::BTreeSet;
 use symbolic::linear::Solve;
 use symbolic::{Sym, Untapeable, apart};
 
-/// The equations of a model with the values of its parameters; none where they have no series, or where fewer unknowns than these have
-/// coefficients that move: an elimination that is written down has constants in the place of all others.
+/// The series of a model with numbers for its parameters. `None` if an expression has no series, or if fewer than `least` unknowns have
+/// variable coefficients; a symbolic elimination is then shorter.
 pub(crate) fn recurrence(model: &Model, least: usize) -> Option<Expandable> {
     apart(|| {
         let inputs = Inputs::of(model);
@@ -20,7 +20,7 @@ pub(crate) fn recurrence(model: &Model, least: usize) -> Option<Expandable> {
     })
 }
 
-/// The series of a model with a further last state, whose rate is an expression over the letters of the trace.
+/// The series of a model with one more state at the end, with the given rate as an expression over the symbols of the trace.
 pub(crate) fn recurrence_with(
     model: &Model,
     least: usize,
@@ -37,17 +37,17 @@ pub(crate) fn recurrence_with(
     })
 }
 
-/// The number of unknowns with a coefficient that moves.
+/// The number of unknowns with a variable coefficient.
 fn moving(solve: &Solve) -> usize {
     let entries = solve.pattern.places().iter().zip(&solve.entries);
     let columns = entries.filter(|(_, entry)| !entry.symbols_of().is_empty()).map(|(&(_, column), _)| column);
     columns.collect::<BTreeSet<usize>>().len()
 }
 
-/// The equations of a trace over letters; `parameters` are inputs of them.
+/// The series of a trace over `letters`, with `parameters` as inputs.
 ///
 /// # Errors
-/// [`Untapeable`] where an expression has no series.
+/// [`Untapeable`] if an expression has no series.
 pub(crate) fn recurrence_of(
     trace: &Trace<'_>,
     inputs: &Inputs,
@@ -57,7 +57,7 @@ pub(crate) fn recurrence_of(
     of_equations(&linear_equations(trace, letters), trace, inputs, letters, (parameters, None))
 }
 
-/// The series of equations of a trace, with their parameters, and with the rate of a last state where there is one.
+/// The series of linear equations, with parameters as inputs, and with the rate of an additional last state, if given.
 fn of_equations(
     solve: &Solve,
     trace: &Trace<'_>,

@@ -1,5 +1,5 @@
-//! The Jacobian of a law whose accelerations are solved for: the matrix is factored once, as numbers, and each direction costs one
-//! solve,
+//! The Jacobian of a law whose accelerations are solved for. The matrix is factorised once; each directional derivative needs one solve
+//! of
 //!
 //!   A z' = b' - A' z .
 
@@ -7,14 +7,14 @@ use super::{Implicit, Room};
 use algebra::linear::NotSolved;
 use integrators::{DIRECTIONS, Dual8, JacobianFn, slope, variable};
 
-/// The derivatives of one law, with room for them.
+/// The Jacobian of one law, with work space.
 pub(super) struct ImplicitSlopes<'a> {
     implicit: &'a Implicit,
     room: Room<f64>,
     state: Vec<Dual8>,
     terms: Vec<Dual8>,
     rates: Vec<Dual8>,
-    /// b' - A' z, then z', of one direction.
+    /// Right side b' - A' z of one direction; after the solve z'.
     right: Vec<f64>,
 }
 
@@ -34,7 +34,7 @@ impl<'a> ImplicitSlopes<'a> {
 }
 
 impl ImplicitSlopes<'_> {
-    /// Factors the matrix and finds the unknowns, which then stand in the place of the right side.
+    /// Factorises the matrix and solves for the unknowns, which overwrite the right side.
     fn solve(&mut self, t: f64, y: &[f64]) -> Result<(), NotSolved> {
         let Room { terms, factors } = &mut self.room;
         self.implicit.terms.run(t, y, terms).ok_or(NotSolved::NotANumber)?;
@@ -44,13 +44,13 @@ impl ImplicitSlopes<'_> {
         Ok(())
     }
 
-    /// The terms along the directions of time and state, and the rates of the positions.
+    /// Evaluates the terms, and the rates of the positions, with directional derivatives by time or state.
     fn direct(&mut self, t: Dual8) -> Option<()> {
         self.implicit.model.position_rates(&self.state, &mut self.rates);
         self.implicit.terms.run(t, &self.state, &mut self.terms)
     }
 
-    /// The derivatives of all rates in direction k.
+    /// Passes the derivatives of all rates in direction k to `put`.
     fn along(&mut self, k: usize, mut put: impl FnMut(usize, f64)) {
         let pattern = &self.implicit.pattern;
         let (entries, right) = self.terms.split_at(pattern.places().len());

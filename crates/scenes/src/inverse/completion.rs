@@ -1,5 +1,5 @@
-//! Completion of a prescribed motion at an instant: the other coordinates follow from the constraints, currents from the forces that
-//! they exert.
+//! Completion of a prescribed motion at an instant: the other coordinates follow from the constraints, currents from the forces that they
+//! must exert.
 
 use super::currents::Currents;
 use super::prescription::Prescribed;
@@ -10,11 +10,11 @@ use model::Model;
 use model::equations::Level;
 use nalgebra::{DMatrix, DVector};
 
-/// Residuals of constraints below this, in SI units, are rounding.
+/// Residuals of constraints below this value, in SI units, are rounding errors.
 const MET: f64 = 1e-9;
 const MOST_STEPS: usize = 50;
 
-/// Coordinates that are not prescribed, by the constraints.
+/// The solver for coordinates that are not prescribed.
 pub(super) struct Completion<'a> {
     pub equations: &'a VariedEquations,
     pub model: &'a Model,
@@ -23,8 +23,9 @@ pub(super) struct Completion<'a> {
 }
 
 impl Completion<'_> {
+    /// The point with all coordinates, speeds, accelerations and currents at its time, from the prescribed ones.
+    ///
     /// # Errors
-    /// A constraint that does not hold, or coordinates that nothing determines.
     pub fn of(&self, mut point: Point) -> Result<Point, NoForces> {
         let time = point.time;
         let positions = self.equations.positions();
@@ -64,7 +65,7 @@ impl Completion<'_> {
             let coordinates = open.iter().filter(|place| !self.currents.has(**place)).map(name).collect();
             return Err(NoForces::Open { coordinates, time });
         }
-        // rates are linear in speeds once more, accelerations in themselves; constraints of speeds that are not are iterated
+        // velocity and acceleration constraints are linear; nonlinear velocity constraints need the iteration
         for _ in 0..MOST_STEPS {
             let at = self.equations.at(&point);
             let matrix = columns(&at.rate.by_speeds, rates);
@@ -86,7 +87,10 @@ impl Completion<'_> {
         self.currents.flow(self.equations, point, &third)
     }
 
-    /// Whether residuals of some constraints vanish: their own, their rates, or the rates of these.
+    /// Checks that the constraints in `rows` hold; `residuals` are values of their derivatives of this `order` by time.
+    ///
+    /// # Errors
+    /// [`NoForces::Unmet`] or [`NoForces::NotLed`] for the first that does not hold.
     fn met(&self, residuals: &DVector<f64>, rows: &[usize], order: usize, time: f64) -> Result<(), NoForces> {
         let unmet = |row: &&usize| residuals[**row].is_nan() || residuals[**row].abs() > MET;
         match rows.iter().find(unmet) {
@@ -106,7 +110,7 @@ impl Completion<'_> {
     }
 }
 
-/// The least solution of a linear system; none of an empty one.
+/// The solution of least norm of a linear system by singular values; `None` if the matrix is empty or not finite.
 fn least(matrix: &DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
     if matrix.is_empty() || !matrix.iter().chain(right.iter()).all(|value| value.is_finite()) {
         return None;

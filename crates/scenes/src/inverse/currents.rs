@@ -1,12 +1,12 @@
-//! Currents under a prescribed motion.
+//! Currents that give a prescribed motion.
 //!
-//! No equation depends on the charge of a winding. Its current follows from laws without unknowns and rates of currents, such as the law of
-//! a shaft, J z + h = k i + J^T lambda; its rate from the derivative of these laws along the motion, where prescribed quantities enter by
-//! their third derivatives,
+//! No equation depends on the charge of a winding. Its current i follows from the laws that contain neither unknowns nor rates of
+//! currents, such as the law of a shaft with inertia J, J z + h = k i + J_c^T lambda. Its rate follows from the derivative of these laws
+//! along the motion, which needs the third derivatives of the prescribed quantities:
 //!
-//!   F(t, q, u, z, lambda) = 0,    F_q u + F_u z + F_z z' + F_lambda lambda' + F_t = 0 ,
+//!   F(t, q, u, z, lambda) = 0,    F_q u + F_u z + F_z z' + F_lambda lambda' + F_t = 0 .
 //!
-//! and the unknown voltage from the law of the winding.
+//! The unknown voltage then follows from the law of the winding.
 
 use super::NoForces;
 use super::laws::Laws;
@@ -20,38 +20,39 @@ use symbolic::Dimension;
 const MOST_STEPS: usize = 50;
 const MOST_HALVES: i32 = 20;
 
-/// Guesses beside the given one, in amperes, and how they grow, to both sides: a torque that is a square of a current has no slope at none.
+/// Further guesses: their number, their first distance from the given one in amperes, and its growth factor. They are needed since a
+/// torque that is quadratic in a current has a zero derivative at zero current.
 const MOST_GUESSES: i32 = 12;
 const ASIDE: f64 = 0.1;
 const GROWTH: f64 = 4.0;
 
-/// Smaller parts of a direction are rounding.
+/// Components of a unit vector below this value are rounding errors.
 const FLAT: f64 = 1e-6;
 
-/// The parts of a system that currents connect.
+/// The equations and unknowns that determine the currents, by their indices.
 pub(super) struct Currents<'a> {
     model: &'a Model,
     /// Speeds that are not prescribed.
     pub open: Vec<usize>,
-    /// Constraints that hold no unknown, by their places; those of them whose rates are kept at zero.
+    /// Constraints without unknowns. `rates` are those of them that are not stabilised.
     pub held: Vec<usize>,
     pub rates: Vec<usize>,
-    /// Laws without an inertia that hold an unknown: equations of motion, whose multipliers vanish.
+    /// Constraints with an unknown: laws of coordinates without inertia. Their multipliers are zero.
     pub driven: Vec<usize>,
-    /// Equations of motion that determine currents, and multipliers in them.
+    /// Equations of motion without unknowns, which determine currents, and multipliers in these equations.
     pub laws: Vec<usize>,
     pub reactions: Vec<usize>,
-    /// Outputs that vanish where currents are as prescribed.
+    /// Outputs whose zeros express prescribed currents.
     pub prescribed: Vec<usize>,
-    /// Directions of charges, over all speeds, columns.
+    /// Directions of cyclic charges over all speeds, as columns.
     directions: DMatrix<f64>,
 }
 
 impl<'a> Currents<'a> {
-    /// About a point at which the prescribed coordinates are known; `unknowns` are places of inputs.
+    /// Classifies the equations near a point with the prescribed coordinates. `unknowns` are indices of inputs.
     ///
     /// # Errors
-    /// A current that depends on its start.
+    /// [`NoForces::OfItsStart`]: a current depends on its start.
     pub fn of(
         model: &'a Model,
         (equations, point): (&VariedEquations, &Point),
@@ -92,15 +93,15 @@ impl<'a> Currents<'a> {
         self.directions.ncols()
     }
 
-    /// Whether a speed is a current that nothing but laws determines.
+    /// True if a speed is a current that only these laws determine.
     pub fn has(&self, speed: usize) -> bool {
         self.directions.row(speed).norm() > FLAT
     }
 
-    /// The point with its currents and their rates; `third` are rates of prescribed accelerations.
+    /// The point with its currents and their rates. `third` are the third derivatives of the prescribed coordinates.
     ///
     /// # Errors
-    /// Where the laws do not hold, or do not determine them.
+    /// The laws have no solution, or do not determine the currents.
     pub fn flow(&self, equations: &VariedEquations, point: Point, third: &DVector<f64>) -> Result<Point, NoForces> {
         if self.count() == 0 {
             return Ok(point);
@@ -139,7 +140,7 @@ impl<'a> Currents<'a> {
         self.with_rates(equations, point, third)
     }
 
-    /// The best point to which Newton's method comes, with what is left of the laws.
+    /// The best point that Newton's method reaches from a guess, and the laws there.
     fn balanced(&self, equations: &VariedEquations, guess: Point) -> (Point, Laws) {
         let laws = |point: &Point| Laws::of(self, &equations.at(point), point);
         let (mut known, mut point) = (laws(&guess), guess);
@@ -165,7 +166,7 @@ impl<'a> Currents<'a> {
         (point, known)
     }
 
-    /// The rates of currents, from the derivative of the laws.
+    /// The point with the rates of its currents, from the derivative of the laws.
     fn with_rates(
         &self,
         equations: &VariedEquations,
@@ -173,7 +174,7 @@ impl<'a> Currents<'a> {
         third: &DVector<f64>,
     ) -> Result<Point, NoForces> {
         let (time, n) = (point.time, self.open.len());
-        // a constraint that is not linear in currents holds products of their rates
+        // constraints that are not linear in currents contain products of their rates
         for _ in 0..MOST_STEPS {
             let (matrix, right) = Laws::rates(self, &equations.at(&point), &point, third);
             let found = scaled(&matrix, &right).ok_or(NoForces::NotFinite { time })?;

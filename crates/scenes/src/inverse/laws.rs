@@ -1,23 +1,23 @@
-//! The laws that currents follow from, and their derivative along a motion.
+//! The laws that determine currents, and their derivative along a motion.
 
 use super::currents::Currents;
 use crate::linearisation::{At, Point, Values};
 use nalgebra::{DMatrix, DVector};
 
-/// Laws whose residuals are below this part of what balances in them hold.
+/// A law holds if its residual is below this part of the sum of its absolute terms.
 const MET: f64 = 1e-10;
 
-/// Laws at a point, with their derivatives by open speeds, then by open accelerations, then by multipliers.
+/// The laws at a point. Columns of the Jacobian: open speeds, open accelerations, multipliers.
 pub(super) struct Laws {
     pub residuals: DVector<f64>,
     pub jacobian: DMatrix<f64>,
-    /// The speed along which each is an equation of forces; none of a constraint and of a prescribed current.
+    /// For each law, the index of the speed of its force balance; `None` for a constraint or a prescribed current.
     pub speeds: Vec<Option<usize>>,
-    /// The sizes of what balances.
+    /// The sum of the absolute terms of each law.
     scales: Vec<f64>,
 }
 
-/// The row of a block of equations.
+/// A block of equations, and the index of a row in it.
 type Row<'a> = (&'a Values, usize);
 
 impl Laws {
@@ -41,14 +41,14 @@ impl Laws {
         Laws { residuals, jacobian, speeds, scales }
     }
 
-    /// The worst law that does not hold.
+    /// The law with the largest scaled residual among those that do not hold.
     pub fn unmet(&self) -> Option<usize> {
         let excess = |row: &usize| self.residuals[*row].abs() - MET * self.scales[*row];
         let open = (0..self.scales.len()).filter(|row| excess(row).is_nan() || excess(row) > 0.0);
         open.max_by(|a, b| self.part(*a).total_cmp(&self.part(*b)))
     }
 
-    /// All residuals together, each by what balances in it.
+    /// The Euclidean norm of the scaled residuals; infinite for NaN.
     pub fn size(&self) -> f64 {
         let size = (0..self.scales.len()).map(|row| self.part(row).powi(2)).sum::<f64>().sqrt();
         if size.is_nan() { f64::INFINITY } else { size }
@@ -58,7 +58,8 @@ impl Laws {
         if self.residuals[row] == 0.0 { 0.0 } else { self.residuals[row].abs() / self.scales[row] }
     }
 
-    /// Linear equations for open accelerations, their rates and the rates of multipliers; `third` are rates of prescribed accelerations.
+    /// Matrix and right side of the linear equations for open accelerations, their rates, and the rates of multipliers. `third` are the
+    /// third derivatives of the prescribed coordinates.
     pub fn rates(
         currents: &Currents<'_>,
         at: &At,
@@ -92,7 +93,7 @@ impl Laws {
     }
 }
 
-/// Accelerations of constraints, laws of motion, prescribed currents.
+/// The rows: acceleration constraints, equations of motion, prescribed currents.
 fn own<'b>(currents: &'b Currents<'_>, at: &'b At) -> impl Iterator<Item = (Row<'b>, Option<usize>)> {
     let held = currents.held.iter().map(|&row| ((&at.acceleration, row), None));
     let laws = currents.laws.iter().map(|&row| ((&at.motion, row), Some(row)));
@@ -100,7 +101,7 @@ fn own<'b>(currents: &'b Currents<'_>, at: &'b At) -> impl Iterator<Item = (Row<
     held.chain(laws).chain(prescribed)
 }
 
-/// Derivatives by open speeds, then by open accelerations, then by multipliers.
+/// Derivatives of rows by open speeds, open accelerations, multipliers.
 fn by_unknowns(currents: &Currents<'_>, rows: &[Row<'_>]) -> DMatrix<f64> {
     let (open, reactions) = (&currents.open, &currents.reactions);
     let n = open.len();

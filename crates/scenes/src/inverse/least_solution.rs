@@ -1,29 +1,30 @@
-//! Linear equations of mixed units: rows and columns are scaled before they are solved.
+//! Least-norm solution of linear equations with mixed units: rows and columns are scaled first.
 
 use super::RANK;
 use nalgebra::{DMatrix, DVector};
 
-/// The least solution, with the directions that the equations leave.
+/// The solution of least norm in scaled unknowns, with the kernel of the matrix.
 pub(super) struct Scaled {
     pub solution: DVector<f64>,
-    /// A basis of the kernel: one row for each vector, one column for each scaled unknown.
+    /// An orthonormal basis of the kernel in scaled unknowns: one row per basis vector.
     kernel: DMatrix<f64>,
 }
 
 impl Scaled {
-    /// The unknowns that a direction moves by more than a part of its length.
+    /// For each unknown: true if a basis vector of the kernel has a component above `part`, so that the equations do not determine the
+    /// unknown.
     pub fn free(&self, part: f64) -> Vec<bool> {
         self.kernel.column_iter().map(|column| column.amax() > part).collect()
     }
 }
 
-/// None where a number is none.
+/// The solution; `None` if an entry is not finite or there is no unknown.
 pub(super) fn scaled(matrix: &DMatrix<f64>, right: &DVector<f64>) -> Option<Scaled> {
     if !matrix.iter().chain(right.iter()).all(|value| value.is_finite()) || matrix.ncols() == 0 {
         return None;
     }
     let size = |amax: f64| if amax > 0.0 { amax } else { 1.0 };
-    // as many rows as columns at least: each direction has then a singular value
+    // rows of zeros: then each column direction has a singular value
     let rows = matrix.nrows().max(matrix.ncols());
     let mut square = DMatrix::zeros(rows, matrix.ncols());
     let mut by = DVector::zeros(rows);

@@ -1,9 +1,10 @@
-//! Inverse dynamics: the forces under which a system moves as prescribed.
+//! Inverse dynamics: the forces for a prescribed motion.
 //!
 //!   M z + h(q, u) - Q(q, u, t, p) - J^T lambda = 0  for p and lambda, with q(t), u = q', z = q'' given
 //!
-//! Coordinates that are not prescribed follow from position constraints, currents from the equations in which they act. The forces are linear
-//! in the unknown parameters p. Equations of constraints that are redundant at the first position are left out: their lambda is not unique.
+//! Coordinates that are not prescribed follow from position constraints, currents from the equations in which they act. The equations are
+//! linear in the unknown parameters or inputs p. Constraints that are redundant at the first position are left out, since their
+//! multipliers are not unique.
 
 mod completion;
 mod currents;
@@ -22,38 +23,44 @@ use nalgebra::{DMatrix, DVector};
 pub use no_forces::NoForces;
 use prescription::Prescribed;
 
-/// The forces at an instant.
+/// The forces at an instant, with the completed motion; SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Forces {
+    /// Time, s.
     pub time: f64,
+    /// Coordinates q, with four quaternion components for each free frame.
     pub coordinates: Vec<f64>,
+    /// Speeds u.
     pub speeds: Vec<f64>,
+    /// Accelerations z = u'.
     pub accelerations: Vec<f64>,
-    /// The unknown parameters and inputs.
+    /// The values of the unknown parameters and inputs, in the order of the request.
     pub unknowns: Vec<f64>,
-    /// Multipliers of constraints, those of positions first.
+    /// Multipliers of the constraints in [`AlongMotion::constraints`].
     pub multipliers: Vec<f64>,
 }
 
 /// The forces along a motion.
 #[derive(Clone, Debug)]
 pub struct AlongMotion {
+    /// The forces at each time.
     pub forces: Vec<Forces>,
-    /// The constraints of the multipliers.
+    /// The constraints that the multipliers belong to; position constraints are first.
     pub constraints: Vec<NamedConstraint>,
-    /// Warnings of the equations of constraints that follow from others.
+    /// Warnings for the redundant constraints that are left out.
     pub left_out: Vec<Fault>,
-    /// Charges that no equation holds, by their places: they stay as they start, and their rates are currents.
+    /// Indices of the cyclic charges: their values are those of the start, and their rates are the currents.
     pub charges: Vec<usize>,
 }
 
-/// Singular values below this part of the largest one are taken for zero.
+/// Singular values below this part of the largest count as zero.
 const RANK: f64 = 1e-10;
 
-/// The forces at times, which rise.
+/// The forces along a prescribed motion. `unknowns` are names of parameters and inputs; `times`, s, must increase, since each instant is
+/// the guess of the next.
 ///
 /// # Errors
-/// The reason for which there are no forces.
+/// [`NoForces`] with the reason.
 pub fn inverse(
     model: &Model,
     motions: &[PrescribedMotion],
@@ -92,7 +99,7 @@ pub fn inverse(
         let point =
             Completion { equations: &equations, model, prescribed: &prescribed, currents: &currents }.of(point)?;
         let state = [point.coordinates.as_slice(), point.speeds.as_slice()].concat();
-        // at a singular position all stay, and the rank says it
+        // at a singular position all constraints stay; the rank test reports it
         if independent_at(&mut known, &state).is_ok() && !known.implied.is_empty() {
             (equations, columns) = equations_of(&known)?;
             currents = currents_of(&equations, &columns, first)?;
@@ -106,7 +113,7 @@ pub fn inverse(
         let mut point = completion.of(point)?;
         let (coordinates, speeds) = guess.split_at_mut(model.positions());
         coordinates.copy_from_slice(point.coordinates.as_slice());
-        // currents begin with those before, since several may give one torque
+        // the guess selects one of several currents with equal torque
         speeds.copy_from_slice(point.speeds.as_slice());
         columns.iter().for_each(|&column| point.inputs[column] = 0.0);
         forces.push(forces_at(&equations, &currents, point, &columns)?);
@@ -116,7 +123,10 @@ pub fn inverse(
     Ok(AlongMotion { forces, constraints: equations.constraints, left_out, charges })
 }
 
-/// The columns of unknowns among the inputs.
+/// The indices of the unknowns among the inputs of the equations.
+///
+/// # Errors
+/// An unknown is no parameter or input of forces, or the forces are not linear in it.
 fn columns_of(equations: &VariedEquations, unknowns: &[String]) -> Result<Vec<usize>, NoForces> {
     let column = |name: &String| match equations.inputs.iter().position(|input| input == name) {
         None => Err(NoForces::NotForce { name: name.clone() }),
@@ -126,7 +136,7 @@ fn columns_of(equations: &VariedEquations, unknowns: &[String]) -> Result<Vec<us
     unknowns.iter().map(column).collect()
 }
 
-/// p and lambda at a point whose motion is known, those of the laws of currents too.
+/// The unknowns p and multipliers at a point whose motion and currents are known.
 fn forces_at(
     equations: &VariedEquations,
     currents: &Currents<'_>,

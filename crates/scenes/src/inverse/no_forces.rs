@@ -1,4 +1,4 @@
-//! Reasons for which no forces are found for a motion.
+//! Errors of inverse dynamics.
 
 use crate::compiled_system::NotCompiled;
 use crate::readiness::without_law;
@@ -6,70 +6,70 @@ use model::Model;
 use reader::Issue;
 use std::fmt;
 
-/// The reason for which no forces are found.
+/// The reason for which a motion has no forces, or they are not unique. Times are in s; residuals are texts with a unit.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoForces {
     NotCompiled(NotCompiled),
-    /// A prescribed motion asks for something that moves.
+    /// A prescribed motion is not an expression of time and parameters.
     NotOfTime {
         coordinate: String,
     },
-    /// An unknown that is no parameter and no input of forces.
+    /// An unknown is neither a parameter nor an input of forces.
     NotForce {
         name: String,
     },
-    /// The forces are not linear in a parameter.
+    /// The forces are not linear in the unknown.
     NotLinear {
         parameter: String,
     },
-    /// Constraints leave coordinates open: so many directions.
+    /// The constraints do not determine the coordinates that are not prescribed.
     Open {
         coordinates: Vec<String>,
         time: f64,
     },
-    /// A constraint does not hold along the motion; the residual has its unit.
+    /// A constraint does not hold along the prescribed motion.
     Unmet {
         constraint: String,
         residual: String,
         time: f64,
     },
-    /// A programmed constraint does not go to zero as its gains say.
+    /// The prescribed motion does not satisfy the stabilised equation of a programmed constraint.
     NotLed {
         constraint: String,
-        /// The sum that its gains lead to zero.
+        /// The stabilised equation, whose left side must be zero.
         equation: &'static str,
         residual: String,
         time: f64,
     },
-    /// A current is prescribed, and the file has none that laws determine.
+    /// A current is prescribed, but no current is free to be chosen.
     NoOpenCurrent,
-    /// The law of a current holds its rate and no unknown.
+    /// The law of a current contains its rate and no unknown: the current depends on its start.
     OfItsStart {
         current: String,
     },
-    /// No currents give the force along a coordinate that the motion needs; the residual has its unit.
+    /// No currents give the force that the motion needs in an equation.
     NoCurrent {
         equation: String,
         residual: String,
         time: f64,
     },
-    /// The motion leaves currents open.
+    /// The motion does not determine these currents.
     OpenCurrents {
         currents: Vec<String>,
         time: f64,
     },
-    /// No equation holds an unknown at an instant.
+    /// No equation depends on an unknown at this instant.
     Idle {
         unknown: String,
         time: f64,
     },
-    /// Unknowns and reactions do not reach every equation.
+    /// The matrix of unknowns and multipliers has fewer independent rows than equations.
     Underactuated {
         rank: usize,
         equations: usize,
         time: f64,
     },
-    /// Several forces do.
+    /// Several forces give the motion.
     NotUnique {
         rank: usize,
         unknowns: usize,
@@ -144,7 +144,7 @@ impl fmt::Display for NoForces {
 }
 
 impl NoForces {
-    /// At its place in the file, with what is accepted.
+    /// The issue with its position in the file, and with accepted alternatives.
     pub fn at(&self, model: &Model) -> Issue {
         let of_name = |name: &str| {
             let coordinates = model.coordinates.iter().map(|one| (&one.name, &one.at));
