@@ -1,19 +1,21 @@
-//! The null space of a matrix that is built row by row.
+//! Null space of a matrix that is built row by row.
 
 use nalgebra::DMatrix;
 
-/// Singular values below this part of the largest one are taken for zero.
+/// Singular values below this part of the largest count as zero.
 const RANK: f64 = 1e-10;
 
-/// Rows, each divided by its largest entry, so that units of equations do not matter. At most as many are kept as there are columns.
+/// Rows of a matrix, each divided by its largest entry, so that the units of equations do not matter. A QR factorisation limits their
+/// number to that of the columns.
 pub(crate) struct Rows(DMatrix<f64>);
 
 impl Rows {
-    /// A matrix without rows, whose null space is all of the space.
+    /// A matrix without rows; its null space is the whole space.
     pub fn none(columns: usize) -> Self {
         Rows(DMatrix::zeros(0, columns))
     }
 
+    /// Adds rows; rows of zeros are skipped.
     pub fn add(&mut self, rows: &DMatrix<f64>) {
         let Rows(known) = self;
         let more: Vec<usize> = (0..rows.nrows()).filter(|&row| rows.row(row).amax() > 0.0).collect();
@@ -26,14 +28,14 @@ impl Rows {
         *known = if both.nrows() > both.ncols() { both.qr().r() } else { both };
     }
 
-    /// The null space, as orthonormal columns.
+    /// An orthonormal basis of the null space, as columns. Empty if an entry is not finite.
     pub fn kernel(&self) -> DMatrix<f64> {
         let Rows(rows) = self;
         let n = rows.ncols();
         if rows.is_empty() || rows.amax() == 0.0 {
             return DMatrix::identity(n, n);
         }
-        // the singular value decomposition does not end for NaN
+        // the singular value decomposition would not terminate for NaN
         if !rows.iter().all(|entry| entry.is_finite()) {
             return DMatrix::zeros(n, 0);
         }

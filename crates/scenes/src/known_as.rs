@@ -1,4 +1,4 @@
-//! The key `known_as`: a system for which a crate provides theory beyond the equations, such as a closed form.
+//! The key `known_as` of a file: it names a system for which a crate provides theory beyond the equations, such as a closed form.
 
 use crate::compiled_system::rates;
 use crate::letters::Letters;
@@ -9,13 +9,13 @@ use reader::{At, Issue};
 use simulation::knowledge::{self, Knowledge};
 use units::nearest;
 
-/// The model of a text; none where it cannot be read.
+/// A function that reads the model of a file's text; `None` if the text has errors.
 type Reader = fn(&str) -> Option<Model>;
 
-/// The knowledge of a name.
+/// The registered theory with this name.
 ///
 /// # Errors
-/// The name is not known.
+/// No theory has this name.
 pub(crate) fn known(At { value, span }: &At<String>) -> Result<&'static Knowledge, Issue> {
     let entries = knowledge::entries();
     entries.iter().find(|entry| entry.name == *value).copied().ok_or_else(|| {
@@ -31,8 +31,8 @@ pub(crate) fn known(At { value, span }: &At<String>) -> Result<&'static Knowledg
     })
 }
 
-/// The knowledge of a name; an issue where there is none, or where the model has other letters or other equations. Its runs have
-/// these columns.
+/// The registered theory with this name. `None` with an issue if there is none, or if the model has other parameters, columns or
+/// equations. `columns` are the columns of the model's runs.
 pub(crate) fn asked_for(
     (model, columns): (&Model, &[String]),
     name: &At<String>,
@@ -60,7 +60,8 @@ pub(crate) fn asked_for(
     None
 }
 
-/// The rates that differ from those of every known text, in words of the nearest one; `None` where one text has the same rates.
+/// A sentence on the difference of the rates from those of all texts that the theory accepts; `None` if one of these texts has equal
+/// rates.
 fn difference(model: &Model, known: &Knowledge, read: Reader) -> Option<String> {
     let mut nearest: Option<String> = None;
     for text in known.equations {
@@ -75,12 +76,12 @@ fn difference(model: &Model, known: &Knowledge, read: Reader) -> Option<String> 
 /// The relative difference up to which rates count as equal.
 const EQUAL: f64 = 1e-9;
 
-/// The displacements from the start, relative to each component and to one, at which rates are compared.
+/// Displacements from the start, relative to 1 + |component|, at which rates are compared.
 const ASIDE: [[f64; 3]; 3] = [[0.0; 3], [0.037, -0.021, 0.053], [-0.047, 0.031, 0.019]];
 
-/// The first rate, or column, that differs from that of another model with the same parameters.
+/// A sentence on the first rate or column that differs from that of another model with the same parameters; `None` if all agree.
 fn compared(model: &Model, known: &Knowledge, other: Option<Model>) -> Option<String> {
-    // a crate's text that cannot be read is skipped
+    // a registered text with errors is skipped
     let mut other = other?;
     for parameter in &mut other.parameters {
         match model.parameters.iter().find(|one| one.name == parameter.name) {
@@ -123,7 +124,6 @@ fn compared(model: &Model, known: &Knowledge, other: Option<Model>) -> Option<St
         let state: Vec<f64> = start.iter().enumerate().map(moved).collect();
         let count = names.len() + shown(&other).len();
         let (mut here, mut there) = (vec![f64::NAN; count], vec![f64::NAN; count]);
-        // programs of this length
         let _ = (own.run(0.1, &state, &mut here), known_law.run(0.1, &state, &mut there));
         let size = there.iter().filter(|value| value.is_finite()).fold(1.0, |size: f64, value| size.max(value.abs()));
         let differs = |(a, b): (&f64, &f64)| {

@@ -1,13 +1,15 @@
-//! Displacements of a state along its speeds: free frames have four coordinates for three speeds, and are rotated.
+//! Indices of coordinates and speeds in a state, and displacements along speeds. A free frame has four coordinates (a quaternion) for
+//! three speeds (its angular velocity).
 
 use model::{Model, quaternion_rates};
 use std::ops::Range;
 
-/// The places of coordinates and speeds in a state; free frames have four coordinates for three speeds.
+/// The numbers of coordinates and free frames, from which indices in a state follow.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Layout {
     /// The number of coordinates whose rates are speeds.
     plain: usize,
+    /// The number of free frames.
     free: usize,
 }
 
@@ -16,15 +18,17 @@ impl Layout {
         Layout { plain: model.coordinates.len(), free: model.free.len() }
     }
 
+    /// The number of coordinates, with four for each free frame.
     pub fn positions(self) -> usize {
         self.plain + 4 * self.free
     }
 
+    /// The number of speeds, with three for each free frame.
     pub fn speeds(self) -> usize {
         self.plain + 3 * self.free
     }
 
-    /// The places of the coordinates that a speed moves, or of the speed itself.
+    /// Indices in the state: for `order` 0 of the coordinates that a speed changes, for `order` 1 of the speed itself.
     pub fn places(self, speed: usize, order: usize) -> Range<usize> {
         match speed.checked_sub(self.plain) {
             _ if order == 1 => self.positions() + speed..self.positions() + speed + 1,
@@ -36,7 +40,8 @@ impl Layout {
         }
     }
 
-    /// Changes a speed, or displaces its coordinates; a free frame is rotated about one of its axes.
+    /// Adds `by` to a speed (`order` 1) or to its coordinate (`order` 0). A free frame is rotated by the angle `by`, to first order,
+    /// about one of its own axes.
     pub fn displace(self, state: &mut [f64], (speed, order): (usize, usize), by: f64) {
         let own = self.places(speed, order);
         if own.len() == 1 {
@@ -52,7 +57,7 @@ impl Layout {
         own.for_each(|at| state[at] /= length);
     }
 
-    /// The first speed and the first coordinate of each free frame.
+    /// The indices of the first speed and of the first coordinate of each free frame.
     pub fn turning(self) -> impl Iterator<Item = (usize, usize)> {
         (0..self.free).map(move |number| (self.plain + 3 * number, self.plain + 4 * number))
     }

@@ -1,10 +1,10 @@
-//! The substitution for the letters of a model in a compiled function: inputs, or constant values.
+//! Substitution for the symbols of a model in compiled functions: by inputs, or by constant values.
 
 use field::{Over, Rational};
 use model::{HALF_TURN, Model, Trace};
 use symbolic::{Sym, substitute_all};
 
-/// Inputs for the state, the time and the parameters of a model, in this order.
+/// Symbols for the inputs of a compiled function: the state, the time, the parameters of a model, in this order.
 pub(crate) struct Inputs {
     pub state: Vec<Sym>,
     pub time: Sym,
@@ -20,7 +20,7 @@ impl Inputs {
         Inputs { state, time: Sym::symbol("t"), parameters }
     }
 
-    /// The letters of the model by these inputs.
+    /// The substitution of the model's symbols by these inputs.
     pub fn letters(&self) -> Letters<'_> {
         Letters::with_parameters(self.time, &self.state, &self.parameters)
     }
@@ -31,7 +31,7 @@ impl Inputs {
     }
 }
 
-/// Expressions that stand for time, coordinates, speeds and parameters.
+/// The substitution for time, coordinates, speeds and parameters of a model.
 #[derive(Clone, Copy)]
 pub(crate) struct Letters<'a> {
     time: Sym,
@@ -42,20 +42,21 @@ pub(crate) struct Letters<'a> {
 
 #[derive(Clone, Copy)]
 enum Parameters<'a> {
+    /// These expressions.
     Inputs(&'a [Sym]),
-    /// Constants: floats as they are.
+    /// Constants: the exact values of the floats.
     Floats,
-    /// Constants: the decimals with the fewest digits that read as the floats.
+    /// Constants: the shortest decimals that round to the floats, which are usually the numbers of the file.
     Decimals,
 }
 
 impl<'a> Letters<'a> {
-    /// Time and state as inputs, parameters as constants: for runs.
+    /// Time and state as inputs, parameters as constants, for runs.
     pub fn with_data(time: Sym, state: &'a [Sym]) -> Self {
         Letters { time, state, parameters: Parameters::Floats }
     }
 
-    /// Time and state as inputs, parameters as the decimals that were written: for exact decisions.
+    /// Time and state as inputs, parameters as decimals, for exact decisions.
     pub fn with_decimals(time: Sym, state: &'a [Sym]) -> Self {
         Letters { time, state, parameters: Parameters::Decimals }
     }
@@ -65,12 +66,12 @@ impl<'a> Letters<'a> {
         Letters { time, state, parameters: Parameters::Inputs(parameters) }
     }
 
-    /// Expressions of a trace over these letters.
+    /// Substitutes the symbols of a trace in expressions.
     pub fn put_into(&self, trace: &Trace<'_>, expressions: &[Sym]) -> Vec<Sym> {
         substitute_all(expressions, &self.known(trace))
     }
 
-    /// The letters of a trace with what stands for each.
+    /// Pairs of each symbol of a trace and its replacement.
     pub fn known(&self, trace: &Trace<'_>) -> Vec<(Sym, Sym)> {
         let mut known: Vec<(Sym, Sym)> = vec![(trace.time, self.time), (trace.pi, half_turn())];
         known.extend(trace.coordinates.iter().chain(&trace.speeds).copied().zip(self.state.iter().copied()));
@@ -93,6 +94,7 @@ impl<'a> Letters<'a> {
     }
 }
 
+/// Pi as the exact sum of several floats.
 fn half_turn() -> Sym {
     HALF_TURN.into_iter().map(|part| Sym::lift(Rational::exactly(part))).fold(Sym::ZERO, |sum, part| sum + part)
 }

@@ -1,14 +1,14 @@
-//! Systems as text: TOML files that are read as models and run.
+//! Mechanical and electromechanical systems as text: TOML files are read as models, compiled and run.
 //!
 //! # Overview
-//! For programs that read a system from a file. The example reads a pendulum, and a file with a wrong unit.
+//! The crate is for programs that read a system from a file. The example reads a pendulum, and a file with a wrong unit.
 //!
-//! * [`ModelScene`]: a file with `[coordinates]`, read and checked; every command that runs scenes accepts it;
-//! * [`SystemText`], [`derivation`]: the equations of motion of a text by a principle;
+//! * [`ModelScene`]: a file with `[coordinates]`, read and checked; all commands that run scenes accept it;
+//! * [`SystemText`], [`derivation`]: the equations of motion of a file, derived by a principle;
 //! * [`text`]: the tables of a file as a [`model::Source`];
 //! * [`exchange`]: the system as a functional mock-up unit, and as code of other languages;
-//! * [`linearisation`]: x' = A x + B w about a point; [`equilibrium()`]: a point of rest near a guess;
-//! * [`parse_ensemble`]: a file with the table `[ensemble]`: many members, each with its own parameters and start;
+//! * [`linearisation`]: x' = A x + B w about a point; [`equilibrium()`]: an equilibrium near a guess;
+//! * [`parse_ensemble`]: a file with the table `[ensemble]`: many runs, each with its own parameters and start;
 //! * [`CompiledSystem`]: the equations of motion as machine code, as Taylor series, and over every number type of a run.
 //!
 //! # Example
@@ -83,7 +83,7 @@ pub mod text;
 mod warnings;
 mod zero_divisor;
 
-/// Brings a [`NamedSystem`], found wherever the crate is linked.
+/// Registers a [`NamedSystem`] in every program that links the calling crate.
 pub use inventory::submit;
 
 pub use compiled_system::{CompiledSystem, NotCompiled};

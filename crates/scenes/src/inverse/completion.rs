@@ -26,6 +26,7 @@ impl Completion<'_> {
     /// The point with all coordinates, speeds, accelerations and currents at its time, from the prescribed ones.
     ///
     /// # Errors
+    /// [`NoForces`] if a constraint does not hold, or coordinates are not determined.
     pub fn of(&self, mut point: Point) -> Result<Point, NoForces> {
         let time = point.time;
         let positions = self.equations.positions();

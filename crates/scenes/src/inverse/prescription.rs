@@ -1,4 +1,4 @@
-//! Prescribed motions as numbers at an instant, with three rates.
+//! Values of prescribed motions at an instant, with three derivatives by time.
 
 use super::NoForces;
 use crate::compiled_system::values;
@@ -12,19 +12,21 @@ use nalgebra::DVector;
 use simulation::Program;
 use symbolic::substitute_all;
 
-/// Prescribed coordinates and turns as functions of the time, with three rates.
+/// Prescribed coordinates and orientations as functions of time, with three derivatives.
 pub(super) struct Prescribed {
     motions: Vec<PrescribedMotion>,
     pub layout: Layout,
-    /// Outputs of the model that prescribed speeds keep at zero.
+    /// Indices of the outputs whose zeros express prescribed speeds.
     pub speeds: Vec<usize>,
-    /// Values, rates, second and third rates.
+    /// The program for all values, then all first, second and third derivatives.
     program: Program,
 }
 
 impl Prescribed {
+    /// Compiles the prescribed motions.
+    ///
     /// # Errors
-    /// Where a motion asks for something that moves.
+    /// [`NoForces::NotOfTime`] if a motion depends on the state; [`NoForces::NotCompiled`] if it has no value.
     pub fn of(model: &Model, motions: &[PrescribedMotion]) -> Result<Self, NoForces> {
         let mut wrong = None;
         let expressions = |motion: &PrescribedMotion| match motion {
@@ -67,7 +69,7 @@ impl Prescribed {
         }
     }
 
-    /// Whether a speed is prescribed.
+    /// True if the motion of this speed's coordinate is prescribed.
     pub fn has(&self, speed: usize) -> bool {
         self.motions.iter().any(|motion| match motion {
             PrescribedMotion::Coordinate { place, .. } => *place == speed,
@@ -79,7 +81,8 @@ impl Prescribed {
         })
     }
 
-    /// Into the coordinates, speeds and accelerations of a point; rates of prescribed accelerations, zero where none is.
+    /// Writes the prescribed coordinates, speeds and accelerations at the time of `point` into the point. Returns the third derivatives
+    /// of the coordinates, zero for those that are not prescribed.
     pub fn put(&self, point: &mut Point) -> DVector<f64> {
         let expressions = |motion: &PrescribedMotion| match motion {
             PrescribedMotion::Coordinate { .. } => 1,
@@ -115,21 +118,23 @@ impl Prescribed {
     }
 }
 
-/// The motion of a frame by turns one after the other, in its own axes.
+/// The motion of a frame that is rotated by successive turns about its own axes.
 struct Turned {
+    /// The orientation as a unit quaternion, scalar part first.
     quaternion: [f64; 4],
-    /// The angular velocity with two rates.
+    /// The angular velocity in the frame's own axes, rad/s, then its first and second derivative.
     speeds: [f64; 3],
     accelerations: [f64; 3],
     third: [f64; 3],
 }
 
 impl Turned {
-    /// Each turn about an axis e by an angle with three rates. A vector a of the frame before is b = R^T a in the turned one, with the rate
+    /// Composes turns, each about an axis e (index) by an angle with three derivatives. A vector a of the frame before the turn has the
+    /// components b = R^T a in the turned frame, with the rate
     ///
     ///   b' = R^T a' - e theta' x b ,
     ///
-    /// and w = R^T w + e theta' has two such rates.
+    /// and the angular velocity becomes R^T w + e theta'.
     fn by(turns: impl Iterator<Item = (usize, [f64; 4])>) -> Self {
         let mut turned =
             Turned { quaternion: [1.0, 0.0, 0.0, 0.0], speeds: [0.0; 3], accelerations: [0.0; 3], third: [0.0; 3] };
@@ -145,7 +150,7 @@ impl Turned {
                 seen[last] = cos * vector[last] - sin * vector[next];
                 seen
             };
-            // less e times a number x a vector
+            // adds -e x `of` times `by`
             let carried = |vector: &mut [f64; 3], by: f64, of: [f64; 3]| {
                 vector[next] += by * of[last];
                 vector[last] -= by * of[next];

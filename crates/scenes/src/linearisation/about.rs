@@ -1,4 +1,4 @@
-//! Points of linearisation of a text, its inputs, and the eigenvalues and stability there.
+//! Linearisation of a system at its start or at an equilibrium, with eigenvalues and stability.
 
 use super::points::Instance;
 use super::{Linearisation, NotLinear, Stability, Standing, VariedEquations, eigenvalues};
@@ -10,18 +10,21 @@ use units::nearest;
 /// The linear equations about one point, with eigenvalues and stability.
 #[derive(Clone, Debug)]
 pub struct Linear {
+    /// The matrices of the linear equations.
     pub linear: Linearisation,
+    /// The kind of point: equilibrium, steady motion, or neither.
     pub standing: Standing,
     /// Real and imaginary parts of the eigenvalues, 1/s.
     pub eigenvalues: Vec<[f64; 2]>,
+    /// Stability in the first approximation.
     pub stability: Stability,
 }
 
 impl VariedEquations {
-    /// About a state at a time.
+    /// The linear equations at a time (s) and a state (coordinates, then speeds).
     ///
     /// # Errors
-    /// The reason for which there are no linear equations.
+    /// [`NotLinear`] with the reason.
     pub fn about(&self, time: f64, state: &[f64]) -> Result<Linear, NotLinear> {
         let linear = self.linearised(self.point(time, state))?;
         let standing = self.standing(&linear)?;
@@ -32,14 +35,15 @@ impl VariedEquations {
     }
 }
 
-/// The places of parameters that are inputs; one without a value is taken about zero.
+/// The indices of the parameters with these names, for use as inputs. Names of inputs of the model are skipped; a parameter without a
+/// value gets the value zero.
 ///
 /// # Errors
-/// The name of no parameter.
+/// No parameter or input has the name.
 pub fn inputs_of(model: &mut Model, names: &[String]) -> Result<Vec<usize>, String> {
     let mut places = Vec::new();
     for name in names {
-        // those of the file are inputs in any case
+        // inputs of the model are inputs in any case
         if model.inputs.iter().any(|input| input.name == *name) {
             continue;
         }
@@ -58,11 +62,11 @@ pub fn inputs_of(model: &mut Model, names: &[String]) -> Result<Vec<usize>, Stri
     Ok(places)
 }
 
-/// The start of a model, or an equilibrium near it, with a note on the choice among several; redundant constraints are removed from the
-/// model.
+/// The point of linearisation: the start of a model or, with `equilibrium`, an equilibrium near it, with a sentence on the choice among
+/// several. Redundant constraints are removed from the model.
 ///
 /// # Errors
-/// The reason for which there is no such point, at its place in the file.
+/// The start cannot be completed, or no equilibrium is found; the issue has its position in the file.
 pub fn point_of(model: &mut Model, equilibrium: bool) -> Result<(Instance, Option<String>), Issue> {
     if !equilibrium {
         return independent_start(model).map(|state| ((0.0, state), None));

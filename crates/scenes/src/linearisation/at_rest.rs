@@ -1,7 +1,7 @@
-//! Laws with a length of a velocity, as the drag -c |v| v: differentiable at rest, although |v| is not.
+//! Laws with the norm |v| of a velocity, such as the drag -c |v| v: the law is differentiable at rest, although |v| is not.
 //!
-//! Where the terms with |v| fall faster than the speeds when all of these become smaller, they leave the linear equations at rest. This is
-//! tested by numbers, at many states with smaller and smaller speeds.
+//! Terms with |v| that vanish faster than the speeds do not contribute to the linear equations at rest. This is tested numerically, at
+//! several states with decreasing speeds.
 
 use crate::letters::Letters;
 use crate::spread_values::spread;
@@ -10,23 +10,23 @@ use model::{Model, Trace};
 use std::borrow::Cow;
 use symbolic::{Sym, Tape};
 
-/// States at which speeds become smaller.
+/// The number of test states.
 const STATES: u32 = 12;
 
-/// States at which the terms must have values.
+/// The least number of test states at which the terms must have values.
 const LEAST: usize = 4;
 
-/// The part by which speeds become smaller, twice.
+/// The factor by which speeds are decreased, twice.
 const SMALLER: f64 = 1.0 / 64.0;
 
-/// Terms of first order become smaller by the part above, those of second order by its square.
+/// The factor below which a term is of higher than first order: [`SMALLER`] would be first order, its square second order.
 const FASTER: f64 = 1.0 / 512.0;
 
-/// Differences below this part of the terms are rounding.
+/// Differences below this part of the terms are rounding errors.
 const ROUNDING: f64 = 1e-13;
 
-/// The model that has the linear equations of a model about a state without the terms that have none at rest; the model itself where the
-/// state moves, or where no such term falls faster than the speeds.
+/// The model without terms that contain |v|, if the state is at rest and these terms are of higher order there; otherwise the model
+/// itself.
 pub fn law_at_rest<'a>(model: &'a Model, state: &[f64]) -> Cow<'a, Model> {
     let rests = state.iter().skip(model.positions()).all(|speed| *speed == 0.0);
     let without = if rests { model.without_lengths_at_rest() } else { None };
@@ -36,7 +36,7 @@ pub fn law_at_rest<'a>(model: &'a Model, state: &[f64]) -> Cow<'a, Model> {
     }
 }
 
-/// Everything of a model that has derivatives, and its speeds and other letters.
+/// All expressions that a linearisation differentiates, and the symbols of the speeds; `None` without equations.
 fn expressions(model: &Model) -> Option<(Vec<Sym>, Vec<Sym>)> {
     let trace = Trace::of(model);
     let state = [&trace.coordinates[..], &trace.speeds].concat();
@@ -55,7 +55,7 @@ fn expressions(model: &Model) -> Option<(Vec<Sym>, Vec<Sym>)> {
     Some((Letters::with_decimals(trace.time, &state).put_into(&trace, &all), trace.speeds.clone()))
 }
 
-/// Whether all differences of two models fall faster than the speeds; none where these models have no equations.
+/// Some(true) if all differences of two models vanish faster than the speeds at enough test states; `None` if an expression has no value.
 fn keeps_derivatives(model: &Model, without: &Model) -> Option<bool> {
     let (whole, speeds) = expressions(model)?;
     let (rest, _) = expressions(without)?;

@@ -1,20 +1,21 @@
-//! Directions of coordinates on which no equation depends, such as the charges of windings, and the points at which this is tested.
+//! Directions of coordinates on which no equation depends, such as charges of windings, found by a test at several points.
 
 use super::{At, Point, VariedEquations};
 use crate::kernel::Rows;
 use nalgebra::DMatrix;
 
-/// Points at which the equations are asked.
+/// The number of test points.
 const POINTS: usize = 4;
 
-/// Parts of a point are moved by up to this part of their size, and of one in SI units.
+/// The largest displacement of a test point, relative to the size of a component, or to one in SI units.
 const ASIDE: f64 = 0.3;
 
-/// Multiples of the golden section are spread evenly.
+/// The golden ratio conjugate: fractional parts of its multiples are evenly distributed.
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
 impl VariedEquations {
-    /// The equations at points near another one, at which nothing vanishes by chance; of those points that give them finite values.
+    /// The equations at generic points near `point`, where no derivative is zero by coincidence. Points with values that are not finite
+    /// are left out.
     pub(crate) fn around(&self, point: &Point) -> Vec<At> {
         let all = (0..POINTS).map(|number| self.at(&self.beside(point, number)));
         let parts =
@@ -22,7 +23,7 @@ impl VariedEquations {
         all.filter(|at| parts(at).iter().all(|part| part.iter().all(|slope| slope.is_finite()))).collect()
     }
 
-    /// Directions of some coordinates along which no equation changes at points: orthonormal columns over all speeds.
+    /// Directions of the coordinates `among` along which no equation changes at the given points: orthonormal columns over all speeds.
     pub(crate) fn cyclic(&self, points: &[At], among: &[usize]) -> DMatrix<f64> {
         let [n, ..] = self.sizes;
         let mut rows = Rows::none(among.len());
@@ -39,7 +40,7 @@ impl VariedEquations {
         all
     }
 
-    /// The first point has the place itself.
+    /// Test point `number` near `about`; number zero has the coordinates of `about`.
     fn beside(&self, about: &Point, number: usize) -> Point {
         let mut point = about.clone();
         let part = |place: usize| ((place + 1 + 31 * number) as f64 * GOLDEN).fract() + 0.5;

@@ -1,16 +1,16 @@
-//! Displacements of a point along its speeds, and their rates.
+//! Displacements of a point along its speeds, and the rates of small displacements.
 
 use super::equations::{Point, VariedEquations};
 use model::turned_further;
 use nalgebra::DMatrix;
 
 impl VariedEquations {
-    /// Displaces a point along a speed: its coordinate, or a free frame by a turn about one of its axes.
+    /// Displaces the coordinate of a speed; a free frame is rotated about one of its own axes.
     pub fn displace(&self, point: &mut Point, speed: usize, by: f64) {
         self.layout.displace(point.coordinates.as_mut_slice(), (speed, 0), by);
     }
 
-    /// One radian or metre, and the size of a coordinate beside it: a turn begins wherever a frame stands.
+    /// The size of a coordinate for relative displacements: 1 + |q| in SI units, one radian for a free frame.
     pub(crate) fn size(&self, point: &Point, speed: usize) -> f64 {
         match self.layout.places(speed, 0) {
             own if own.len() == 1 => 1.0 + point.coordinates[own.start].abs(),
@@ -18,7 +18,8 @@ impl VariedEquations {
         }
     }
 
-    /// Rates of displacements: of turns of a free frame, along its own axes, those of the angular velocity less w x them.
+    /// The rates of small displacements as columns, for variations of the speeds. For a free frame with small rotations t in its own axes
+    /// and angular velocity w, the rate is dw - w x t.
     pub(super) fn displacement_rates(
         &self,
         point: &Point,
@@ -39,7 +40,7 @@ impl VariedEquations {
         rates
     }
 
-    /// The point later, with every speed as it is.
+    /// The point after the time `later` (s) with constant speeds.
     pub(super) fn straight_on(&self, point: &Point, later: f64) -> Point {
         let plain = self.layout.turning().next().map_or(point.speeds.len(), |(first, _)| first);
         let mut state: Vec<f64> = point.coordinates.iter().chain(point.speeds.iter()).copied().collect();

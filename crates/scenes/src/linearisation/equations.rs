@@ -1,4 +1,4 @@
-//! The varied equations of a model as numbers at a point.
+//! Variational equations of a model: values and derivatives of all equations at a point.
 
 use crate::compiled_system::{NotCompiled, has_values_but};
 use crate::layout::Layout;
@@ -12,50 +12,56 @@ use simulation::Program;
 use std::ops::Range;
 use symbolic::{Dimension, Sym, substitute_all};
 
-/// A point of a motion: everything that the equations ask for.
+/// A point of a motion: all quantities on which the equations depend, in SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
+    /// Time, s.
     pub time: f64,
-    /// The coordinates; the quaternions of free frames stand last.
+    /// Coordinates, then the quaternions of free frames.
     pub coordinates: DVector<f64>,
-    /// Rates of coordinates, then angular velocities of free frames.
+    /// Rates of coordinates, then angular velocities of free frames in their own axes.
     pub speeds: DVector<f64>,
+    /// Rates of the speeds.
     pub accelerations: DVector<f64>,
-    /// In the order of the constraints here.
+    /// Multipliers in the order of [`VariedEquations::constraints`].
     pub multipliers: DVector<f64>,
+    /// Inputs in the order of [`VariedEquations::inputs`].
     pub inputs: DVector<f64>,
-    /// 1 where the condition of a switch is positive, else 0.
+    /// For each condition: 1 if it is positive, else 0.
     pub switches: DVector<f64>,
 }
 
-/// A constraint as the model has it.
+/// A scalar constraint equation, with its name and units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedConstraint {
+    /// A constraint of positions or of speeds.
     pub level: Level,
+    /// The name in the file, which may be empty.
     pub name: String,
-    /// Its number among the constraints of the model, from one.
+    /// Its number among all constraints of the model, from one.
     pub number: usize,
-    /// The axis of a vector's component, such as `F3.x`; none of a scalar.
+    /// The axis, such as `F3.x`, if the constraint is a component of a vector equation.
     pub axis: Option<String>,
     /// The unit of its expression.
     pub of: String,
     /// The unit of its multiplier: power per rate of the constraint.
     pub unit: String,
-    /// Whether the constraint is stabilised by gains, not held exactly.
+    /// True if the constraint is stabilised by gains and not enforced exactly.
     pub is_programmed: bool,
-    /// Whether it is an equation of motion without accelerations: inputs stand in it as in others.
+    /// True if it is the equation of motion of a coordinate without inertia. Inputs may appear in it.
     pub is_law: bool,
+    /// The byte range in the file.
     pub at: Range<usize>,
 }
 
 impl NamedConstraint {
-    /// As sentences call it: constraint 2 `loop` along F3.x.
+    /// The name in messages, such as: constraint 2 `loop` along F3.x.
     pub fn title(&self) -> String {
         let name = if self.name.is_empty() { String::new() } else { format!(" `{}`", self.name) };
         format!("constraint {}{name}{}", self.number, self.along())
     }
 
-    /// The name of its multiplier: lambda2 loop along F3.x.
+    /// The name of its multiplier, such as: lambda2 loop along F3.x.
     pub fn multiplier(&self) -> String {
         let name = if self.name.is_empty() { String::new() } else { format!(" {}", self.name) };
         format!("lambda{}{name}{}", self.number, self.along())
@@ -66,11 +72,12 @@ impl NamedConstraint {
     }
 }
 
-/// Values of equations and their derivatives; rows are equations.
+/// Values of equations and their derivatives; each row is an equation. Units are those of the equations in SI.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Values {
+    /// The residuals, or the values of outputs.
     pub values: DVector<f64>,
-    /// By a displacement along each speed: of its coordinate, or by a small turn about an axis of a free frame.
+    /// Derivatives by a displacement along each speed: of its coordinate, or by a small rotation about an axis of a free frame.
     pub by_coordinates: DMatrix<f64>,
     pub by_speeds: DMatrix<f64>,
     pub by_accelerations: DMatrix<f64>,
@@ -79,53 +86,58 @@ pub struct Values {
     pub by_time: DVector<f64>,
 }
 
-/// Everything at a point.
+/// All equations at a point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct At {
-    /// M z + h - Q - J^T lambda.
+    /// The equations of motion M z + h - Q - J^T lambda.
     pub motion: Values,
+    /// Position constraints f; rows of other constraints are zero or their law.
     pub zero: Values,
+    /// The constraints of speeds, and the rates df/dt of position constraints.
     pub rate: Values,
-    /// J z + c.
+    /// The constraints of accelerations J z + c.
     pub acceleration: Values,
+    /// The outputs of the model.
     pub outputs: Values,
 }
 
-/// The varied equations of a model, compiled.
+/// The compiled equations of a model with their derivatives.
 #[derive(Debug)]
 pub struct VariedEquations {
     program: Program,
-    /// Inputs, then conditions of switches, from all that a point has.
+    /// The program for the inputs, then the conditions, as functions of all components of a point.
     outside: Program,
-    /// Speeds, constraints, inputs, outputs, switches.
+    /// The numbers of speeds, constraints, inputs, outputs and conditions.
     pub(super) sizes: [usize; 5],
     pub(super) layout: Layout,
-    /// The constraints: holonomic ones, then those of speeds, then stabilised ones.
+    /// The constraints: position constraints, then constraints of speeds, then stabilised constraints.
     pub constraints: Vec<NamedConstraint>,
-    /// Parameters that are inputs, then the inputs of the model, by their names.
+    /// Names of the inputs: parameters, then inputs of the model.
     pub inputs: Vec<String>,
-    /// Places of coordinates that are charges.
+    /// Indices of the coordinates that are charges.
     pub charges: Vec<usize>,
-    /// Inputs of the model whose values depend on coordinates or speeds: the derivatives by the state hold none of this feedback.
+    /// Names of inputs of the model whose values depend on coordinates or speeds. The derivatives by the state do not include this
+    /// feedback.
     pub feedback: Vec<String>,
-    /// Inputs in which the equations of motion are not linear.
+    /// For each input: true if the equations of motion are not linear in it.
     pub nonlinear: Vec<bool>,
 }
 
 impl VariedEquations {
-    /// Some parameters, by their places, are inputs beside those of the model.
+    /// The equations of a model with the parameters of these indices, and all inputs of the model, as inputs.
     ///
     /// # Errors
-    /// The reason for which there are no equations with numbers.
+    /// A parameter has no value, the model has contacts, or an expression has no value.
     pub fn of(model: &Model, parameters: &[usize]) -> Result<Self, NotCompiled> {
         let all: Vec<usize> = (0..model.inputs.len()).collect();
         VariedEquations::with_inputs(model, parameters, &all)
     }
 
-    /// The same where some inputs of the model alone, by their places, are inputs; others are their values, with all derivatives of these.
+    /// The equations of a model with the parameters and the model inputs of these indices as inputs. Other inputs are replaced by their
+    /// values, whose derivatives are included.
     ///
     /// # Errors
-    /// The reason for which there are no equations with numbers.
+    /// A parameter has no value, the model has contacts, or an expression has no value.
     pub fn with_inputs(model: &Model, parameters: &[usize], inputs: &[usize]) -> Result<Self, NotCompiled> {
         has_values_but(model, parameters)?;
         if !model.contacts.is_empty() {
@@ -177,7 +189,7 @@ impl VariedEquations {
             substitute_all(&all, &letters_of(&trace, &multipliers, &letters, time, state))
         });
         let outside = recorded(length, |time, state| {
-            // inputs by their values, conditions by inputs
+            // inputs as functions of the state; conditions as functions of the inputs
             let (trace, closed) = (Trace::of(open), Trace::of(model));
             let letters: Vec<Sym> = inputs.iter().map(|name| Sym::symbol(name)).collect();
             let held = constraints_of(&trace);
@@ -191,7 +203,7 @@ impl VariedEquations {
             let conditions = model.switches.iter().map(|&condition| trace.scalar(condition));
             let all: Vec<Sym> = data.chain(given).chain(conditions).collect();
             let mut known = letters_of(&trace, &multipliers, &letters, time, state);
-            // where inputs have their values, a condition that asks for one is another letter
+            // with substituted inputs, a condition that depends on an input has another symbol
             known.extend(closed.switches.iter().copied().zip(state[length - switches..].iter().copied()));
             substitute_all(&all, &known)
         });
@@ -212,17 +224,17 @@ impl VariedEquations {
         &self.program
     }
 
-    /// The number of constraints of positions that are kept, which stand first.
+    /// The number of position constraints without stabilisation, which are first in the list.
     pub fn positions(&self) -> usize {
         self.constraints.iter().filter(|known| known.level == Level::Position && !known.is_programmed).count()
     }
 
-    /// The number of constraints that are kept, which stand before those that are led to zero.
+    /// The number of constraints without stabilisation, which precede the stabilised constraints.
     pub fn kept(&self) -> usize {
         self.constraints.iter().filter(|known| !known.is_programmed).count()
     }
 
-    /// A point without accelerations and multipliers, with its inputs and switches.
+    /// The point at a time (s) and a state, with its inputs and conditions, and with zero accelerations and multipliers.
     pub fn point(&self, time: f64, state: &[f64]) -> Point {
         let [n, m, k, _, s] = self.sizes;
         let (coordinates, speeds) = state.split_at(self.layout.positions());
@@ -239,10 +251,10 @@ impl VariedEquations {
         point
     }
 
-    /// Inputs and switches as a point has them.
+    /// Sets inputs and conditions of a point to their values at this point.
     pub fn choose(&self, point: &mut Point) {
         let [_, _, k, _, s] = self.sizes;
-        // inputs may ask for conditions, and conditions for others before them
+        // inputs may depend on conditions, and conditions on earlier conditions
         for _ in 0..=s + 1 {
             let numbers = self.conditions(point);
             point.inputs = DVector::from_column_slice(&numbers[..k]);
@@ -259,7 +271,7 @@ impl VariedEquations {
         numbers
     }
 
-    /// Everything at a point.
+    /// All equations with their derivatives at a point.
     pub fn at(&self, point: &Point) -> At {
         let [n, m, k, shown, _] = self.sizes;
         let width = 2 + 3 * n + m + k;
@@ -286,15 +298,15 @@ impl VariedEquations {
     }
 }
 
-/// The coordinates whose rates are currents.
+/// The indices of the coordinates whose rates are currents.
 fn charges(model: &Model) -> Vec<usize> {
     let charge = Dimension::current() * Dimension::time();
     let is_charge = |(place, one): (usize, &Coordinate)| (one.dimension == charge).then_some(place);
     model.coordinates.iter().enumerate().filter_map(is_charge).collect()
 }
 
-/// The model with some inputs as letters, and which of them are: an input in a constraint keeps its value, since the constraint asks for
-/// its rates. In a law of speeds it moves the speeds alone.
+/// The model with some of the inputs `among` as symbols, and the indices of these. An input that appears in a constraint keeps its value,
+/// since the constraint also contains its rates; in the law of a coordinate without inertia it needs no rates.
 fn opened(model: &Model, among: &[usize]) -> (Model, Vec<usize>) {
     let mut open = model.clone();
     among.iter().for_each(|&place| open.inputs[place].value = None);
@@ -311,18 +323,18 @@ fn opened(model: &Model, among: &[usize]) -> (Model, Vec<usize>) {
     (open, own)
 }
 
-/// The names of those inputs whose values depend on coordinates or speeds, by themselves or by conditions.
+/// The names of the inputs whose values depend on coordinates or speeds, directly or by conditions.
 fn feedback(model: &Model, own: &[usize]) -> Vec<String> {
     symbolic::apart(|| {
         let trace = Trace::of(model);
         let mut moving: Vec<Sym> = [&trace.coordinates[..], &trace.speeds].concat();
-        // conditions stand in those after them
+        // later conditions may contain earlier ones
         for (letter, condition) in trace.switches.iter().zip(&model.switches) {
             if trace.scalar(*condition).symbols_of().iter().any(|symbol| moving.contains(symbol)) {
                 moving.push(*letter);
             }
         }
-        // a gain of zero feeds nothing back
+        // a zero gain is no feedback
         let zero = trace.parameters.iter().zip(&model.parameters).filter(|(_, parameter)| parameter.value == Some(0.0));
         let zero: Vec<(Sym, Sym)> = zero.map(|(letter, _)| (*letter, Sym::ZERO)).collect();
         let depends = |place: &&usize| {
@@ -333,14 +345,14 @@ fn feedback(model: &Model, own: &[usize]) -> Vec<String> {
     })
 }
 
-/// Everything that a point has, in the order of the programs.
+/// All components of a point in the order of the programs' inputs.
 fn flat(point: &Point) -> Vec<f64> {
     let Point { coordinates, speeds, accelerations, multipliers, inputs, switches, .. } = point;
     let parts = [coordinates, speeds, accelerations, multipliers, inputs, switches];
     parts.into_iter().flat_map(|part| part.iter().copied()).collect()
 }
 
-/// Letters of a trace by those of a program, parameters by the decimals that were written.
+/// Substitutions: symbols of a trace by inputs of a program, parameters by decimals.
 fn letters_of(trace: &Trace<'_>, multipliers: &[Sym], inputs: &[Sym], time: Sym, state: &[Sym]) -> Vec<(Sym, Sym)> {
     let moving = trace.coordinates.len() + trace.speeds.len();
     let mut known = Letters::with_decimals(time, &state[..moving]).known(trace);
@@ -350,7 +362,7 @@ fn letters_of(trace: &Trace<'_>, multipliers: &[Sym], inputs: &[Sym], time: Sym,
     known
 }
 
-/// Row after row: the value, then its derivatives.
+/// Appends row after row: the value, then its derivatives.
 fn flatten(varied: &Varied, rows: &[usize], multipliers: &[usize], all: &mut Vec<Sym>) {
     for &row in rows {
         all.push(varied.values[row]);

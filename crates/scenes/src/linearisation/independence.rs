@@ -1,18 +1,17 @@
-//! Independent coordinates and speeds among those that constraints tie together, chosen by pivots.
+//! Choice of independent coordinates and speeds under constraints, by elimination with pivoting.
 
 use nalgebra::DMatrix;
 
-/// A column is taken as dependent where its pivot is at least this part of the largest one: among such the last one of the model.
+/// A pivot is acceptable if it is at least this part of the largest in its row; the last acceptable column is chosen.
 const FAIR: f64 = 0.1;
 
-/// Pivots below this part of the largest entry of a row are taken for zero.
+/// Pivots below this part of the largest entry of a row count as zero.
 const ZERO: f64 = 1e-10;
 
-/// The columns that rows determine, one for each row, in the order of the rows. The first rows have the same columns alone as among
-/// all rows.
+/// The pivot columns of linear equations, one for each row. The choice for the first rows does not depend on later rows.
 ///
 /// # Errors
-/// A row that depends on those before it.
+/// The index of the first row that depends on those before it.
 pub fn dependent(rows: &DMatrix<f64>) -> Result<Vec<usize>, usize> {
     let (m, n) = rows.shape();
     let mut rest = rows.clone();
@@ -40,7 +39,7 @@ pub fn dependent(rows: &DMatrix<f64>) -> Result<Vec<usize>, usize> {
     Ok(taken)
 }
 
-/// The columns that are independent.
+/// The columns among 0..n that are not in `dependent`.
 pub fn others(n: usize, dependent: &[usize]) -> Vec<usize> {
     (0..n).filter(|column| !dependent.contains(column)).collect()
 }

@@ -1,23 +1,24 @@
-//! Points at which the coordinates are singular, as the pole of spherical angles: the mass matrix is singular there, and no equation of motion
-//! in these coordinates describes the system nearby.
+//! Singularities of coordinates, such as the pole of spherical angles: the mass matrix is singular there, and no equation in these
+//! coordinates describes the motion nearby.
 
 use super::equations::{At, Point, VariedEquations};
 use nalgebra::{DMatrix, DVector};
 
-/// A mass matrix whose scaled eigenvalues, or whose inertias relative to each other, are above this is far from singular.
+/// The test continues only if the smallest eigenvalue of the mass matrix scaled to a unit diagonal, or the ratio of two inertias, is
+/// below this value.
 const SUSPICIOUS: f64 = 1e-6;
 
-/// Eigenvalues of the scaled mass matrix below this are zero: rounding of an angle, squared, is far below it.
+/// Eigenvalues of the scaled mass matrix below this value count as zero; the square of the rounding error of an angle is far below it.
 const SINGULAR: f64 = 1e-12;
 
-/// By so much the coordinates differ from the point where inertias are compared: no part of a turn.
+/// Displacements of the coordinates at which inertias are compared; no fraction of a turn.
 const ASIDE: [f64; 3] = [0.37, -0.61, 1.93];
 
-/// Components of a direction without inertia below this part of the largest one are rounding.
+/// Components of a direction without inertia below this part of the largest are rounding errors.
 const MOVED: f64 = 1e-3;
 
 impl VariedEquations {
-    /// The places of the speeds that have no inertia at a point, compared with that at other positions; empty where there are none.
+    /// The indices of the speeds that have no inertia at this point but have one at other positions; empty if there are none.
     pub(super) fn singular_speeds(&self, point: &Point, at: &At) -> Vec<usize> {
         let masses = &at.motion.by_accelerations;
         let own = diagonal(masses);
@@ -46,7 +47,7 @@ impl VariedEquations {
         let Some(direction) = without_inertia(scaled, pushes) else { return Vec::new() };
         let most = direction.amax();
         let places: Vec<usize> = (0..n).filter(|&place| direction[place].abs() > MOVED * most).collect();
-        // a coordinate that has no inertia anywhere lacks a mass, not a place
+        // a coordinate without inertia anywhere is a missing mass, not a singularity
         if places.iter().any(|&place| sizes[place] == 0.0) { Vec::new() } else { places }
     }
 }
@@ -55,7 +56,7 @@ fn diagonal(masses: &DMatrix<f64>) -> DVector<f64> {
     masses.diagonal().map(f64::abs)
 }
 
-/// Whether a mass matrix is nearly singular by itself, or an inertia is small beside the largest one.
+/// True if the scaled mass matrix is nearly singular, or an inertia is small relative to the largest.
 fn is_suspicious(masses: &DMatrix<f64>, own: &DVector<f64>) -> bool {
     if own.is_empty() || own.amin() <= SUSPICIOUS * own.amax() {
         return !own.is_empty();
@@ -65,8 +66,9 @@ fn is_suspicious(masses: &DMatrix<f64>, own: &DVector<f64>) -> bool {
     scaled.symmetric_eigenvalues().min() < SUSPICIOUS
 }
 
-/// A direction that constraints allow and that has no kinetic energy: it is in the kernels of M and of f' together, where M + f'^T f', with
-/// columns of unit length, has a zero eigenvalue, since both parts are positive semidefinite.
+/// A unit vector of speeds that satisfies the constraints and has no kinetic energy, if there is one. It is an eigenvector with
+/// eigenvalue zero of the sum of `masses` and `pushes` times its transpose, with columns of unit length: both terms are positive
+/// semidefinite. Columns of `pushes` are gradients of constraints.
 pub(crate) fn without_inertia(masses: DMatrix<f64>, mut pushes: DMatrix<f64>) -> Option<DVector<f64>> {
     for mut column in pushes.column_iter_mut() {
         let length = column.norm();
@@ -79,7 +81,7 @@ pub(crate) fn without_inertia(masses: DMatrix<f64>, mut pushes: DMatrix<f64>) ->
         return None;
     }
     let eigen = all.symmetric_eigen();
-    // a kinetic energy that is given may be negative
+    // a given kinetic energy may be negative
     let (place, least) = eigen.eigenvalues.map(f64::abs).argmin();
     (least < SINGULAR).then(|| eigen.eigenvectors.column(place).into_owned())
 }

@@ -1,14 +1,14 @@
-//! Points at which conditions of the law are zero: kinks, unless the equations have the same derivatives on all sides.
+//! Kinks: points at which a condition is zero and the equations have different values or derivatives on its two sides.
 
 use super::VariedEquations;
 use super::equations::Point;
 
-/// With more conditions that are zero at once their sides are not compared.
+/// If more conditions are zero at one point, their sides are not compared, and the point counts as a kink.
 const MOST_COMPARED: usize = 6;
 
 impl VariedEquations {
-    /// The first switch whose condition is zero at a point where the equations have no derivative: values or derivatives differ between the
-    /// sides. In the middle of a play, say, where no spring acts on either side, they do not.
+    /// The index of the first condition that is zero at a kink. `None` if the equations are equal on all sides, as in the middle of a
+    /// backlash without spring force.
     pub fn kinked_switch(&self, point: &Point) -> Option<usize> {
         let inputs = point.inputs.len();
         let values = self.conditions(point);

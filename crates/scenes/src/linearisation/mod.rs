@@ -1,10 +1,10 @@
 //! Linearisation of a model about a point: x' = A x + B w, y = C x + D w.
 //!
-//! The Jacobians are exact derivatives of the equations, not difference quotients. Where the point moves with accelerations, these and
-//! the reactions there enter the derivatives. Constraints eliminate as many variations as they tie together, and the state x holds the
-//! independent ones: those of coordinates, then those of speeds. Nonholonomic constraints leave fewer speeds than coordinates in x.
+//! The Jacobians are exact derivatives of the equations. Accelerations and reactions at the point enter these derivatives. The state x
+//! has the independent variations, first of coordinates, then of speeds; constraints eliminate the others. Nonholonomic constraints leave
+//! fewer speeds than coordinates in x.
 //!
-//! A free frame varies by three small turns about its own axes, and not by the four parts of its quaternion.
+//! A free frame is varied by three small rotations about its own axes instead of the four components of its quaternion.
 
 mod about;
 mod at_rest;
@@ -41,15 +41,16 @@ use point::solved;
 use reader::Issue;
 use std::fmt;
 
-/// The linear equations about a point.
+/// The linear equations about a point. The state x has small displacements in SI units (rotations in rad), then variations of speeds.
 #[derive(Clone, Debug)]
 pub struct Linearisation {
+    /// The point, with its accelerations and multipliers.
     pub point: Point,
-    /// Displacements that stand in the state, by the places of their speeds: of coordinates, and turns of free frames.
+    /// Indices of the speeds whose displacements are in x: of coordinates, and rotations of free frames.
     pub coordinates: Vec<usize>,
-    /// Speeds that do.
+    /// Indices of the speeds in x.
     pub speeds: Vec<usize>,
-    /// All displacements, then all speeds, by the state.
+    /// Variations of all displacements, then of all speeds, as functions of x: 2n rows for n speeds, one column for each state.
     pub variations: DMatrix<f64>,
     pub a: DMatrix<f64>,
     pub b: DMatrix<f64>,
@@ -58,27 +59,27 @@ pub struct Linearisation {
 }
 
 impl Linearisation {
-    /// A, B, C and D by their names, row after row.
+    /// The matrices with their names, row by row.
     pub fn matrices(&self) -> [(&'static str, Vec<Vec<f64>>); 4] {
         let rows = |matrix: &DMatrix<f64>| matrix.row_iter().map(|row| row.iter().copied().collect()).collect();
         [("A", rows(&self.a)), ("B", rows(&self.b)), ("C", rows(&self.c)), ("D", rows(&self.d))]
     }
 }
 
-/// The reason for which there is no linearisation.
+/// The reason for which a linearisation does not exist.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NotLinear {
     /// The equations do not determine accelerations and reactions.
     Undetermined(Undetermined),
     /// A constraint depends on those before it.
     Redundant(Box<NamedConstraint>),
-    /// An input moves a constraint: its rates would be inputs too.
+    /// An input appears in a constraint, so that its rates would be inputs too.
     DrivenConstraint { input: String, constraint: Box<NamedConstraint> },
-    /// A condition is zero at the point.
+    /// The condition with this index is zero at the point, a kink.
     AtCondition { switch: usize },
-    /// The coordinates of some speeds have no inertia, so that they do not describe the position.
+    /// The coordinates of these speeds are singular at the point: they have no inertia there.
     SingularCoordinates { speeds: Vec<usize> },
-    /// An output, by its place, has no finite derivative.
+    /// The output with this index has no finite derivative.
     SteepOutput { output: usize },
     /// A derivative has no finite value.
     NotFinite,
@@ -108,10 +109,10 @@ impl fmt::Display for NotLinear {
     }
 }
 
-/// Larger derivatives are none.
+/// Larger derivatives count as infinite.
 const STEEP: f64 = 1e250;
 impl NotLinear {
-    /// At its place in the file, of a point at a time.
+    /// The issue with its position in the file, for a point at a time (s).
     pub fn at(&self, model: &Model, time: f64) -> Issue {
         if let Self::SteepOutput { output } = self {
             let name = &model.outputs[*output].name;
@@ -153,10 +154,10 @@ impl NotLinear {
 }
 
 impl VariedEquations {
-    /// About a point, whose accelerations and multipliers are found first.
+    /// The linear equations about a point, whose accelerations and multipliers are computed first.
     ///
     /// # Errors
-    /// The reason for which there is no linearisation.
+    /// [`NotLinear`] with the reason.
     pub fn linearised(&self, point: Point) -> Result<Linearisation, NotLinear> {
         let speeds = self.singular_speeds(&point, &self.at(&point));
         if !speeds.is_empty() {
@@ -180,7 +181,7 @@ impl VariedEquations {
         let rows = &at.acceleration.by_accelerations.rows(0, kept).into_owned();
         let fixed_speeds = dependent(rows).map_err(redundant)?;
         let (fixed, _) = fixed_speeds.split_at(positions);
-        // an acceleration that a law gives has rates of inputs in it
+        // the acceleration of a coordinate without inertia contains rates of inputs
         for (row, constraint) in self.constraints[..kept].iter().enumerate().filter(|(_, known)| known.is_law) {
             let is_shown = at.outputs.by_accelerations.column(fixed_speeds[row]).iter().any(|slope| *slope != 0.0);
             let driving = (0..self.inputs.len()).find(|&column| at.rate.by_inputs[(row, column)] != 0.0);
@@ -191,7 +192,7 @@ impl VariedEquations {
         }
         let (free, free_speeds) = (others(n, fixed), others(n, &fixed_speeds));
 
-        // dq = N x_q, du = P x_u + K dq, with the inputs of laws
+        // dq = N x_q, du = P x_u + K dq + L w, with the inputs w of laws without inertia
         let k = self.inputs.len();
         let held = rows.rows(0, positions).into_owned();
         let by_free = tied(&held, fixed, &free, &DMatrix::zeros(positions, 0)).ok_or(NotLinear::NotFinite)?;
@@ -236,7 +237,7 @@ impl VariedEquations {
         let c =
             &at.outputs.by_coordinates * &coordinates + &at.outputs.by_speeds * &speeds + shown.columns(0, x_q + x_u);
         let d = &at.outputs.by_inputs + &at.outputs.by_speeds * &driven + shown.columns(x_q + x_u, k);
-        // a condition of an output that is zero here has a slope beyond all sizes
+        // an output has an infinite derivative where its condition is zero
         let is_steep = |value: &f64| value.is_nan() || value.abs() >= STEEP;
         let steep = (0..c.nrows()).find(|&row| c.row(row).iter().chain(d.row(row).iter()).any(is_steep));
         if let Some(output) = steep {
@@ -254,7 +255,8 @@ impl VariedEquations {
     }
 }
 
-/// The solution of rows x + more y = 0 for the fixed parts of x: all of x by its free parts, then by y.
+/// The general solution x of `rows` x + `more` y = 0, as a matrix whose columns belong to the free components of x, then to y. `None` if
+/// the columns `fixed` are singular.
 fn tied(rows: &DMatrix<f64>, fixed: &[usize], free: &[usize], more: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let n = rows.ncols();
     let (m, wide) = (rows.nrows(), free.len() + more.ncols());

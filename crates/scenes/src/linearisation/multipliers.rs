@@ -1,9 +1,9 @@
-//! Floquet multipliers of a periodic motion: the eigenvalues of the monodromy matrix M over independent variations x,
+//! Floquet multipliers of a periodic motion with the period T: eigenvalues of the monodromy matrix M of the independent variations x,
 //!
 //!   x(T) = M x(0) .
 //!
-//! The state-transition matrix of the run carries all variations that constraints allow; those of the end are told by their independent
-//! parts.
+//! The state-transition matrix of the run propagates all variations that satisfy the constraints at the start; M contains their
+//! independent components at the end.
 
 use super::recurrence::Recurrence;
 use super::{Linearisation, NotLinear, VariedEquations};
@@ -18,59 +18,60 @@ use simulation::IvpScene;
 use std::f64::consts::TAU;
 use std::fmt;
 
-/// Errors of a step of the two runs that are compared, the finer one last.
+/// Tolerances of the two runs that are compared; the second is the finer.
 const TOLERANCES: [f64; 2] = [1e-9, 1e-12];
 
-/// The largest part of one, and of a component's size, by which a state may miss its beginning.
+/// The largest distance between end and start of a period, relative to 1 + |component|.
 const RETURN: f64 = 1e-6;
 
-/// The part of the way at the speeds of the beginning by which a motion that returns may miss it.
+/// The largest distance between end and start of a period, relative to the path at the initial rates.
 const APART: f64 = 1e-2;
 
-/// Multipliers nearer to the unit circle than this, beside their error, do not decide.
+/// A multiplier with a distance from the unit circle below this value plus its error does not decide stability.
 const NEAR: f64 = 1e-8;
 
-/// The multipliers of a periodic motion, as numbers.
+/// The Floquet multipliers of a periodic motion, computed numerically.
 #[derive(Clone, Debug)]
 pub struct Multipliers {
+    /// The period, s.
     pub period: f64,
-    /// About the start.
+    /// The linear equations at the start.
     pub linear: Linearisation,
-    /// Over its states.
+    /// The monodromy matrix over the states of `linear`.
     pub monodromy: DMatrix<f64>,
-    /// Real and imaginary parts, by falling size; those that are one for a reason are among them.
+    /// Real and imaginary parts of all multipliers, by decreasing absolute value.
     pub values: Vec<[f64; 2]>,
-    /// The largest change of a multiplier between runs of two tolerances.
+    /// The largest change of a multiplier between the runs with the two tolerances.
     pub error: f64,
-    /// The distance from the end of the period to its beginning, each component as a part of its size.
+    /// The largest distance between end and start of the period, relative to 1 + |component|.
     pub distance: f64,
-    /// Reasons for which multipliers are one.
+    /// The multipliers that are exactly one.
     pub ones: Ones,
 }
 
-/// Numbers of multipliers that are one, by their reasons.
+/// Multipliers that are exactly one, by their causes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Ones {
-    /// Coordinates on which nothing depends.
+    /// The number of cyclic coordinates, each of which gives one.
     pub cyclic: usize,
-    /// Whether the law is autonomous, so that a shift in time gives a multiplier of one.
+    /// True if the law is autonomous and the motion is not at rest: a shift in time gives one.
     pub shift: bool,
-    /// Whether the energy is conserved.
+    /// True if the energy is conserved, which gives one more.
     pub energy: bool,
 }
 
-/// The stability by the multipliers, without those that are one for a reason.
+/// Linear stability by the multipliers other than those that are exactly one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Orbit {
-    /// All other multipliers lie inside the unit circle.
+    /// All these multipliers lie inside the unit circle.
     Asymptotic,
-    /// Number of multipliers outside the unit circle.
+    /// This number of multipliers lies outside the unit circle.
     Unstable(usize),
     /// No multiplier lies outside; this number of them lies on the circle within the numerical error.
     Undecided(usize),
 }
 
-/// The reason for which there are no multipliers.
+/// The reason for which no multipliers are computed.
 #[derive(Clone, Debug)]
 pub enum NoMultipliers {
     NotCompiled(NotCompiled),
@@ -78,16 +79,17 @@ pub enum NoMultipliers {
     Failure(Failure),
     /// The law changes at conditions, contacts or events.
     Changes,
-    /// A frame turns freely, or the law has states of its own.
+    /// The model has a free frame, or the problem has states beyond coordinates and speeds.
     States,
-    /// The state does not return: the component that misses most, by how much, as a part of its size.
+    /// The state does not return after the period. `component` is the index of the state component with the largest distance, relative to
+    /// 1 + |component|.
     Open {
         component: usize,
         distance: f64,
     },
-    /// The equations are others a period later.
+    /// The equations differ a period later.
     OtherLaw,
-    /// Within the period neither the law nor the motion changes enough that its return can be told.
+    /// The law or the motion changes so little within the period that a return cannot be recognised.
     Short,
 }
 
@@ -116,10 +118,10 @@ impl fmt::Display for NoMultipliers {
 }
 
 impl Multipliers {
-    /// Multipliers of the motion from the start of a scene, which returns after a period.
+    /// The multipliers of the motion from the start of a scene with a period (s).
     ///
     /// # Errors
-    /// The reason for which there are no multipliers.
+    /// [`NoMultipliers`] with the reason.
     pub fn of(scene: &ModelScene, period: f64) -> Result<Self, NoMultipliers> {
         let model = &*scene.model;
         if is_watched(model) {
@@ -185,7 +187,7 @@ impl Multipliers {
         let drifts = |row: usize| linear.coordinates.get(row).is_some_and(|k| free.contains(k));
         let fastest = (0..rate.len()).filter(|&row| !drifts(row)).map(|row| rate[row].abs()).fold(0.0, f64::max);
         let moves = fastest > RETURN;
-        // a motion that never left its beginning has not returned to it
+        // a motion that did not leave its start has not returned
         if moves && distance > APART * fastest * period {
             return Err(NoMultipliers::Short);
         }
@@ -197,7 +199,7 @@ impl Multipliers {
         Ok(Multipliers { period, linear, monodromy, values, error, distance, ones })
     }
 
-    /// The multipliers without those that are one for a reason: for each reason the one nearest to one is left out.
+    /// The multipliers without those that are exactly one: for each cause the multiplier nearest to one is left out.
     pub fn others(&self) -> Vec<[f64; 2]> {
         let mut rest = self.values.clone();
         let ones = self.ones.cyclic + usize::from(self.ones.shift) + usize::from(self.ones.energy);
@@ -209,10 +211,10 @@ impl Multipliers {
         rest
     }
 
-    /// The meaning for the stability of the motion, by numbers.
+    /// Stability of the motion in the first approximation, by numbers with error estimates.
     pub fn orbit(&self) -> Orbit {
         let margin = NEAR + 10.0 * self.error;
-        // an error splits several ones by its root: those that belong to reasons and others
+        // rounding splits a multiple eigenvalue by the square root of the error
         let split = (margin + self.distance).sqrt();
         let is_one = |[re, im]: &[f64; 2]| (re - 1.0).hypot(*im) <= split;
         let are_several = self.values.iter().filter(|value| is_one(value)).count() > 1;
@@ -228,7 +230,7 @@ impl Multipliers {
     }
 }
 
-/// Rates of the states.
+/// The rates of the states of a linearisation at its point.
 fn rate(linear: &Linearisation) -> DVector<f64> {
     let point = &linear.point;
     let speeds = linear.coordinates.iter().map(|&k| point.speeds[k]);
@@ -236,6 +238,7 @@ fn rate(linear: &Linearisation) -> DVector<f64> {
     DVector::from_vec(rates)
 }
 
+/// The eigenvalues by decreasing absolute value; empty if they are not found.
 fn by_size(matrix: &DMatrix<f64>) -> Vec<[f64; 2]> {
     let values = eigenvalues(matrix).unwrap_or_default();
     let mut all: Vec<[f64; 2]> = values.iter().map(|value| [value.re, value.im]).collect();
@@ -244,7 +247,7 @@ fn by_size(matrix: &DMatrix<f64>) -> Vec<[f64; 2]> {
     all
 }
 
-/// The largest distance from one of some numbers to the nearest one of others, of which each serves once.
+/// The largest distance in a greedy matching of two lists of complex numbers.
 fn farthest(some: &[[f64; 2]], others: &[[f64; 2]]) -> f64 {
     let mut left = others.to_vec();
     let mut most = 0.0_f64;

@@ -1,9 +1,9 @@
-//! The varied equations over any field: enclosures, exact fractions.
+//! Equations of a model with their derivatives over any field, such as intervals and exact fractions.
 
 use super::equations::VariedEquations;
 use field::Analytic;
 
-/// Derivatives of equations; rows are equations.
+/// Values and derivatives of equations; each row is an equation.
 #[derive(Clone, Debug)]
 pub(crate) struct Slopes<S> {
     pub values: Vec<S>,
@@ -13,7 +13,8 @@ pub(crate) struct Slopes<S> {
     pub by_multipliers: Vec<Vec<S>>,
 }
 
-/// Equations of motion and constraints: those of positions first, then those of speeds.
+/// Equations of motion, then constraints at the levels of positions, speeds and accelerations. Position constraints precede constraints
+/// of speeds.
 #[derive(Clone, Debug)]
 pub(crate) struct AllSlopes<S> {
     pub motion: Slopes<S>,
@@ -37,7 +38,7 @@ impl<S> Slopes<S> {
 }
 
 impl<S> AllSlopes<S> {
-    /// Numbers of another field, where all of them are.
+    /// Converts all numbers to another field; `None` if one cannot be converted.
     pub fn through<T>(self, each: impl Fn(S) -> Option<T>) -> Option<AllSlopes<T>> {
         Some(AllSlopes {
             motion: self.motion.through(&each)?,
@@ -49,13 +50,13 @@ impl<S> AllSlopes<S> {
 }
 
 impl VariedEquations {
-    /// Speeds, constraints, inputs and switches.
+    /// The numbers of speeds, constraints, inputs and conditions.
     pub(crate) fn counts(&self) -> [usize; 4] {
         let [n, m, k, _, s] = self.sizes;
         [n, m, k, s]
     }
 
-    /// At coordinates, speeds, accelerations, multipliers, inputs and switches, one after another, and a time.
+    /// Evaluates the equations. `point` has coordinates, speeds, accelerations, multipliers, inputs and switches, one after another.
     pub(crate) fn over<S: Analytic>(&self, point: &[S], time: S) -> AllSlopes<S> {
         let [n, m, k, shown, _] = self.sizes;
         let width = 2 + 3 * n + m + k;

@@ -1,16 +1,16 @@
-//! Accelerations and multipliers at a point.
+//! Solution of the equations of motion for accelerations and multipliers at a point.
 
 use super::equations::{At, Point, VariedEquations};
 use nalgebra::{DMatrix, DVector};
 use std::fmt;
 
-/// Singular values below this part of the largest one are taken for zero.
+/// Singular values below this part of the largest count as zero.
 const RANK: f64 = 1e-12;
 
 /// The reason for which accelerations and multipliers are not determined at a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Undetermined {
-    /// The equations leave some of them open.
+    /// The matrix of the equations has a rank below the number of unknowns.
     Rank { rank: usize, unknowns: usize },
     /// An equation has no finite value.
     NotFinite,
@@ -28,7 +28,7 @@ impl fmt::Display for Undetermined {
     }
 }
 
-/// [M, -J^T; J, 0] at a point.
+/// The matrix [M, -J^T; J, 0] at a point.
 pub fn matrix(at: &At) -> DMatrix<f64> {
     let (n, m) = (at.motion.values.len(), at.acceleration.values.len());
     let mut matrix = DMatrix::zeros(n + m, n + m);
@@ -38,10 +38,10 @@ pub fn matrix(at: &At) -> DMatrix<f64> {
     matrix
 }
 
-/// Solves with the matrix of a point, rows and columns scaled, for all columns of the right side.
+/// Solves linear equations with [`matrix`], after scaling its rows and columns, for all columns of `right`.
 ///
 /// # Errors
-/// Where it has no solution, or several.
+/// [`Undetermined`] if the matrix is singular or not finite.
 pub fn solved(at: &At, right: &DMatrix<f64>) -> Result<DMatrix<f64>, Undetermined> {
     let mut matrix = matrix(at);
     let size = matrix.nrows();
@@ -75,10 +75,10 @@ pub fn solved(at: &At, right: &DMatrix<f64>) -> Result<DMatrix<f64>, Undetermine
 }
 
 impl VariedEquations {
-    /// The point with the accelerations and multipliers that the equations have there.
+    /// The point with its accelerations and multipliers.
     ///
     /// # Errors
-    /// The rank where the equations do not determine them.
+    /// [`Undetermined`] if the equations do not determine them.
     pub fn with_accelerations(&self, mut point: Point) -> Result<Point, Undetermined> {
         let n = point.speeds.len();
         let at = self.at(&point);

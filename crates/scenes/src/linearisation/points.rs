@@ -1,4 +1,4 @@
-//! Instants of a run as points about which a model is linearised, and how a point moves.
+//! Points of linearisation along a run, and the classification of a point as equilibrium, steady or moving.
 
 use super::{Linearisation, NotLinear, VariedEquations};
 use crate::modes::Modes;
@@ -7,22 +7,22 @@ use integrators::{Failure, Observer, Record, Span, Tolerance};
 use std::fmt;
 use std::time::{Duration, Instant};
 
-/// A time and the state then: coordinates, then speeds.
+/// A time (s) and the state at this time: coordinates, then speeds.
 pub type Instance = (f64, Vec<f64>);
 
-/// The largest error of a step of the run that leads to an instant.
+/// The largest tolerance of a run to an instant.
 const FINE: f64 = 1e-11;
 
-/// The reason for which there is no point at a time.
+/// The reason for which a run has no state at a time (s), or no linearisation exists there.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoInstance {
     Failure(Failure),
-    /// The law of the run ends before the time.
+    /// The run ends at `time`, before the requested time.
     Ended {
         time: f64,
         why: String,
     },
-    /// A condition, by its place, stays at zero then.
+    /// The condition with this index stays at zero at this time (sliding mode).
     Held {
         time: f64,
         switch: usize,
@@ -41,10 +41,11 @@ impl fmt::Display for NoInstance {
     }
 }
 
-/// States of the run at times, by its own method, whose tolerance is made finer where it is coarse: across its events, up to its end.
+/// The states of a run at `times` (s), across its events. The method is that of the scene; its tolerance is at most [`FINE`]. `allowed`
+/// limits the computing time.
 ///
 /// # Errors
-/// The reason for which the run does not reach a time.
+/// [`NoInstance`] if the run does not reach a time, or a condition stays at zero there.
 pub fn along(scene: &ModelScene, times: &[f64], allowed: Duration) -> Result<Vec<Instance>, NoInstance> {
     let last = times.iter().copied().fold(0.0, f64::max);
     if last == 0.0 {
@@ -78,7 +79,7 @@ pub fn along(scene: &ModelScene, times: &[f64], allowed: Duration) -> Result<Vec
     Ok(times.iter().map(|&time| (time, state(time))).collect())
 }
 
-/// The states at times, each with the condition that stays at zero then.
+/// The recorded states, each with the index of a condition that stays at zero at its time.
 struct Seen<'a> {
     record: Record<f64>,
     modes: Option<&'a Modes>,
@@ -92,27 +93,28 @@ impl Observer<f64> for Seen<'_> {
     }
 }
 
-/// Motion of the point of a linearisation.
+/// The kind of motion at a point of linearisation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Standing {
     /// All speeds and accelerations are zero.
     Equilibrium,
-    /// All speeds are zero but those of charges: currents are steady.
+    /// All speeds are zero except steady currents.
     SteadyCurrents,
-    /// Speeds and the linear equations are constant.
+    /// A steady motion: the speeds and the linear equations are constant.
     Steady,
-    /// The point moves, and the linear equations change with it.
+    /// The linear equations change along the motion.
     Moving,
 }
 
-/// Accelerations below this part of what the linear equations make of variations of size one are taken for zero.
+/// Accelerations, and changes of the linear equations, below this value times 1 + |A| count as zero.
 const STILL: f64 = 1e-9;
 
 impl VariedEquations {
-    /// The standing of a point: whether linear equations further along its straight way, at two times, are the same.
+    /// The kind of motion at a point. The linear equations there are compared with those at two later times, after motion with constant
+    /// speeds.
     ///
     /// # Errors
-    /// Where there are none there.
+    /// [`NotLinear`] if a later point has no linear equations.
     pub fn standing(&self, about: &Linearisation) -> Result<Standing, NotLinear> {
         let point = &about.point;
         let size = 1.0 + about.a.amax();

@@ -1,35 +1,36 @@
-//! Check that a law is periodic: its change over one period is compared with its changes within the period.
+//! Check that a law is periodic in time: its change over a period is compared with its changes within the period.
 
 use super::{Linearisation, VariedEquations};
 use nalgebra::DMatrix;
 
-/// Phases of the period, and parts of the run, at which a law is compared.
+/// Fractions of the period, and of the run, at which the law is evaluated.
 const PHASES: [f64; 5] = [0.0, 0.21, 0.43, 0.68, 0.9];
 
-/// Parts of the period after a phase at which a law that changes with time has changed.
+/// Fractions of the period after each such time at which the change of the law is measured.
 const WITHIN: [f64; 3] = [0.29, 0.5, 0.71];
 
-/// Parts of the size of a law that are rounding.
+/// Changes below this part of the size of a law are rounding errors.
 const ROUNDING: f64 = 1e-11;
 
-/// The part of its changes within a period by which a law may be another one a period later: periods are given to seven digits.
+/// The largest change over a period, relative to the changes within it, of a periodic law: periods may be given with seven digits.
 const DIGITS: f64 = 1e-4;
 
-/// Changes within a period are this many times rounding, at least.
+/// Changes within a period must exceed this multiple of the rounding error.
 const TOLD: f64 = 100.0;
 
-/// The law of a state a period later.
+/// The comparison of the law with the law a period later.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Recurrence {
-    /// It is the same at each phase.
+    /// The laws are equal.
     Returns,
+    /// The laws differ.
     Differs,
-    /// It changes with time, but hardly within the period.
+    /// The law changes with time, but too little within the period for a comparison.
     Hidden,
 }
 
 impl Recurrence {
-    /// The return of the linear equations and the accelerations of a state over a period, in a run of some length.
+    /// Compares linear equations and accelerations at a fixed state over a period (s), in a run of length `span` (s).
     pub fn of(equations: &VariedEquations, about: &Linearisation, state: &[f64], (period, span): (f64, f64)) -> Self {
         let law = |time: f64| -> Option<(DMatrix<f64>, DMatrix<f64>)> {
             let found = equations.linearised(equations.point(time, state)).ok()?;

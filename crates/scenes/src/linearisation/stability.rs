@@ -1,24 +1,25 @@
-//! Eigenvalues of a linearisation, and the linear stability that follows.
+//! Eigenvalues of a linearisation, and stability in the first approximation.
 
 use nalgebra::{Complex, DMatrix};
 use std::fmt;
 
-/// Entries below this part of the largest one of their matrix are rounding.
+/// Matrix entries below this part of the largest are rounding errors.
 const ROUNDING: f64 = 1e-14;
 
-/// Real parts below this part of the largest eigenvalue are taken for zero.
+/// Real parts below this part of the largest absolute eigenvalue count as zero.
 const ZERO: f64 = 1e-9;
 
 /// The eigenvalues of a matrix.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spectrum {
-    /// The eigenvalues by falling real parts.
+    /// The eigenvalues by decreasing real part, 1/s; NaN if they are not found.
     pub values: Vec<Complex<f64>>,
-    /// The number of zero eigenvalues of variations on which no equation depends (zero columns), or that never change (zero rows).
+    /// The number of exact zeros, from zero columns (variations on which no equation depends) or zero rows (variations that never
+    /// change).
     pub idle: usize,
 }
 
-/// All eigenvalues; zeros of variations that no equation asks for are exact.
+/// All eigenvalues of a matrix. Rows and columns of zeros are removed first, so that their zero eigenvalues are exact.
 pub fn eigenvalues(matrix: &DMatrix<f64>) -> Spectrum {
     let mut rest = matrix.clone();
     let mut all = Vec::new();
@@ -29,7 +30,7 @@ pub fn eigenvalues(matrix: &DMatrix<f64>) -> Spectrum {
     }
     let idle = all.len();
     if rest.nrows() > 0 {
-        // no entry is told of what has none
+        // eigenvalues that are not found are NaN
         let unknown = || vec![Complex::new(f64::NAN, f64::NAN); rest.nrows()];
         all.extend(integrators::eigenvalues(&rest).unwrap_or_else(unknown));
     }
@@ -37,30 +38,30 @@ pub fn eigenvalues(matrix: &DMatrix<f64>) -> Spectrum {
     Spectrum { values: all, idle }
 }
 
-/// The verdict by eigenvalues.
+/// Stability in the first approximation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stability {
-    /// The point moves: those of an instant decide nothing.
+    /// The point moves: eigenvalues at an instant do not decide stability.
     Moving,
     /// The number of eigenvalues with positive real parts.
     Unstable(usize),
-    /// All eigenvalues have negative real parts, except `idle` zeros of variations on which no linear equation depends. They decide nothing where
-    /// the equations of motion depend on these, as on x by x^3.
+    /// All eigenvalues have negative real parts, except `idle` exact zeros. These say nothing if nonlinear terms depend on their
+    /// variations, such as a force -x^3.
     Asymptotic { idle: usize },
-    /// No eigenvalue has a positive real part; this number of them has the real part zero.
+    /// No eigenvalue has a positive real part, and this number has the real part zero.
     Undecided(usize),
-    /// There are no eigenvalues.
+    /// The matrix has no eigenvalues: no motion is possible.
     Nothing,
 }
 
 impl Stability {
-    /// Stability of a point of rest or of a motion along which the linear equations stay as they are; otherwise `is_steady` is false.
+    /// Stability of an equilibrium or a steady motion. `is_steady` is false if the linear equations change along the motion.
     pub fn of(spectrum: &Spectrum, is_steady: bool) -> Self {
         let Spectrum { values: eigenvalues, idle } = spectrum;
         let largest = eigenvalues.iter().map(|value| value.norm()).fold(0.0, f64::max);
         let sign = |value: &&Complex<f64>| value.re > ZERO * largest;
         let unstable = eigenvalues.iter().filter(sign).count();
-        // one that is not known decides nothing
+        // an unknown eigenvalue decides nothing
         let is_neutral = |value: &&Complex<f64>| value.re.is_nan() || value.re.abs() <= ZERO * largest;
         let neutral = eigenvalues.iter().filter(is_neutral).count();
         match (is_steady, unstable, neutral) {
@@ -104,7 +105,7 @@ mod tests {
 
     #[test]
     fn zeros_of_coordinates_that_do_not_occur_are_exact() {
-        // a cart with a pendulum that hangs: the cart's place occurs nowhere
+        // a cart with a hanging pendulum: no equation depends on the position of the cart
         let matrix = DMatrix::from_row_slice(4, 4, &[0., 0., 1., 0., 0., 0., 0., 1., 0., 3., 0., 0., 0., -9., 0., 0.]);
         let found = eigenvalues(&matrix);
         assert_eq!((found.values.iter().filter(|value| value.norm() == 0.0).count(), found.idle), (2, 2));

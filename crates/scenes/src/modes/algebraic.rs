@@ -1,10 +1,11 @@
-//! Algebraic speeds: speeds of coordinates without inertia whose laws change at conditions or with diodes.
+//! Algebraic speeds: speeds of coordinates without inertia whose laws change at conditions or with diodes. In each mode their equations
 //!
 //!   r_k - sum mu_c J_ck = 0 ,    f_c = 0 ,    i = 0 of a diode that blocks ,    g = 0 of a condition that is held
 //!
-//! are linear in these speeds, in the multipliers mu of the constraints f on them, in the voltages across blocking diodes and in the
-//! switches of held conditions. In some modes a combination of these equations has no unknowns, for example if an ideal diode connects a
-//! source with a capacitor. This combination is a hidden constraint of positions or of speeds with inertia, and is replaced by its rate.
+//! are linear in these speeds, in the multipliers mu of the constraints f on them, in the voltages across blocking diodes, and in the
+//! switches of conditions held at zero. In some modes a combination of these equations has no unknowns, for example if an ideal diode
+//! connects a source with a capacitor. This combination is a hidden constraint of positions or of speeds with inertia, and is replaced by
+//! its rate.
 
 use super::contacts::letters as reactions;
 use super::held::is_linear;
@@ -17,21 +18,21 @@ use model::equations::{Equation, Equations, Singular, solved};
 use model::{Model, Trace};
 use symbolic::{Sym, substitute_all};
 
-/// Equations of motion in which algebraic speeds are letters.
+/// The equations of motion, solved except for algebraic speeds and their multipliers, which remain symbols.
 pub(crate) struct Parted {
-    /// One for each speed; zero for those that are algebraic.
+    /// One expression for each speed; zero for algebraic speeds.
     pub accelerations: Vec<Sym>,
-    /// One for each constraint; its letter if the constraint contains algebraic speeds.
+    /// One expression for each constraint; its own symbol if the constraint contains algebraic speeds.
     pub multipliers: Vec<Sym>,
-    /// Algebraic speeds, then the multipliers of constraints that contain them.
+    /// The unknown symbols: algebraic speeds, then multipliers of constraints that contain them.
     pub letters: Vec<Sym>,
-    /// Sums that are zero for the right values of these letters: the law of each speed, then each constraint.
+    /// The equations for these symbols, as expressions that are zero: the law of each algebraic speed, then each constraint.
     pub zeros: Vec<Sym>,
-    /// For each condition and each contact, whether it contains an algebraic speed: then the mode determines its value.
+    /// The conditions and contacts that contain an algebraic speed: the mode determines their values.
     pub is_direct: Direct,
 }
 
-/// Conditions and contacts whose values are determined by the mode.
+/// For each condition, and for each contact: true if it contains an algebraic speed, so that the mode determines its value.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Direct {
     pub conditions: Vec<bool>,
@@ -51,6 +52,10 @@ impl Direct {
 }
 
 impl Parted {
+    /// Solves the equations of motion of a trace as far as possible without a mode.
+    ///
+    /// # Errors
+    /// A coordinate has no inertia and no algebraic law, or a constraint is redundant.
     pub fn of(trace: &Trace<'_>) -> Result<Self, NotCompiled> {
         let model = trace.model;
         if model.algebraic_speeds.is_empty() {
@@ -97,8 +102,11 @@ impl Parted {
         Ok(Parted { accelerations, multipliers, letters: Vec::new(), zeros: Vec::new(), is_direct })
     }
 
-    /// Letters with their expressions in a mode: algebraic speeds, their multipliers, voltages of diodes and switches that the mode determines,
-    /// and switches that it fixes. None for a system without such speeds. Reactions and switches that depend on accelerations stay letters.
+    /// Expressions, in a mode, of the symbols that it determines: algebraic speeds, their multipliers, voltages of diodes, and switches.
+    /// Empty without algebraic speeds. Reactions and switches that depend on accelerations remain symbols.
+    ///
+    /// # Errors
+    /// [`NotCompiled::NotHeld`] or [`NotCompiled::Massless`] if the equations have no solution.
     pub(super) fn settled(&self, trace: &Trace<'_>, mode: &Mode) -> Result<Settled, NotCompiled> {
         if self.letters.is_empty() {
             return Ok(Settled::default());
@@ -135,7 +143,7 @@ impl Parted {
         let moving: Vec<Sym> = trace.switches.iter().copied().chain(reactions(trace)).collect();
         let stays = |hidden: Sym| !hidden.symbols_of().iter().any(|letter| moving.contains(letter));
         let hidden_rate = |hidden: Sym| stays(hidden).then(|| rate(hidden));
-        // friction in proportion to an unknown, where it sticks
+        // a sticking friction whose amount is proportional to an unknown makes the equations bilinear
         let letters: Vec<(usize, Sym)> = moved.iter().map(|&switch| (switch, trace.switches[switch])).collect();
         let sticking: Vec<(usize, Sym)> =
             letters.into_iter().filter(|(_, letter)| multiplies(*letter, &zeros, &unknowns)).collect();
@@ -162,14 +170,14 @@ impl Parted {
     }
 }
 
-/// Letters that a mode determines.
+/// The symbols that a mode determines.
 #[derive(Default)]
 pub(super) struct Settled {
-    /// Letters with their expressions.
+    /// Symbols with their expressions.
     pub values: Vec<(Sym, Sym)>,
-    /// Algebraic speeds without an expression, with sums that must be zero: the run integrates their rates.
+    /// Implicit algebraic speeds, each with an equation as an expression that is zero; a run integrates their rates.
     pub implicit: Vec<(Sym, Sym)>,
-    /// Switches of conditions at zero, among these letters.
+    /// Indices of conditions held at zero whose switches are among `values`.
     pub switches: Vec<usize>,
 }
 

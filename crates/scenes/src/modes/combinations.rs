@@ -1,10 +1,11 @@
-//! Combinations of phases of contacts in which a motion may continue.
+//! Enumeration of the combinations of phases of contacts in which a motion may continue.
 //!
-//! The reactions of a combination are unique only if the conditions gap'' = 0 of each pressing contact and v' = 0 of each sticking contact
-//! are independent. In the plane at most two feet of a block press at once. Combinations are built contact by contact; a combination with
-//! dependent gaps is left out with all its extensions. The tangents are added next. Contacts at rest in space or on a wall may have more
-//! reactions than the motion determines. Then one of them leans: its friction acts only along the directions that the others leave free. A
-//! contact that does not press, and whose gap depends on the gaps of pressing contacts, is carried.
+//! The reactions of a combination are unique only if the conditions gap'' = 0 of each pressing contact and v' = 0 of each sticking
+//! contact are independent; for example, at most two feet of a block in the plane press at once. Combinations are built contact by
+//! contact; one with dependent normal conditions is dropped with all its extensions. The tangential conditions are added next. Contacts
+//! that stick in space or on a wall may have more reactions than the motion determines. One of them then leans: its friction is
+//! determined only along the tangents that the other contacts leave free. A contact that does not press, and whose gap depends on the
+//! gaps of pressing contacts, is carried.
 
 use super::contacts::{PARTS, unknown_parts};
 use super::decision::Open;
@@ -13,13 +14,13 @@ use super::mode::Phase;
 use super::touch::Touch;
 use nalgebra::DMatrix;
 
-/// A condition is independent of others where it keeps at least this part of its own response.
+/// A condition is independent of others if at least this part of its squared response remains after projection.
 const RANK: f64 = 1e-11;
 
 /// The largest number of combinations that are built.
 const MOST: usize = 20_000;
 
-/// All combinations of phases with independent conditions; `None` where they are too many.
+/// All combinations of phases with independent conditions, one phase for each contact; `None` if there are more than [`MOST`].
 pub(super) fn combinations(expansions: &Expansions, instant: &Instant<'_>, open: Open<'_>) -> Option<Vec<Vec<Phase>>> {
     let responses = expansions.responses_of_contacts(instant);
     let mut all = vec![(Vec::new(), Kept::default())];
@@ -41,13 +42,13 @@ pub(super) fn combinations(expansions: &Expansions, instant: &Instant<'_>, open:
     Some(all.into_iter().filter_map(along_tangents).collect())
 }
 
-/// Whether the conditions of a contact may depend on those of others. A guide that the coordinates satisfy has a balance of its own, and
-/// currents without inertia are decided by the whole mode.
+/// True if the conditions of a contact may depend on those of others. A guide that the coordinates satisfy has its own force balance, and
+/// contacts of algebraic speeds are decided with the whole mode.
 fn counts(kind: Kind) -> bool {
     !kind.is_guide && !kind.is_direct
 }
 
-/// Phases with independent tangents, in addition to the independent normals; none if this is not possible.
+/// The phases with independent tangential conditions added; `None` if this is not possible.
 fn along_tangents(
     responses: &DMatrix<f64>,
     expansions: &Expansions,
@@ -72,7 +73,7 @@ fn along_tangents(
     Some(phases)
 }
 
-/// The phases of a contact in space that would stick, if others hold it along one or both tangents.
+/// The leaning phases of a contact that sticks in space: other contacts hold it along one tangent or both.
 pub(super) fn leaning(phase: Phase, is_in_space: bool) -> Vec<Phase> {
     match phase {
         Phase::Sticks(face) if is_in_space => {
@@ -82,7 +83,7 @@ pub(super) fn leaning(phase: Phase, is_in_space: bool) -> Vec<Phase> {
     }
 }
 
-/// Independent conditions, as directions in the space of motions: rows of Cholesky's factor of their responses.
+/// Independent conditions: rows of the Cholesky factor of their response matrix.
 #[derive(Clone, Debug, Default)]
 struct Kept {
     places: Vec<usize>,
@@ -90,13 +91,13 @@ struct Kept {
 }
 
 impl Kept {
-    /// With the conditions of a contact added; none if they depend on these.
+    /// The set with conditions of a contact added; `None` if they depend on the others.
     fn with(&self, responses: &DMatrix<f64>, contact: usize, parts: &[usize]) -> Option<Self> {
         let mut kept = self.clone();
         parts.iter().all(|part| kept.add(responses, PARTS * contact + part)).then_some(kept)
     }
 
-    /// Adds a condition; whether it is independent of the others.
+    /// Adds a condition and returns true, or returns false if it depends on the others.
     fn add(&mut self, responses: &DMatrix<f64>, place: usize) -> bool {
         let mut row: Vec<f64> = Vec::with_capacity(self.rows.len() + 1);
         for (own, &other) in self.rows.iter().zip(&self.places) {

@@ -1,4 +1,4 @@
-//! The reactions of contacts in touch, over symbols:
+//! Symbolic equations for the normal reaction N and the friction T of closed contacts:
 //!
 //!   gap'' = 0 for N (u' = 0 of a diode),    v' = 0 for T of a contact that sticks,    T = -mu |N| v/|v| of one that slides .
 
@@ -10,11 +10,11 @@ use model::equations::{balances, constraints_of};
 use model::{Contact, Trace};
 use symbolic::{Derivation, Sym, substitute_all};
 
-/// Letters of a contact: N, and T along each tangent. In the plane the last one is zero.
+/// The number of reaction symbols of a contact: N, and T along each of two tangents. In the plane the last is zero.
 pub(crate) const PARTS: usize = 3;
 
-/// The normal and tangential equations of each contact, as sums that are zero; for a guide that the coordinates satisfy, the balance of
-/// forces across it. They contain accelerations and multipliers.
+/// The normal and tangential equations of each contact, as expressions that are zero; for a guide that the coordinates satisfy, the
+/// balance of forces across it. They contain accelerations and multipliers.
 pub(super) fn kept_at_zero(trace: &Trace<'_>) -> Vec<[Sym; PARTS]> {
     let of = |(contact, balance): (&Contact, Option<Sym>)| {
         let normal = balance.unwrap_or_else(|| trace.rate_of(trace.gap_rate(contact)));
@@ -24,19 +24,19 @@ pub(super) fn kept_at_zero(trace: &Trace<'_>) -> Vec<[Sym; PARTS]> {
     trace.model.contacts.iter().zip(balances(trace)).map(of).collect()
 }
 
-/// Accelerations and multipliers by expressions.
+/// Substitutions of accelerations and multipliers by expressions.
 pub(super) fn motion(trace: &Trace<'_>, accelerations: &[Sym], multipliers: &[Sym]) -> Vec<(Sym, Sym)> {
     let of_constraints = constraints_of(trace).into_iter().map(|one| one.multiplier);
     let letters = trace.accelerations.iter().copied().chain(of_constraints);
     letters.zip(accelerations.iter().chain(multipliers).copied()).collect()
 }
 
-/// The sliding velocity along each tangent; in the plane the last one is zero.
+/// The sliding velocity along each tangent, m/s; in the plane the last is zero.
 pub(super) fn slides(trace: &Trace<'_>, contact: &Contact) -> [Sym; 2] {
     [0, 1].map(|tangent| contact.slides.get(tangent).map_or(Sym::ZERO, |&slide| trace.scalar(slide)))
 }
 
-/// The unknown reactions of a contact in a phase.
+/// The indices of the unknown reactions of a contact in a phase: 0 for N, 1 and 2 for T.
 pub(super) fn unknown_parts(phase: Phase, is_in_space: bool) -> &'static [usize] {
     match phase {
         Phase::Apart | Phase::Carried => &[],
@@ -51,7 +51,7 @@ pub(super) fn unknown_parts(phase: Phase, is_in_space: bool) -> &'static [usize]
     }
 }
 
-/// Unknown reactions of a mode: contact and component.
+/// The unknown reactions of a mode, as pairs of contact and component.
 pub(super) fn unknown(mode: &Mode, is_in_space: impl Fn(usize) -> bool) -> Vec<[usize; 2]> {
     let of = |(contact, phase): (usize, &Phase)| {
         unknown_parts(*phase, is_in_space(contact)).iter().map(move |&component| [contact, component])
@@ -59,13 +59,13 @@ pub(super) fn unknown(mode: &Mode, is_in_space: impl Fn(usize) -> bool) -> Vec<[
     mode.phases.iter().enumerate().flat_map(of).collect()
 }
 
-/// The letters of all reactions, those of each contact together.
+/// The symbols of all reactions, contact by contact.
 pub(crate) fn letters(trace: &Trace<'_>) -> Vec<Sym> {
     let contacts = 0..trace.model.contacts.len();
     contacts.flat_map(|contact| (0..PARTS).map(move |part| trace.reaction(contact, part))).collect()
 }
 
-/// T/N of a contact that slides, along each tangent.
+/// The ratio T/N along each tangent for a sliding contact; `None` for other phases.
 fn over_normal(trace: &Trace<'_>, contact: usize, phase: Phase) -> Option<[Sym; 2]> {
     let face = number(phase.face()?.sign());
     let most = friction(trace, contact) * face;
@@ -79,25 +79,28 @@ fn over_normal(trace: &Trace<'_>, contact: usize, phase: Phase) -> Option<[Sym; 
     }
 }
 
-/// The coefficient of friction of a contact; zero of a smooth one.
+/// The coefficient of friction of a contact; zero for a smooth contact.
 pub(super) fn friction(trace: &Trace<'_>, contact: usize) -> Sym {
     trace.model.contacts[contact].friction.map_or(Sym::ZERO, |friction| trace.scalar(friction))
 }
 
 /// The equations for the unknown reactions of a mode.
 pub(super) struct ReactionEquations {
-    /// Reactions that are zero, or proportional to others by friction.
+    /// Reactions that are zero, or proportional to a normal reaction.
     pub given: Vec<(Sym, Sym)>,
-    /// Contact and component of each unknown reaction.
+    /// The contact and the component of each unknown reaction.
     pub unknown: Vec<[usize; 2]>,
+    /// The matrix of the linear equations, by rows.
     pub rows: Vec<Vec<Sym>>,
+    /// Their right side.
     pub right: Vec<Sym>,
-    /// The equations, as sums that are zero.
+    /// The equations as expressions that are zero.
     zeros: Vec<Sym>,
 }
 
 impl ReactionEquations {
-    /// The equations from accelerations and multipliers that contain the letters of reactions; letters with known expressions are replaced.
+    /// The equations of a mode. Accelerations and multipliers contain the symbols of reactions. `settled` has symbols with known
+    /// expressions, `is_direct` is true for contacts that the mode determines directly.
     pub fn of(
         trace: &Trace<'_>,
         mode: &Mode,
@@ -132,10 +135,10 @@ impl ReactionEquations {
         ReactionEquations { given, unknown, rows, right, zeros }
     }
 
-    /// Their solution, with the determinant.
+    /// The solution for a right side, and the determinant.
     ///
     /// # Errors
-    /// The contact whose equation has no pivot.
+    /// [`NotCompiled::NotHeldContact`] with the contact whose equation has no pivot.
     pub fn solved(&self, right: Vec<Sym>) -> Result<(Vec<Sym>, Sym), NotCompiled> {
         super::held::eliminated(self.rows.clone(), right)
             .map_err(|row| NotCompiled::NotHeldContact { contact: self.unknown[row][0] })
@@ -147,16 +150,16 @@ fn slope(trace: &Trace<'_>, expression: Sym, [contact, component]: [usize; 2]) -
     Derivation::new([(trace.reaction(contact, component), Sym::ONE)]).of(expression)
 }
 
-/// The contacts of a mode.
+/// The reactions of a mode.
 pub(super) struct Closed {
-    /// Reactions that follow from others, then those that are solved for, by their letters.
+    /// Symbols with their expressions: reactions that follow from others, then the solution.
     pub found: Vec<Vec<(Sym, Sym)>>,
-    /// The determinant of the equations for them: where it is zero they are not determined, or unbounded.
+    /// The determinant of the equations: where it is zero, reactions are not determined or unbounded.
     pub determinant: Sym,
 }
 
-/// The reactions of a mode, from accelerations and multipliers that contain their letters; then both with the reactions inserted.
-/// Letters with known expressions are replaced, among them the reactions of contacts that the mode determines directly.
+/// The reactions of a mode, and accelerations, then multipliers, with these reactions inserted. `settled` has symbols with known
+/// expressions, `is_direct` is true for contacts that the mode determines directly.
 pub(super) fn closed(
     trace: &Trace<'_>,
     mode: &Mode,
@@ -203,7 +206,7 @@ pub(super) fn closed(
     Ok((Closed { found: vec![given.clone(), shown], determinant }, moved))
 }
 
-/// Friction of leaning contacts, along the tangents along which others hold them.
+/// The undetermined friction of leaning contacts: contact and component, along the tangents in which other contacts hold them.
 pub(super) fn leant(mode: &Mode) -> Vec<[usize; 2]> {
     let of = |(contact, phase): (usize, &Phase)| {
         let held = if let Phase::Leans { held, .. } = phase { *held } else { [true; 2] };
@@ -212,7 +215,7 @@ pub(super) fn leant(mode: &Mode) -> Vec<[usize; 2]> {
     mode.phases.iter().enumerate().flat_map(of).collect()
 }
 
-/// 1 or -1.
+/// -1 for a negative number, else 1.
 pub(super) fn number(sign: f64) -> Sym {
     if sign < 0.0 { -Sym::ONE } else { Sym::ONE }
 }

@@ -1,4 +1,4 @@
-//! A continuum of motions from one state: a mode whose equations for the reactions are singular but solvable.
+//! A continuum of motions from one state: the equations of a mode for the reactions are singular but solvable.
 //!
 //! At the critical friction the matrix A of A N = b is singular. If the system is solvable, N + s n with A n = 0 is a solution for every s, each
 //! with a different motion. If the conditions of the mode, which are linear in s, hold on an interval, the motions form a continuum.
@@ -8,16 +8,16 @@ use super::mode::{Face, Mode, Phase};
 use super::touch::Touch;
 use nalgebra::{DMatrix, DVector};
 
-/// A singular value below this fraction of the largest one counts as zero; so does a residual of b below this fraction of b, or below
-/// a multiple of its error.
+/// A singular value below the first constant, relative to the largest, counts as zero. A residual of b below the second constant relative
+/// to b, or below the third times its error estimate, counts as zero.
 const SINGULAR: f64 = 1e-12;
 const LEFT: f64 = 1e-10;
 const DOUBTS: f64 = 16.0;
 
-/// A change below this part of what changes is rounding.
+/// Relative changes below this value are rounding errors.
 const ROUNDED: f64 = 1e-9;
 
-/// Whether contacts that slide in the plane allow a continuum of motions, in a mode whose reactions are not determined.
+/// True if a mode with contacts that slide in the plane has a continuum of motions; `touches` are the states of the contacts.
 pub(super) fn is_continuum(expansions: &Expansions, instant: &Instant<'_>, mode: &Mode, touches: &[Touch]) -> bool {
     let slides = |phase: &Phase| matches!(phase, Phase::Slips { .. });
     let in_space = |phase: &Phase| matches!(phase, Phase::Glides { .. } | Phase::Leans { .. });
@@ -39,7 +39,8 @@ pub(super) fn is_continuum(expansions: &Expansions, instant: &Instant<'_>, mode:
     is_interval(margins) && contacts.clone().any(moves)
 }
 
-/// A solution of singular equations, and the direction of the line of all solutions; none if they are regular or contradictory.
+/// A particular solution of singular equations, and the direction of the line of all solutions. `None` if the equations are regular or
+/// have no solution. `doubt` is the error estimate of the right side.
 fn line(slopes: &DMatrix<f64>, right: &DVector<f64>, doubt: f64) -> Option<[DVector<f64>; 2]> {
     if right.is_empty() || !slopes.iter().chain(right.iter()).all(|entry| entry.is_finite()) {
         return None;
@@ -57,7 +58,7 @@ fn line(slopes: &DMatrix<f64>, right: &DVector<f64>, doubt: f64) -> Option<[DVec
     (left.amax() <= (LEFT * right.amax()).max(DOUBTS * doubt)).then_some([one, direction])
 }
 
-/// The margins of a contact, which its phase requires to be nonnegative.
+/// The quantities of a contact that must not be negative in its phase.
 fn margins(contact: &Reacting, phase: Phase, touch: Touch) -> Vec<f64> {
     let Reacting { reactions: [normal, tangent, _], accelerations: [away, along, _], friction } = *contact;
     let pressure = phase.face().map_or(0.0, Face::sign) * normal;
@@ -73,7 +74,8 @@ fn margins(contact: &Reacting, phase: Phase, touch: Touch) -> Vec<f64> {
     }
 }
 
-/// Whether numbers that are linear in s are all nonnegative on an interval of s, given their values at s = 0 and s = 1.
+/// True if functions that are linear in s, given by their values at s = 0 and s = 1, are all nonnegative on an interval of positive
+/// length.
 fn is_interval(numbers: impl Iterator<Item = (f64, f64)>) -> bool {
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     for (at, beyond) in numbers {

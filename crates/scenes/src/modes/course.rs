@@ -1,4 +1,4 @@
-//! The sequence of laws of a run, each with the event that led to it.
+//! The sequence of laws of a run, each with the event before it.
 
 use super::Moded;
 use integrators::Happening;
@@ -8,27 +8,28 @@ use std::sync::Arc;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Sets {
     Nothing,
-    /// No change: an expression passes zero in a direction that does not count, or diodes continue to block with other shares.
+    /// No change: a signal crosses zero in a direction that does not count, or blocking diodes continue with a different distribution of
+    /// voltages.
     Unseen,
     /// An event of the model sets coordinates and speeds.
     Event(usize),
-    /// A contact closes with a velocity.
+    /// The contact with this index closes with a velocity: an impact.
     Impact(usize),
-    /// An impact after which the remaining bounces are neglected.
+    /// An impact after which all further bounces are neglected.
     LastBounce,
-    /// The remaining sliding velocity of a contact in space is set to zero.
+    /// The small remaining sliding velocity of a contact in space is set to zero.
     Rest {
         contact: usize,
-        /// The largest speed of the slide.
+        /// The largest sliding speed before, m/s.
         fastest: f64,
     },
     /// The motion ends.
     End,
-    /// The motion ends since the equations for the reactions become singular.
+    /// The motion ends because the equations for the reactions become singular (jamming).
     Jam,
 }
 
-/// An event, by the signal of the law before it.
+/// An event: `signal` is the index of the signal, of the law before the event, that crosses zero.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Crossing {
     pub time: f64,
@@ -37,19 +38,19 @@ pub(super) struct Crossing {
     pub sets: Sets,
 }
 
-/// A law of a run.
+/// A law of a run, valid from one event to the next.
 #[derive(Clone)]
 pub(super) struct Leg {
     /// The event before this law; none for the law at the start.
     pub cause: Option<Crossing>,
     pub moded: Arc<Moded>,
-    /// Letters of contacts that slide in space.
+    /// Constants of contacts that slide in space, as inputs of the law.
     pub glides: Vec<f64>,
-    /// Whether one of these contacts begins to slide from rest.
+    /// True if one of these contacts begins to slide from rest.
     pub begins_to_glide: bool,
 }
 
-/// The laws of a run, in their order.
+/// The laws of a run in their order.
 #[derive(Default)]
 pub struct RunTable {
     pub(super) legs: Vec<Leg>,

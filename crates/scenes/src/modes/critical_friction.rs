@@ -1,6 +1,6 @@
-//! The critical friction, below which the reactions of contacts are determined for all loads.
+//! The critical friction: for smaller coefficients of friction, the reactions of contacts are determined for all loads.
 //!
-//! Contacts in touch have the reactions N with A N = b, where a contact that slides adds its friction to the column of its N:
+//! The normal reactions N of closed contacts solve A N = b. The friction of a sliding contact contributes to the column of its N:
 //!
 //!   A = W_nn - mu sign(v) W_nt .
 //!
@@ -15,30 +15,32 @@ use super::touch::Touch;
 use integrators::eigenvalues;
 use nalgebra::DMatrix;
 
-/// The largest number of contacts in touch: three states of each are combined.
+/// The largest number of closed contacts: three states of each are combined.
 const MOST: usize = 7;
 
 /// An eigenvalue counts as real if its imaginary part is below this fraction of its real part.
 const REAL: f64 = 1e-9;
 
-/// An eigenvalue below this is rounding: no friction is critical.
+/// An eigenvalue below this value is a rounding error: no friction is critical.
 const LEAST: f64 = 1e-12;
 
-/// The relative size of a singular value below which contacts cannot press together.
+/// Contacts whose responses have a relative singular value below this value are dependent and cannot press together.
 const RANK: f64 = 1e-11;
 
-/// The smallest multiple of the coefficients of friction at which reactions are not determined, and the mode in which this happens.
+/// The factor by which all coefficients of friction must be multiplied until reactions are not determined, and the mode in which this
+/// happens.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Critical {
     pub factor: f64,
     pub mode: Mode,
 }
 
-/// A closed contact of a set, with the phase that gives the sign of its friction.
+/// The index of a sliding contact, and its phase, which gives the sign of the friction.
 type Sliding = (usize, Phase);
 
 impl Critical {
-    /// The critical friction at a state with its phases of contacts; none if no multiple is critical, or if a contact slides in space.
+    /// The critical friction at a state; `None` if no factor is critical, a contact slides in space, or more than [`MOST`] contacts are
+    /// closed.
     pub fn of(expansions: &Expansions, instant: &Instant<'_>, mode: &Mode, touches: &[Touch]) -> Option<Self> {
         let in_touch = |kind: &Kind, touch: Touch| touch != Touch::Open && !kind.is_one_way;
         let touching: Vec<usize> = (0..touches.len()).filter(|&k| in_touch(&expansions.kinds[k], touches[k])).collect();
@@ -69,7 +71,7 @@ impl Critical {
     }
 }
 
-/// The phases in which a contact may slide.
+/// The sliding phases that are possible for a contact.
 fn directions(kind: Kind, touch: Touch) -> Vec<Phase> {
     let both = match touch {
         Touch::Slides { forwards } => vec![forwards],
@@ -80,7 +82,7 @@ fn directions(kind: Kind, touch: Touch) -> Vec<Phase> {
     both.into_iter().flat_map(|forwards| faces.iter().map(move |&face| Phase::Slips { forwards, face })).collect()
 }
 
-/// The smallest multiple of friction at which the reactions of a set of sliding contacts are not determined.
+/// The smallest factor of friction at which the reactions of a set of sliding contacts are not determined; `None` if there is none.
 fn factor(responses: &DMatrix<f64>, friction: &[f64], set: &[Sliding]) -> Option<f64> {
     if set.is_empty() {
         return None;
@@ -112,7 +114,8 @@ mod tests {
     use super::{Face, Phase, factor};
     use nalgebra::DMatrix;
 
-    /// For a rod W_nn = 1 + 3 c^2 and W_nt = -3 s c: the critical friction is (1 + 3 c^2)/(3 s c); no friction is critical for backward sliding.
+    /// A rod with W_nn = 1 + 3 c^2 and W_nt = -3 s c has the critical friction (1 + 3 c^2)/(3 s c) for backward sliding; for forward
+    /// sliding no friction is critical (Painlevé 1895).
     #[test]
     fn a_rod_has_the_friction_of_painleve() {
         let (s, c) = 1.0_f64.sin_cos();

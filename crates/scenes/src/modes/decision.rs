@@ -1,9 +1,10 @@
-//! The choice of the mode after an event: the only one consistent with its cases, among all cases of the conditions at zero.
+//! The choice of the mode after an event: all combinations of cases of the conditions at zero, and of phases of contacts, are tried, and
+//! the consistent one is taken.
 //!
-//! Just after an instant with g = 0 the condition g is on if the first nonzero derivative among g', g'', ... is positive, and off if it is
-//! negative. It is held if the switch s that keeps it at zero lies between 0 and 1; for s at a bound the first nonzero derivative of s
-//! decides. In all candidates a sign counts only if the value exceeds its rounding error; if two cases differ by rounding only, the next
-//! derivative decides.
+//! Just after an instant with g = 0 the condition g is on if the first nonzero derivative among g', g'', ... is positive, and off if it
+//! is negative. It is held at zero if the switch value s for which g remains zero lies between 0 and 1; for s at a bound the first
+//! nonzero derivative of s decides. The sign of a value counts only if the value exceeds its error bound; if two cases differ only by
+//! rounding, the next derivative decides.
 
 use super::combinations::combinations;
 use super::continuum::is_continuum;
@@ -20,28 +21,28 @@ const MOST_OPEN: usize = 6;
 /// The largest number of combinations of cases and phases that are tried.
 const MOST_TRIED: usize = 20_000;
 
-/// The number of terms used to exclude combinations, and the number used to decide the remaining ones.
+/// The number of Taylor terms by which combinations are excluded, and the number by which the remaining combinations are decided.
 pub(super) const FEW: usize = 2;
 pub(super) const TERMS: usize = 6;
 
-/// Multiples of its error bound that a term must exceed to count. A larger multiple is used if a smaller one leaves no case or several: a
-/// force may exceed friction by so little, or for so short a time, that the speed stays within its rounding.
+/// Multiples of the error bound that a term must exceed to count. The next multiple is used if the last one gives no case, or several: a
+/// force may exceed friction by so little, or for so short a time, that the speed remains within its rounding error.
 pub(super) const SLACKS: [f64; 7] = [16.0, 256.0, 4096.0, 65_536.0, 1_048_576.0, 16_777_216.0, 268_435_456.0];
 
-/// The degrees of agreement, in ascending order.
+/// The degree of consistency of a combination, in ascending order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Standing {
-    /// A contact has no reaction, since others carry the body.
+    /// A contact does not press, because others carry the body.
     Carries,
-    /// A condition, or a contact, that should leave zero stays there.
+    /// A condition, or a contact, whose case requires that it leaves zero, remains there.
     Rests,
-    /// A held switch, or a reaction, stays at its bound.
+    /// The switch value of a held condition, or a reaction, remains at its bound.
     AtBound,
-    /// Every condition and contact moves as its case requires.
+    /// Every condition and contact moves as its case or phase requires.
     Moves,
 }
 
-/// The cases after an instant.
+/// The result of a decision.
 #[derive(Debug)]
 pub(super) enum Decided {
     One {
@@ -49,48 +50,50 @@ pub(super) enum Decided {
         expansion: Box<Expansion<TERMS>>,
         slack: f64,
     },
-    /// No combination is consistent; whether some condition cannot be held.
+    /// No combination is consistent; `not_held` is true if a condition cannot be held at zero.
     None {
         not_held: bool,
     },
+    /// Several consistent combinations with different motions.
     Several,
     /// A continuum of motions.
     Continuum,
-    /// More combinations than are tried.
+    /// There are more combinations than [`MOST_TRIED`].
     TooMany,
-    /// No combination that was tried is consistent; several contacts in space are closed, and not all of them slide.
+    /// No combination that was tried is consistent. Several contacts in space are closed and not all of them slide; such combinations are
+    /// not all tried.
     RestTogether,
 }
 
 /// The conditions and contacts that must be decided at an instant.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Open<'a> {
-    /// Conditions at zero.
+    /// Indices of the conditions at zero.
     pub switches: &'a [usize],
-    /// The touch of each contact.
+    /// The state of each contact.
     pub touches: &'a [Touch],
 }
 
 impl Open<'_> {
-    /// The contacts in space, with their state.
+    /// The contacts in space, as pairs of index and state.
     fn in_space(&self, expansions: &Expansions) -> impl Iterator<Item = (usize, Touch)> {
         let kinds = self.touches.iter().zip(&expansions.kinds).enumerate();
         kinds.filter_map(|(contact, (touch, kind))| kind.is_in_space.then_some((contact, *touch)))
     }
 
-    /// Whether one of several contacts in space that are in touch rests.
+    /// True if several contacts in space are closed and one of them is at rest.
     fn rest_together(&self, expansions: &Expansions) -> bool {
         let in_touch = self.in_space(expansions).filter(|(_, touch)| *touch != Touch::Open).count();
         in_touch > 1 && self.in_space(expansions).any(|(_, touch)| touch == Touch::Rest)
     }
 
-    /// Whether no two contacts are in touch.
+    /// True if fewer than two contacts are closed.
     fn is_alone(&self) -> bool {
         self.touches.iter().filter(|touch| **touch != Touch::Open).count() < 2
     }
 }
 
-/// Decides the cases of open conditions, beginning with those of a mode, and the phases of contacts; other conditions keep theirs.
+/// Decides the cases of the open conditions and the phases of contacts. Other conditions keep the case that they have in `mode`.
 pub(super) fn decided(expansions: &Expansions, instant: &Instant<'_>, mode: &Mode, open: Open<'_>) -> Decided {
     let alone = without_shares(mode, open);
     let Some(phases) = combinations(expansions, instant, open) else { return Decided::TooMany };
@@ -112,7 +115,7 @@ pub(super) fn decided(expansions: &Expansions, instant: &Instant<'_>, mode: &Mod
     }
 }
 
-/// A mode whose open conditions are on, off or held.
+/// The mode with every open condition on, off or held.
 fn without_shares(mode: &Mode, open: Open<'_>) -> Mode {
     let mut alone = mode.clone();
     for &switch in open.switches {
@@ -126,7 +129,7 @@ fn without_shares(mode: &Mode, open: Open<'_>) -> Mode {
     alone
 }
 
-/// Decides the cases of many open conditions by pivots.
+/// Decides many open conditions by a pivoting method instead of trying all combinations.
 fn many(
     expansions: &Expansions,
     instant: &Instant<'_>,
@@ -149,7 +152,7 @@ fn many(
     Decided::None { not_held }
 }
 
-/// Decides the cases and phases by trying all combinations.
+/// Decides cases and phases by trying all combinations.
 fn tried(
     expansions: &Expansions,
     instant: &Instant<'_>,
@@ -179,14 +182,14 @@ fn tried(
     }
 }
 
-/// The combinations that the first terms do not exclude.
+/// The combinations that the first Taylor terms do not exclude.
 struct Candidates {
     all: Vec<(Mode, Expansion<TERMS>)>,
-    /// Whether a combination cannot be held.
+    /// True if a condition cannot be held in some combination.
     not_held: bool,
-    /// Whether combinations were left out in which several contacts in space rest, or begin to slide.
+    /// True if combinations were left out, in which several contacts in space are at rest or begin to slide.
     rest_together: bool,
-    /// Whether a combination with undetermined reactions allows a continuum of motions.
+    /// True if a combination with undetermined reactions has a continuum of motions.
     is_continuum: bool,
 }
 
@@ -197,7 +200,7 @@ impl Candidates {
         (mode, phases): (&Mode, &[Vec<Phase>]),
         open: Open<'_>,
     ) -> Self {
-        // candidates are tried in this order: the case after the event comes first
+        // order of the trials: the case after the event comes first
         let cases = |switch: usize| match mode.cases[switch] {
             Case::On => [Case::On, Case::Off, Case::Held],
             Case::Off => [Case::Off, Case::On, Case::Held],
@@ -216,7 +219,7 @@ impl Candidates {
             expansions.mirror(&mut candidate);
             for candidate in directed(expansions, instant, candidate, open) {
                 let Some(sifted) = expansions.at::<FEW>(instant, &candidate) else {
-                    // with algebraic speeds a mode may not determine some of them although another mode is consistent
+                    // with algebraic speeds, some mode may not determine them although another mode is consistent
                     candidates.not_held |= !expansions.has_algebraic();
                     candidates.is_continuum |= is_continuum(expansions, instant, &candidate, open.touches);
                     continue;
@@ -232,7 +235,7 @@ impl Candidates {
     }
 }
 
-/// A mode with all directions in which its contacts that rest in space may begin to slide.
+/// The mode with each possible direction in which its contacts at rest in space may begin to slide.
 fn directed(expansions: &Expansions, instant: &Instant<'_>, mode: Mode, open: Open<'_>) -> Vec<Mode> {
     let begins = |(contact, touch): (usize, Touch)| {
         let phase = mode.phases[contact];
@@ -252,7 +255,7 @@ fn directed(expansions: &Expansions, instant: &Instant<'_>, mode: Mode, open: Op
     headings(expansions, instant, &mode, &beginning).into_iter().map(with).collect()
 }
 
-/// The highest degree of agreement, and the candidates that reach it; none if all are contradictory.
+/// The highest degree of consistency, and the indices of the candidates that reach it; `None` if all are inconsistent.
 fn best(all: &[(Mode, Expansion<TERMS>)], open: Open<'_>, slack: f64) -> Option<(Standing, Vec<usize>)> {
     let standings: Vec<Option<Standing>> =
         all.iter().map(|(mode, expansion)| standing(expansion, mode, open, slack)).collect();
@@ -260,7 +263,8 @@ fn best(all: &[(Mode, Expansion<TERMS>)], open: Open<'_>, slack: f64) -> Option<
     Some((best, (0..all.len()).filter(|&place| standings[place] == Some(best)).collect()))
 }
 
-/// Every combination that is consistent with the motion it gives, with the number of this motion; none if there are too many combinations.
+/// All consistent combinations, each with its series and the number of its motion: combinations with equal motions have equal numbers.
+/// `None` if there are too many combinations.
 pub(super) fn agreeing(
     expansions: &Expansions,
     instant: &Instant<'_>,
@@ -293,7 +297,7 @@ pub(super) fn agreeing(
 }
 
 impl Mode {
-    /// Contacts that should leave zero and stay there rest.
+    /// Sets the phase of contacts that should leave zero, but remain there, to rest.
     fn rest(&mut self, expansion: &Expansion<TERMS>, open: Open<'_>, slack: f64) {
         for ((phase, contact), touch) in self.phases.iter_mut().zip(&expansion.contacts).zip(open.touches) {
             *phase = at_rest(contact, *phase, (*touch, open.is_alone()), slack);
@@ -301,7 +305,7 @@ impl Mode {
     }
 }
 
-/// The case towards which a condition moves, if it contradicts the assumed case.
+/// The case to try next for a condition, if the motion contradicts its assumed case.
 pub(super) fn contradicted(expansion: &Expansion<TERMS>, case: Case, switch: usize, slack: f64) -> Option<Case> {
     let [low, high] = expansion.margins(switch).map(|margin| margin.sign(slack) < 0.0);
     match case {
@@ -312,17 +316,17 @@ pub(super) fn contradicted(expansion: &Expansion<TERMS>, case: Case, switch: usi
     }
 }
 
-/// Whether a condition that should leave zero stays there.
+/// True if a condition that should leave zero remains there.
 pub(super) fn rests(expansion: &Expansion<TERMS>, case: Case, switch: usize, slack: f64) -> bool {
     alone(expansion, case, switch, slack) == Some(Standing::Rests)
 }
 
-/// Whether the constraints that a mode hides hold.
+/// True if the hidden constraints of a mode hold.
 fn holds_hidden<const N: usize>(expansion: &Expansion<N>, slack: f64) -> bool {
     expansion.hidden.iter().all(|hidden| hidden.sign_of(0, slack) == 0.0)
 }
 
-/// Whether no open condition contradicts its case by its rate, or its switch by its value, and no contact its phase.
+/// True if the first terms contradict no case of an open condition and no phase of a contact.
 fn is_possible(sifted: &Expansion<FEW>, mode: &Mode, open: Open<'_>, slack: f64) -> bool {
     if !holds_hidden(sifted, slack) {
         return false;
@@ -338,7 +342,7 @@ fn is_possible(sifted: &Expansion<FEW>, mode: &Mode, open: Open<'_>, slack: f64)
         })
 }
 
-/// The agreement of open conditions and contacts with their cases; none for a contradiction.
+/// The degree of consistency of open conditions and contacts; `None` for a contradiction.
 fn standing(expansion: &Expansion<TERMS>, mode: &Mode, open: Open<'_>, slack: f64) -> Option<Standing> {
     if !holds_hidden(expansion, slack) {
         return None;
@@ -347,7 +351,7 @@ fn standing(expansion: &Expansion<TERMS>, mode: &Mode, open: Open<'_>, slack: f6
     each.chain([of_contacts(expansion, mode, open, slack)]).min().unwrap_or(Some(Standing::Moves))
 }
 
-/// The agreement of contacts with their phases; `None` for a contradiction.
+/// The degree of consistency of the contacts; `None` for a contradiction.
 fn of_contacts(expansion: &Expansion<TERMS>, mode: &Mode, open: Open<'_>, slack: f64) -> Option<Standing> {
     let contacts = expansion.contacts.iter().zip(&mode.phases).zip(open.touches);
     let is_alone = open.is_alone();
@@ -361,12 +365,12 @@ fn of_contacts(expansion: &Expansion<TERMS>, mode: &Mode, open: Open<'_>, slack:
     each.min().unwrap_or(Some(Standing::Moves))
 }
 
-/// The agreement of one condition with its case; `None` for a contradiction.
+/// The degree of consistency of one condition; `None` for a contradiction.
 pub(super) fn alone(expansion: &Expansion<TERMS>, case: Case, switch: usize, slack: f64) -> Option<Standing> {
     let condition = &expansion.conditions[switch];
-    // a condition that drifted off zero while it was held must pass through zero again
+    // a condition that drifted off zero while it was held must cross zero again
     let band = || (slack * condition.doubts[0]).max(4.0 * beyond(condition.terms[0], case));
-    // a condition whose value the mode determines has the sign of its case, or leaves zero in this direction
+    // the value of a direct condition has the sign of its case, or leaves zero in this direction
     let value = if expansion.is_direct[switch] { condition.sign_of(0, slack) } else { 0.0 };
     let (signs, at_zero) = match case {
         Case::On if value != 0.0 => ([value; 2], Standing::Rests),
@@ -383,7 +387,7 @@ pub(super) fn alone(expansion: &Expansion<TERMS>, case: Case, switch: usize, sla
     }
 }
 
-/// The distance of a condition beyond zero on the side opposite to its case.
+/// The absolute value of a condition on the side of zero opposite to its case, else zero.
 pub(super) fn beyond(value: f64, case: Case) -> f64 {
     match case {
         Case::On => (-value).max(0.0),
@@ -392,7 +396,7 @@ pub(super) fn beyond(value: f64, case: Case) -> f64 {
     }
 }
 
-/// Whether two motions differ beyond rounding.
+/// True if two motions differ by more than rounding errors.
 pub(super) fn differ<const N: usize>(a: &Expansion<N>, b: &Expansion<N>, slack: f64) -> bool {
     a.rates.iter().zip(&b.rates).any(|(a, b)| (*a - *b).sign(slack) != 0.0)
 }

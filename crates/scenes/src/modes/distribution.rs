@@ -1,19 +1,20 @@
-//! The distribution of friction among contacts that hold a body with more reactions than its motion determines.
+//! The distribution of friction among contacts that have more reactions than the motion determines.
 //!
-//! The motion is independent of the friction T_l of leaning contacts; the friction of the others is T_f = T_0 + Z T_l, where T_0 belongs to T_l = 0.
-//! Outputs show the distribution with the least sum of |T|^2/(mu N), which must lie within the cones of friction: the feet of a pushed table
-//! reach their bounds together. With a multiplier m for each T_f
+//! The motion does not depend on the friction T_l of leaning contacts; the friction of the others is T_f = T_0 + Z T_l, where T_0 belongs
+//! to T_l = 0. Outputs show the distribution with the least sum of |T|^2/(mu N), which weights each contact by its friction bound: the
+//! feet of a pushed table reach their bounds together. With a multiplier m for each T_f, this minimum is
 //!
 //!   T_f = D_f m,    T_l = -D_l Z' m,    (D_f + Z D_l Z') m = T_0,    D = mu N,
 //!
-//! where a contact without pressure takes no friction.
+//! A contact without pressure takes no friction.
 
 use field::Scalar;
 
-/// Normal reactions, and with them the bounds, change with the distribution: the number of iterations.
+/// The number of iterations: normal reactions, and thus the bounds mu N, depend on the distribution.
 pub(super) const ROUNDS: usize = 3;
 
-/// T_l with the least sum, from T_0, the columns of Z, and mu N of each component of T_f and of T_l.
+/// The minimiser T_l, from `alone` = T_0, `columns` of Z, and the bounds mu N for each component of T_f and of T_l. `solved` solves
+/// linear equations. `None` if these are singular.
 pub(super) fn balancing<S: Scalar>(
     alone: &[S],
     columns: &[Vec<S>],
@@ -42,7 +43,7 @@ mod tests {
         balancing(&[6.0], &[vec![-1.0]], [&bounds[..1], &bounds[1..]], solved).expect("one that presses")[0]
     }
 
-    /// Two feet in a line: what one pulls the other may push. The force is shared as the bounds are.
+    /// Two feet in line can exchange any force. A load is shared in the ratio of their bounds.
     #[test]
     fn feet_share_a_force_by_their_bounds() {
         assert!((shared([2.0, 4.0]) - 4.0).abs() < 1e-15);

@@ -1,4 +1,4 @@
-//! The error of the time of an event, from the residual of its signal.
+//! Error estimate for the time of an event, from the residual of its signal.
 
 use super::Current;
 use super::decision::TERMS;
@@ -10,11 +10,11 @@ use super::signals::Fall;
 use super::touch::margins;
 use integrators::{Event, Happening};
 
-/// The bound of this error, in roundings of the time, with algebraic speeds: an exponentially decaying signal reaches zero by rounding, with
-/// an equally small rate, so that its residual says nothing about the time.
+/// An upper bound of the error, in roundings of the time, for systems with algebraic speeds: an exponentially decaying signal reaches
+/// zero by rounding, with an equally small rate, so that its residual gives no error estimate.
 const LOCATED: f64 = 64.0;
 
-/// The error of the time of a fall, from the residual of its signal.
+/// The error estimate, s, of the time of an event; zero if none is available.
 pub(super) fn late(before: &Current, known: &Expansion<TERMS>, event: &Event) -> f64 {
     let fall = before.moded.signals.falls[event.signal];
     let (signal, near) = match fall {
@@ -51,7 +51,7 @@ pub(super) fn late(before: &Current, known: &Expansion<TERMS>, event: &Event) ->
     let is_passed = event.what == Happening::Falls && signal.sign_of(1, SLACK).abs() == 1.0;
     let late = if is_passed { 2.0 * ((signal.terms[0] + near) / signal.terms[1]).abs() } else { 0.0 };
     let system = &before.moded.system;
-    // speeds that follow by their rates are off their laws by the error of the run
+    // implicit speeds violate their laws by the error of the run
     let is_located = !system.model().algebraic_speeds.is_empty() && !system.has_implicit_speeds();
     if is_located { late.min(LOCATED * ROUNDING * event.time.abs()) } else { late }
 }

@@ -1,4 +1,4 @@
-//! Reference runs across events: one method in double-double along the sequence of laws of a run.
+//! Reference runs in double-double arithmetic along the sequence of laws of a run in `f64`.
 
 use super::course::{Crossing, Leg, RunTable, Sets};
 use super::expansion::Instant;
@@ -12,24 +12,25 @@ use num_traits::Zero;
 use simulation::references::{At, Followed, Means, Unknown};
 use std::sync::PoisonError;
 
-/// The largest number of Newton steps. Each doubles the digits: from the thirteen digits of a run one step reaches full precision, and the
-/// next one confirms it.
+/// The largest number of Newton steps. Each doubles the number of correct digits: from the thirteen digits of a run one step reaches full
+/// precision, and the next confirms it.
 const MOST: usize = 8;
 const BEGINS: &str = "a contact begins to slide in space, which is not followed to all digits,";
 
-/// A sliding contact in space is integrated by this fraction of the remaining time to rest, until its speed is small enough.
+/// Each step to the rest of a contact that slides in space covers this fraction of the remaining time, until the relative speed is below
+/// the second constant.
 const SLOWS: f64 = 0.9;
 const LEFT: f64 = 1e-14;
 
-/// It comes to rest before so many times the time of its slide.
+/// The contact must come to rest within this multiple of the time of its slide.
 const BEYOND: f64 = 2.0;
 
-/// A determinant smaller than this, relative to its initial value, is zero to all digits; it decreases like exp(-s^2) with the slowed
-/// time s, which is doubled at each step.
+/// A determinant below this part of its initial value counts as zero. It decreases like exp(-s^2) with the slowed time s, whose length is
+/// doubled at each step.
 const VANISHED: f64 = 1e-31;
 const DOUBLINGS: usize = 40;
 
-/// A correction below this, relative to the time, ends the iteration.
+/// A correction of the time below this part of the time ends the iteration.
 const LAST: f64 = 1e-20;
 
 impl Modes {
@@ -38,10 +39,10 @@ impl Modes {
         RunTable { legs: self.course.lock().unwrap_or_else(PoisonError::into_inner).clone() }
     }
 
-    /// The course of a run by one method, at instants up to its end.
+    /// The states at `instants` (s) and at events, by one method along the sequence of laws `course`.
     ///
     /// # Errors
-    /// The method cannot follow the motion, or an event is ambiguous since several signals are zero together.
+    /// The method fails, or the time of an event is undetermined because several signals are zero together.
     pub fn exactly(
         &self,
         course: &RunTable,
@@ -55,7 +56,7 @@ impl Modes {
 }
 
 impl RunTable {
-    /// y' of the law that holds at a time.
+    /// The rates y' by the law that is valid at a time (s).
     pub fn rates_at(&self, time: f64, state: &[DoubleDouble], rates: &mut [DoubleDouble]) {
         let has_begun = |leg: &&Leg| leg.cause.is_none_or(|cause| cause.time <= time);
         if let Some(leg) = self.legs.iter().take_while(has_begun).last() {
@@ -64,6 +65,7 @@ impl RunTable {
     }
 }
 
+/// The state of a reference run.
 struct Follower<'a> {
     laws: &'a Laws,
     means: Means,
@@ -106,7 +108,7 @@ impl Follower<'_> {
         Ok((Followed { states, events }, self.means))
     }
 
-    /// Follows a law to a time.
+    /// Integrates with a law to a time.
     fn go_to(&mut self, moded: &Moded, time: DoubleDouble) -> Result<(), Unknown> {
         let (from, state) = &mut self.at;
         let bounds = moded.law.step_bounds(from.hi(), time.hi());
@@ -115,7 +117,7 @@ impl Follower<'_> {
         Ok(())
     }
 
-    /// Goes to an event, and sets the state as it does.
+    /// Integrates to an event, and applies its change of the state.
     fn pass(&mut self, leg: &Leg, crossing: Crossing) -> Result<(), Unknown> {
         let Leg { moded, glides, .. } = leg;
         let blunt = || Unknown::Blunt { time: crossing.time };
@@ -144,7 +146,7 @@ impl Follower<'_> {
         Ok(())
     }
 
-    /// Follows a law until the equations for its reactions become singular: speeds are unbounded there, positions are finite.
+    /// Integrates until the equations for the reactions become singular: speeds are unbounded there, positions are finite.
     fn jam(&mut self, Leg { moded, .. }: &Leg, told: f64) -> Result<(), Unknown> {
         let blunt = || Unknown::Blunt { time: told };
         let slowed = Slowed::of(&self.laws.model, &moded.system.mode).ok_or_else(blunt)?;
@@ -165,7 +167,7 @@ impl Follower<'_> {
         Err(blunt())
     }
 
-    /// Follows a contact that slides in space until the square of its relative speed is rounding, and then sets the speed to zero.
+    /// Integrates until the relative sliding speed of a contact in space is rounding error, then sets it to zero.
     fn rest(
         &mut self,
         Leg { moded, glides, .. }: &Leg,
@@ -179,7 +181,7 @@ impl Follower<'_> {
         };
         let place = signals.in_space.iter().position(|own| *own == contact).unwrap_or(0);
         let slow = DoubleDouble::lift(glides[GLIDE * place + 2]);
-        // shortly before the event of the run, where the speed decreases linearly
+        // stops shortly before the event of the run, where the speed decreases linearly
         let begun = self.at.0;
         let last = begun + (DoubleDouble::lift(told) - begun) * DoubleDouble::lift(BEYOND);
         self.go_to(moded, begun + (DoubleDouble::lift(told) - begun) * DoubleDouble::lift(SLOWS))?;
@@ -200,13 +202,13 @@ impl Follower<'_> {
             if left.approx().is_nan() || left.approx() > 0.5 * known.approx() {
                 return Err(blunt);
             }
-            // by the chord: a small velocity has few digits of direction, and so has the rate of its size
+            // rate by a difference quotient: the direction, and so the rate, of a small velocity has few correct digits
             fall = (known - left) / (next - time);
         }
         let expansions = self.laws.expansions().map_err(|_| Unknown::Blunt { time: told })?;
         let (time, state) = &mut self.at;
         *state = expansions.rested_exactly(*time, state, &then.system.mode).ok_or(blunt)?;
-        // the remaining slide, by the next law
+        // the remaining time, with the next law
         let rest = left / fall;
         let mut rates = vec![DoubleDouble::zero(); state.len()];
         then.system.rates(*time, state, &mut rates);
@@ -215,7 +217,7 @@ impl Follower<'_> {
         Ok(())
     }
 
-    /// The zero of a signal near the instant found by the run: Newton's method for the instant, with an integration to each iterate.
+    /// Integrates to the zero of a signal near the time found by the run, by Newton's method for the time.
     fn zero_of(&mut self, Leg { moded, glides, .. }: &Leg, crossing: Crossing) -> Result<(), Unknown> {
         let blunt = Unknown::Blunt { time: crossing.time };
         self.go_to(moded, DoubleDouble::lift(crossing.time))?;

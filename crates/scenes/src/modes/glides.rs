@@ -1,14 +1,14 @@
-//! Contacts that slide in space, from slip to rest.
+//! Contacts that slide in space, from the start of sliding to rest.
 //!
-//! T = -mu |N| v/|v| turns with v, and has no limit as v goes to zero. Since the speed |v| does not change its sign there, three signals
-//! observe it from an instant at which it was w in the direction d:
+//! The friction T = -mu |N| v/|v| has no limit as v goes to zero, and |v| does not change its sign there. Three signals observe |v|,
+//! relative to its value w and the unit vector d of v at the start of the observation:
 //!
 //!   |v| - w/10,    negative when the contact has slowed down by a factor of ten,
-//!   1000 w - |v|,  negative when it has become so fast that w/10 is no longer a useful threshold,
+//!   1000 w - |v|,  negative when the contact is so fast that w/10 is no longer a useful threshold,
 //!   v . d,         negative when v has turned by a right angle, or has passed zero within one step.
 //!
-//! When a signal becomes negative, the observation starts again with new w and d, until the remaining speed is small enough to be set to zero: the
-//! error of the reactions is then the square of the remaining relative speed.
+//! When a signal becomes negative, the observation starts again with new w and d, until the remaining speed is small enough to be set to
+//! zero: the error of the reactions is then the square of the remaining relative speed.
 
 use super::course::Sets;
 use super::expansion::{Instant, Touching, direction};
@@ -22,44 +22,45 @@ use super::{Current, Modes};
 use field::Elementary;
 use integrators::Event;
 
-/// The part of a speed at which a contact is watched anew.
+/// The relative speed below which the observation of a contact starts again.
 const SLOWER: f64 = 0.1;
 
-/// The multiple of that part at which it is watched anew too.
+/// The multiple of this speed above which the observation starts again.
 pub(super) const FASTER: i64 = 10_000;
 
-/// The part of the largest speed of a slide that is taken away at once.
+/// The remaining speed, relative to the largest of the slide, that is set to zero.
 const REST: f64 = 1e-7;
 
-/// A velocity with no more than this part of it that has turned round has come through zero.
+/// A reversed velocity below this part of the largest has passed through zero.
 const REVERSED: f64 = 1e-5;
 
-/// Multiples of the time that is left to one contact in which others come to rest with it: speeds of one body go to zero together.
+/// Contacts whose time to rest is below this multiple of that of another come to rest together: speeds of one body vanish together.
 const TOGETHER: f64 = 10.0;
 
-/// Speed with which a slide begins, in m/s, and in multiples of the rounding of the sliding velocity: below it v has no direction.
+/// The least speed at which sliding begins, in m/s, and in multiples of the rounding error of the sliding velocity: below it v has no
+/// direction.
 const START: f64 = 1e-13;
 const DIRECTED: f64 = 1e4;
-/// Roundings of the clock in the time in which that speed is reached.
+/// The time in which that speed is reached has at least this number of roundings of the time.
 const RESOLVED: f64 = 1e3;
 
-/// A contact that slides in space, from the instant at which its watch began.
+/// The observation of a contact that slides in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Glide {
     heading: [f64; 2],
     speed: f64,
-    /// The largest speed at which a watch of this slide began.
+    /// The largest speed at the start of an observation during this slide, m/s.
     fastest: f64,
-    /// The time in which the speed doubles, for a slide that began from rest.
+    /// The time in which the speed doubles, s, for a slide that began from rest.
     doubling: Option<f64>,
 }
 
 impl Glide {
-    /// The observations of contacts in their phases; none for a contact that does not slide in space.
+    /// The observations of all contacts at a time (s); `None` for a contact that does not slide in space.
     pub fn of_all<const N: usize>(contacts: &[Touching<N>], phases: &[Phase], time: f64) -> Vec<Option<Self>> {
         let begins = |phase: &Phase| matches!(phase, Phase::Glides { begins: Some(_), .. });
         let all = || contacts.iter().zip(phases);
-        // contacts that begin together have the speeds of one instant
+        // contacts that begin to slide together get the speeds of one instant
         let doubling = all().filter(|(_, phase)| begins(phase)).map(|(contact, _)| doubling(contact, time));
         let doubling = doubling.fold(0.0, f64::max);
         all().map(|(contact, phase)| Glide::of(contact, *phase, doubling)).collect()
@@ -79,22 +80,22 @@ impl Glide {
         Some(Glide { heading, speed, fastest: speed, doubling: Some(doubling) })
     }
 
-    /// The time in which the speed doubles, at most a second, for a slide that begins from rest.
+    /// The time in which the speed doubles, at most one second, for a slide that begins from rest.
     pub fn doubling(&self) -> Option<f64> {
         self.doubling
     }
 
-    /// Letters of its signals: d, and w/10.
+    /// The constants of the signals: d, and w/10 (m/s).
     pub fn letters(&self) -> [f64; GLIDE] {
         [self.heading[0], self.heading[1], SLOWER * self.speed]
     }
 
-    /// The sliding velocity with which it begins.
+    /// The sliding velocity at the start of the observation, m/s.
     pub fn start(&self) -> [f64; 2] {
         self.heading.map(|part| part * self.speed)
     }
 
-    /// The next observation, after one of the signals has become negative; none if the contact comes to rest.
+    /// The next observation after a signal has become negative; `None` if the contact comes to rest.
     pub fn next<const N: usize>(&self, contact: &Touching<N>, fall: Fall) -> Option<Self> {
         let [slide, aside] = [contact.slide.terms, contact.aside.terms];
         let (speed, heading) = motion(slide[0], aside[0]);
@@ -104,12 +105,12 @@ impl Glide {
         (!rests).then_some(Glide { heading, speed, fastest: speed.max(self.fastest), doubling })
     }
 
-    /// Its rest, of a contact.
+    /// The event in which the contact comes to rest.
     pub fn rest(&self, contact: usize) -> Sets {
         Sets::Rest { contact, fastest: self.fastest }
     }
 
-    /// Whether its speed is small enough to be set to zero.
+    /// True if the speed is small enough to be set to zero.
     fn is_over<const N: usize>(&self, contact: &Touching<N>) -> bool {
         let rounding = SLACK * contact.slide.doubts[0].max(contact.aside.doubts[0]);
         let (speed, [along, aside]) = motion(contact.slide.terms[0], contact.aside.terms[0]);
@@ -119,24 +120,24 @@ impl Glide {
     }
 }
 
-/// |v| and v/|v|.
+/// The speed |v| and the unit vector v/|v|.
 fn motion(along: f64, aside: f64) -> (f64, [f64; 2]) {
     let speed = along.hypot(aside);
     (speed, [along / speed, aside / speed])
 }
 
-/// The time after which the speed of a contact that begins to slide has a direction; the clock resolves this time.
+/// The time, s, after which the velocity of a contact that begins to slide has a direction.
 fn doubling<const N: usize>(contact: &Touching<N>, time: f64) -> f64 {
     let term = |order: usize| contact.slide.terms[order].hypot(contact.aside.terms[order]);
     let doubt = contact.slide.doubts[0].max(contact.aside.doubts[0]);
     let speed = START.max(DIRECTED * doubt).max(RESOLVED * ROUNDING * time.abs() * term(1));
-    // with the same bits on every machine
+    // reproducible bits on every machine
     let root = |value: f64, order: usize| Elementary::Exp.of(Elementary::Ln.of(value, 0.0) / order as f64, 0.0);
     (1..N).map(|order| root(speed / term(order), order)).fold(1.0, f64::min)
 }
 
 impl Modes {
-    /// Gives contacts that begin to slide in space their initial speed.
+    /// Sets the initial speed of contacts that begin to slide in space.
     pub(super) fn push_off(&self, time: f64, state: &mut [f64], current: &Current) {
         let Ok(expansions) = self.laws.expansions() else { return };
         let start = |contact: usize| {
@@ -154,15 +155,15 @@ impl Modes {
         }
     }
 
-    /// The first contact in space whose sliding speed is to be set to zero.
+    /// The index of the first contact in space whose sliding speed is to be set to zero.
     pub(super) fn is_over(&self, before: &Current, instant: &Instant<'_>) -> Option<usize> {
         let contacts = self.laws.expansions().ok()?.contacts(instant, &before.moded.system.mode.cases);
         let mut glides = before.glides.iter().zip(&contacts);
         glides.position(|(glide, contact)| glide.is_some_and(|glide| glide.is_over(contact)))
     }
 
-    /// The contacts that slide in space and come to rest together with the contact of an event, by their remaining speed or the remaining time
-    /// until it is zero.
+    /// For each contact: true if it slides in space and comes to rest together with the contact of an event, by its remaining speed or by
+    /// the remaining time to rest.
     pub(super) fn rest_together(&self, before: &Current, event: &Event, state: &[f64]) -> Vec<bool> {
         let Ok(expansions) = self.laws.expansions() else { return vec![false; before.glides.len()] };
         let contacts = expansions.contacts(&Instant::at(event.time, state), &before.moded.system.mode.cases);
@@ -178,7 +179,7 @@ impl Modes {
         before.glides.iter().enumerate().map(rests).collect()
     }
 
-    /// Sets the remaining speeds of contacts that come to rest in space to zero, and reports their rest.
+    /// Sets the remaining speeds of contacts in space to zero, and their state in `touches` to rest. `together` marks the contacts.
     pub(super) fn bring_to_rest(
         &self,
         mode: &Mode,
@@ -202,14 +203,14 @@ impl Modes {
         }
     }
 
-    /// The time in which the contact of an event comes to rest, where it has slowed down.
+    /// The time, s, in which the contact of an event comes to rest; zero if the event is not that it has slowed down.
     pub(super) fn rest_of_a_glide(before: &Current, event: &Event, state: &[f64]) -> f64 {
         let Fall::Slows { contact } = before.moded.signals.falls[event.signal] else { return 0.0 };
         time_to_rest(before, contact, event, state)
     }
 }
 
-/// The time in which a contact that slows down comes to rest at its present deceleration; zero if it does not slow down.
+/// The time, s, in which a contact comes to rest at its present deceleration; zero if it does not slow down.
 fn time_to_rest(before: &Current, contact: usize, event: &Event, state: &[f64]) -> f64 {
     let signals = &before.moded.signals;
     let Some(signal) = signals.falls.iter().position(|fall| *fall == Fall::Slows { contact }) else { return 0.0 };

@@ -1,7 +1,8 @@
-//! Conditions that stay at zero: for each the value between its two cases that keeps it there (Filippov 1988).
+//! Symbolic motion in a mode with conditions held at zero: each switch has the value between its two cases for which the condition
+//! remains at zero (Filippov 1988).
 //!
-//! The law is linear in the switch s, and along the motion g' = a + b s; hence s = -a/b. Dry friction is an example: while it
-//! sticks, s follows the required force.
+//! The law is linear in the switch s, and along the motion g' = a + b s; hence s = -a/b. Dry friction is an example: during sticking, s
+//! follows the required force.
 
 use super::algebraic::{Parted, Settled};
 use super::contacts::{Closed, PARTS, closed, letters as reactions_of};
@@ -12,7 +13,10 @@ use crate::compiled_system::NotCompiled;
 use model::Trace;
 use symbolic::{Derivation, Sym, substitute_all};
 
-/// The motion in a mode, with every switch and every reaction replaced.
+/// The motion in a mode, with all switches and reactions replaced by expressions.
+///
+/// # Errors
+/// A held condition or a contact has no pivot, or the law is not linear in a held switch.
 pub(crate) fn held(trace: &Trace<'_>, mode: &Mode, parted: Parted) -> Result<ModeMotion, NotCompiled> {
     let Settled { values: settled, implicit, switches: found_switches } = parted.settled(trace, mode)?;
     let Parted { accelerations, multipliers, mut is_direct, letters, .. } = parted;
@@ -59,7 +63,7 @@ pub(crate) fn held(trace: &Trace<'_>, mode: &Mode, parted: Parted) -> Result<Mod
         return Err(NotCompiled::NotHeld { switch: held[0] });
     }
     let slopes = |row: usize, of: &[usize]| of.iter().map(|k| by(rates[row], letter(k))).collect::<Vec<Sym>>();
-    // rows of b, and -a with 1/2 for each shared switch
+    // matrix b and right side -a, with 1/2 for each shared switch
     let (mut rows, mut right): (Vec<Vec<Sym>>, Vec<Sym>) = (Vec::new(), Vec::new());
     let half = Sym::ONE / (Sym::ONE + Sym::ONE);
     let bounds = own().filter_map(|switch| Some((letter(&switch), fixed(switch)?)));
@@ -78,7 +82,7 @@ pub(crate) fn held(trace: &Trace<'_>, mode: &Mode, parted: Parted) -> Result<Mod
     let in_found = |all: &[Sym]| substitute_all(all, &found);
     let mut parts: Vec<Sym> = in_found(&trace.switches);
     if free.len() < resting.len() || !shared.is_empty() {
-        // s = 1/2 + B^T l: the solution nearest to 1/2 of all that keep the conditions at zero
+        // s = 1/2 + B^T l: of all solutions the nearest to 1/2
         let columns: Vec<Vec<Sym>> = (0..held.len()).map(|row| slopes(row, &free)).collect();
         let product = |a: &[Sym], b: &[Sym]| a.iter().zip(b).fold(Sym::ZERO, |sum, (a, b)| sum + *a * *b);
         let gram = columns.iter().map(|a| columns.iter().map(|b| product(a, b)).collect()).collect();
@@ -124,7 +128,7 @@ pub(crate) fn held(trace: &Trace<'_>, mode: &Mode, parted: Parted) -> Result<Mod
     Ok(ModeMotion { switches, parts, accelerations, multipliers, reactions, determinant, speeds, implicit })
 }
 
-/// The rates of speeds that are given implicitly by sums that are zero: the rates of these sums are zero.
+/// The rates of implicit speeds: the rates of their equations, expressions that are zero, are zero.
 fn implicit_rates(
     trace: &Trace<'_>,
     speeds: &[Sym],
@@ -145,25 +149,25 @@ fn implicit_rates(
         .map_err(|_| NotCompiled::Massless { coordinate: crate::compiled_system::speed_name(trace.model, first()) })
 }
 
-/// The values of letters, with the reactions of contacts inserted.
+/// Symbols with their values, with the reactions of contacts inserted.
 fn settled_with(settled: &[(Sym, Sym)], reactions: impl Fn(&[Sym]) -> Vec<Sym>) -> Vec<(Sym, Sym)> {
     let (letters, values): (Vec<Sym>, Vec<Sym>) = settled.iter().copied().unzip();
     letters.into_iter().zip(reactions(&values)).collect()
 }
 
-/// A partial derivative.
+/// The partial derivative of an expression by a symbol.
 fn by(expression: Sym, letter: Sym) -> Sym {
     Derivation::new([(letter, Sym::ONE)]).of(expression)
 }
 
-/// Whether expressions are jointly linear in letters.
+/// True if expressions are jointly linear in symbols.
 pub(super) fn is_linear(expressions: &[Sym], letters: &[Sym]) -> bool {
     let mut slopes =
         expressions.iter().flat_map(|&expression| letters.iter().map(move |&letter| by(expression, letter)));
     slopes.all(|slope| letters.iter().all(|letter| !slope.symbols_of().contains(letter)))
 }
 
-/// For each condition g of the form c u + d, with a speed u and a number or parameter c: the value u = -d/c at g = 0.
+/// For each condition g = c u + d with a speed u and a constant c: the substitution u = -d/c, which holds at g = 0.
 fn zeros(trace: &Trace<'_>, conditions: &[Sym]) -> Vec<(Sym, Sym)> {
     let mut known: Vec<(Sym, Sym)> = Vec::new();
     for condition in conditions {
@@ -182,12 +186,13 @@ fn zeros(trace: &Trace<'_>, conditions: &[Sym]) -> Vec<(Sym, Sym)> {
     known
 }
 
-/// The solution of linear equations.
+/// The solution of linear equations, or the index of the first row without a pivot.
 fn solved(rows: Vec<Vec<Sym>>, right: Vec<Sym>) -> Result<Vec<Sym>, usize> {
     eliminated(rows, right).map(|(values, _)| values)
 }
 
-/// Gauss's elimination in order, with the determinant; or the first row without a pivot.
+/// The solution of linear equations by Gaussian elimination without reordering of columns, and the determinant; or the index of the first
+/// row without a pivot.
 pub(crate) fn eliminated(mut rows: Vec<Vec<Sym>>, mut right: Vec<Sym>) -> Result<(Vec<Sym>, Sym), usize> {
     let (n, mut determinant) = (right.len(), Sym::ONE);
     for pivot in 0..n {

@@ -1,4 +1,5 @@
-//! Modes of a hybrid model: the case of each condition and contact, the law of each mode, and the events that end it.
+//! Modes of a hybrid model, which are the case of each condition and the phase of each contact: the law of each mode, the events that end
+//! it, and the choice of the next mode.
 
 mod accumulation;
 mod algebraic;
@@ -68,18 +69,18 @@ pub(crate) use touches::NEGATIVE;
 pub use unfit::Unfit;
 use words::Words;
 
-/// The laws of a model by their modes.
+/// The compiled laws of a model, one for each mode that a run has entered.
 pub struct Laws {
     model: Arc<Model>,
     known: Mutex<HashMap<Mode, Made>>,
-    /// Created when a mode is first decided.
+    /// The Taylor series that decide modes, compiled when a mode is first decided.
     expansions: OnceLock<Result<Expansions, NotCompiled>>,
-    /// Created when an event first sets a state.
+    /// The constraints that events must preserve, compiled when an event first sets a state.
     kept: OnceLock<KeptConstraints>,
     words: Words,
 }
 
-/// The mode of a run.
+/// The modes of one run: the present law, and the record of events.
 pub struct Modes {
     laws: Arc<Laws>,
     current: Mutex<Option<Current>>,
@@ -87,66 +88,66 @@ pub struct Modes {
     course: Mutex<Vec<Leg>>,
 }
 
-/// The present law of a run, with the sides and tolerances of its signals.
+/// The present law of a run, with the state of the detection of its signals.
 #[derive(Clone)]
 struct Current {
     moded: Arc<Moded>,
-    /// The side of each event.
+    /// For each event, the side of zero on which its expression is.
     sides: Vec<Side>,
-    /// The distance beyond zero at which a condition that began at zero counts as passed: errors of rounding, and of the
-    /// motion while it was held. Up to this distance the decided law holds.
+    /// For each condition that began at zero: the distance beyond zero up to which the decided law remains valid, due to errors of
+    /// rounding and of the motion while the condition was held.
     near: Vec<f64>,
-    /// These distances for each switch from 0 and from 1, and for the expression of each event.
+    /// These distances for each switch at 0 and at 1, and for the expression of each event.
     near_bounds: Vec<[f64; 2]>,
     near_events: Vec<f64>,
-    /// These distances for each contact: for its gap or pressure, then for its margins of friction, or its sliding velocity.
+    /// These distances for each contact: for its gap or pressure, then for its two margins of friction or its sliding velocity.
     near_contacts: Vec<[f64; 3]>,
     /// The observation of each contact that slides in space.
     glides: Vec<Option<Glide>>,
-    /// The determinant of the equations for the reactions at the beginning of the law.
+    /// The determinant of the equations for the reactions at the start of the law.
     determinant: f64,
 }
 
 impl Current {
-    /// Letters of the signals of all contacts that may slide in space.
+    /// The constants of the signals of all contacts that may slide in space.
     fn glide_letters(&self) -> Vec<f64> {
         let in_space = self.moded.signals.in_space.iter().map(|&contact| self.glides[contact]);
         in_space.flat_map(|glide| glide.map_or([0.0; GLIDE], |glide| glide.letters())).collect()
     }
 }
 
-/// The reason for which a motion does not start.
+/// The reason for which no motion starts from a state.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Refused {
-    /// There is no law.
+    /// The equations cannot be compiled.
     Law(NotCompiled),
-    /// No case of the conditions, or more than one, is consistent with its motion; `switch` is the first condition at zero.
+    /// No mode, or more than one, is consistent with its motion. `switch` is the index of the first condition at zero.
     Motion { why: &'static str, switch: Option<usize> },
-    /// A contact cannot be at the state.
+    /// The state violates a contact.
     Contact(Unfit),
 }
 
-/// The law of a mode, or the reason why there is none.
+/// The law of a mode, or the reason for which it cannot be compiled.
 type Made = Result<Arc<Moded>, NotCompiled>;
 
-/// The law of a mode, with the signals that end it.
+/// The compiled law of a mode, with the signals that end it.
 struct Moded {
     system: Arc<CompiledSystem>,
-    /// Created once: all segments share series and Jacobian.
+    /// The law for integrators, compiled once: all segments of runs share its series and Jacobian.
     law: Arc<dyn Law>,
-    /// The number of signals that the law integrates in addition to the state.
+    /// The number of signals that the law integrates as additional states.
     followed: usize,
     signals: Signals,
 }
 
-/// Everything that determines the laws of a model and its events, as text.
+/// A text that determines all laws and events of a model, for fingerprints.
 ///
 /// # Errors
-/// Why there is none.
+/// The reason for which the equations cannot be compiled.
 pub(crate) fn described(model: &Model) -> Result<String, NotCompiled> {
     let expansions = Expansions::of(model)?;
     let events = model.events.iter().map(|event| (event.direction, event.ends)).collect::<Vec<_>>();
-    // where speeds are algebraic, a mode in which no run is may have no law
+    // with algebraic speeds, a mode that no run enters may have no law
     let sets = match model.algebraic_speeds.is_empty() {
         true => format!("{:?}", Signals::of(model, &Mode::off(model))?),
         false => format!("{:?}", signals::sets(model)),
@@ -155,10 +156,10 @@ pub(crate) fn described(model: &Model) -> Result<String, NotCompiled> {
 }
 
 impl Laws {
-    /// The law in a mode.
+    /// The law of a mode, compiled on first use.
     ///
     /// # Errors
-    /// Why there is none.
+    /// [`Refused`] if no motion, or more than one, starts from the state.
     fn moded(&self, mode: &Mode) -> Result<Arc<Moded>, NotCompiled> {
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
         let made = known.entry(mode.clone()).or_insert_with(|| {
@@ -184,7 +185,8 @@ impl Laws {
 }
 
 impl Modes {
-    /// The modes of a model; laws are compiled when a run comes to them. Its events have names, its conditions lines in a file.
+    /// The modes of a model; laws are compiled when a run enters them. `events` are names for messages, `condition_lines` the lines of
+    /// the conditions in the file.
     pub fn of(model: &Arc<Model>, events: &[String], condition_lines: &[usize]) -> Self {
         let model = model.with_smooth_contacts();
         Modes::with(Arc::new(Laws {
@@ -200,19 +202,19 @@ impl Modes {
         Modes { laws, current: Mutex::default(), passages: Mutex::default(), course: Mutex::default() }
     }
 
-    /// Modes for another run with these laws.
+    /// Modes for another run with shared laws.
     pub fn of_another_run(&self) -> Self {
         Modes::with(Arc::clone(&self.laws))
     }
 
-    /// Records the outcome of an event: the next law, or the end of the run.
+    /// Records an event in the list of passages, with the next law, or with the end of the run.
     fn tell(&self, time: f64, state: &[f64], what: String, (by, goes_on): (&CompiledSystem, bool)) {
         let then = goes_on.then(|| self.laws.words.mode(&by.mode));
         let row = [state, &by.outputs(time, state)].concat();
         self.passages.lock().unwrap_or_else(PoisonError::into_inner).push(Passage { time, what, then, row });
     }
 
-    /// Records that no motion follows an event, with the reason.
+    /// Records an event after which no motion continues, with the reason.
     fn end(&self, before: &Current, (time, state): (f64, &[f64]), crossing: Crossing, why: &'static str) {
         let fall = before.moded.signals.falls.get(crossing.signal).copied();
         let (sets, fall) = match why {
@@ -236,14 +238,14 @@ impl Modes {
         self.course.lock().unwrap_or_else(PoisonError::into_inner).push(leg);
     }
 
-    /// The law of a start.
+    /// The law of the motion from a state at time zero.
     ///
     /// # Errors
-    /// Why there is none.
+    /// The reason for which the mode has no law.
     pub fn first(&self, state: &[f64]) -> Result<Arc<CompiledSystem>, Refused> {
         let model = &self.laws.model;
         CompiledSystem::has_equations(model).map_err(Refused::Law)?;
-        // where speeds are algebraic, a mode in which no run is may have no law
+        // with algebraic speeds, a mode that no run enters may have no law
         if model.algebraic_speeds.is_empty() {
             let moded = self.laws.moded(&Mode::off(model)).map_err(Refused::Law)?;
             if !is_watched(model) {
@@ -261,18 +263,18 @@ impl Modes {
         Ok(Arc::clone(&begun.moded.system))
     }
 
-    /// The current or last law of the run.
+    /// The current law of the run, or its last.
     pub fn current(&self) -> Option<Arc<CompiledSystem>> {
         let current = self.current.lock().unwrap_or_else(PoisonError::into_inner);
         current.as_ref().map(|current| Arc::clone(&current.moded.system))
     }
 
-    /// The first condition that the current law keeps at zero.
+    /// The index of the first condition that the current law keeps at zero.
     pub fn held_condition(&self) -> Option<usize> {
         self.current()?.mode.cases.iter().position(|case| case.rests())
     }
 
-    /// Whether only the shares of diodes in the voltage that they block together change.
+    /// True if two laws differ only in the distribution of voltage among diodes that block together.
     fn only_shares(&self, before: &Current, after: &Current) -> bool {
         let [before, after] = [before, after].map(|current| &current.moded.system.mode);
         let kinds = &self.laws.model.contacts;

@@ -9,21 +9,21 @@ pub enum Case {
     On,
     /// The condition's expression is negative.
     Off,
-    /// The expression stays at zero, since either case drives it back (sliding mode), as for sticking dry friction.
+    /// The expression stays at zero, since both cases drive it back (sliding mode), as for sticking dry friction.
     Held,
-    /// The expression stays at zero since this follows from held conditions; its switch takes a share of their forces.
+    /// The expression stays at zero as a consequence of held conditions; its switch takes a share of their forces.
     Shared,
-    /// As `Shared`, with the switch at its bound 1 (on) or 0, since its share would exceed it.
+    /// The expression stays at zero as for `Shared`, but the share exceeds a bound: the switch is 1 (`on`) or 0.
     Spent { on: bool },
 }
 
 impl Case {
-    /// Whether the condition stays at zero.
+    /// True if the condition stays at zero.
     pub(super) fn rests(self) -> bool {
         !matches!(self, Case::On | Case::Off)
     }
 
-    /// Whether the switch is 1 or 0, if the case determines it.
+    /// The switch, if the case fixes it: true for 1, false for 0.
     pub(super) fn fixed(self) -> Option<bool> {
         match self {
             Case::On | Case::Spent { on: true } => Some(true),
@@ -33,12 +33,12 @@ impl Case {
     }
 }
 
-/// The side of a plane, a curve or a guide that presses.
+/// The side of a plane, a curve or a guide that presses; N is the normal reaction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Face {
     /// N > 0.
     Front,
-    /// N < 0, where both sides react.
+    /// N < 0, for two-sided contacts only.
     Back,
 }
 
@@ -48,7 +48,7 @@ impl Face {
         if self == Face::Front { 1.0 } else { -1.0 }
     }
 
-    /// The faces of a contact.
+    /// The faces of a contact that may press.
     pub fn of(sides: Sides) -> &'static [Face] {
         match sides {
             Sides::One => &[Face::Front],
@@ -57,7 +57,8 @@ impl Face {
     }
 }
 
-/// The direction in which a contact in space begins to slide, by its angle from the first tangent, and the rate of this angle.
+/// The direction in which a contact in space begins to slide: an angle from the first tangent, and the rate of this angle. Stored as
+/// bits, for hashing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Heading {
     angle: u64,
@@ -66,49 +67,50 @@ pub struct Heading {
 }
 
 impl Heading {
-    /// A direction from its angle, the rate of the angle, and the error of the angle.
+    /// A direction with its angle (rad), the rate of the angle (rad/s), and the error of the angle (rad).
     pub fn of(angle: f64, turn: f64, doubt: f64) -> Self {
         Heading { angle: angle.to_bits(), turn: turn.to_bits(), doubt: doubt.to_bits() }
     }
 
-    /// The angle from the first tangent.
+    /// The angle from the first tangent, rad.
     pub fn angle(self) -> f64 {
         f64::from_bits(self.angle)
     }
 
-    /// The rate of the angle.
+    /// The rate of the angle, rad/s.
     pub fn turn(self) -> f64 {
         f64::from_bits(self.turn)
     }
 
-    /// The error of the angle.
+    /// The error of the angle, rad.
     pub fn doubt(self) -> f64 {
         f64::from_bits(self.doubt)
     }
 }
 
-/// The phase of a contact.
+/// The phase of a contact, with normal reaction N, friction T, sliding velocity v and coefficient of friction mu.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Phase {
-    /// Not in touch: no reaction.
+    /// Open: no reaction.
     Apart,
-    /// In touch and sticking: the sliding velocity stays zero, |T| <= mu |N|.
+    /// Closed and sticking: v stays zero, |T| <= mu |N|.
     Sticks(Face),
-    /// In touch in space, the sliding velocity stays zero: by friction along the tangents that are `held`, by other contacts along the
-    /// others.
+    /// Closed in space and sticking with others: v stays zero, by friction along the tangents that are `held`, by other contacts along
+    /// the others.
     Leans { face: Face, held: [bool; 2] },
-    /// In touch, sliding or beginning to slide, T = -mu |N| sign(v): whether v is positive. The direction does not matter for a smooth contact.
+    /// Closed and sliding, or beginning to slide: T = -mu |N| sign(v). `forwards` is true for v > 0; it does not matter for a smooth
+    /// contact.
     Slips { forwards: bool, face: Face },
-    /// In touch and sliding in space, T = -mu |N| v/|v|; if v is still zero, with the direction in which it begins to slide.
+    /// Closed and sliding in space: T = -mu |N| v/|v|. If v is still zero, `begins` is the direction in which sliding begins.
     Glides { face: Face, begins: Option<Heading> },
-    /// In touch, with T at its bound, but at rest since other contacts hold it: the body has more reactions than its motion determines.
+    /// Closed at rest with T at its bound, because other contacts hold the body, which has more reactions than the motion determines.
     Rests { forwards: bool, face: Face },
-    /// In touch without a reaction, since other contacts keep the gap at zero: a superfluous foot of a body.
+    /// Closed without a reaction, since other contacts keep the gap at zero, as for a superfluous foot of a body.
     Carried,
 }
 
 impl Phase {
-    /// The face that presses, in touch.
+    /// The face that presses; `None` without a reaction.
     pub fn face(self) -> Option<Face> {
         match self {
             Phase::Apart | Phase::Carried => None,
@@ -120,7 +122,7 @@ impl Phase {
         }
     }
 
-    /// The sign of the sliding velocity that friction opposes at its bound.
+    /// The sign of the sliding velocity that friction at its bound opposes; `None` for other phases, and in space.
     pub fn way(self) -> Option<f64> {
         match self {
             Phase::Slips { forwards, .. } | Phase::Rests { forwards, .. } => Some(if forwards { 1.0 } else { -1.0 }),
@@ -128,7 +130,7 @@ impl Phase {
         }
     }
 
-    /// The face of a contact that friction holds.
+    /// The face of a contact that sticks; `None` for other phases.
     pub fn sticking(self) -> Option<Face> {
         match self {
             Phase::Sticks(face) | Phase::Leans { face, .. } => Some(face),
@@ -136,31 +138,33 @@ impl Phase {
         }
     }
 
-    /// Whether T is tied to N.
+    /// True if T is proportional to N.
     pub fn has_friction(self) -> bool {
         self.moves() || matches!(self, Phase::Rests { .. })
     }
 
-    /// Whether it slides, or begins to.
+    /// True if the contact slides or begins to slide.
     pub fn moves(self) -> bool {
         matches!(self, Phase::Slips { .. } | Phase::Glides { .. })
     }
 }
 
-/// The mode of a law.
+/// A mode: one law of a hybrid model.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Mode {
+    /// The case of each condition.
     pub cases: Vec<Case>,
+    /// The phase of each contact.
     pub phases: Vec<Phase>,
 }
 
 impl Mode {
-    /// Every condition off, every contact apart.
+    /// The mode with every condition off and every contact open.
     pub fn off(model: &Model) -> Self {
         Mode { cases: vec![Case::Off; model.switches.len()], phases: vec![Phase::Apart; model.contacts.len()] }
     }
 
-    /// The mode in which beginning sliding is ordinary sliding: both have one law.
+    /// The mode without directions of beginning sliding: the law does not depend on them.
     pub fn without_headings(mut self) -> Self {
         for phase in &mut self.phases {
             if let Phase::Glides { begins, .. } = phase {
@@ -170,7 +174,7 @@ impl Mode {
         self
     }
 
-    /// The mode in which contacts that slide in space are apart.
+    /// The mode with contacts that slide in space set to open.
     pub fn without_glides(mut self) -> Self {
         for phase in &mut self.phases {
             if let Phase::Glides { .. } = phase {
@@ -180,7 +184,7 @@ impl Mode {
         self
     }
 
-    /// The model with contacts that stay in touch, and the sliding velocities of those that stick, among its constraints.
+    /// The model with its closed contacts, and the sliding velocities of sticking contacts, as constraints.
     pub fn with_closed_contacts(&self, model: &Model) -> Model {
         let mut with = model.clone();
         for (contact, phase) in model.contacts.iter().zip(&self.phases) {
@@ -194,7 +198,7 @@ impl Mode {
         with
     }
 
-    /// Whether the reactions are unique.
+    /// True if the model has neither conditions nor contacts, so that this is its only mode.
     pub fn is_only_one(&self) -> bool {
         self.cases.is_empty() && self.phases.is_empty()
     }

@@ -1,8 +1,8 @@
-//! Values along a run that its mode determines, for sketches.
+//! Values along a run that depend on the mode, for drawings.
 //!
-//! For each switch 1 or 0, and between them where a condition stays at zero, as of dry friction that sticks; then of each contact the three
-//! components of its friction on the body that touches, in the axes of the ground, and its normal reaction. A value is no number where no
-//! law determines it.
+//! For each switch 1 or 0, or a number between them if its condition stays at zero (sticking dry friction). Then for each contact the
+//! three components of its friction on the touching body, in axes of the ground, and its normal reaction, N. A value is NaN if no law
+//! determines it.
 
 use super::{Mode, Modes};
 use crate::compiled_system::{CompiledSystem, determined};
@@ -17,13 +17,13 @@ use symbolic::Sym;
 /// The number of values of a contact.
 pub(crate) const OF_CONTACT: usize = 4;
 
-/// The values of a model in the law in which a run is.
+/// The values of a model by the current law of a run, with programs for each mode.
 pub(crate) struct ModeValues {
     modes: Arc<Modes>,
     known: Mutex<HashMap<Mode, Arc<Programs>>>,
 }
 
-/// The programs of a mode: of the switches, and of the contacts.
+/// The programs of a mode: for the switches, and for the contacts.
 struct Programs([Option<Program>; 2]);
 
 impl ModeValues {
@@ -31,7 +31,7 @@ impl ModeValues {
         ModeValues { modes, known: Mutex::default() }
     }
 
-    /// The values at a time and a state of the run.
+    /// The values at a time (s) and a state of the run; empty before the run has a law.
     pub fn at(&self, time: f64, state: &[f64]) -> Vec<f64> {
         let Some(system) = self.modes.current() else { return Vec::new() };
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
@@ -42,18 +42,18 @@ impl ModeValues {
     }
 }
 
-/// The values at the start of a model; none where no motion, or no single one, goes on from there.
+/// The values at the start of a model; `None` if no motion, or more than one, continues from there.
 pub(crate) fn mode_values_at_start(model: &Arc<Model>, state: &[f64]) -> Option<Vec<f64>> {
     let system = Modes::of(model, &[], &[]).first(state).ok()?;
     Some(Programs::of(&system).values(system.model(), 0.0, state))
 }
 
-/// The contacts that have places: those that are no diodes and no freewheels.
+/// Indices of the contacts between bodies: all except diodes and freewheels.
 fn contacts(model: &Model) -> impl Iterator<Item = usize> {
     (0..model.contacts.len()).filter(|place| model.contacts[*place].one_way.is_none())
 }
 
-/// The numbers of values of switches and of contacts.
+/// The numbers of values for switches and for contacts.
 pub(crate) fn lengths(model: &Model) -> [usize; 2] {
     [model.switches.len(), OF_CONTACT * contacts(model).count()]
 }
@@ -80,7 +80,7 @@ impl Programs {
         let parts = self.0.iter().zip(lengths(model)).map(|(program, length)| {
             let mut values = vec![f64::NAN; length];
             if let Some(program) = program {
-                // a state without values leaves them undefined
+                // values remain NaN if the state has none
                 let state = &state[..state.len().min(model.positions() + model.speeds())];
                 let _ = program.run(time, state, &mut values);
             }
@@ -90,7 +90,7 @@ impl Programs {
     }
 }
 
-/// The friction of a contact as a vector, and its normal reaction.
+/// The friction of a contact as a vector in axes of the ground, then its normal reaction.
 fn of_contact(trace: &Trace<'_>, place: usize) -> [Sym; OF_CONTACT] {
     let contact = &trace.model.contacts[place];
     let along = |(number, tangent): (usize, &model::VectorId)| {

@@ -1,4 +1,4 @@
-//! The motion in a mode, over symbols.
+//! The motion in a mode as symbolic expressions.
 
 use super::algebraic::Parted;
 use super::contacts::PARTS;
@@ -8,21 +8,23 @@ use crate::compiled_system::NotCompiled;
 use model::Trace;
 use symbolic::Sym;
 
-/// Accelerations in a mode, and the values of the switches.
+/// Expressions of the motion in a mode over the symbols of the state.
 pub(crate) struct ModeMotion {
+    /// The rates of all speeds.
     pub accelerations: Vec<Sym>,
+    /// The multipliers of all constraints.
     pub multipliers: Vec<Sym>,
-    /// Normal and tangential reaction of each contact.
+    /// The normal reaction and the friction along each tangent, for each contact.
     pub reactions: Vec<[Sym; PARTS]>,
     /// The determinant of the equations for the reactions.
     pub determinant: Sym,
-    /// 1, 0, or the value that keeps the condition at zero.
+    /// The value of each switch: 1, 0, or the value for which the condition stays at zero.
     pub switches: Vec<Sym>,
-    /// Each switch; for a switch at its bound, the share that it would have without the bound.
+    /// The switches; for a switch at its bound the value that it would have without the bound.
     pub parts: Vec<Sym>,
-    /// Letters of algebraic speeds, with their expressions.
+    /// Symbols of algebraic speeds, with their expressions.
     pub speeds: Vec<(Sym, Sym)>,
-    /// Letters of algebraic speeds without an expression, with sums that must be zero.
+    /// Symbols of implicit algebraic speeds, each with an equation as an expression that is zero.
     pub implicit: Vec<(Sym, Sym)>,
 }
 

@@ -1,25 +1,27 @@
-//! Conditions that are multiples of others: the two friction forces of a pair, each written with its own condition, have one switch.
+//! Conditions that are multiples of others: for example the two friction forces of a pair, each written with its own condition, have one
+//! switch.
 
 use crate::compiled_system::values;
 use field::DoubleDouble;
 use model::Trace;
 use symbolic::{Sym, Tape, substitute_all};
 
-/// The condition of which another is a multiple.
+/// The original condition of which a mirrored condition is a multiple.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Mirrored {
+    /// The index of the original condition.
     pub of: usize,
-    /// By a positive factor.
+    /// True for a positive factor.
     pub same_side: bool,
 }
 
-/// Points at which conditions are compared, in double-double.
+/// The number of points at which conditions are compared in double-double arithmetic.
 const POINTS: usize = 5;
 
-/// Ratios that differ by less are one.
+/// Ratios with a smaller relative difference are equal.
 const EQUAL: f64 = 1e-24;
 
-/// For each condition the first one of which it is a multiple, where there is one before it.
+/// For each condition, the first condition before it of which it is a multiple, if any.
 pub(super) fn mirrored(trace: &Trace<'_>) -> Vec<Option<Mirrored>> {
     let conditions: Vec<Sym> = trace.model.switches.iter().map(|condition| trace.scalar(*condition)).collect();
     let alone = vec![None; conditions.len()];
@@ -62,7 +64,7 @@ pub(super) fn mirrored(trace: &Trace<'_>) -> Vec<Option<Mirrored>> {
     (0..conditions.len()).map(of).collect()
 }
 
-/// The letters of mirrored switches, each with its expression.
+/// The symbols of mirrored switches with their expressions.
 pub(super) fn letters(trace: &Trace<'_>, mirrored: &[Option<Mirrored>]) -> Vec<(Sym, Sym)> {
     let replaced = |(own, mirrored): (usize, &Option<Mirrored>)| {
         let Mirrored { of, same_side } = (*mirrored)?;

@@ -13,7 +13,11 @@ use integrators::{Event, Happening};
 use model::Direction;
 
 impl Modes {
-    /// The run after the event; `known` is the motion there in the previous law, `held` the conditions that this law holds.
+    /// The continuation after event `number` of the model. `late` is the error of its time (s), `known` the motion at this time in the
+    /// previous law, `held` the conditions that this law holds at zero.
+    ///
+    /// # Errors
+    /// No single motion continues, or the event violates a constraint.
     pub(super) fn after_own(
         &self,
         before: &Current,
@@ -31,7 +35,7 @@ impl Modes {
         if is_open && event.what == Happening::StartsBelow {
             return with_side(Side { sign: -from, is_open: false });
         }
-        // an expression that has not left zero since it was set there does not pass it again
+        // an expression that has not left zero since the event set the state does not cross zero again
         let rate = before.moded.signals.event_rate(number, event.time, state, &before.glide_letters());
         let has_jumped = event.what == Happening::StartsBelow && known.events[number].sign_of(0, SLACK) == -from;
         if rate * from > 0.0 && !has_jumped {
@@ -56,7 +60,7 @@ impl Modes {
         }
         let kept = self.laws.kept();
         kept.follow(event.time, &mut set);
-        // the state before the event stays the last good one
+        // the state before the event remains the last valid one
         if let Some(broken) = kept.broken(event.time, &set) {
             let name = self.laws.words.fall(Fall::Event { event: number });
             let what = format!("after {name} {broken}, which must be zero");
@@ -66,7 +70,7 @@ impl Modes {
         state.copy_from_slice(&set);
         let expansions = self.laws.expansions().map_err(refused)?;
         let instant = Instant { late, ..Instant::at(event.time, state) };
-        // a held condition may stay held if the event has not changed it
+        // a held condition may remain held if the event has not changed it
         let now = expansions.as_given(&instant, &Mode::off(&self.laws.model));
         let stays = |switch: &usize| {
             now.as_ref().is_some_and(|now| {
@@ -78,7 +82,7 @@ impl Modes {
         let past = |other: usize| match before.sides[other] {
             Side { sign: from, .. } if other == number => Past::Set { from, near: before.near_events[other] },
             Side { sign: from, is_open: false } if known.events[other].sign_of(0, SLACK) == 0.0 => {
-                // an expression that passes zero here in the other direction counts as passed, whatever state the event sets
+                // an expression that crosses zero here in the direction that does not count has crossed it, whatever state the event sets
                 let jet = &known.events[other];
                 let has_passed = jet.way(SLACK * jet.doubts[0], SLACK) == -from && !counts(other, from);
                 Past::Side { from: if has_passed { -from } else { from }, near: before.near_events[other] }

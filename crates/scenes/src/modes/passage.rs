@@ -1,4 +1,4 @@
-//! The mode in which a run begins, and the one that follows an event.
+//! The mode in which a run begins, and the mode after an event.
 
 use super::course::Sets;
 use super::decision::{Decided, Open, SLACKS, Standing, TERMS, alone, beyond, decided};
@@ -15,30 +15,30 @@ use super::touches::NEGATIVE;
 use super::{Current, Modes};
 use integrators::{Event, Happening};
 
-/// A determinant counts as zero below this fraction of its initial value.
+/// A determinant below this part of its initial value counts as zero.
 const JAMMED: f64 = 1e-6;
 
-/// The least multiple of a doubt that counts.
+/// A value counts if it exceeds this multiple of its error bound.
 pub(super) const SLACK: f64 = SLACKS[0];
 
-/// The run after an event.
+/// The continuation after an event.
 pub(super) enum After {
-    /// An expression passed zero in a direction that does not count.
+    /// The law continues: for example, an expression crossed zero in a direction that does not count.
     Unchanged(Current),
     Changed(Current, Sets),
-    /// The motion ends with it.
+    /// The event ends the run.
     Ended,
 }
 
 impl Modes {
-    /// The first condition that is at zero.
+    /// The index of the first condition at zero.
     pub(super) fn at_zero(&self, time: f64, state: &[f64]) -> Option<usize> {
         let off = Mode::off(&self.laws.model);
         let found = self.laws.expansions().ok()?.as_given(&Instant::at(time, state), &off)?;
         found.conditions.iter().position(|condition| condition.sign_of(0, SLACK) == 0.0)
     }
 
-    /// The mode at a state without a previous mode.
+    /// The mode at a state without history, such as the start.
     pub(super) fn begun(&self, time: f64, state: &[f64]) -> Result<Current, &'static str> {
         let instant = Instant::at(time, state);
         let cases = self.cases_next(&instant)?;
@@ -46,7 +46,8 @@ impl Modes {
         self.at(&instant, (&[], &touches), |_| Past::None)
     }
 
-    /// The mode at a state; conditions that were held are open, since they may stay held.
+    /// The mode at a state. Conditions in `held` were held so far and may remain held. `past` tells the history of each event's
+    /// expression.
     pub(super) fn at(
         &self,
         instant: &Instant<'_>,
@@ -57,7 +58,7 @@ impl Modes {
         self.settled(instant, &mode, Open { switches: &open, touches }, past)
     }
 
-    /// The cases of conditions just after a state: for a condition at zero by its rate, if this does not depend on cases.
+    /// The cases of conditions just after a state. For a condition at zero its rate decides, if the rate does not depend on cases.
     pub(super) fn cases_next(&self, instant: &Instant<'_>) -> Result<Vec<Case>, &'static str> {
         let expansions = self.laws.expansions().map_err(refused)?;
         let (mut mode, open) = self.cases_at(instant, &[])?;
@@ -71,12 +72,12 @@ impl Modes {
         Ok(mode.cases)
     }
 
-    /// The cases of conditions at a state, and the conditions that are open: at zero, or held so far.
+    /// The cases of conditions at a state, and the indices of the open conditions: at zero, or held so far.
     pub(super) fn cases_at(&self, instant: &Instant<'_>, held: &[usize]) -> Result<(Mode, Vec<usize>), &'static str> {
         let expansions = self.laws.expansions().map_err(refused)?;
         let mut mode = Mode::off(&self.laws.model);
         let mut open = Vec::new();
-        // a condition may depend on the cases of those before it
+        // a condition may depend on the cases of earlier conditions
         for switch in 0..mode.cases.len() {
             let Some(Expansion { conditions, .. }) = expansions.as_given(instant, &mode) else { return Err(NO_LAW) };
             let sign = conditions[switch].sign_of(0, SLACK);
@@ -90,8 +91,8 @@ impl Modes {
         Ok((mode, open))
     }
 
-    /// Conditions that jump because another one has passed zero: for example a change of the law may change the speed of a support.
-    /// They get the case of the side to which they jump.
+    /// Conditions that jump because another condition crossed zero; for example, a change of the law may change the speed of a support.
+    /// They get the case of the side to which they jump, and their indices are returned.
     fn jumped(
         &self,
         instant: &Instant<'_>,
@@ -115,28 +116,31 @@ impl Modes {
         Ok(jumped)
     }
 
-    /// The mode after an event, and the state, which the event may set.
+    /// The continuation after an event, which may change the state.
+    ///
+    /// # Errors
+    /// No single motion continues; the text is the reason.
     pub(super) fn after(&self, before: &Current, event: &Event, state: &mut [f64]) -> Result<After, &'static str> {
         let expansions = self.laws.expansions().map_err(refused)?;
         let mut mode = before.moded.system.mode.clone();
         let mut fall = before.moded.signals.falls[event.signal];
         expansions.return_to_zero(event.time, state, &mode, SLACK);
         let exact = Instant::at(event.time, state);
-        // at the end of a slide reactions, and the times of their signals, have no digits: the slide stops first
+        // at the end of a slide, reactions and the times of their signals have no correct digits: the slide must stop first
         let over = match fall {
             Fall::Lifts { .. } | Fall::Slides { .. } | Fall::Jams => self.is_over(before, &exact),
             _ => None,
         };
-        // a contact in space that has slowed down has a direction and reactions with few digits, but nothing here depends on them
+        // direction and reactions of a contact in space that has slowed down have few correct digits; nothing here depends on them
         let seen = match fall.is_of_a_glide() || over.is_some() {
             true => mode.clone().without_glides(),
             false => mode.clone(),
         };
         let Some(known) = expansions.at::<TERMS>(&exact, &seen) else {
-            // a long step may end beyond
+            // a long step may end beyond the jamming
             return Err(if self.jams(before, event.time, state) { JAMS } else { NO_LAW });
         };
-        // after a condition has touched zero, its law continues if it leads away from zero
+        // after a condition has touched zero, the law continues if it leads away from zero
         if let (Fall::Passes { switch }, Happening::Touches) = (fall, event.what)
             && alone(&known, mode.cases[switch], switch, SLACK) == Some(Standing::Moves)
         {
@@ -169,7 +173,7 @@ impl Modes {
             Fall::Event { event: number } => {
                 return self.after_own(before, (number, late), event, state, (&known, &held));
             }
-            // a condition that touches zero has not passed it
+            // a condition that touches zero has not crossed it
             Fall::Passes { switch } if event.what == Happening::Touches => Some(switch),
             Fall::Passes { switch } => {
                 mode.cases[switch] = if mode.cases[switch] == Case::On { Case::Off } else { Case::On };
@@ -199,7 +203,7 @@ impl Modes {
         let together = self.rest_together(before, event, state);
         let (mut touches, sets) = self.touches_after((cases, &mode), fall, (event.time, late), state)?;
         self.bring_to_rest(&mode, &together, event.time, state, &mut touches);
-        // the gap of a closed contact is set to zero, so that the error of the time does not matter
+        // the gap of a closed contact is set to zero: the error of the time has no effect
         let late = match fall {
             Fall::Closes { contact } if !expansions.kinds[contact].is_direct => 0.0,
             _ => late,
@@ -222,16 +226,16 @@ impl Modes {
         let current = self.settled(&instant, &mode, Open { switches: &open, touches: &touches }, keeps);
         let current = match current {
             Ok(current) => current,
-            // near a jam rounding decides which condition fails first
+            // near jamming, rounding decides which condition fails first
             Err(NONE | NONE_AT_ONCE | SEVERAL) if self.jams(before, event.time, state) => return Err(JAMS),
             Err(why) => return Err(why),
         };
-        // a condition that has touched zero continues as before
+        // a condition that has touched zero continues as before the event
         if matches!(fall, Fall::Passes { .. }) && current.moded.system.mode == before.moded.system.mode {
             current.moded.system.set_algebraic_speeds(event.time, state);
             return Ok(After::Unchanged(current));
         }
-        // held conditions and sticking contacts are set to exactly zero
+        // residuals of held conditions and sticking contacts are set to exactly zero
         expansions.return_to_zero(event.time, state, &current.moded.system.mode, 0.0);
         current.moded.system.set_algebraic_speeds(event.time, state);
         self.push_off(event.time, state, &current);
@@ -242,7 +246,7 @@ impl Modes {
         Ok(After::Changed(current, rests.unwrap_or(sets)))
     }
 
-    /// Whether the determinant of the equations for the reactions has gone to zero since the law began.
+    /// True if the determinant of the equations for the reactions has decreased to zero since the law began (jamming).
     pub(super) fn jams(&self, current: &Current, time: f64, state: &[f64]) -> bool {
         let mode = &current.moded.system.mode;
         let instant = Instant::at(time, state);
@@ -253,7 +257,8 @@ impl Modes {
             })
     }
 
-    /// The only mode with these cases that is consistent with its motion.
+    /// The only consistent mode, with the tolerances of its signals. Open conditions and contacts are decided, the others keep the case
+    /// that they have in `mode`.
     fn settled(
         &self,
         instant: &Instant<'_>,
@@ -282,16 +287,16 @@ impl Modes {
             let beyond = beyond(condition.terms[0], mode.cases[switch]);
             let rounding = (slack * condition.doubts[0]).max(condition.hidden(slack));
             let near = (2.0 * beyond).max(rounding);
-            // a condition whose value the mode determines is open at any value
+            // a direct condition is open at any value
             if condition.terms[0].abs() <= near && open.switches.contains(&switch) { near } else { 0.0 }
         };
-        // a value with algebraic speeds may leave zero more slowly than the terms of its sum
+        // a quantity with algebraic speeds may leave zero more slowly than its terms suggest
         let left =
             |jet: &Jet<TERMS>, is_direct: bool| rounding(jet).max(if is_direct { jet.hidden(slack) } else { 0.0 });
         let near_contact = |((phase, contact), kind): ((&Phase, &Touching<TERMS>), &Kind)| {
             let below = |jet: &Jet<TERMS>| (-2.0 * jet.terms[0]).max(rounding(jet)).max(0.0);
             match *phase {
-                // a gap far above zero has the margin zero
+                // a large gap needs no tolerance
                 Phase::Apart => [below(&contact.gap).max(left(&contact.gap, kind.is_direct)), 0.0, 0.0],
                 Phase::Carried => [0.0; 3],
                 Phase::Sticks(face) | Phase::Leans { face, .. } => margins(contact, face).each_ref().map(rounding),
@@ -314,7 +319,7 @@ impl Modes {
             let beyond = (-2.0 * side.sign * jet.terms[0]).max(0.0);
             let near = match past {
                 Past::None if !side.is_open => rounding(jet),
-                // a body that an event sets to rest on a wall stays there if the expression is zero up to rounding
+                // a body that an event sets to rest on a wall remains there if the expression is zero up to rounding
                 Past::Set { near, .. } if jet.way(0.0, slack) == 0.0 => near.max(beyond).max(rounding(jet)),
                 Past::Set { near, .. } if is_zero => near,
                 Past::Side { near, .. } | Past::Jumping { near, .. } if is_zero => near.max(beyond),

@@ -1,8 +1,8 @@
-//! The cases of many conditions that are zero together, by pivots, whose number grows polynomially with the number of conditions.
+//! Cases of many conditions that are zero at one instant, by pivots, whose number grows polynomially with the number of conditions.
 //!
-//! The rates g' = a + B s with 0 <= s <= 1, s = 1 for g' > 0 and s = 0 for g' < 0, form a linear complementarity problem. For
-//! dry friction B = -G R with a semidefinite G and the bounds R of the forces, and criss-cross pivots in a fixed order terminate (Klafszky
-//! and Terlaky 1992). Signs are those of series in the time, which are ordered like numbers.
+//! The rates g' = a + B s with 0 <= s <= 1, s = 1 for g' > 0 and s = 0 for g' < 0, form a linear complementarity problem. For dry
+//! friction B = -G R with a semidefinite matrix G and the bounds R of the forces, and criss-cross pivots in a fixed order terminate
+//! (Klafszky and Terlaky 1992). The signs are those of Taylor series in time, ordered lexicographically.
 
 use super::decision::{TERMS, contradicted};
 use super::expansion::{Expansion, Expansions, Instant, Slopes, solved};
@@ -10,23 +10,26 @@ use super::jet::Jet;
 use super::mode::{Case, Mode};
 use num_traits::Zero;
 
-/// The number of changes of all contradicted cases together without progress (block pivots, Judice and Pires 1994).
+/// The number of block pivots, which change all contradicted cases at once, that are accepted without progress (Judice and Pires 1994).
 const PATIENCE: usize = 3;
 
-/// Pivots for each open condition.
+/// The largest number of pivots, for each open condition.
 const PIVOTS: usize = 40;
 
-/// A number counts as zero unless it exceeds its doubt by this factor.
+/// A number counts as zero if it is below this multiple of its error bound.
 const PIVOT: f64 = 64.0;
 
-/// No consistent cases were found.
+/// The reason for which no consistent cases were found.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NotFound {
-    /// Whether every condition that should be held could be.
+    /// True if every condition that had to be held at zero could be held.
     pub is_held: bool,
 }
 
-/// Consistent cases, found from those of a mode.
+/// Consistent cases of the conditions `open`, with the motion in these cases. The search starts from the cases of `mode`.
+///
+/// # Errors
+/// [`NotFound`] if the pivots do not end, or a condition cannot be held.
 pub(super) fn pivoted(
     expansions: &Expansions,
     instant: &Instant<'_>,
@@ -72,7 +75,7 @@ pub(super) fn pivoted(
     Err(NotFound { is_held: true })
 }
 
-/// The held condition that is replaced by a condition that follows from it; their rates are proportional.
+/// The held condition that is released in exchange for a condition whose rate depends on it, and the case that it gets.
 fn leaving(
     implied: &Implied,
     slopes: &Slopes<TERMS>,
@@ -86,7 +89,7 @@ fn leaving(
     Some((other, if rises { Case::On } else { Case::Off }))
 }
 
-/// A condition whose rate is a combination of those of held ones.
+/// A condition whose rate is a linear combination of the rates of held conditions.
 #[derive(Debug)]
 pub(super) struct Implied {
     held: Vec<usize>,
@@ -94,18 +97,18 @@ pub(super) struct Implied {
 }
 
 impl Implied {
-    /// None if its switch changes its rate while the others are held.
+    /// The combination; `None` if the rate of the condition changes with its switch while the others are held.
     pub fn of(slopes: &Slopes<TERMS>, held: &[usize], switch: usize) -> Option<Self> {
         let rows = held.iter().map(|&column| held.iter().map(|&row| slopes[row][column]).collect()).collect();
         let right = held.iter().map(|&column| slopes[switch][column]).collect();
         let factors = solved(rows, right)?;
         let through = held.iter().zip(&factors).map(|(&row, factor)| slopes[row][switch] * *factor);
         let left = slopes[switch][switch] - through.fold(Jet::zero(), |sum, term| sum + term);
-        // a derivative that is zero at this instant only does not count as dependent
+        // a derivative that is zero only at this instant is not dependence
         (0..TERMS).all(|order| left.sign_of(order, PIVOT) == 0.0).then(|| Implied { held: held.to_vec(), factors })
     }
 
-    /// The conditions and their factors, where these are not zero.
+    /// The held conditions with nonzero factors, and these factors.
     pub fn terms(&self) -> impl Iterator<Item = (usize, f64)> {
         self.held
             .iter()
@@ -115,7 +118,8 @@ impl Implied {
     }
 }
 
-/// For each held condition the derivative of its switch by the switch of another condition at zero, with its sign.
+/// For each held condition, the sign of the derivative of its switch by the switch of another condition at zero. `None` if the held
+/// conditions are dependent.
 pub(super) fn replaced(slopes: &Slopes<TERMS>, held: &[usize], switch: usize) -> Option<Vec<(usize, f64)>> {
     let rows = held.iter().map(|&row| held.iter().map(|&column| slopes[row][column]).collect()).collect();
     let right = held.iter().map(|&row| -slopes[row][switch]).collect();

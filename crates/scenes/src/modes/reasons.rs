@@ -16,7 +16,7 @@ pub(crate) const BROKEN: &str = "the state after an event violates a constraint"
 
 pub(super) const STEPS_OVER_REST: &str = "the long steps of bader_deuflhard pass over the instant at which a contact in space comes to rest; radau_5, gauss:4 or rodas_4 find it";
 
-/// The reason for which the law of a case does not hold.
+/// The sentence for a mode whose equations cannot be compiled.
 pub(super) fn refused(reason: NotCompiled) -> &'static str {
     match reason {
         NotCompiled::NotHeld { .. } => NO_LAW,

@@ -1,4 +1,4 @@
-//! All consistent regimes of contacts and conditions at a state, with their margins.
+//! All consistent regimes of contacts and conditions at a state, with their margins, and the critical friction.
 
 use super::critical_friction::Critical;
 use super::decision::{Decided, Open, SLACKS, TERMS, agreeing, decided};
@@ -11,24 +11,27 @@ use super::unfit::Unfit;
 use super::{Modes, Refused};
 use model::OneWay;
 
-/// A regime that is consistent with its motion.
+/// A regime (the case of each condition, the phase of each contact) that is consistent with its motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Regime {
-    /// The cases of conditions and the phases of contacts, in words.
+    /// The regime in words.
     pub name: String,
+    /// The conditions of consistency, with their margins.
     pub margins: Vec<Margin>,
-    /// The number of its motion: several regimes with different reactions may give one motion.
+    /// The index of its motion: regimes with different reactions may have equal motions, and then equal indices.
     pub motion: usize,
-    /// Whether other reactions give the same motion, so that the reactions in the margins are one possible choice.
+    /// True if other reactions give an equal motion; the reactions in the margins are then one possible choice.
     pub is_one_choice: bool,
 }
 
-/// A condition of a regime, and the margin by which it holds, in SI units.
+/// A quantity that must be positive in a regime.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Margin {
-    /// The contact or the condition.
+    /// The contact or the condition, in words.
     pub of: String,
+    /// The quantity, in words.
     pub asks: &'static str,
+    /// Its value in `unit`.
     pub value: f64,
     pub unit: &'static str,
 }
@@ -37,39 +40,41 @@ pub struct Margin {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Motions {
     One,
-    /// One, with a margin that is zero.
+    /// One motion, with a margin that is zero.
     OneOnItsBoundary,
     None,
     Several,
-    /// A continuum of motions, in a mode whose reactions are not determined.
+    /// A continuum of motions, in a regime whose reactions are not determined.
     Continuum,
-    /// More combinations than are tried.
+    /// There are too many combinations to be tried.
     NotTried,
 }
 
 /// All regimes at a state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Regimes {
+    /// The consistent regimes.
     pub regimes: Vec<Regime>,
+    /// The number of motions that continue from the state.
     pub motions: Motions,
-    /// None if no multiple of friction is critical, or if contacts slide in space.
+    /// The critical friction; `None` if no factor is critical, or a contact slides in space.
     pub critical: Option<CriticalFriction>,
 }
 
-/// The friction below which reactions are determined for all loads.
+/// The critical friction at a state: for smaller friction, reactions are determined for all loads.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CriticalFriction {
-    /// The multiple of all coefficients of friction at the state.
+    /// The factor of all coefficients of friction at which reactions cease to be determined.
     pub factor: f64,
-    /// The contacts whose reactions are not determined there.
+    /// The contacts whose reactions are not determined at this factor, in words.
     pub regime: String,
 }
 
 impl Modes {
-    /// The regimes at a state without a previous mode.
+    /// The regimes at a time (s) and a state without history.
     ///
     /// # Errors
-    /// Where there is no law, or a contact cannot be at the state.
+    /// [`Refused`] if the equations cannot be compiled, or the state violates a contact.
     pub fn regimes(&self, time: f64, state: &[f64]) -> Result<Regimes, Refused> {
         let expansions = self.laws.expansions().map_err(Refused::Law)?;
         let instant = Instant::at(time, state);
@@ -98,7 +103,7 @@ impl Modes {
         };
         let all = match (agreeing(expansions, &instant, &mode, open), verdict) {
             (Some(all), _) => all,
-            // for very many conditions only the one that was found by pivots
+            // for very many conditions only the regime found by pivots
             (None, Decided::One { mode, expansion, .. }) => vec![(mode, *expansion, 0)],
             (None, _) => Vec::new(),
         };
@@ -110,7 +115,7 @@ impl Modes {
         };
         let mut regimes: Vec<Regime> = Vec::new();
         for found in all.into_iter().map(regime) {
-            // a foot at rest may hold or be held by others: both have one description
+            // a sticking foot may hold itself or be held by others: both have one description
             match regimes.iter_mut().find(|known| (&known.name, known.motion) == (&found.name, found.motion)) {
                 Some(known) => known.is_one_choice = true,
                 None => regimes.push(found),
@@ -129,6 +134,7 @@ impl Modes {
         Ok(Regimes { regimes, motions, critical })
     }
 
+    /// True if a margin of the mode is zero.
     fn is_on_a_bound(&self, mode: &Mode, expansion: &Expansion<TERMS>, open: Open<'_>, slack: f64) -> bool {
         let of_contacts = expansion.contacts.iter().zip(&mode.phases).filter_map(|(contact, phase)| {
             let kept = margins(contact, phase.face()?);
@@ -160,7 +166,6 @@ impl Modes {
                     ("smaller share of its two sides", low.min(high))
                 }
             };
-            // the units of a condition are its own
             found.push(Margin { of: words.condition(switch), asks, value, unit: "" });
         }
         for (place, (contact, (phase, touch))) in
@@ -209,7 +214,7 @@ impl Modes {
     }
 }
 
-/// Sentences for the first rate of a condition at zero that is not zero.
+/// Sentences for the first nonzero rate of a condition at zero.
 const RISES: [&str; TERMS - 1] = [
     "its rate is positive",
     "its second rate is positive",
@@ -225,18 +230,18 @@ const FALLS: [&str; TERMS - 1] = [
     "its fifth rate is negative",
 ];
 
-/// The order of the first rate that exceeds its rounding.
+/// The order of the first rate that exceeds its rounding error.
 fn order(condition: &Jet<TERMS>) -> usize {
     (1..TERMS).find(|&order| condition.sign_of(order, SLACKS[0]) != 0.0).unwrap_or(1)
 }
 
-/// The value of the first rate that is not zero.
+/// The value of the first nonzero rate.
 fn first_rate(condition: &Jet<TERMS>) -> f64 {
     let order = order(condition);
     (1..=order).fold(condition.terms[order], |rate, factor| rate * factor as f64)
 }
 
-/// Units of a reaction, and of the motion of an open contact.
+/// The units of the reaction of a contact, and of the second rate of its gap.
 fn units(one_way: Option<OneWay>) -> [&'static str; 2] {
     match one_way {
         None => ["N", "m/s^2"],

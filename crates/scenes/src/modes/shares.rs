@@ -1,7 +1,7 @@
 //! The distribution of friction among redundant sticking contacts.
 //!
-//! One consistent set of cases determines the motion. Conditions at zero that follow from held ones then share their forces: the switches are
-//! s = 1/2 + B^T l, cut at 0 and 1, which is a convex problem with one solution (see the parts of an expansion). Criss-cross pivots
+//! One consistent set of cases determines the motion. Conditions at zero that depend on held ones then share their forces: the switches
+//! are s = 1/2 + B^T l, limited to 0 and 1, which is a convex problem with one solution (see `expansion/parts.rs`). Criss-cross pivots
 //! find the switches at their limits.
 
 use super::decision::{TERMS, differ, rests};
@@ -9,10 +9,10 @@ use super::expansion::{Expansion, Expansions, Instant, Slopes};
 use super::mode::{Case, Mode};
 use super::pivots::{Implied, replaced};
 
-/// Pivots for each condition at rest.
+/// The largest number of pivots, for each condition at rest.
 const PIVOTS: usize = 40;
 
-/// The mode with its shares, if contacts share; none if no shares are found.
+/// The mode with shared conditions, and its motion; `None` if no condition is shared, or the pivots fail.
 pub(super) fn shares(
     expansions: &Expansions,
     instant: &Instant<'_>,
@@ -24,16 +24,16 @@ pub(super) fn shares(
     let mut mode = mode.clone();
     let mut shared = Vec::new();
     for &switch in open {
-        // a condition whose value the mode determines has no share
+        // a direct condition has no share
         if expansions.direct_conditions[switch] {
             continue;
         }
         if mode.cases[switch] != Case::Held && rests(expansion, mode.cases[switch], switch, slack) {
-            // a condition at zero that does not follow from others is held
+            // a condition at zero that does not depend on held ones is held itself
             match Implied::of(slopes, &expansions.held(&mode), switch) {
                 // a blocking diode keeps the condition at zero by its own voltage in this case
                 Some(implied) if expansions.has_algebraic() && implied.terms().next().is_none() => {}
-                // a condition of positions that stays at zero in one of its cases: the other case would move it
+                // a condition of positions that remains at zero in one of its cases: the other case would move it
                 Some(implied)
                     if implied.terms().next().is_none()
                         && moves(expansions, instant, (&mode, expansion), switch, slack) => {}
@@ -72,7 +72,7 @@ pub(super) fn shares(
     None
 }
 
-/// Whether the motion is another one with a share of the forces of a condition.
+/// True if the motion changes when a condition takes a share of the forces.
 fn moves(
     expansions: &Expansions,
     instant: &Instant<'_>,
@@ -86,8 +86,8 @@ fn moves(
     expansions.at::<TERMS>(instant, &mode).is_none_or(|shared| differ(&shared, expansion, slack))
 }
 
-/// The condition that is held instead of another one whose switch stays at a bound: a shared condition, or one whose switch leaves its own
-/// bound such that the other switch returns.
+/// The condition that is held instead of one whose switch remains at a bound: a shared condition, or a condition whose switch leaves its
+/// own bound such that the first switch returns.
 fn successor(
     (slopes, held): (&Slopes<TERMS>, &[usize]),
     mode: &[Case],

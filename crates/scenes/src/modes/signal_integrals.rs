@@ -1,6 +1,7 @@
-//! The law of a mode with its signals as further states, so that the curvature of a signal limits the step size of every method.
+//! The law of a mode with its signals as additional states, so that the curvature of a signal limits the step size of every method.
 //!
-//! Example: while a block sticks, its accelerations are zero and do not limit the step, although the force that will move it oscillates.
+//! Example: while a block sticks, its accelerations are zero and do not limit the step, although the force that will move the block
+//! oscillates.
 
 use super::mode::{Case, Mode, Phase};
 use super::signals::{Fall, written};
@@ -12,7 +13,7 @@ use simulation::{CompiledLaw, Law, Program};
 use std::sync::Arc;
 use symbolic::{Derivation, Sym};
 
-/// Rates of the state, then of the signals that are not resolved by the steps of the state.
+/// The law with the rates of the state, then of the nonlinear signals.
 #[derive(Debug)]
 struct Followed {
     model: Arc<Model>,
@@ -20,7 +21,7 @@ struct Followed {
     dimension: usize,
 }
 
-/// The law of a mode in a run, and the number of signals that it integrates.
+/// The law of a mode for runs, and the number of signals that it integrates.
 pub(super) fn followed(model: &Arc<Model>, system: &Arc<CompiledSystem>) -> (Arc<dyn Law>, usize) {
     let mode = &system.mode;
     if mode.is_only_one() && model.events.is_empty() {
@@ -43,6 +44,7 @@ pub(super) fn followed(model: &Arc<Model>, system: &Arc<CompiledSystem>) -> (Arc
     }
 }
 
+/// The rates of the state, then of the signals, as expressions over the extended state.
 fn all(model: &Model, mode: &Mode, time: Sym, extended: &[Sym]) -> Vec<Sym> {
     let state = &extended[..model.positions() + model.speeds()];
     let moved = rates(model, mode, Letters::with_data(time, state));
@@ -53,18 +55,18 @@ fn all(model: &Model, mode: &Mode, time: Sym, extended: &[Sym]) -> Vec<Sym> {
     }
 }
 
-/// Rates of signals that are not linear in the time and the state.
+/// The rates of all signals that are not linear in time and state; `None` if they have no expressions.
 fn of_signals(model: &Model, mode: &Mode, time: Sym, state: &[Sym]) -> Option<Vec<Sym>> {
-    // those of contacts that slide in space are speeds
+    // signals of contacts that slide in space are functions of speeds, which are states
     let (falls, all) = written(model, mode, time, (state, &[])).ok()?;
     let bends = |signal: Sym| {
         let mut letters = signal.symbols_of().into_iter();
         letters.any(|letter| !Derivation::new([(letter, Sym::ONE)]).of(signal).symbols_of().is_empty())
     };
-    // 1 - s has the curvature of s
+    // the signal 1 - s has the curvature of s
     let own = falls.iter().zip(all.as_chunks::<2>().0);
     let own = own.filter(|(fall, _)| !matches!(fall, Fall::Leaves { to: Case::On, .. }));
-    // reactions turn without bound as a contact in space comes to rest; the rates of the state already contain them
+    // the direction of friction changes without bound as a contact in space comes to rest; the rates of the state contain it
     let glides = mode.phases.iter().any(|phase| matches!(phase, Phase::Glides { .. }));
     let own =
         own.filter(|(fall, _)| !(glides && matches!(fall, Fall::Lifts { .. } | Fall::Slides { .. } | Fall::Jams)));

@@ -1,4 +1,4 @@
-//! The signals of a mode, which are positive while its law holds, and those of the model's own events.
+//! The signals of a mode, which are positive while its law is valid, and those of the events of the model.
 
 use super::Current;
 use super::contacts::{PARTS, friction, number, slides};
@@ -15,19 +15,19 @@ use model::{Assignment, Model, Trace};
 use simulation::{Program, Running};
 use symbolic::{Sym, apart, substitute_all};
 
-/// The meaning of the fall of a signal.
+/// The meaning of a signal that becomes negative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Fall {
-    /// A condition passes to its other case.
+    /// A condition changes to its other case.
     Passes {
         switch: usize,
     },
-    /// The switch of a held condition reaches its bound: the condition becomes negative or positive.
+    /// The switch of a held condition reaches a bound: the condition gets the case `to`.
     Leaves {
         switch: usize,
         to: Case,
     },
-    /// A switch at its bound would return into the interval.
+    /// A switch at its bound would return into the interval between 0 and 1.
     Frees {
         switch: usize,
     },
@@ -39,12 +39,12 @@ pub(super) enum Fall {
     Lifts {
         contact: usize,
     },
-    /// Friction no longer holds a contact: its second or third margin becomes negative.
+    /// Friction no longer holds a contact: its margin with the index `margin`, 1 or 2, becomes negative.
     Slides {
         contact: usize,
         margin: usize,
     },
-    /// The coefficient of friction of a contact in touch falls to zero.
+    /// The coefficient of friction of a closed contact becomes negative.
     Smooths {
         contact: usize,
     },
@@ -54,7 +54,7 @@ pub(super) enum Fall {
     Stops {
         contact: usize,
     },
-    /// A contact that slides in space has slowed down, become much faster, or turned, since its observation began.
+    /// A contact that slides in space has slowed down, become much faster, or turned by a right angle, since the start of its observation.
     Slows {
         contact: usize,
     },
@@ -64,26 +64,26 @@ pub(super) enum Fall {
     Turns {
         contact: usize,
     },
-    /// An event of the model, on either side of which the run may be.
+    /// The expression of an event of the model crosses zero; the run may be on either side.
     Event {
         event: usize,
     },
 }
 
 impl Fall {
-    /// Whether it belongs to the observation of a contact that slides in space.
+    /// True for a signal of the observation of a contact that slides in space.
     pub fn is_of_a_glide(self) -> bool {
         matches!(self, Fall::Slows { .. } | Fall::Hastens { .. } | Fall::Turns { .. })
     }
 }
 
-/// Values and rates of all signals, and the states that events set.
+/// The compiled signals with their rates, and the states that events set.
 #[derive(Debug)]
 pub(crate) struct Signals {
     pub(super) falls: Vec<Fall>,
     program: Program,
     events: usize,
-    /// Contacts that slide in space.
+    /// Indices of the contacts that may slide in space.
     pub(super) in_space: Vec<usize>,
 }
 
@@ -107,8 +107,8 @@ impl Signals {
         }
     }
 
-    /// The values of all recorded expressions: signals with their rates, and the states that events set. The letters of contacts that slide in
-    /// space follow after the state.
+    /// The values of all expressions: signals with their rates, then the states that events set. `glides` are the constants of contacts
+    /// that slide in space.
     fn all<S: Running + Over<f64>>(&self, time: S, state: &[S], glides: &[f64]) -> Vec<S> {
         let mut values = vec![S::lift(f64::NAN); 2 * self.falls.len() + self.events * state.len()];
         if glides.is_empty() {
@@ -120,33 +120,33 @@ impl Signals {
         values
     }
 
-    /// The value and the rate of a signal.
+    /// The value and the rate of the signal with this index.
     pub(super) fn of_one<S: Running + Over<f64>>(&self, signal: usize, time: S, state: &[S], glides: &[f64]) -> [S; 2] {
         let all = self.all(time, state, glides);
         [all[2 * signal], all[2 * signal + 1]]
     }
 
-    /// The rate of the expression of an event.
+    /// The rate of the expression of the event with this index.
     pub(super) fn event_rate(&self, event: usize, time: f64, state: &[f64], glides: &[f64]) -> f64 {
         self.of_one(self.falls.len() - self.events + event, time, state, glides)[1]
     }
 
-    /// The state after an event.
+    /// The state that the event with this index sets.
     pub(super) fn set_by<S: Running + Over<f64>>(&self, event: usize, time: S, state: &[S], glides: &[f64]) -> Vec<S> {
         let first = 2 * self.falls.len() + event * state.len();
         self.all(time, state, glides)[first..][..state.len()].to_vec()
     }
 }
 
-/// The number of letters for the observation of a contact that slides in space.
+/// The number of constants for the observation of a contact that slides in space.
 pub(super) const GLIDE: usize = 3;
 
-/// The contacts that slide in space.
+/// Indices of the contacts that may slide in space.
 fn in_space(model: &Model) -> Vec<usize> {
     (0..model.contacts.len()).filter(|&contact| model.contacts[contact].is_in_space()).collect()
 }
 
-/// The signals of a mode and, over symbols, all results of [`Signals::all`], from the state and the letters after it.
+/// The signals of a mode and, as expressions, all results of [`Signals::all`].
 pub(super) fn written(
     model: &Model,
     mode: &Mode,
@@ -184,7 +184,7 @@ pub(super) fn written(
         };
         for (fall, signal) in watched {
             let [value, rate] = with_rate(signal);
-            // a signal that is constant in this law never becomes negative, such as a condition that follows from held ones
+            // a constant signal never becomes negative, such as a condition that depends on held ones
             if !rests(rate) {
                 falls.push(fall);
                 all.extend([value, rate]);
@@ -203,7 +203,7 @@ pub(super) fn written(
             }
         }
     }
-    // without friction they are those of a definite matrix
+    // without friction the matrix of the equations is definite
     if mode.phases.iter().any(|phase| phase.has_friction()) {
         let [value, rate] = with_rate(determinant);
         if !rests(rate) {
@@ -227,7 +227,7 @@ pub(super) fn written(
     Ok((falls, substitute_all(&all, &values(&trace, time, state))))
 }
 
-/// The changes that events make, in the letters of the model: the place in the state, and the expression.
+/// The assignments of all events: the index in the state, and the expression as text.
 pub(super) fn sets(model: &Model) -> Vec<(usize, String)> {
     apart(|| {
         let trace = Trace::of(model);
@@ -237,7 +237,7 @@ pub(super) fn sets(model: &Model) -> Vec<(usize, String)> {
     })
 }
 
-/// The signals of a contact in a phase.
+/// The signals of a contact in a phase, with their meanings.
 fn of_contact(
     trace: &Trace<'_>,
     contact: usize,
@@ -286,7 +286,7 @@ fn of_contact(
 }
 
 impl Current {
-    /// Whether a signal that began at zero and has risen beyond its error bound counts as falling already at zero, instead of at minus the
+    /// True if a signal that began at zero, and has risen beyond its error bound, counts as crossing at zero instead of at minus the
     /// bound. Error bounds are wide if reactions are integrated by their rates.
     pub(super) fn passes_at_zero(&self, fall: Fall) -> bool {
         matches!(fall, Fall::Passes { .. }) && self.moded.system.has_implicit_speeds()
@@ -321,7 +321,7 @@ impl Switches for Current {
                 Fall::Jams => (self.determinant.signum(), 0.0),
                 Fall::Event { event } => (self.sides[event].sign, self.near_events[event]),
             };
-            // a signal that must rise beyond its bound counts as having risen at twice the noise
+            // a signal that must rise beyond its bound has risen at twice the noise
             let [shift, noise] = if self.passes_at_zero(*fall) { [0.0, 0.5 * near] } else { [near, 0.0] };
             *signal = Signal { value: side * value + shift, rate: side * rate, noise, ..Signal::default() };
         }

@@ -1,7 +1,8 @@
-//! The law for the beginning of a slip from rest in space.
+//! The law at the start of sliding from rest in space.
 //!
-//! The direction of the slip changes within the time in which its initial speed doubles. The first step has this length, so that a method
-//! resolves the change. A series in the time has no digits there, since v/|v| divides by a number that is small compared with the rate of v.
+//! The direction of sliding changes within the time in which its initial speed doubles. The first step is shorter than this time, so that
+//! a method resolves the change. A Taylor series has no correct digits there, since v/|v| divides by a number that is small relative to
+//! the rate of v.
 
 use super::Current;
 use field::DoubleDouble;
@@ -9,10 +10,10 @@ use integrators::{Divisors, Dual8, JacobianFn, Ode, Projection, StepBounds, Syst
 use simulation::Law;
 use std::sync::Arc;
 
-/// The first step as a fraction of the time in which the speed doubles.
+/// The longest first step as a fraction of the time in which the speed doubles.
 const SHORT: f64 = 0.1;
 
-/// The law of the current mode with its longest first step; the law differs if a contact begins to slide.
+/// The law for the current mode, and its longest first step, s. If a contact begins to slide, the law has no Taylor series.
 pub(super) fn from_rest(current: &Current, law: Arc<dyn Law>) -> (Arc<dyn Law>, Option<f64>) {
     let doubling = current.glides.iter().flatten().filter_map(|glide| glide.doubling());
     match doubling.reduce(f64::min) {
@@ -21,7 +22,7 @@ pub(super) fn from_rest(current: &Current, law: Arc<dyn Law>) -> (Arc<dyn Law>, 
     }
 }
 
-/// A law that gives no series.
+/// A law without Taylor series.
 struct WithoutSeries(Arc<dyn Law>);
 
 macro_rules! runs {

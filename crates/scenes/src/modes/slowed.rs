@@ -1,4 +1,5 @@
-//! The law of a mode whose equations for the reactions become singular, slowed down by their determinant.
+//! The law of a mode near jamming, in a new variable in which it is regular: the equations for its reactions become singular with their
+//! determinant D.
 
 use super::algebraic::Parted;
 use super::contacts::{ReactionEquations, leant};
@@ -11,16 +12,17 @@ use model::{Model, Trace};
 use simulation::{Program, Running};
 use symbolic::{Derivation, Sym, substitute_all};
 
-/// y' = D f(t, y) for positions and speeds, and t' = D with the time as the last component; the time decreases where D is negative. Reactions
-/// have the denominator D, so this law is regular up to D = 0. D decreases like exp(-s^2) with the new variable s, while speeds grow like s
-/// within a finite time t.
+/// The equations dy/ds = D f(t, y) for positions and speeds, and dt/ds = D for the time as the last component; the time decreases where D
+/// is negative. Reactions have the denominator D, so that these equations are regular up to D = 0. D decreases like exp(-s^2), while
+/// speeds grow like s within a finite time t.
 pub(super) struct Slowed {
     program: Program,
     states: usize,
 }
 
 impl Slowed {
-    /// None for a mode with held conditions, or with reactions that the mode determines directly or that are shared.
+    /// Compiles the equations; `None` for a mode with held conditions, or with reactions that are shared or that the mode determines
+    /// directly.
     pub fn of(model: &Model, mode: &Mode) -> Option<Self> {
         let states = model.positions() + model.speeds();
         let mut is_known = true;
@@ -32,7 +34,7 @@ impl Slowed {
         program.filter(|_| is_known).map(|program| Slowed { program, states })
     }
 
-    /// The determinant at a state with its time.
+    /// The determinant D at a state with its time.
     pub fn determinant(&self, state: &[DoubleDouble]) -> DoubleDouble {
         let mut rates = vec![DoubleDouble::from(0.0); state.len()];
         Ode::<DoubleDouble>::rates(self, DoubleDouble::from(0.0), state, &mut rates);
@@ -40,7 +42,7 @@ impl Slowed {
     }
 }
 
-/// The rates over symbols; by Cramer's rule D R is the determinant in which the right sides have replaced the column of R.
+/// The rates as expressions. By Cramer's rule, D R is the determinant in which the right sides replace the column of the reaction R.
 fn written(model: &Model, mode: &Mode, (time, state): (Sym, &[Sym])) -> Option<Vec<Sym>> {
     let trace = Trace::of(model);
     let Parted { accelerations, multipliers, letters, .. } = Parted::of(&trace).ok()?;
@@ -80,7 +82,7 @@ impl<S: Running> Ode<S> for Slowed {
     }
 
     fn rates(&self, s: S, y: &[S], dy: &mut [S]) {
-        // the program was built for a state of this length
+        // the program was compiled for this length, so it cannot fail
         self.program.run(s, y, dy).unwrap_or(());
     }
 }

@@ -1,8 +1,8 @@
-//! The possible phases of a contact at an instant, and whether its motion agrees with a phase.
+//! Possible phases of a contact at an instant, and the test whether its motion agrees with a phase.
 //!
-//! While gap and gap' are zero, three phases are possible. The contact is apart if the first nonzero higher rate of the gap is positive. It sticks
-//! if N and mu |N| - |T| are positive, or rise from zero. It slides if N is positive and the sliding velocity leaves zero in the direction that
-//! friction opposes.
+//! If gap and gap' are zero, three phases are possible. The contact opens if the first nonzero higher rate of the gap is positive. It
+//! sticks if N and mu |N| - |T| are positive, or rise from zero. It slides if N is positive and the sliding velocity leaves zero in the
+//! direction that friction opposes.
 
 use super::decision::{FEW, SLACKS, Standing, TERMS};
 use super::expansion::{Kind, Touching, direction};
@@ -10,21 +10,21 @@ use super::jet::Jet;
 use super::mode::{Face, Phase};
 use model::Sides;
 
-/// The state of a contact, known from its positions and speeds.
+/// The state of a contact by its positions and speeds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Touch {
-    /// Not in touch, or leaving.
+    /// Open, or opening.
     Open,
-    /// In touch, the sliding velocity is zero.
+    /// Closed, with zero sliding velocity.
     Rest,
-    /// In touch and sliding.
+    /// Closed and sliding; `forwards` is true for a positive sliding velocity.
     Slides { forwards: bool },
-    /// A diode whose current follows from the conducting diodes, without inertia.
+    /// A diode without inertia in its circuit: its current follows from the conducting diodes.
     AtOnce,
 }
 
 impl Touch {
-    /// The possible phases of a contact; of the phases without a reaction only one, since the gap distinguishes them.
+    /// The phases to be tried for a contact. Of the two phases without a reaction one suffices, since the gap distinguishes them.
     pub fn phases(self, Kind { sides, is_rough, is_guide, is_in_space, .. }: Kind) -> Vec<Phase> {
         let faces = || Face::of(sides).iter().copied();
         let glides = || faces().map(|face| Phase::Glides { face, begins: None });
@@ -46,7 +46,8 @@ impl Touch {
     }
 }
 
-/// The margins of a closed contact: the pressure, and the reserve of friction forwards and backwards; in space (mu N)^2 - T^2.
+/// The margins of a closed contact, N: the pressure, then the reserve of friction forwards and backwards; in space twice (mu N)^2 - T^2,
+/// N².
 pub(super) fn margins<const N: usize>(contact: &Touching<N>, face: Face) -> [Jet<N>; 3] {
     let Touching { friction, reactions: [normal, tangent, aside], .. } = *contact;
     let pressure = normal * Jet::constant(face.sign(), 0.0);
@@ -60,7 +61,7 @@ pub(super) fn margins<const N: usize>(contact: &Touching<N>, face: Face) -> [Jet
     }
 }
 
-/// The sliding velocity of a slip that begins, in the direction that friction at its bound opposes.
+/// The sliding velocity of a slip that begins, along the direction that friction at its bound opposes.
 pub(super) fn leaving<const N: usize>(contact: &Touching<N>, phase: Phase) -> Jet<N> {
     match phase {
         Phase::Glides { begins: Some(heading), .. } => {
@@ -71,12 +72,12 @@ pub(super) fn leaving<const N: usize>(contact: &Touching<N>, phase: Phase) -> Je
     }
 }
 
-/// Whether a slip begins, and must leave zero.
+/// True if a slip begins, so that the sliding velocity must leave zero.
 fn begins<const N: usize>(contact: &Touching<N>, touch: Touch) -> bool {
     touch == Touch::Rest && contact.friction.terms[0] != 0.0
 }
 
-/// Whether no number contradicts a phase.
+/// True if the first terms do not contradict a phase.
 pub(super) fn possible(contact: &Touching<FEW>, phase: Phase, touch: Touch, slack: f64) -> bool {
     let not_negative = |jet: Jet<FEW>, order: usize| jet.sign_of(order, slack) >= 0.0;
     match phase {
@@ -94,20 +95,20 @@ pub(super) fn possible(contact: &Touching<FEW>, phase: Phase, touch: Touch, slac
     }
 }
 
-/// A negative number above this relative size is not rounding, even if its error bound is larger.
+/// A negative number above this relative size counts, even if its error bound is larger.
 const SMALL: f64 = 1e-6;
 
-/// Reference sizes for the numbers of a contact: much smaller ones are rounding.
+/// Reference sizes for the numbers of a contact: relatively small numbers are rounding errors.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Beside {
-    /// The pressures of the other contacts, N.
+    /// The sum of the pressures of the other contacts, N.
     pub others: f64,
-    /// The largest acceleration.
+    /// The largest rate of the state, SI.
     pub acceleration: f64,
 }
 
 impl Beside {
-    /// Whether a contact contradicts its phase by more than rounding.
+    /// True if a contact contradicts its phase by more than rounding.
     fn contradicts(self, contact: &Touching<TERMS>, phase: Phase, touch: Touch) -> bool {
         let is_below = |jet: Jet<TERMS>, order: usize, size: f64| {
             size > 0.0 && jet.terms[order] < -(SLACKS[0] * jet.doubts[order]).max(SMALL * size)
@@ -131,7 +132,7 @@ impl Beside {
     }
 }
 
-/// The size of the rate of a margin of friction: the sum of the absolute rates of its parts.
+/// The size of the rate of a friction margin: the sum of the absolute rates of its terms.
 fn rate_beside<const N: usize>(contact: &Touching<N>, [most, own]: [f64; 2]) -> f64 {
     let Touching { friction, reactions: [normal, tangent, aside], .. } = *contact;
     let rate = |jet: Jet<N>| jet.terms[1].abs();
@@ -145,7 +146,8 @@ fn rate_beside<const N: usize>(contact: &Touching<N>, [most, own]: [f64; 2]) -> 
     }
 }
 
-/// The degree to which the motion of a contact agrees with its phase; none for a contradiction.
+/// The degree of consistency of the motion of a contact with its phase; `None` for a contradiction. `is_alone` is true if no other
+/// contact is closed.
 pub(super) fn standing_of(
     contact: &Touching<TERMS>,
     phase: Phase,
@@ -179,7 +181,7 @@ pub(super) fn standing_of(
     let contradicts = |sign: &f64| sign.is_nan() || *sign < 0.0;
     match () {
         () if bounds.iter().chain(&leaving).any(contradicts) => None,
-        // in space the slip then has no direction
+        // a slip in space without acceleration has no direction
         () if leaving.contains(&0.0) && matches!(phase, Phase::Glides { .. }) => None,
         () if leaving.contains(&0.0) => Some(Standing::Rests),
         () if bounds.contains(&0.0) => Some(Standing::AtBound),
@@ -187,11 +189,11 @@ pub(super) fn standing_of(
     }
 }
 
-/// The phase of a contact that should leave zero and stays there.
+/// The phase of a contact after the decision: a contact that should leave zero, but remains there, rests or is carried.
 pub(super) fn at_rest(contact: &Touching<TERMS>, phase: Phase, (touch, is_alone): (Touch, bool), slack: f64) -> Phase {
     let stays = |jet: &Jet<TERMS>| jet.way(slack * jet.doubts[0], slack) == 0.0;
     match phase {
-        // others keep its gap at zero
+        // a diode with a nonzero current keeps its phase; one without current may be kept there by other diodes
         Phase::Apart if touch == Touch::AtOnce && contact.gap.sign(slack) != 0.0 => phase,
         Phase::Apart if touch == Touch::AtOnce && !is_alone && stays(&contact.gap_rate) => Phase::Carried,
         Phase::Slips { forwards, face } if begins(contact, touch) && stays(&contact.slide) => {

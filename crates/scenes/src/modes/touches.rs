@@ -1,4 +1,4 @@
-//! The state of contacts at the start of a run and after events: open, at rest or sliding, with impacts that change the speeds.
+//! The state of contacts at the start of a run and after events: open, at rest or sliding. Impacts change the speeds.
 
 use super::Modes;
 use super::accumulation::Impact;
@@ -27,7 +27,7 @@ const TURNS: &str =
 pub(crate) const NEGATIVE: &str = "a coefficient of friction is negative";
 
 impl Modes {
-    /// The touch of the contacts at a given state.
+    /// The states of all contacts at a time (s) and a state without history.
     pub(super) fn touches(&self, time: f64, state: &[f64], cases: &[Case]) -> Result<Vec<Touch>, &'static str> {
         let expansions = self.laws.expansions().map_err(refused)?;
         let instant = Instant::at(time, state);
@@ -44,7 +44,8 @@ impl Modes {
         Ok(expansions.contacts(&instant, cases).into_iter().zip(&expansions.kinds).map(of).collect())
     }
 
-    /// The contacts after the fall of a signal, from the phases and cases before it, and the change of the state: an impact changes the speeds.
+    /// The states of all contacts after an event, and the kind of change of the state, which an impact changes in place. `before` are the
+    /// cases before the event, `mode` has the phases before and the cases after, `late` is the error of the time (s).
     pub(super) fn touches_after(
         &self,
         (before, mode): (&[Case], &Mode),
@@ -151,24 +152,23 @@ impl Modes {
         };
         let of = |(place, (contact, phase)): (usize, (Touching<1>, &Phase))| match *phase {
             _ if expansions.kinds[place].is_direct => Touch::AtOnce,
-            // other diodes with the same current
+            // other diodes with an equal current
             Phase::Apart if expansions.kinds[place].is_one_way && contact.gap.sign_of(0, SLACK) == 0.0 => {
                 touching(&contact)
             }
             Phase::Apart if Some(place) != closing && !struck.contains(&place) => Touch::Open,
             Phase::Apart if expansions.kinds[place].is_one_way => touching(&contact),
-            // rounding leaves a rest of what an impact stops
+            // rounding leaves a remainder of the velocities that an impact sets to zero
             _ if stick.contains(&place) && (stay.contains(&place) || ended.contains(&place)) => Touch::Rest,
-            // a bounce
             Phase::Apart if stay.contains(&place) => touching(&contact),
             Phase::Apart if contact.gap_rate.sign_of(0, SLACK) > 0.0 => Touch::Open,
             Phase::Apart => touching(&contact),
-            // the impact of another contact has opened it
+            // the impact at another contact has opened this one
             _ if opened.contains(&place) => Touch::Open,
-            // an impact may reverse the sliding of others
+            // an impact may reverse the sliding of other contacts
             _ if closing.is_some() => touching(&contact),
             Phase::Carried => touching(&contact),
-            // a condition may change the speed of a plane at once
+            // a condition may change the velocity of a plane discontinuously
             _ if jumps(place, &contact) => touching(&contact),
             Phase::Sticks(_) | Phase::Leans { .. } | Phase::Rests { .. } => Touch::Rest,
             Phase::Glides { .. } if matches!(fall, Fall::Stops { contact } if contact == place) => Touch::Rest,
@@ -210,7 +210,7 @@ impl Modes {
     }
 }
 
-/// Rest or sliding of a contact in touch, by its sliding velocity.
+/// The state of a closed contact by its sliding velocity: at rest or sliding.
 fn touching(contact: &Touching<1>) -> Touch {
     match [contact.slide, contact.aside].map(|part| part.sign_of(0, SLACK)) {
         [0.0, 0.0] => Touch::Rest,

@@ -1,6 +1,6 @@
-//! Accelerations of contacts and the equations for reactions, at one state in many modes.
+//! Accelerations of contacts, and linear equations for reactions, at one state in many modes.
 //!
-//! If rows are linear in switches and reactions, their values and derivatives are evaluated once, and each mode costs one elimination.
+//! If the rows are linear in switches and reactions, they and their derivatives are evaluated once, and each mode needs one elimination.
 
 use super::super::contacts::PARTS;
 use super::super::jet::Jet;
@@ -9,35 +9,37 @@ use super::letters::Quantity;
 use super::{Expansions, Instant, solved};
 use nalgebra::{DMatrix, DVector};
 
-/// An acceleration below this fraction of the largest term of its sum is rounding.
+/// An acceleration below this part of the largest term of its sum is a rounding error.
 const ROUNDED: f64 = 1e-12;
 
-/// Rows and their slopes, at a state and in the cases of conditions.
+/// The rows and their derivatives at a state, for given cases of conditions.
 pub(in super::super) struct Accelerations<'a> {
     expansions: &'a Expansions,
     values: Vec<Jet<1>>,
 }
 
-/// The linear equations of a mode for its unknowns: slopes times unknowns = right sides.
+/// The linear equations of a mode: slopes times unknowns = right.
 pub(in super::super) struct Equations {
     pub slopes: DMatrix<f64>,
     pub right: DVector<f64>,
-    /// The largest error of the right sides.
+    /// The largest error bound of the right sides.
     pub doubt: f64,
     unknown: Vec<usize>,
     tied: Vec<Option<[Jet<1>; 2]>>,
 }
 
-/// A contact under some of its reactions.
+/// A contact with its reactions and accelerations.
 pub(in super::super) struct Reacting {
-    /// Normal and tangential.
+    /// The normal reaction, then friction along both tangents, N.
     pub reactions: [f64; PARTS],
+    /// The accelerations along normal and tangents, m/s².
     pub accelerations: [f64; PARTS],
+    /// The coefficient of friction.
     pub friction: f64,
 }
 
 impl<'a> Accelerations<'a> {
-    /// None if rows are not linear, or with algebraic speeds.
+    /// Evaluates the rows; `None` if they are not linear or there are algebraic speeds.
     pub fn of(expansions: &'a Expansions, Instant { time, state, .. }: &Instant<'_>, mode: &Mode) -> Option<Self> {
         if expansions.has_algebraic() || expansions.slopes.iter().any(|slope| !slope.changed_by.is_empty()) {
             return None;
@@ -48,8 +50,8 @@ impl<'a> Accelerations<'a> {
         Some(Accelerations { expansions, values: expansions.values(exact(*time), &parts, &letters, &[]) })
     }
 
-    /// Accelerations along both tangents of each contact, in a mode with these cases; NaN for rounding, and none if the reactions of the mode
-    /// are not determined.
+    /// Accelerations along both tangents of each contact in a mode, m/s²; NaN if they are rounding errors. `None` if the reactions are
+    /// not determined.
     pub fn along_tangents(&self, mode: &Mode) -> Option<Vec<[f64; 2]>> {
         let (tied, unknown) = self.unknown(mode);
         let slopes = self.expansions.slopes_by(&self.values, &tied, &unknown, &unknown);
@@ -65,7 +67,7 @@ impl<'a> Accelerations<'a> {
         Some(rates.as_chunks::<{ PARTS - 1 }>().0.iter().map(or_none).collect())
     }
 
-    /// The equations of a mode with these cases.
+    /// The linear equations of a mode.
     pub fn equations(&self, mode: &Mode) -> Equations {
         let (tied, unknown) = self.unknown(mode);
         let slopes = self.expansions.slopes_by(&self.values, &tied, &unknown, &unknown);
@@ -76,7 +78,7 @@ impl<'a> Accelerations<'a> {
         Equations { slopes, right, doubt, unknown, tied }
     }
 
-    /// The contacts of a mode for given values of its unknowns.
+    /// The contacts of a mode for values `found` of its unknowns.
     pub fn contacts(
         &self,
         mode: &Mode,
@@ -117,12 +119,12 @@ impl<'a> Accelerations<'a> {
         self.expansions.reaction([contact, part])
     }
 
-    /// The row of a letter with all unknowns zero.
+    /// The value of the row of a symbol, with all unknowns zero.
     fn row(&self, mode: &Mode, letter: usize) -> Jet<1> {
         self.values[self.expansions.states + mode.cases.len() + letter]
     }
 
-    /// Rows of letters for values of the unknowns, each with the largest of its terms.
+    /// Values of rows for values of the unknowns, each with its largest term.
     fn rows(
         &self,
         mode: &Mode,

@@ -1,4 +1,4 @@
-//! The distribution of friction among contacts that lean on each other, over series.
+//! The distribution of friction among leaning contacts, over Taylor series.
 
 use super::super::contacts::{PARTS, leant};
 use super::super::distribution::{ROUNDS, balancing};
@@ -8,7 +8,7 @@ use super::letters::Quantity;
 use super::{Expansions, solved};
 
 impl Expansions {
-    /// Replaces the reactions of leaning contacts by the distribution that is shown; unchanged if this distribution is not determined.
+    /// Replaces the reactions by the distribution of least weighted squares; unchanged if this distribution is not determined.
     pub(super) fn distribute<const N: usize>(
         &self,
         mode: &Mode,
@@ -24,7 +24,7 @@ impl Expansions {
         let moved = self.slopes_by(values, tied, unknown, &leant);
         let column = |place: usize| solved(rows.clone(), moved.iter().map(|row| -row[place]).collect());
         let Some(mut columns) = (0..leant.len()).map(column).collect::<Option<Vec<Vec<Jet<N>>>>>() else { return };
-        // every choice is valid: its own errors do not count
+        // every distribution is valid, so that errors of the choice do not count
         columns.iter_mut().flatten().for_each(|part| part.doubts = [0.0; N]);
         let first = self.mirrored.len();
         let contact_of = |letter: usize| letter.checked_sub(first).map(|place| [place / PARTS, place % PARTS]);

@@ -1,12 +1,12 @@
-//! Linear equations over series with bounds of their errors.
+//! Linear equations over Taylor series with error bounds.
 
 use super::super::jet::Jet;
 use num_traits::{One, Zero};
 
-/// A pivot counts as zero unless it exceeds its error bound by this factor.
+/// A pivot counts as zero if it is below this multiple of its error bound.
 const PIVOT: f64 = 64.0;
 
-/// Gauss's elimination with the largest pivots; none if a pivot is zero up to rounding.
+/// Solves linear equations by Gaussian elimination with partial pivoting; `None` if a pivot is zero up to rounding.
 pub(in super::super) fn solved<const N: usize>(
     mut rows: Vec<Vec<Jet<N>>>,
     mut right: Vec<Jet<N>>,
@@ -39,24 +39,24 @@ pub(in super::super) fn solved<const N: usize>(
     Some(right)
 }
 
-/// An equation, slopes times unknowns = right side. For an equation whose value contains the unknowns, also its rate: slopes of the rate times
-/// unknowns = its right side.
+/// An equation: slopes times unknowns = right side. `rate` is the equation for its time derivative, given if the value of the equation
+/// contains the unknowns.
 pub(in super::super) struct Row<const N: usize> {
     pub slopes: Vec<Jet<N>>,
     pub right: Jet<N>,
     pub rate: Option<(Vec<Jet<N>>, Jet<N>)>,
 }
 
-/// Rows on their way to a triangle.
+/// A row during elimination.
 struct Reduced<const N: usize> {
     slopes: Vec<Jet<N>>,
     right: Jet<N>,
-    /// The factors of the equations whose combination it is; none for a rate.
+    /// The factors of the original equations of which the row is a combination; `None` for a rate.
     sum: Option<Vec<Jet<N>>>,
 }
 
-/// The unknowns of equations, and the residuals of hidden constraints: combinations of equations without unknowns, which are replaced by
-/// their rates. None if the unknowns are not determined.
+/// Solves equations with hidden constraints: a combination of equations without unknowns is replaced by its rate. Returns the unknowns
+/// and the residuals of the hidden constraints; `None` if the unknowns are not determined.
 pub(in super::super) fn with_hidden<const N: usize>(rows: &[Row<N>]) -> Option<(Vec<Jet<N>>, Vec<Jet<N>>)> {
     let n = rows.len();
     let unit = |own: usize| (0..n).map(|other| if own == other { Jet::one() } else { Jet::zero() }).collect();
@@ -101,7 +101,7 @@ pub(in super::super) fn with_hidden<const N: usize>(rows: &[Row<N>]) -> Option<(
     Some((values, hidden))
 }
 
-/// Eliminates the unknown of a pivot from another row.
+/// Eliminates the unknown of a pivot from one other row.
 fn reduce<const N: usize>(all: &mut [Reduced<N>], row: usize, (pivot, column): (usize, usize)) {
     if all[row].slopes[column].terms.iter().all(|term| *term == 0.0) {
         return;

@@ -1,4 +1,4 @@
-//! A model as a function of the time, the state and the switches, written down once.
+//! Compiles a model as one function of time, state, switches and reactions, for Taylor series at events.
 
 use super::{Expansions, Kind, Slope};
 use crate::compiled_system::{NotCompiled, values};
@@ -8,8 +8,12 @@ use crate::modes::multiples::{letters, mirrored};
 use model::{Contact, Model, Trace};
 use symbolic::{Derivation, Sym, Tape, substitute_all};
 
-/// Rates of the state; conditions; rows, with switches and reactions as letters; the derivatives of rows by letters; gaps, their rates,
-/// sliding velocities, coefficients of friction; events.
+/// The compiled function. Its outputs are: rates of the state; conditions; rows, which contain switches and reactions as symbols;
+/// derivatives of rows by these symbols; gaps, their rates, sliding velocities, coefficients of friction and of restitution of contacts;
+/// events.
+///
+/// # Errors
+/// The equations of motion are singular, or an expression has no value.
 pub(super) fn expansions(model: &Model) -> Result<Expansions, NotCompiled> {
     let trace = Trace::of(model);
     let mirrored = mirrored(&trace);
@@ -65,7 +69,7 @@ pub(super) fn expansions(model: &Model) -> Result<Expansions, NotCompiled> {
     let (state, time, inputs) = (named("y", states), Sym::symbol("t"), named("s", letters.len()));
     let own = letters.iter().copied().zip(inputs.iter().copied()).enumerate();
     let own = own.filter_map(|(place, known)| is_own(&place).then_some(known));
-    // algebraic speeds are letters, and not those of the state
+    // algebraic speeds are inputs of their own, not components of the state
     let of_state = values(&trace, time, &state).into_iter().filter(|(letter, _)| !letters.contains(letter));
     let known: Vec<(Sym, Sym)> = of_state.chain(own).collect();
     let inputs = [&state[..], &[time], &inputs].concat();
@@ -86,6 +90,7 @@ pub(super) fn expansions(model: &Model) -> Result<Expansions, NotCompiled> {
     })
 }
 
+/// The indices of the state components that are integrated: all except algebraic speeds and impulses.
 fn summed(model: &Model) -> Vec<usize> {
     let positions = (0..model.positions()).filter(|place| !model.impulses.contains(place));
     let speeds = (0..model.speeds()).filter(|speed| !model.algebraic_speeds.contains(speed));
@@ -96,8 +101,9 @@ fn gaps<'a>(trace: &'a Trace<'_>) -> impl Iterator<Item = Sym> + 'a {
     trace.model.contacts.iter().map(|contact| trace.scalar(contact.gap))
 }
 
-/// The equations of the letters, as sums that are zero: rates of conditions, equations of contacts, laws of algebraic speeds. A quantity that
-/// the mode determines is held by its value, or by its rate if the value contains no unknowns; the rates follow after all other rows.
+/// The equations for all symbols, as expressions that are zero: rates of conditions, equations of contacts, laws of algebraic speeds. A
+/// direct quantity has its value as the equation, or its rate if the value contains no unknowns. With algebraic speeds the rates follow
+/// after all rows.
 fn rows(trace: &Trace<'_>, parted: &Parted, conditions: &[Sym], motion: &[(Sym, Sym)]) -> Vec<Sym> {
     let Parted { is_direct, zeros, letters, .. } = parted;
     let rate = |value: &Sym| trace.rate_of(*value).substitute(motion);

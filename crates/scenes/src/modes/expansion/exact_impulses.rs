@@ -1,4 +1,4 @@
-//! Impulses in double-double: impacts, and impulses that bring contacts to rest.
+//! Impulses in double-double arithmetic: impacts, and impulses that bring contacts to rest.
 
 use super::super::contacts::PARTS;
 use super::super::mode::{Case, Mode};
@@ -9,11 +9,11 @@ use integrators::Real;
 use nalgebra::{DMatrix, DVector};
 use num_traits::{One, Zero};
 
-/// Rounds of correction, each of which removes the remaining sliding up to the rounding of an `f64`.
+/// The number of corrections; each removes the remaining sliding up to the rounding error of an `f64`.
 const ROUNDS: usize = 4;
 
 impl Expansions {
-    /// A state after an impact, in double-double; none if the law does not determine it.
+    /// The state after an impact of one contact; `None` if the law of impact does not determine it.
     pub fn struck_exactly(
         &self,
         time: DoubleDouble,
@@ -35,7 +35,7 @@ impl Expansions {
         Some(after)
     }
 
-    /// The values of the tape in double-double.
+    /// All outputs of the compiled function in double-double arithmetic.
     pub(super) fn exact_values(
         &self,
         time: DoubleDouble,
@@ -48,8 +48,8 @@ impl Expansions {
         found
     }
 
-    /// A state whose closed contacts have no remaining sliding or closing velocity, by impulses of the unknown reactions of a mode;
-    /// none if these are not determined.
+    /// The state after impulses of the unknown reactions of a mode that bring sliding and closing velocities of its contacts to zero;
+    /// `None` if they are not determined.
     pub fn rested_exactly(&self, time: DoubleDouble, state: &[DoubleDouble], mode: &Mode) -> Option<Vec<DoubleDouble>> {
         let all = self.letters_in::<DoubleDouble>(&mode.cases);
         let unknown = self.unknown_reactions(mode);

@@ -1,16 +1,17 @@
-//! An impact with friction in space, along the direction in which the contact slides.
+//! An impact with friction in space along a constant direction of sliding.
 //!
-//! The impulses N and T change the sliding velocity v by N c + D T with a vector c and a matrix D. If c and D v are parallel to v, as
-//! for a ball, T stays parallel to v during the whole impact, and the law is that of an impact in the plane of the normal and v. Otherwise
-//! the direction of sliding turns within the impact (Routh 1860); such impacts are refused.
+//! The impulses N (normal) and T (tangential) change the sliding velocity v by N c + D T with a vector c and a matrix D. If c and D v are
+//! parallel to v, as for a ball, T remains parallel to v during the whole impact, and the law is that of an impact in the plane of the
+//! normal and v. Otherwise the direction of sliding changes during the impact (Routh 1860); such impacts are refused.
 
 use super::impact_law::NotStruck;
 use integrators::Real;
 
-/// Components across the direction of sliding below this fraction of the others are rounding.
+/// Components normal to the direction of sliding below this part of the others are rounding errors.
 const ACROSS: f64 = 1e-12;
 
-/// A contact that closes in space: the rate of its gap, its sliding velocity, and the changes of these by unit impulses.
+/// A contact that closes in space: the rate of its gap, its sliding velocity (m/s), and the changes of these by unit impulses (1/kg), one
+/// column per impulse: N, then T along each tangent.
 pub(super) struct Struck<S> {
     pub closing: S,
     pub sliding: [S; 2],
@@ -18,16 +19,16 @@ pub(super) struct Struck<S> {
 }
 
 impl<S: Real> Struck<S> {
-    /// The direction of sliding, which the impact does not change.
+    /// The unit vector of the direction of sliding, which is constant during the impact.
     ///
     /// # Errors
-    /// The impact would change it.
+    /// [`NotStruck::Turns`] if the direction would change.
     pub fn way(&self) -> Result<[S; 2], NotStruck> {
         let [[_, _, _], [by_normal, own, cross], [beside, _, other]] = self.responses;
         let size = |[a, b]: [S; 2]| (a * a + b * b).sqrt();
         let (speed, pull) = (size(self.sliding), size([by_normal, beside]));
         let is_small = |value: S, beside: S| value.approx().abs() <= ACROSS * beside.approx().abs();
-        // from rest it begins to slide in the direction of the normal impulse's effect
+        // a contact at rest begins to slide in the direction of the effect of N
         let way = match (speed.is_zero(), pull.is_zero()) {
             (false, _) => self.sliding.map(|part| part / speed),
             (true, false) => [by_normal / pull, beside / pull],
@@ -40,7 +41,8 @@ impl<S: Real> Struck<S> {
         if keeps { Ok(way) } else { Err(NotStruck::Turns) }
     }
 
-    /// The rate of the gap, the sliding velocity along a direction, and their changes by unit impulses along the normal and this direction.
+    /// The impact in the plane of the normal and a direction: the rate of the gap, the sliding velocity along the direction, and their
+    /// changes by unit impulses along the normal and this direction.
     pub fn along(&self, [first, second]: [S; 2]) -> (S, S, [[S; 2]; 2]) {
         let along = |[_, one, other]: [S; 3]| first * one + second * other;
         let [gap, one, other] = self.responses;
@@ -55,7 +57,7 @@ impl<S: Real> Struck<S> {
 mod tests {
     use super::{NotStruck, Struck};
 
-    /// A ball: unit impulses change the velocity of its lowest point by 1/m, and by 7/(2 m) along the tangents.
+    /// A ball: unit impulses change the velocity of its lowest point by 1/m along the normal, and by 7/(2 m) along the tangents.
     fn ball(sliding: [f64; 2]) -> Struck<f64> {
         Struck { closing: -1.0, sliding, responses: [[1.0, 0.0, 0.0], [0.0, 3.5, 0.0], [0.0, 0.0, 3.5]] }
     }

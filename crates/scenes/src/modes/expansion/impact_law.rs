@@ -1,62 +1,65 @@
-//! The impulses of one contact that closes with a velocity.
+//! The impulses of an impact at one contact, by the laws of Newton or Poisson with Coulomb friction.
 //!
-//! With the impulses N along the normal and T along the tangent, gap' and v change by a N + b T and c N + d T. Coulomb's law holds for
-//! the impulses: |T| <= mu N where the contact sticks, T = -mu N sign(v) where it slides.
+//! The impulses N along the normal and T along the tangent change the rate of the gap by a N + b T and the sliding velocity v by c N + d
+//! T. Coulomb's law holds for the impulses: |T| <= mu N for sticking, T = -mu N sign(v) for sliding.
 //!
-//! * Newton: the gap opens with -e gap'. Coulomb's law holds between the two impulses as a whole, with the v after the impact.
-//! * Poisson: N in the restitution is e times the N of the compression, which ends where gap' = 0. Coulomb's law holds at every instant of
-//!   the impact, so that the sliding may stop or turn round in it (Routh 1860).
+//! * Newton: the rate of the gap after the impact is -e gap'. Coulomb's law holds for the total impulses, with the v after the impact.
+//! * Poisson: N in the restitution phase is e times the N of the compression phase, which ends at gap' = 0. Coulomb's law holds at every
+//!   instant of
+//!   the impact, so that sliding may stop or reverse during the impact (Routh 1860).
 //!
-//! Either law may add energy where friction acts (Kane 1984, Stronge 1990); such an impact is refused.
+//! Both laws may increase the energy with friction (Kane 1984, Stronge 1990); such an impact is refused.
 
 use integrators::Real;
 use model::Restitution;
 
-/// A difference of energies below this fraction of the work of both impulses is rounding.
+/// A change of energy below this part of the work of the impulses is a rounding error.
 const ROUNDING: f64 = 1e-12;
 
-/// A determinant below this fraction of its product is zero: the point can move along one line only.
+/// A determinant a d - b c below this part of a d counts as zero: the point can move along one line only.
 const SINGULAR: f64 = 1e-12;
 
-/// The largest number of pieces of a path of impulses: sliding, sticking or reversed sliding, in compression and in restitution.
+/// The largest number of phases of a Poisson impact: sliding, sticking or reversed sliding, in compression and in restitution.
 const MOST_PIECES: usize = 8;
 
 /// The reason for which an impact is not determined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in super::super) enum NotStruck {
-    /// Other contacts in touch take part in it.
+    /// Other closed contacts take part in the impact.
     Together,
-    /// No impulse within the cone of friction, or several.
+    /// No impulse satisfies the law, or several do.
     Undetermined,
-    /// The energy would grow.
+    /// The energy would increase.
     AddsEnergy,
     /// The coefficient of restitution is not between 0 and 1.
     Restitution,
     /// The coefficient of friction is negative.
     Friction,
-    /// Friction would turn the sliding in space.
+    /// Friction would change the direction of sliding in space.
     Turns,
 }
 
-/// A contact that closes.
+/// An impact at one contact in the plane.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Impact<S> {
     pub law: Restitution,
-    /// gap', negative, and v.
+    /// The rate gap' before the impact, m/s; it is negative.
     pub closing: S,
+    /// The sliding velocity v before the impact, m/s.
     pub sliding: S,
-    /// a, b and c, d: the changes of gap' and of v by unit impulses N and T.
+    /// The rows (a, b) and (c, d): the changes of gap' and of v by unit impulses N and T, 1/kg.
     pub responses: [[S; 2]; 2],
-    /// None for a smooth contact.
+    /// The coefficient of friction mu; `None` for a smooth contact.
     pub friction: Option<S>,
+    /// The coefficient of restitution e.
     pub restitution: S,
 }
 
 impl<S: Real> Impact<S> {
-    /// N and T.
+    /// The impulses N and T, N s.
     ///
     /// # Errors
-    /// The law does not determine them, or the energy would grow.
+    /// [`NotStruck`] if the law does not determine the impulses, the energy would increase, or a coefficient is out of its range.
     pub fn impulses(&self) -> Result<[S; 2], NotStruck> {
         if !(0.0..=1.0).contains(&self.restitution.approx()) {
             return Err(NotStruck::Restitution);
@@ -64,7 +67,7 @@ impl<S: Real> Impact<S> {
         if self.friction.is_some_and(|friction| friction.approx().is_nan() || friction < S::zero()) {
             return Err(NotStruck::Friction);
         }
-        // a point that other bodies lead along its normal has friction, which changes nothing
+        // a point that can move only along the normal: friction changes nothing
         let [[by_normal, _], [_, by_tangent]] = self.responses.map(|parts| parts.map(|part| part.approx().abs()));
         if by_tangent <= SINGULAR * by_normal && self.friction.is_some() {
             return Impact { friction: None, ..*self }.impulses();
@@ -76,14 +79,14 @@ impl<S: Real> Impact<S> {
         if self.adds_energy(impulses) { Err(NotStruck::AddsEnergy) } else { Ok(impulses) }
     }
 
-    /// gap' and v after impulses.
+    /// The rates gap' and v after impulses N and T.
     fn after(&self, [normal, tangent]: [S; 2]) -> [S; 2] {
         let [of_gap, of_slide] =
             self.responses.map(|[by_normal, by_tangent]| by_normal * normal + by_tangent * tangent);
         [self.closing + of_gap, self.sliding + of_slide]
     }
 
-    /// Whether N (gap' + gap'_after)/2 + T (v + v_after)/2 is positive beyond rounding.
+    /// True if the work N (gap' + gap'_after)/2 + T (v + v_after)/2 of the impulses is positive beyond rounding.
     fn adds_energy(&self, impulses: [S; 2]) -> bool {
         let after = self.after(impulses);
         let before = [self.closing, self.sliding];
@@ -92,6 +95,7 @@ impl<S: Real> Impact<S> {
         works.iter().flatten().sum::<f64>() > ROUNDING * size
     }
 
+    /// The impulses by Newton's law of restitution.
     fn by_newton(&self) -> Result<[S; 2], NotStruck> {
         let [[a, b], [c, d]] = self.responses;
         let (zero, one) = (S::zero(), S::one());
@@ -105,7 +109,7 @@ impl<S: Real> Impact<S> {
         let sticks = if determinant.approx().abs() > SINGULAR * (a * d).approx().abs() {
             Some([(needed * d + b * self.sliding) / determinant, (-a * self.sliding - c * needed) / determinant])
         } else {
-            // N alone brings both gap' and v to zero
+            // for dependent responses N alone brings both gap' and v to zero
             self.restitution.is_zero().then_some([needed / a, zero])
         };
         let holds = sticks.filter(|&[normal, tangent]| is_impulse(normal) && tangent.magnitude() <= friction * normal);
@@ -121,7 +125,7 @@ impl<S: Real> Impact<S> {
         }
     }
 
-    /// The path of N and T, piece by piece: in a piece N grows, T is proportional to it, and v does not change its sign.
+    /// The impulses by Poisson's law, phase by phase: within a phase N grows, T changes in proportion to N, and v keeps its sign.
     fn by_poisson(&self) -> Result<[S; 2], NotStruck> {
         let zero = S::zero();
         let (mut impulses, mut end) = ([zero; 2], None);
@@ -132,7 +136,7 @@ impl<S: Real> Impact<S> {
             let slide = if is_at_rest { zero } else { slide };
             let slope = self.slope(slide);
             let [gap_slope, slide_slope] = self.responses.map(|[by_normal, by_tangent]| by_normal + by_tangent * slope);
-            // to where sliding stops, and to where the compression or the restitution ends
+            // the growth of N until sliding stops, and until compression or restitution ends
             let stops = (slide * slide_slope < zero).then(|| -slide / slide_slope);
             let ends = match end {
                 Some(end) => Some(end - impulses[0]),
@@ -145,7 +149,7 @@ impl<S: Real> Impact<S> {
             let Some(grows) = (if is_stop { stops } else { ends }) else { return Err(NotStruck::Undetermined) };
             impulses = [impulses[0] + grows, impulses[1] + slope * grows];
             if is_stop {
-                // at rest exactly, without a remainder of rounding
+                // exactly at rest, without rounding error
                 impulses[1] = self.holding(impulses[0]);
             } else if end.is_some() {
                 return Ok(impulses);
@@ -156,13 +160,13 @@ impl<S: Real> Impact<S> {
         Err(NotStruck::Undetermined)
     }
 
-    /// T for which v is zero with a given N.
+    /// The T for which v is zero at a given N.
     fn holding(&self, normal: S) -> S {
         let [_, [c, d]] = self.responses;
         -(self.sliding + c * normal) / d
     }
 
-    /// dT/dN at a sliding velocity.
+    /// The derivative dT/dN at a sliding velocity.
     fn slope(&self, slide: S) -> S {
         let zero = S::zero();
         let friction = self.friction.unwrap_or(zero);
@@ -175,7 +179,7 @@ impl<S: Real> Impact<S> {
             return zero;
         }
         let holds = -c / d;
-        // otherwise it slides in the direction in which N alone would drive it
+        // otherwise the contact slides in the direction in which N alone accelerates it
         if holds.magnitude() <= friction { holds } else { against(c) }
     }
 }
@@ -184,7 +188,7 @@ impl<S: Real> Impact<S> {
 mod tests {
     use super::*;
 
-    /// A rod of the mass 1 and the half length 1 at an angle from the floor: 1 + 3 cos^2, 1 + 3 sin^2, -3 sin cos.
+    /// A rod of mass 1 and half length 1 at an angle (rad) to the floor: responses 1 + 3 cos^2, 1 + 3 sin^2, -3 sin cos.
     fn rod(angle: f64, closing: f64, sliding: f64, friction: f64, law: Restitution, restitution: f64) -> Impact<f64> {
         let (s, c) = angle.sin_cos();
         let responses = [[1.0 + 3.0 * c * c, -3.0 * s * c], [-3.0 * s * c, 1.0 + 3.0 * s * s]];
@@ -216,7 +220,7 @@ mod tests {
         let impulses = impact.impulses().unwrap();
         let [gap_rate, slide] = impact.after(impulses);
         assert!(slide.abs() < 1e-15 && gap_rate > 0.0);
-        // the compression ends where both are zero
+        // the compression ends where both velocities are zero
         let [[a, b], [c, d]] = impact.responses;
         let all = (d + b * 0.1) / (a * d - b * c);
         assert!((impulses[0] - 1.5 * all).abs() < 1e-13);
@@ -228,12 +232,12 @@ mod tests {
         let impulses = impact.impulses().unwrap();
         let [gap_rate, slide] = impact.after(impulses);
         assert!(gap_rate.abs() < 1e-15);
-        // forwards at first, backwards at the end
+        // sliding is forwards at first and backwards at the end
         assert!(slide < 0.0);
         assert!(impulses[1].abs() < 0.2 * impulses[0]);
     }
 
-    /// Kane's paradox: a double pendulum whose tip strikes with friction gains energy by Newton's law.
+    /// Kane's paradox (1984), here for a rod: an impact with friction increases the energy by Newton's law.
     #[test]
     fn an_impact_that_adds_energy_is_refused() {
         let of = |law| rod(1.0, -1.0, 0.5, 0.8, law, 1.0);
@@ -270,7 +274,7 @@ mod tests {
             restitution,
         };
         close(impact(0.0).impulses().unwrap(), [1.0, 0.0]);
-        // -2 (1 + e)/... by N and T = mu N against the sliding after it
+        // N = 1.5/0.8 and T = 0.1 N, since the contact slides backwards after the impact
         let [gap_rate, slide] = impact(0.5).after(impact(0.5).impulses().unwrap());
         assert!((gap_rate - 0.5).abs() < 1e-13 && (slide + 1.0).abs() < 1e-13);
     }

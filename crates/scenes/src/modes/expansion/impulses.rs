@@ -1,4 +1,4 @@
-//! Impulses: speeds that return conditions and contacts to zero, and impacts.
+//! Impulses: corrections that return held conditions and closed contacts to zero, and impacts.
 
 use super::super::contacts::PARTS;
 use super::super::jet::{Jet, ROUNDING};
@@ -20,7 +20,7 @@ pub(super) const IMPULSES: usize = 3;
 const CHANGES: f64 = 16.0;
 
 impl Expansions {
-    /// The changes of the rates of a state by a unit of some letters, at given values of all letters.
+    /// The changes of the rates of the state by a unit of each of the symbols `letters`, at given values of all symbols.
     pub(super) fn responses(
         &self,
         clock: Jet<1>,
@@ -39,13 +39,14 @@ impl Expansions {
         letters.iter().map(of).collect()
     }
 
-    /// Corrects the speeds so that held conditions and contacts in touch are at zero, by impulses of the forces that hold them, which
-    /// preserves the constraints. Returns whether the impulses are determined.
+    /// Corrects the speeds so that held conditions and closed contacts are at zero, by impulses of the forces that hold them; these
+    /// preserve the constraints. Returns whether the impulses are determined.
     pub fn return_to_zero(&self, time: f64, state: &mut [f64], mode: &Mode, slack: f64) -> bool {
         self.return_to(time, state, mode, slack, |_| [0.0; 2])
     }
 
-    /// Corrects the speeds so that each held contact has a given sliding velocity, m/s, by impulses of the forces that hold it.
+    /// Corrects the speeds so that each held contact has a given sliding velocity, m/s, by impulses of the forces that hold the contact.
+    /// Returns whether the impulses are determined.
     pub fn return_to(
         &self,
         time: f64,
@@ -63,7 +64,7 @@ impl Expansions {
             let Some(found) = self.run((clock, &parts), mode, &[], &unknown) else { return false };
             let Expansion { conditions, contacts, switches, hidden, .. } = found;
             let off = |&letter: &usize| match letter.checked_sub(conditions.len()) {
-                // an equation of values has no residual of its own: the residual of the hidden constraint counts
+                // an equation of values has no residual; the residual of the hidden constraint counts
                 _ if self.is_value(letter) => Jet::zero(),
                 None => conditions[letter],
                 Some(place) => {
@@ -118,7 +119,7 @@ impl Expansions {
         Ok([normal, way[0] * tangent, way[1] * tangent])
     }
 
-    /// Letters with the cases of conditions, and no reactions.
+    /// Values of all symbols: switches by their cases, zero reactions.
     pub(super) fn letters_in<S: Scalar>(&self, cases: &[Case]) -> Vec<S> {
         let value = |case: &Case| if case.fixed() == Some(true) { S::one() } else { S::zero() };
         let mut letters: Vec<S> = cases.iter().map(value).collect();
@@ -126,10 +127,11 @@ impl Expansions {
         letters
     }
 
-    /// The speeds after a contact has closed, by its law of impacts, and the closed contacts that the impact opens; it must not press any of them.
+    /// Changes the state by the impact of one contact, by its law of impacts. Returns the closed contacts that the impact opens. The
+    /// impact must not press any closed contact.
     ///
     /// # Errors
-    /// The impulses are not determined.
+    /// The impulses are not determined, or the impact presses other contacts; the state is then unchanged.
     pub fn struck(
         &self,
         time: f64,
@@ -150,7 +152,7 @@ impl Expansions {
                 *part += impulse * rate;
             }
         }
-        // a contact that opens, or continues to slide, has no impulse of its own
+        // a closed contact that opens, or continues to slide, has no impulse
         let after = self.values(clock, &rounded(state), &all, &[]);
         let mut opened = Vec::new();
         for &other in in_touch {
@@ -170,7 +172,7 @@ impl Expansions {
         Ok(opened)
     }
 
-    /// Whether impulses of another contact act across a guide that the coordinates satisfy.
+    /// True if impulses of another contact have an effect across a guide that the coordinates satisfy.
     fn presses(&self, values: &[Jet<1>], guide: usize, (letters, impulses): (&[usize], [f64; PARTS])) -> bool {
         let own = self.reaction([guide, 0]);
         let slopes = self.slopes_by(values, &vec![None; self.kinds.len()], &[own], letters);
@@ -179,7 +181,8 @@ impl Expansions {
         parts.iter().fold(Jet::zero(), |sum: Jet<1>, part| sum + *part).sign_of(0, CHANGES) != 0.0
     }
 
-    /// The changes of gap'' and of both v' of each contact by unit reactions, normal and tangential, of each contact.
+    /// The response matrix: changes of gap'' and of both components of v' of each contact by unit reactions, normal and tangential, of
+    /// each contact. Three rows and columns per contact.
     pub fn responses_of_contacts(&self, Instant { time, state, .. }: &Instant<'_>) -> DMatrix<f64> {
         let letters: Vec<usize> = (0..self.kinds.len())
             .flat_map(|contact| (0..PARTS).map(move |part| self.reaction([contact, part])))
@@ -189,7 +192,7 @@ impl Expansions {
         DMatrix::from_fn(letters.len(), letters.len(), |row, column| slopes[row][column].terms[0])
     }
 
-    /// Whether an impulse along the normal of a contact moves its body along it.
+    /// True if an impulse along the normal of a contact changes the rate of its gap.
     pub fn yields(&self, Instant { time, state, .. }: &Instant<'_>, contact: usize) -> bool {
         let own = self.reaction([contact, 0]);
         let values = self.values(Jet::constant(*time, 0.0), &rounded(state), &vec![Jet::zero(); self.letters()], &[]);
@@ -202,7 +205,7 @@ impl Expansions {
         [Quantity::Friction, Quantity::Restitution].map(|of| self.of_contact(&values, of, contact).terms[0])
     }
 
-    /// The contacts at an instant, apart; gaps and velocities may depend on the cases of conditions.
+    /// The contacts at an instant without reactions. Gaps and velocities may depend on the cases of conditions.
     pub fn contacts(&self, instant: &Instant<'_>, cases: &[Case]) -> Vec<Touching<1>> {
         let settled = |case: &Case| if case.fixed() == Some(true) { Case::On } else { Case::Off };
         let phases = vec![Phase::Apart; self.kinds.len()];

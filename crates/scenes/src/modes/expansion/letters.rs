@@ -1,4 +1,5 @@
-//! The letters of a model's expressions, switches and reactions: which of them a mode leaves unknown, and the slopes of rows by them.
+//! The symbols of the compiled function (switches, reactions, algebraic speeds): those that a mode leaves unknown, and derivatives of
+//! rows by them.
 
 use super::super::contacts::{PARTS, unknown};
 use super::super::jet::Jet;
@@ -8,39 +9,45 @@ use field::{Analytic, Scalar};
 use num_traits::Zero;
 use std::ops::Range;
 
-/// Quantities of a contact, in the order of the tape.
+/// Quantities of a contact, in the order of the outputs of the compiled function.
 #[derive(Clone, Copy)]
 pub(super) enum Quantity {
+    /// The distance, m.
     Gap,
+    /// The rate of the gap, m/s.
     GapRate,
+    /// The sliding velocity along the first tangent, m/s.
     Slide,
+    /// The sliding velocity along the second tangent, m/s.
     Aside,
+    /// The coefficient of friction.
     Friction,
+    /// The coefficient of restitution.
     Restitution,
 }
 
 impl Expansions {
-    /// The number of switches, reactions, and algebraic speeds with their multipliers.
+    /// The number of symbols: switches, reactions, algebraic speeds, multipliers of their constraints.
     pub(super) fn letters(&self) -> usize {
         self.mirrored.len() + PARTS * self.kinds.len() + self.algebraic
     }
 
-    /// Whether speeds are algebraic.
+    /// True if the model has algebraic speeds.
     pub fn has_algebraic(&self) -> bool {
         self.algebraic > 0
     }
 
-    /// The letters of algebraic speeds and of their multipliers.
+    /// The indices of the symbols of algebraic speeds and of their multipliers.
     pub(super) fn algebraic(&self) -> Range<usize> {
         self.letters() - self.algebraic..self.letters()
     }
 
-    /// The number of rows: one for each letter, and with algebraic speeds also one for the rate of each.
+    /// The number of rows: one for each symbol, and with algebraic speeds one more for its rate.
     pub(super) fn rows(&self) -> usize {
         if self.has_algebraic() { 2 * self.letters() } else { self.letters() }
     }
 
-    /// Whether the row of a letter is a value, which the mode determines, instead of a rate.
+    /// True if the row of a symbol is an equation for a value, which the mode determines, instead of a rate.
     pub(super) fn is_value(&self, letter: usize) -> bool {
         let cases = self.mirrored.len();
         match letter.checked_sub(cases) {
@@ -49,8 +56,8 @@ impl Expansions {
         }
     }
 
-    /// Steps of Newton's method for unknown letters: one if the rows are linear in them. A law of g that contains |g| is linear
-    /// at g = 0 up to rounding.
+    /// The number of Newton steps for unknown symbols: one if the rows are linear in them. A law of g that contains |g| is linear at g =
+    /// 0 up to rounding.
     pub(super) fn rounds(&self, unknown: &[usize]) -> usize {
         let changes = |slope: &Slope| {
             unknown.contains(&slope.row) && slope.changed_by.iter().any(|letter| unknown.contains(letter))
@@ -62,30 +69,30 @@ impl Expansions {
         }
     }
 
-    /// Conditions of their own that a mode holds.
+    /// The indices of conditions that a mode holds at zero, without those that mirror another condition.
     pub fn held(&self, mode: &Mode) -> Vec<usize> {
         let is_held = |place: &usize| mode.cases[*place] == Case::Held && self.mirrored[*place].is_none();
         (0..mode.cases.len()).filter(is_held).collect()
     }
 
-    /// The letter of a reaction.
+    /// The index of the symbol of a reaction.
     pub(super) fn reaction(&self, [contact, component]: [usize; 2]) -> usize {
         self.mirrored.len() + PARTS * contact + component
     }
 
-    /// Letters of the unknown reactions of a mode.
+    /// The indices of the symbols of the unknown reactions of a mode.
     pub(super) fn unknown_reactions(&self, mode: &Mode) -> Vec<usize> {
         unknown(mode, |contact| self.kinds[contact].is_in_space).into_iter().map(|of| self.reaction(of)).collect()
     }
 
-    /// Letters of unknown reactions that depend on accelerations.
+    /// The indices of the symbols of unknown reactions that depend on accelerations.
     pub(super) fn inertial_reactions(&self, mode: &Mode) -> Vec<usize> {
         let mut letters = self.unknown_reactions(mode);
         letters.retain(|&letter| !self.is_value(letter));
         letters
     }
 
-    /// For each normal reaction of a contact that slides, T = factor N along each tangent.
+    /// For each sliding contact, the factors T/N along each tangent; `None` for other contacts.
     pub(super) fn tied<const N: usize>(&self, mode: &Mode, values: &[Jet<N>]) -> Vec<Option<[Jet<N>; 2]>> {
         let of = |(contact, phase): (usize, &Phase)| {
             let against = Jet::constant(-phase.face()?.sign(), 0.0);
@@ -95,7 +102,7 @@ impl Expansions {
         mode.phases.iter().enumerate().map(of).collect()
     }
 
-    /// The direction of sliding that friction opposes at its bound, along each tangent.
+    /// The unit vector of sliding of a contact, which friction opposes; `None` if the contact does not slide.
     fn way<const N: usize>(&self, values: &[Jet<N>], contact: usize, phase: Phase) -> Option<[Jet<N>; 2]> {
         match phase {
             Phase::Glides { begins: Some(heading), .. } => Some(direction(heading)),
@@ -108,13 +115,13 @@ impl Expansions {
         }
     }
 
-    /// A quantity of a contact.
+    /// The value of a quantity of a contact in the outputs of the compiled function.
     pub(super) fn of_contact<S: Scalar>(&self, values: &[S], quantity: Quantity, contact: usize) -> S {
         let first = self.states + self.mirrored.len() + self.rows() + self.slopes.len();
         values[first + quantity as usize * self.kinds.len() + contact]
     }
 
-    /// Slopes of some rows by some letters, the tangential reactions of contacts that slide with their normal ones.
+    /// Derivatives of rows by symbols. For a sliding contact the derivative by N includes that by T, since T = factor N.
     pub(super) fn slopes_by<S: Scalar>(
         &self,
         values: &[S],
@@ -129,7 +136,6 @@ impl Expansions {
             if let Some(column) = letters.iter().position(|letter| *letter == slope.by) {
                 all[row][column] += *value;
             }
-            // T moves with N
             let reaction = slope.by.checked_sub(self.mirrored.len()).filter(|place| place % PARTS > 0);
             let tied_to = |place: usize| Some((place, (*tied.get(place / PARTS)?)?[place % PARTS - 1]));
             let Some((place, factor)) = reaction.and_then(tied_to) else { continue };
@@ -142,10 +148,10 @@ impl Expansions {
     }
 }
 
-/// The relative accuracy of the rate of a direction.
+/// The relative accuracy of the rate of rotation of a direction.
 const TURN: f64 = 1e-10;
 
-/// A direction that begins at an angle and turns.
+/// The unit vector of a direction, with its rate of rotation.
 pub(in super::super) fn direction<const N: usize>(heading: Heading) -> [Jet<N>; 2] {
     let mut angle = Jet::constant(heading.angle(), heading.doubt());
     if N > 1 {

@@ -1,7 +1,8 @@
-//! The motion just after an instant in any mode: Taylor coefficients of conditions, switches and events, without compiling its law.
+//! The motion just after an instant in any mode: Taylor coefficients of conditions, switches and events, without compilation of the law
+//! of the mode.
 //!
-//! Accelerations are recorded once, with every switch and every reaction of a contact as an input. Held switches follow
-//! order by order from g' = 0, reactions of closed contacts from gap'' = 0 and v' = 0; these equations are linear in them.
+//! Accelerations are compiled once, with every switch and every reaction of a contact as an input. Switches of held conditions follow
+//! order by order from g' = 0, reactions of closed contacts from gap'' = 0 and v' = 0; these equations are linear in the unknowns.
 
 mod accelerations;
 mod closed_gaps;
@@ -36,59 +37,61 @@ use model::{Model, Restitution, Sides};
 use num_traits::{One, Zero};
 use symbolic::{Tape, apart};
 
-/// The assumed error of each number of a state and of the time, in roundings.
+/// The assumed error of time and of each component of a state, in roundings.
 const ROUNDINGS: f64 = 4.0;
 
-/// The assumed relative accuracy of rates, if their error bound is larger.
+/// An upper limit of the assumed relative error of rates.
 const DIGITS: f64 = 1e-12;
 
-/// The assumed accuracy of a switch, which lies between 0 and 1, if its error bound is larger.
+/// An upper limit of the assumed error of a switch, which lies between 0 and 1.
 const KNOWN: f64 = 1e-9;
 
-/// Steps of Newton's method for laws that are linear up to rounding.
+/// The number of Newton steps for laws that are linear up to rounding.
 const ROUNDS: usize = 3;
 
-/// Steps of Newton's method for laws with products of unknowns.
+/// The largest number of Newton steps for laws with products of unknowns.
 const MOST_ROUNDS: usize = 20;
 
-/// A model as a function of the time, the state and the switches.
+/// The compiled function of a model: its inputs are the state, the time, and the symbols (switches, reactions, algebraic speeds).
 #[derive(Debug)]
 pub(super) struct Expansions {
     tape: Tape,
     states: usize,
     positions: usize,
-    /// The nonzero derivatives of rows by letters. Letters are switches, then the reactions of each contact; rows are the rates of
+    /// The nonzero derivatives of rows by symbols. Symbols are switches, then the reactions of each contact; rows are the rates of
     /// conditions, then for each reaction the equation that determines it.
     slopes: Vec<Slope>,
+    /// For each condition: the condition whose positive or negative multiple it is, if any.
     pub mirrored: Vec<Option<Mirrored>>,
     pub kinds: Vec<Kind>,
-    /// Whether the mode determines the value of each condition, since the condition contains an algebraic speed.
+    /// For each condition: true if it contains an algebraic speed, so that the mode determines its value.
     pub direct_conditions: Vec<bool>,
-    /// The number of algebraic speeds, with the multipliers of their constraints; the speeds, which stand first.
+    /// The number of algebraic speeds and multipliers of their constraints, and the indices of these speeds.
     algebraic: usize,
     algebraic_speeds: Vec<usize>,
-    /// States in which errors of rates accumulate: not algebraic speeds, which the mode determines, nor impulses, on which nothing depends.
+    /// Indices of the state components that are integrated: all except algebraic speeds, which the mode determines, and impulses, on
+    /// which nothing depends.
     summed: Vec<usize>,
     events: usize,
 }
 
-/// A contact as it is built.
+/// The properties of a contact that do not change.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Kind {
     pub sides: Sides,
     pub is_rough: bool,
     pub law: Restitution,
-    /// Whether the coordinates keep the body in it.
+    /// True if the contact is a guide that the coordinates satisfy.
     pub is_guide: bool,
-    /// Whether its gap is a speed.
+    /// True if its gap is a speed, as for a diode or a freewheel.
     pub is_one_way: bool,
-    /// Whether it slides in two directions.
+    /// True if it has two tangents.
     pub is_in_space: bool,
-    /// Whether the mode determines this speed.
+    /// True if its gap is an algebraic speed, which the mode determines.
     pub is_direct: bool,
 }
 
-/// The slope of a row by a letter, and the letters that change it.
+/// The derivative of a row by a symbol, and the symbols on which this derivative depends.
 #[derive(Debug)]
 struct Slope {
     row: usize,
@@ -96,16 +99,19 @@ struct Slope {
     changed_by: Vec<usize>,
 }
 
-/// A contact along the motion.
+/// The Taylor series of the quantities of a contact.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Touching<const N: usize> {
+    /// Distance, m.
     pub gap: Jet<N>,
     pub gap_rate: Jet<N>,
+    /// Sliding velocity along the first tangent, m/s.
     pub slide: Jet<N>,
-    /// Along the second tangent; zero in the plane.
+    /// Sliding velocity along the second tangent, m/s; zero in the plane.
     pub aside: Jet<N>,
+    /// Coefficient of friction.
     pub friction: Jet<N>,
-    /// Normal and tangential.
+    /// Normal reaction, then friction along each tangent, N.
     pub reactions: [Jet<N>; PARTS],
     pub is_in_space: bool,
 }
@@ -115,10 +121,10 @@ pub(super) struct Touching<const N: usize> {
 pub(super) struct Instant<'a> {
     pub time: f64,
     pub state: &'a [f64],
-    /// The error of the time of the event that led here.
+    /// The error of the time of the last event, s.
     pub late: f64,
-    /// Rates of the state before the event, from which the error of the state is estimated. Empty for a system
-    /// without algebraic speeds, in which held quantities are set to zero.
+    /// Rates of the state before the event, for an error estimate of the state. Empty without algebraic speeds: held quantities are then
+    /// set to zero.
     pub before: &'a [f64],
 }
 
@@ -129,26 +135,26 @@ impl<'a> Instant<'a> {
     }
 }
 
-/// Quantities along the motion from an instant on.
+/// Taylor series of the motion in a mode, from an instant on.
 #[derive(Clone, Debug)]
 pub(super) struct Expansion<const N: usize> {
     pub rates: Vec<Jet<N>>,
     pub conditions: Vec<Jet<N>>,
     pub switches: Vec<Jet<N>>,
-    /// Each switch; for a switch at its bound, the share that it would have without the bound.
+    /// The switches; for a switch at its bound the value that it would have without the bound.
     pub parts: Vec<Jet<N>>,
     pub contacts: Vec<Touching<N>>,
     pub events: Vec<Jet<N>>,
-    /// Derivatives of the rates of conditions by the values of switches, including the reactions that follow from these.
+    /// Derivatives of the rates of conditions by the switches, including the effect of the reactions that depend on these.
     pub slopes: Slopes<N>,
-    /// Constraints that the mode hides: of positions, or of speeds with inertia.
+    /// The residuals of the hidden constraints of the mode.
     pub hidden: Vec<Jet<N>>,
-    /// Whether the mode determines the value of each condition.
+    /// For each condition: true if the mode determines its value.
     pub is_direct: Vec<bool>,
 }
 
 impl<const N: usize> Expansion<N> {
-    /// The distances of a switch, or of its part, from 0 and from 1.
+    /// The distances of a switch from 0 and from 1.
     pub fn margins(&self, switch: usize) -> [Jet<N>; 2] {
         let mut part = self.parts[switch];
         part.doubts[0] = part.doubts[0].min(KNOWN);
@@ -161,7 +167,7 @@ impl Expansions {
         apart(|| equations::expansions(model))
     }
 
-    /// The motion in a mode; none if a condition cannot be held.
+    /// The motion in a mode; `None` if the mode does not determine it.
     pub fn at<const N: usize>(&self, instant: &Instant<'_>, mode: &Mode) -> Option<Expansion<N>> {
         let mut unknown = self.held(mode);
         unknown.extend(self.unknown_reactions(mode));
@@ -169,7 +175,7 @@ impl Expansions {
         self.with_unknown(instant, mode, &unknown)
     }
 
-    /// Values at a given state, with its algebraic speeds and without reactions.
+    /// The values at a state, with its own algebraic speeds and without reactions.
     pub fn as_given(&self, instant: &Instant<'_>, mode: &Mode) -> Option<Expansion<1>> {
         self.with_unknown(instant, mode, &[])
     }
@@ -192,19 +198,19 @@ impl Expansions {
         letters.resize(self.letters(), 0.0);
         let confirmed = self.confirmed(time, state, &letters);
         let first = self.shorter::<1, N>((clock, &moved), mode, &confirmed, unknown)?;
-        // errors of rates accumulate from the start; the roundings do not decide a run with fewer digits than this
+        // errors of rates accumulate from the start, but not beyond the assumed accuracy
         let sizes = self.summed.iter().map(|&place| first[place].terms[0].abs());
         let known = DIGITS * sizes.fold(0.0, f64::max);
         let before = before.iter().copied().chain(std::iter::repeat(0.0));
         for ((part, rate), before) in moved.iter_mut().zip(&first).zip(before) {
             let own = (rate.doubts[0] + ROUNDINGS * ROUNDING * rate.terms[0].abs()).min(known);
             let moved = time.abs() * own + late * rate.terms[0].abs().max(before.abs());
-            // in a case that does not hold an exponential may overflow
+            // in an inconsistent case an exponential may overflow
             part.doubts[0] += if moved.is_finite() { moved } else { 0.0 };
         }
         for order in 0..N - 1 {
             let at = (clock, &*moved);
-            // terms beyond this order are not known yet
+            // only terms up to this order are known
             let rates = match order {
                 0 => self.shorter::<1, N>(at, mode, &confirmed, unknown),
                 1 => self.shorter::<2, N>(at, mode, &confirmed, unknown),
@@ -217,7 +223,7 @@ impl Expansions {
         self.run((clock, &moved), mode, &confirmed, unknown)
     }
 
-    /// Rates by the first terms alone.
+    /// Rates of the state from the first K terms.
     fn shorter<const K: usize, const N: usize>(
         &self,
         (time, state): (Jet<N>, &[Jet<N>]),
@@ -230,7 +236,7 @@ impl Expansions {
         Some(found.rates.iter().map(Jet::resized).collect())
     }
 
-    /// Gives mirrored conditions the cases that follow from those of others.
+    /// Sets the cases of mirrored conditions to those that follow from the original conditions.
     pub fn mirror(&self, mode: &mut Mode) {
         let mode = &mut mode.cases;
         for (place, mirrored) in self.mirrored.iter().enumerate() {
@@ -245,7 +251,8 @@ impl Expansions {
         }
     }
 
-    /// The motion from a time and a state, solved for the unknown letters; `confirmed` has the fractions of the error bounds that trials confirm.
+    /// The motion from a time and a state, solved for the unknown symbols. `confirmed` has the fractions of the error bounds that trials
+    /// confirm.
     fn run<const N: usize>(
         &self,
         (time, state): (Jet<N>, &[Jet<N>]),
@@ -261,7 +268,7 @@ impl Expansions {
         let cases = mode.cases.len();
         let mut letters: Vec<Jet<N>> = mode.cases.iter().map(value).collect();
         letters.resize(self.letters(), Jet::zero());
-        // the iteration starts from the last values, at which friction that is proportional to them has a bound
+        // the iteration starts from the last values: they give friction that is proportional to an unknown a bound
         for (letter, speed) in self.algebraic().zip(&self.algebraic_speeds) {
             let last = state[self.positions + speed];
             letters[letter] = if unknown.is_empty() { last } else { Jet::constant(last.terms[0], 0.0) };
@@ -284,7 +291,7 @@ impl Expansions {
                 let is_found = unknown.iter().zip(&changes).all(|(&letter, change)| change.is_beside(&letters[letter]));
                 let is_last = round >= ROUNDS && is_found || round == rounds;
                 for (&letter, change) in unknown.iter().zip(changes) {
-                    // the step begins at an exact number and ends at one with the error of the step
+                    // the start of a step is taken as exact, the end has the error of the step
                     let found = letters[letter].exact() + change;
                     letters[letter] = if is_last { found } else { found.exact() };
                 }
@@ -340,7 +347,8 @@ impl Expansions {
         })
     }
 
-    /// The values of unknown letters for which their rows have the given right sides, with their rates; and hidden constraints.
+    /// The values of unknown symbols for which their rows have given right sides; `right` returns the right side of a row and of its
+    /// rate. The second result are the residuals of hidden constraints.
     fn solved_for<const N: usize>(
         &self,
         (values, tied): (&[Jet<N>], &[Option<[Jet<N>; 2]>]),

@@ -1,19 +1,20 @@
-//! The share of each switch in the forces that keep dependent conditions at zero.
+//! Distribution of the forces that keep dependent conditions at zero among their switches.
 //!
-//! The motion of a block that sticks between two walls does not determine the load of each wall: with more contacts than speeds
-//! g' = a + B s = 0 has many solutions s, all with the same motion. The solution with the least sum of (s - 1/2)^2 is chosen, which has the
-//! least sum of squares of `sign`: s = 1/2 + B^T l, cut at 0 and 1. It is unique and continuous in a.
+//! The motion of a block that sticks between two walls does not determine the friction of each wall: with more held conditions than
+//! speeds g' = a + B s = 0 has many solutions s, all with equal motion. The solution with the least sum of (s - 1/2)^2 is chosen, thus
+//! with the least sum of squares of `sign`: s = 1/2 + B^T l, limited to 0 and 1. It is unique and continuous in a.
 
 use super::super::jet::Jet;
 use super::super::mode::Case;
 use super::{Expansions, solved};
 use num_traits::Zero;
 
-/// Slopes of the rates of conditions by switches, of conditions of their own.
+/// Derivatives of the rates of conditions (rows) by switches (columns).
 pub(in super::super) type Slopes<const N: usize> = Vec<Vec<Jet<N>>>;
 
 impl Expansions {
-    /// The slopes of the rates of conditions by switches, from values; reactions of contacts follow the switches.
+    /// The derivatives of the rates of conditions by switches, including the effect of the reactions `reactions`, which depend on the
+    /// switches.
     pub(super) fn slopes_of<const N: usize>(
         &self,
         cases: usize,
@@ -41,7 +42,8 @@ impl Expansions {
         Some(slopes)
     }
 
-    /// Switches by their shares, from those that keep the held conditions at zero if each shared switch is 1/2.
+    /// The switches of the least-squares distribution, from switches that keep the held conditions at zero with 1/2 for each shared
+    /// switch.
     pub(super) fn shared<const N: usize>(
         &self,
         mode: &[Case],

@@ -1,4 +1,4 @@
-//! The speeds after an impact in which all contacts in touch take part.
+//! The state after an impact in which several contacts take part.
 
 use super::super::jet::Jet;
 use super::super::mode::{Case, Mode, Phase};
@@ -11,32 +11,32 @@ use integrators::Real;
 use model::{Restitution, Sides};
 use num_traits::One;
 
-/// Contacts that close within this part of the time of the run close at once: which of them would be the first is rounding.
+/// Contacts whose closing times differ by less than this part of the time close simultaneously.
 const AT_ONCE: f64 = 1e-9;
 
-/// A state after an impact of several contacts.
+/// The state after an impact of several contacts.
 pub(in super::super) struct AfterImpact {
     pub state: Vec<f64>,
-    /// Contacts in touch that the impact opens.
+    /// Indices of the contacts that the impact opens.
     pub opened: Vec<usize>,
-    /// Contacts that stay in touch, with a gap' of zero up to rounding, and contacts that do not slide.
+    /// Indices of the contacts that remain closed (gap' is zero up to rounding), and of the contacts that do not slide.
     pub stay: Vec<usize>,
     pub stick: Vec<usize>,
 }
 
-/// The components of an impulse in a plane.
+/// The number of components of an impulse in a plane.
 const IN_PLANE: usize = 2;
 
 impl Expansions {
-    /// Whether the law of a contact has impulses of others.
+    /// True if the impact law of a contact includes impulses at other contacts.
     pub fn shares_impacts(&self, contact: usize) -> bool {
         self.kinds[contact].law == Restitution::Moreau
     }
 
-    /// The state after several contacts have closed or are in touch.
+    /// The state after an impact of the contacts `closing`, with the closed contacts `in_touch`.
     ///
     /// # Errors
-    /// The impulses are not determined, or the contacts have other laws.
+    /// The impulses are not determined, or a contact has another impact law.
     pub fn struck_together(
         &self,
         instant: &Instant<'_>,
@@ -70,7 +70,7 @@ impl Expansions {
         Ok(AfterImpact { stay: of(|struck| struck.stays), stick: of(|struck| struck.sticks), opened, state: after })
     }
 
-    /// A state after such an impact in double-double; none if the law does not determine it.
+    /// The state after an impact of several contacts in double-double arithmetic; `None` if the law does not determine it.
     pub fn struck_together_exactly(
         &self,
         time: DoubleDouble,
@@ -94,7 +94,7 @@ impl Expansions {
         Some(after)
     }
 
-    /// The contacts of an impact: those that close at once with the one that is named, itself the first, and those in touch.
+    /// The contacts of an impact: first `contact` and those that close simultaneously, then the closed contacts.
     pub fn partners(&self, instant: &Instant<'_>, mode: &Mode, contact: usize, slack: f64) -> [Vec<usize>; 2] {
         let falling = self.contacts(instant, &mode.cases);
         let closes = |other: &usize| {
@@ -114,7 +114,7 @@ impl Expansions {
     fn shared_impulses<S: Real>(&self, values: &[S], contacts: &[usize]) -> Result<Vec<Struck<S>>, NotStruck> {
         let takes_part = |contact: &usize| {
             let Kind { law, is_guide, is_one_way, is_in_space, is_rough, .. } = self.kinds[*contact];
-            // a guide without friction has no impulse of its own, since its coordinates keep the body in it
+            // a guide without friction needs no impulse, since the coordinates satisfy it
             let is_other = is_one_way || is_rough && (is_in_space || is_guide);
             !is_other && (is_guide || law == Restitution::Moreau)
         };
@@ -146,5 +146,5 @@ impl Expansions {
     }
 }
 
-/// A rate of a gap counts if it exceeds its error bound by this factor.
+/// The rate of a gap counts as positive if it exceeds its error bound by this factor.
 const OPENS: f64 = 16.0;

@@ -1,36 +1,37 @@
-//! The impulses of several contacts that are in touch or close at one instant (Moreau 1988).
+//! Impulses of several contacts that are closed or close at one instant (Moreau 1988).
 //!
-//! The impulses N along the normals and T along the tangents of all contacts change gap' and v of each. Of every contact
+//! The impulses N along the normals and T along the tangents of all contacts change gap' and v of each contact. For each contact
 //!
-//! * N >= 0 and gap' after >= -e gap' before, one of both as an equation (a contact that holds on either side: gap' = 0 after, N of either
+//! * N >= 0 and gap' after >= -e gap' before, and one of the two is an equation (for a two-sided contact: gap' = 0 after, N of either
 //!   sign);
-//! * |T| <= mu |N| where v = 0 after, T = -mu |N| sign(v) elsewhere.
+//! * |T| <= mu |N| if v = 0 after, else T = -mu |N| sign(v).
 //!
-//! Each contact has no impulse, sticks, or slides in one of two directions: every combination is solved and tested. Combinations that leave
-//! the same velocities are one solution, with other shares of the impulses. For one contact this is Newton's law.
+//! Each contact has no impulse, sticks, or slides in one of two directions; every combination is solved and tested. Combinations with
+//! equal velocities after the impact count as one solution; they differ only in the distribution of the impulses. For one contact this is
+//! Newton's law.
 
 use super::impact_law::NotStruck;
 use integrators::Real;
 
-/// Differences below this part of the largest velocity, or of the largest impulse, are rounding.
+/// Differences below this part of the largest velocity, or of the largest impulse, are rounding errors.
 const ROUNDING: f64 = 1e-9;
 
-/// A pivot below this part of the largest response is zero.
+/// A pivot below this part of the largest response counts as zero.
 const SINGULAR: f64 = 1e-12;
 
 /// The largest number of combinations that are tried.
 const MOST_COMBINATIONS: usize = 4096;
 
-/// A contact that takes part.
+/// A contact that takes part in the impact.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Partner<S> {
-    /// gap' and v before.
+    /// The rate gap' of the gap and the sliding velocity v before the impact, m/s.
     pub closing: S,
     pub sliding: S,
-    /// None for a smooth contact.
+    /// The coefficient of friction; `None` for a smooth contact.
     pub friction: Option<S>,
     pub restitution: S,
-    /// Whether it holds on either side.
+    /// True for a two-sided contact.
     pub holds: bool,
 }
 
@@ -40,7 +41,7 @@ enum Part {
     Off,
     Smooth,
     Sticks,
-    /// T = -mu |N| along the direction of sliding, `way`, where `normal` is the sign of N.
+    /// Sliding: T = -mu |N| `way`, where `way` is the sign of v and `normal` the sign of N.
     Slides {
         way: f64,
         normal: f64,
@@ -59,26 +60,28 @@ impl<S: Real> Partner<S> {
         parts
     }
 
-    /// gap' after the impact, where there is an impulse: a contact that opens already has no restitution.
+    /// The rate gap' after the impact of a contact with an impulse. A contact that already opens has no restitution.
     fn opening(&self) -> S {
         if self.closing < S::zero() { -self.restitution * self.closing } else { S::zero() }
     }
 }
 
-/// N and T of a contact, and what is zero after the impact, although rounding leaves a rest of it.
+/// The impulse of a contact, and whether its velocities are zero up to rounding after the impact.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Struck<S> {
+    /// N and T, N s.
     pub impulse: [S; 2],
-    /// gap'.
+    /// True if gap' is zero.
     pub stays: bool,
-    /// v.
+    /// True if v is zero.
     pub sticks: bool,
 }
 
-/// The impulses; `responses` has the changes of gap' and v of each, by unit impulses N and T of each.
+/// The impulses of all contacts. `responses` is the matrix of the changes of gap' and v of each contact by unit impulses N and T of each
+/// contact, 1/kg.
 ///
 /// # Errors
-/// The law does not determine the velocities, or the energy would grow.
+/// [`NotStruck`] if the law does not determine the velocities, the energy would increase, or a coefficient is out of its range.
 pub(super) fn impulses<S: Real>(partners: &[Partner<S>], responses: &[Vec<S>]) -> Result<Vec<Struck<S>>, NotStruck> {
     if partners.iter().any(|partner| !(0.0..=1.0).contains(&partner.restitution.approx())) {
         return Err(NotStruck::Restitution);
@@ -144,11 +147,12 @@ impl<S: Real> Impact<'_, S> {
         self.before().zip(self.responses).map(|(before, row)| before + change(row)).collect()
     }
 
-    /// The largest velocity before.
+    /// The largest velocity before the impact, m/s.
     fn fastest(&self) -> f64 {
         self.before().map(|part| part.approx().abs()).fold(0.0, f64::max)
     }
 
+    /// The impulses of a combination; `None` if they are not determined.
     fn solved(&self, combination: &[Part]) -> Option<Vec<S>> {
         let n = 2 * combination.len();
         let unit = |place: usize| (0..n).map(|column| if column == place { S::one() } else { S::zero() }).collect();
@@ -186,6 +190,7 @@ impl<S: Real> Impact<'_, S> {
         eliminated(rows, right)
     }
 
+    /// True if the inequalities of a combination hold.
     fn is_allowed(&self, combination: &[Part], impulses: &[S], after: &[S]) -> bool {
         let fastest = self.fastest();
         let largest = impulses.iter().map(|impulse| impulse.approx().abs()).fold(0.0, f64::max);
@@ -210,7 +215,7 @@ impl<S: Real> Impact<'_, S> {
         one.iter().zip(other).all(|(one, other)| (one.approx() - other.approx()).abs() <= slow)
     }
 
-    /// Whether the sum of impulses times mean velocities is positive beyond rounding.
+    /// True if the work of the impulses, the sum of impulses times mean velocities, is positive beyond rounding.
     fn adds_energy(&self, impulses: &[S], after: &[S]) -> bool {
         let works = impulses.iter().zip(self.before().zip(after));
         let works: Vec<f64> = works
@@ -220,7 +225,7 @@ impl<S: Real> Impact<'_, S> {
     }
 }
 
-/// Gauss's elimination with the largest pivots; none where a pivot is zero.
+/// Solves linear equations by Gaussian elimination with partial pivoting; `None` if a pivot is zero.
 fn eliminated<S: Real>(mut rows: Vec<Vec<S>>, mut right: Vec<S>) -> Option<Vec<S>> {
     let n = right.len();
     let largest = rows.iter().flatten().map(|entry| entry.approx().abs()).fold(0.0, f64::max);
@@ -261,7 +266,7 @@ mod tests {
         Partner { closing, sliding, friction, restitution, holds: false }
     }
 
-    /// A rod of the mass 1 and the half length 1 with the moment of inertia 1/3 lies level: both ends over the floor, along the normal alone.
+    /// A level rod of mass 1, half length 1 and moment of inertia 1/3 with both ends over the floor: the responses of its ends.
     fn level_rod() -> Vec<Vec<f64>> {
         vec![vec![4.0, 0.0, -2.0, 0.0], vec![0.0, 1.0, 0.0, 1.0], vec![-2.0, 0.0, 4.0, 0.0], vec![0.0, 1.0, 0.0, 1.0]]
     }
@@ -276,7 +281,7 @@ mod tests {
     #[test]
     fn an_end_that_rests_is_pressed_by_the_other_that_falls() {
         let found = found_by(&[partner(0.0, 0.0, None, 0.5), partner(-1.0, 0.0, None, 0.0)], &level_rod()).unwrap();
-        // gap' = 0 of both after it
+        // gap' = 0 for both ends after the impact
         assert!((found[0][0] - 1.0 / 6.0).abs() < 1e-14 && (found[1][0] - 1.0 / 3.0).abs() < 1e-14, "{found:?}");
     }
 
@@ -286,7 +291,7 @@ mod tests {
         let found = found_by(&both, &level_rod()).unwrap();
         let whole: f64 = found.iter().map(|[_, tangent]| tangent).sum();
         assert!((whole + 0.1).abs() < 1e-14, "{found:?}");
-        // beyond the cone both slide on
+        // outside the friction cone both ends continue to slide
         let both = [partner(-1.0, 1.0, Some(0.5), 0.0); 2];
         let found = found_by(&both, &level_rod()).unwrap();
         assert!(found.iter().all(|[normal, tangent]| (tangent + 0.5 * normal).abs() < 1e-14), "{found:?}");
@@ -294,7 +299,7 @@ mod tests {
 
     #[test]
     fn a_contact_that_would_open_has_no_impulse() {
-        // a short rod turns about its middle: one end falls, the other rises
+        // a rod with a large moment of inertia: an impulse at one end opens the other
         let short: Vec<Vec<f64>> = vec![
             vec![1.5, 0.0, 0.5, 0.0],
             vec![0.0, 1.0, 0.0, 1.0],

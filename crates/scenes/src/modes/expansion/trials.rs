@@ -1,25 +1,25 @@
-//! Rounding errors measured by trials, where their running bound is too wide.
+//! Rounding errors measured by trials, used if running error bounds are too wide.
 //!
-//! A running bound of errors grows with every operation and ignores cancellation of errors. For example, the bound for the accelerations of an
-//! arm of five links by symbolic elimination is larger than the accelerations, although these are accurate. For such wide bounds the state
-//! is perturbed by its rounding several times, and the results are compared with those in double-double.
+//! A running error bound grows with every operation and ignores cancellation of errors. For example, the bound for the accelerations of
+//! an arm of five links by symbolic elimination is larger than the accelerations, although these are accurate. In such cases the state is
+//! perturbed several times by its rounding error, and the results are compared with those in double-double arithmetic.
 
 use super::super::jet::{Jet, ROUNDING};
 use super::{Expansions, ROUNDINGS};
 use field::DoubleDouble;
 use num_traits::Zero;
 
-/// Bounds above this fraction of the largest number are tested by trials: thousands of roundings.
+/// Error bounds above this part of the largest number, thousands of roundings, are tested by trials.
 const FAR: f64 = 1e-12;
 
 /// The number of perturbed states.
 const TRIALS: usize = 3;
 
-/// The factor from the largest error of the trials to the accepted bound.
+/// The accepted bound is this multiple of the largest error of the trials.
 const MORE: f64 = 16.0;
 
 impl Expansions {
-    /// For each number of the tape the fraction of its bound that trials confirm; empty if all bounds are narrow.
+    /// For each output of the compiled function, the fraction of its error bound that trials confirm; empty if all bounds are narrow.
     pub(super) fn confirmed(&self, time: f64, state: &[f64], letters: &[f64]) -> Vec<f64> {
         let uncertain = |value: f64| Jet::<1>::constant(value, ROUNDINGS * ROUNDING * value.abs());
         let moved: Vec<Jet<1>> = state.iter().map(|value| uncertain(*value)).collect();

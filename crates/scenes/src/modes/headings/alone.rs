@@ -1,19 +1,20 @@
-//! All directions in which one contact may begin to slide: zeros of the component of its acceleration across the direction, on the whole circle.
+//! All directions in which one contact may begin to slide: zeros, on the whole circle, of the component of its acceleration normal to the
+//! direction.
 
 use super::super::mode::Heading;
 use super::{Slip, exact};
 use std::f64::consts::TAU;
 
-/// The number of trial directions, and of steps to find a zero between two of them.
+/// The number of trial directions, and the largest number of steps to a zero between two of them.
 const TRIED: usize = 64;
 const STEPS: usize = 80;
 
 impl Slip<'_> {
-    /// Directions that agree with the accelerations of their own slips.
+    /// All directions in which the acceleration of the slip is parallel to the direction.
     pub(super) fn of_one(&self) -> Vec<Vec<Heading>> {
         let at = |angle: f64| Some(self.accelerations(&[exact(angle)])?[0]);
         let step = TAU / TRIED as f64;
-        // not at multiples of a right angle, along which a slip often begins
+        // avoids multiples of a right angle, which are often exact directions of slip
         let tried: Vec<(f64, Option<[f64; 2]>)> =
             (0..=TRIED).map(|place| (place as f64 - 0.382) * step).map(|angle| (angle, at(angle))).collect();
         let between = |pair: &[(f64, Option<[f64; 2]>)]| {
@@ -29,7 +30,8 @@ impl Slip<'_> {
     }
 }
 
-/// The zero of a function between two points with different signs, by the Illinois variant of the secant method (Dowell and Jarratt 1971).
+/// The zero of a function between two points with values of different signs, by the Illinois variant of the secant method (Dowell and
+/// Jarratt 1971).
 fn zero(of: impl Fn(f64) -> f64, [mut low, mut high]: [f64; 2], [mut at_low, mut at_high]: [f64; 2]) -> f64 {
     let mut side = 0;
     for _ in 0..STEPS {

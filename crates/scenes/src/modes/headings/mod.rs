@@ -1,8 +1,8 @@
 //! Directions in which contacts in space begin to slide from rest.
 //!
-//! Each contact that begins to slip in the direction d has the friction T = -mu |N| d. Its acceleration a of slip depends on all directions, and
-//! must have the direction d: a = |a| d. If friction is exactly at its bound, a is zero; then d = -T/|T| with the friction T of sticking, and the
-//! directions turn such that the rate of each a is parallel to its d.
+//! A contact that begins to slip in the direction d has the friction T = -mu |N| d. Its acceleration a depends on all directions, and
+//! must have the direction d: a = |a| d. If friction is exactly at its bound, a is zero; then d = -T/|T| with the friction T of sticking,
+//! and the directions rotate such that the rate of each a is parallel to its d.
 
 mod alone;
 mod together;
@@ -16,13 +16,14 @@ use super::touch::margins;
 use field::{Analytic, Circle, Elementary};
 use nalgebra::{DMatrix, DVector};
 
-/// The accuracy of a direction, in roundings of one.
+/// The accuracy of a direction, in machine epsilons.
 const FOUND: f64 = 8.0;
 
-/// A component across the direction below this fraction of the one along it is rounding.
+/// A component normal to the direction below this part of the component along it is a rounding error.
 const STRAIGHT: f64 = 1e-10;
 
-/// All directions in which contacts may begin to slide together, the phases of the others being those of a mode.
+/// All directions in which the contacts `beginning` may begin to slide together; each result has one direction for each contact. Other
+/// contacts have the phases of `mode`.
 pub(super) fn headings(
     expansions: &Expansions,
     instant: &Instant<'_>,
@@ -39,8 +40,8 @@ pub(super) fn headings(
     }
 }
 
-/// A mode in which contacts that would begin to slide are held instead, along one tangent or none where others hold them; all their normals
-/// come before tangents.
+/// The mode with the contacts `beginning` held instead of sliding, along both tangents, one or none, as far as other contacts leave them
+/// free. All normals are added before tangents. `None` if the mode has no motion.
 pub(super) fn held(
     expansions: &Expansions,
     instant: &Instant<'_>,
@@ -64,17 +65,18 @@ pub(super) fn held(
     Some(held)
 }
 
-/// A constant direction, known to rounding.
+/// A constant direction with rounding error only.
 fn exact(angle: f64) -> Heading {
     Heading::of(angle, 0.0, FOUND * ROUNDING)
 }
 
+/// The contacts that begin to slide, at a state in a mode.
 struct Slip<'a> {
     expansions: &'a Expansions,
     instant: &'a Instant<'a>,
     mode: &'a Mode,
     beginning: &'a [(usize, Face)],
-    /// None if accelerations are not linear in reactions.
+    /// Accelerations by linear equations; `None` if they are not linear in reactions.
     accelerations: Option<Accelerations<'a>>,
 }
 
@@ -87,7 +89,7 @@ impl Slip<'_> {
         mode
     }
 
-    /// For each contact the component of its acceleration across its direction, and that along it.
+    /// For each contact, the components of its acceleration normal to its direction and along it.
     fn accelerations(&self, headings: &[Heading]) -> Option<Vec<[f64; 2]>> {
         match &self.accelerations {
             Some(accelerations) => self.parts(headings, &accelerations.along_tangents(&self.along(headings))?),
@@ -95,7 +97,7 @@ impl Slip<'_> {
         }
     }
 
-    /// For each contact these components of a Taylor coefficient of its sliding velocity.
+    /// For each contact, these components of the Taylor coefficient of given order of its sliding velocity.
     fn terms<const N: usize>(&self, headings: &[Heading], order: usize) -> Option<Vec<[f64; 2]>> {
         let found = self.expansions.at::<N>(self.instant, &self.along(headings))?;
         let tangential: Vec<[f64; 2]> =
@@ -112,7 +114,7 @@ impl Slip<'_> {
         self.beginning.iter().zip(headings).map(of).collect()
     }
 
-    /// The directions opposite to the friction that holds the contacts, and whether it is at its bound for all of them.
+    /// The directions opposite to the friction of sticking, and true if friction is at its bound for all contacts.
     fn by_friction(&self, held: &Mode) -> Option<(Vec<Heading>, bool)> {
         let found = self.expansions.at::<2>(self.instant, held)?;
         let mut all_at_bound = true;
@@ -129,16 +131,16 @@ impl Slip<'_> {
         Some((headings, all_at_bound))
     }
 
-    /// The directions, with their rates, if friction is at its bound for all contacts.
+    /// The directions with their rates of rotation, if friction is at its bound for all contacts.
     fn at_bound(&self, headings: &[Heading]) -> Option<Vec<Heading>> {
         let count = headings.len();
         let turning = |turns: &[f64]| -> Vec<Heading> {
             headings.iter().zip(turns).map(|(at, &turn)| Heading::of(at.angle(), turn, at.doubt())).collect()
         };
-        // components across the directions are linear in the rates of the angles
+        // components normal to the directions are linear in the rates of the angles
         let parts = |turns: &[f64]| self.terms::<3>(&turning(turns), 2);
         let none = parts(&vec![0.0; count])?;
-        // directions along which constraints leave a single line do not turn
+        // a direction that is the only one possible does not rotate
         let mut turns = vec![0.0; count];
         if none.iter().any(|[across, along]| across.abs() > STRAIGHT * along.abs()) {
             let mut slopes = DMatrix::zeros(count, count);

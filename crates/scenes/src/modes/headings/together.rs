@@ -1,7 +1,7 @@
-//! Directions of several contacts that begin to slide at one instant, by Newton's method from a few starting values.
+//! Directions of several contacts that begin to slide at one instant, by Newton's method from several starting values.
 //!
-//! The starting values are translations of the body, and the directions opposite to the friction that would hold the body. Further solutions
-//! are not excluded.
+//! The starting values are translations of the body, and the directions opposite to the friction that would hold the body. Further
+//! solutions are not excluded.
 
 use super::super::mode::Heading;
 use super::{Slip, exact};
@@ -9,30 +9,31 @@ use field::Elementary;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
 
-/// The number of translations as starting values.
+/// The number of translations used as starting values.
 const TRIED: usize = 8;
 
-/// Steps of Newton's method, and halvings of one.
+/// The largest number of Newton steps, and of halvings of one step.
 const STEPS: usize = 30;
 const HALVINGS: usize = 6;
 
-/// The difference of angles for a numerical derivative.
+/// The difference of angles, rad, for a numerical derivative.
 const DIFFERENCE: f64 = 1e-6;
 
-/// The largest step.
+/// The largest step, rad.
 const FURTHEST: f64 = 1.0;
 
-/// An angle between direction and acceleration that is rounding, and one that counts as a solution when steps no longer improve it.
+/// Angles between direction and acceleration, rad: below the first the iteration ends; below the second the result counts as a solution.
 const NONE: f64 = 1e-15;
 const SMALL: f64 = 1e-9;
 
-/// Two solutions closer than this are one.
+/// Solutions whose angles differ by less, rad, are equal.
 const SAME: f64 = 1e-6;
 
 impl Slip<'_> {
-    /// Directions that agree with the accelerations of their own slips; those opposite to friction are starting values too, if it can hold the body.
+    /// Directions in which the acceleration of each slip is parallel to its direction. The directions opposite to friction are starting
+    /// values too, if friction can hold the body.
     pub(super) fn of_several(&self, against_friction: Option<Vec<Heading>>) -> Vec<Vec<Heading>> {
-        // not at multiples of a right angle, along which a slip often begins
+        // avoids multiples of a right angle, which are often exact directions of slip
         let translations =
             (0..TRIED).map(|place| vec![(place as f64 - 0.382) * TAU / TRIED as f64; self.beginning.len()]);
         let against = against_friction.map(|headings| headings.into_iter().map(Heading::angle).collect());
@@ -46,7 +47,7 @@ impl Slip<'_> {
         found.into_iter().map(|angles| angles.into_iter().map(exact).collect()).collect()
     }
 
-    /// The angles from directions to the accelerations that they cause.
+    /// The angles from the directions to the accelerations that they cause, rad.
     fn off(&self, angles: &[f64]) -> Option<DVector<f64>> {
         let headings: Vec<Heading> = angles.iter().copied().map(exact).collect();
         let parts = self.accelerations(&headings)?;
@@ -56,7 +57,7 @@ impl Slip<'_> {
         ))
     }
 
-    /// Directions that agree with their own accelerations, from starting values.
+    /// The angles of directions parallel to their accelerations, from a starting value; `None` if the iteration does not converge.
     fn own(&self, mut angles: Vec<f64>) -> Option<Vec<f64>> {
         let moved = |angles: &[f64], by: &DVector<f64>| -> Vec<f64> {
             angles.iter().zip(by.iter()).map(|(angle, by)| wrapped(angle + by)).collect()
@@ -87,7 +88,7 @@ impl Slip<'_> {
     }
 }
 
-/// An angle reduced to the range from minus half a turn to half a turn.
+/// An angle reduced to the range from -pi to pi.
 fn wrapped(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }

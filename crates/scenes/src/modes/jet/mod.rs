@@ -1,9 +1,9 @@
-//! Taylor coefficients of a quantity along a motion, each with a bound of its rounding error.
+//! Taylor coefficients of a quantity along a motion, each with a bound of its rounding error, called its doubt.
 //!
-//! At an event some values are zero up to rounding, and the next coefficient decides the sign. A coefficient counts as zero
-//! if it does not exceed its doubt: a running bound of the errors of the state, of the time and of every operation. The sign of a value at
-//! zero is the one with which it leaves the band of its doubt: -e s + s^2 with a small e first decreases, but by at most e^2/4,
-//! which may be below rounding.
+//! At an event some values are zero up to rounding, and the next coefficient decides the sign. A coefficient counts as zero if it does
+//! not exceed its doubt: a running bound of the errors of the state, of the time and of every operation. The sign of a value near zero is
+//! the sign with which it leaves the interval of its doubt: -e s + s^2 with a small e first decreases, but by at most e^2/4, which may be
+//! below rounding.
 
 mod operators;
 
@@ -13,44 +13,46 @@ use num_traits::Zero;
 /// The relative rounding error of an operation.
 pub(super) const ROUNDING: f64 = f64::EPSILON;
 
-/// The factor between times at which a change is evaluated, and their largest number, which covers forty powers of ten.
+/// The factor between successive times at which a change is evaluated, and the largest number of times, which covers forty powers of ten.
 const LONGER: f64 = 1.1;
 const MOST_TIMES: usize = 1000;
 
-/// c_0 + c_1 s + c_2 s^2 + ... + c_(N-1) s^(N-1) with the time s from an instant on.
+/// The series c_0 + c_1 s + ... + c_(N-1) s^(N-1), where s is the time after an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Jet<const N: usize> {
+    /// The coefficients c_k.
     pub terms: [f64; N],
-    /// The error that each term may have.
+    /// The error bound of each coefficient.
     pub doubts: [f64; N],
 }
 
 impl<const N: usize> Jet<N> {
+    /// A constant with an error bound.
     pub fn constant(value: f64, doubt: f64) -> Self {
         let (mut terms, mut doubts) = ([0.0; N], [0.0; N]);
         (terms[0], doubts[0]) = (value, doubt);
         Jet { terms, doubts }
     }
 
-    /// The series with doubts of zero.
+    /// The series with zero error bounds.
     pub fn exact(self) -> Self {
         Jet { doubts: [0.0; N], ..self }
     }
 
-    /// The first terms, followed by zeros.
+    /// The first K coefficients; missing ones are zero.
     pub fn resized<const K: usize>(&self) -> Jet<K> {
         let of = |all: &[f64; N]| std::array::from_fn(|order| all.get(order).copied().unwrap_or(0.0));
         Jet { terms: of(&self.terms), doubts: of(&self.doubts) }
     }
 
-    /// Sets the next coefficient of a quantity from the coefficient of its rate.
+    /// Sets coefficient `order` + 1 from coefficient `order` of the rate.
     pub fn follow(&mut self, rate: &Self, order: usize) {
         let per = 1.0 / (order + 1) as f64;
         self.terms[order + 1] = rate.terms[order] * per;
         self.doubts[order + 1] = rate.doubts[order] * per + ROUNDING * self.terms[order + 1].abs();
     }
 
-    /// Whether every term is smaller than its own rounding error, or than four units of rounding of the other's term.
+    /// True if every coefficient is at most its error bound, or at most four machine epsilons of the coefficient of `other`.
     pub fn is_beside(&self, other: &Self) -> bool {
         let own = self.terms.iter().zip(&self.doubts).zip(&other.terms);
         own.into_iter().all(|((term, doubt), other)| term.abs() <= doubt.max(4.0 * ROUNDING * other.abs()))
@@ -65,20 +67,20 @@ impl<const N: usize> Jet<N> {
         rate
     }
 
-    /// The sign of a term: zero if it does not exceed `slack` times its doubt, NaN if it is NaN.
+    /// The sign of a coefficient: zero if it does not exceed `slack` times its error bound, NaN if it is NaN.
     pub fn sign_of(&self, order: usize, slack: f64) -> f64 {
         let term = self.terms[order];
         if term.is_nan() || term.abs() > slack * self.doubts[order] { term.signum() } else { 0.0 }
     }
 
-    /// The sign next after the instant.
+    /// The sign just after the instant.
     pub fn sign(&self, slack: f64) -> f64 {
         let value = self.sign_of(0, slack);
         if value == 0.0 { self.way(slack * self.doubts[0], slack) } else { value }
     }
 
-    /// The sign of the change by which the value first leaves a band about its value at the instant; zero if it
-    /// does not change.
+    /// The sign of the change with which the value first leaves an interval of half width `band` around its value at the instant; zero if
+    /// it does not change.
     pub fn way(&self, band: f64, slack: f64) -> f64 {
         let signs: [f64; N] = std::array::from_fn(|order| if order == 0 { 0.0 } else { self.sign_of(order, slack) });
         if signs.iter().any(|sign| sign.is_nan()) {
@@ -89,7 +91,7 @@ impl<const N: usize> Jet<N> {
         if band == 0.0 {
             return signs[first];
         }
-        // within this time no term reaches its part of the band
+        // until this time no term reaches its part of the band
         let reach = |order: usize| (band / (N as f64 * self.terms[order].abs())).powf(1.0 / order as f64);
         let mut time = known().map(reach).fold(f64::INFINITY, f64::min);
         for _ in 0..MOST_TIMES {
@@ -102,10 +104,11 @@ impl<const N: usize> Jet<N> {
         signs[first]
     }
 
-    /// The largest value that doubts may hide of a quantity that leaves zero slowly, such as t^4 with a doubt proportional to t.
+    /// The largest value that error bounds may hide in a quantity that leaves zero slowly, such as t^4 with an error bound proportional
+    /// to t.
     pub fn hidden(&self, slack: f64) -> f64 {
         let Some(leading) = (0..N).find(|&order| self.sign_of(order, slack) != 0.0) else { return 0.0 };
-        // up to the time from which the leading term exceeds each doubt before it
+        // until the time at which the leading term exceeds each error bound of lower order
         let doubted = (0..leading).filter(|&order| self.doubts[order] > 0.0);
         let hidden = doubted.map(|order| {
             let time = (slack * self.doubts[order] / self.terms[leading].abs()).powf(1.0 / (leading - order) as f64);
@@ -199,7 +202,7 @@ mod tests {
         }
     }
 
-    /// A term that is zero up to rounding does not decide; the next one does.
+    /// A coefficient that is zero up to rounding does not decide; the next one does.
     #[test]
     fn a_sign_is_that_of_the_first_term_beyond_its_doubt() {
         let tenth = Jet::constant(0.1, 1e-17) * Jet::constant(3.0, 0.0) - Jet::constant(0.3, 5e-17);
@@ -216,7 +219,7 @@ mod tests {
         let valley = |e: f64| Jet::<5>::constant(0.0, 1e-16) + time(0.0) * (time(0.0) - Jet::constant(e, 1e-17));
         assert_eq!(valley(1e-9).sign(16.0), 1.0);
         assert_eq!(valley(1e-6).sign(16.0), -1.0);
-        // without doubt the first term decides
+        // with zero error bounds the first coefficient decides
         assert_eq!(Jet { doubts: [0.0; 5], ..valley(1e-9) }.sign(16.0), -1.0);
     }
 }

@@ -1,4 +1,4 @@
-//! Field operations on truncated series, each with a bound of its rounding error.
+//! Field operations on truncated Taylor series with bounds of rounding errors.
 
 use super::{Jet, ROUNDING};
 use field::Scalar;
