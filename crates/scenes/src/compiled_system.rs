@@ -33,7 +33,7 @@ use symbolic::{Sym, apart, substitute_all};
 pub enum NotCompiled {
     /// A parameter or an input has no value. `what` is the word "parameter" or "input".
     Open { what: &'static str, name: String },
-    /// No mass and no moment of inertia moves with the coordinate.
+    /// No inertia (mass, moment of inertia, inductance) belongs to the coordinate.
     Massless { coordinate: String },
     /// The constraint with this index depends on those before it.
     Redundant { constraint: usize },
@@ -205,6 +205,7 @@ impl CompiledSystem {
         })
     }
 
+    /// The model of these equations.
     pub(crate) fn model(&self) -> &Arc<Model> {
         &self.model
     }

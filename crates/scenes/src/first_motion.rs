@@ -5,12 +5,6 @@
 //!
 //! A null vector of this matrix is a motion without inertia that satisfies the constraints: the system lacks an inertia, or the start is
 //! a singularity of the coordinates, such as the pole for the azimuth of spherical angles.
-//!
-//!   [ M  J^T ] [   u'    ]   [ -h ]
-//!   [ J   0  ] [ -lambda ] = [ -c ]
-//!
-//! A direction that this matrix takes to zero moves nothing with inertia and breaks no constraint: a coordinate that loses its meaning
-//! there, as the azimuth of spherical angles does at the pole.
 
 use crate::coinciding_points;
 use crate::compiled_system::{CompiledSystem, NotCompiled};

@@ -35,7 +35,7 @@ pub struct SceneWithIntegrals {
     pub integrals: Vec<Integral>,
     /// Indices of state components that may differ after a period: cyclic coordinates and work.
     idle: Vec<usize>,
-    /// Indices of the coordinates without a dimension.
+    /// Indices of the coordinates without a dimension, which are treated as angles.
     angles: Vec<usize>,
     /// Indices in the state of the speeds of cyclic coordinates.
     cyclic: Vec<usize>,
@@ -78,8 +78,8 @@ impl SceneWithIntegrals {
         })
     }
 
-    /// The integral E - sum u p minus its value at a steady motion, J, with the energy E, the cyclic speeds u of the steady motion and
-    /// their momenta p. It is of second order in the deviation from the steady motion.
+    /// The integral E - sum u p, J, minus its value at a steady motion, with the energy E, the cyclic speeds u of the steady motion and
+    /// their momenta p. The integral is of second order in the deviation from the steady motion.
     pub fn energy_about(&self, steady: &[f64]) -> Integral {
         let first = self.integrals.len() - self.cyclic.len();
         let energy = self.integrals.first().map(|energy| (1.0, Arc::clone(&energy.value)));

@@ -28,7 +28,7 @@ impl Layout {
         self.plain + 3 * self.free
     }
 
-    /// Indices in the state: for `order` 0 of the coordinates that a speed changes, for `order` 1 of the speed itself.
+    /// Indices in the state: for `order` 0 those of the coordinates that a speed changes, for `order` 1 that of the speed itself.
     pub fn places(self, speed: usize, order: usize) -> Range<usize> {
         match speed.checked_sub(self.plain) {
             _ if order == 1 => self.positions() + speed..self.positions() + speed + 1,

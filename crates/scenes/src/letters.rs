@@ -6,8 +6,10 @@ use symbolic::{Sym, substitute_all};
 
 /// Symbols for the inputs of a compiled function: the state, the time, the parameters of a model, in this order.
 pub(crate) struct Inputs {
+    /// Coordinates, then speeds.
     pub state: Vec<Sym>,
     pub time: Sym,
+    /// All parameters of the model.
     pub parameters: Vec<Sym>,
 }
 

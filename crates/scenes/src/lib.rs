@@ -9,7 +9,7 @@
 //! * [`exchange`]: the system as a functional mock-up unit, and as code of other languages;
 //! * [`linearisation`]: x' = A x + B w about a point; [`equilibrium()`]: an equilibrium near a guess;
 //! * [`parse_ensemble`]: a file with the table `[ensemble]`: many runs, each with its own parameters and start;
-//! * [`CompiledSystem`]: the equations of motion as machine code, as Taylor series, and over every number type of a run.
+//! * [`CompiledSystem`]: the equations of motion as machine code, as Taylor series, and over all number types.
 //!
 //! # Example
 //! ```

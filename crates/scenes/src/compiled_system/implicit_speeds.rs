@@ -78,7 +78,7 @@ impl ImplicitSpeeds {
     }
 }
 
-/// The program of Newton's step for pairs (letter, law): each law is an expression whose value is zero at the root.
+/// The program of Newton's step for pairs (symbol, equation); an equation is an expression whose value is zero at the root.
 fn steps(model: &Model, laws: impl Fn(&Trace<'_>) -> Vec<(Sym, Sym)> + Send + Sync) -> Result<Program, NotCompiled> {
     let states = model.positions() + model.speeds();
     recorded(states, |time, state| {

@@ -10,7 +10,7 @@ use symbolic::{Sym, substitute_all};
 /// The number of energies behind the outputs: kinetic and potential energy, J.
 pub const ENERGIES: usize = 2;
 
-/// Letters whose values follow from the motion and not from the state.
+/// Symbols whose values follow from the motion and not from the state.
 struct Unknowns {
     /// Accelerations, then multipliers.
     solved: Vec<Sym>,
@@ -30,7 +30,7 @@ impl Unknowns {
         }
     }
 
-    /// True if the expression contains one of these letters.
+    /// True if the expression contains one of these symbols.
     fn stand_in(&self, expression: Sym) -> bool {
         let used = expression.symbols_of();
         let Unknowns { solved, reactions, others } = self;

@@ -12,7 +12,7 @@ use symbolic::{Hypotheses, Sym, apart, decide, substitute_all};
 /// The number of states at which the power is evaluated.
 const STATES: usize = 2_000;
 
-/// Power up to this part of the sum of the absolute terms counts as rounding error.
+/// A power below this part of the sum of its absolute terms is a rounding error.
 const ROUNDING: f64 = 1e-11;
 
 /// Relative distances of sampled positions from the start: near it, then anywhere.

@@ -8,10 +8,12 @@ use symbolic::{Derivation, Sym};
 pub(super) struct Kept(Vec<Equation>);
 
 impl Kept {
+    /// The constraints of a trace that have no gains.
     pub fn of(trace: &Trace<'_>) -> Self {
         Kept(constraints_of(trace).into_iter().filter(|constraint| constraint.gains.is_none()).collect())
     }
 
+    /// The number of these constraints.
     pub fn count(&self) -> usize {
         self.0.len()
     }

@@ -97,10 +97,12 @@ impl Balance {
         self.jacobian.row(row).columns(0, self.directions.ncols()).amax() > 0.0
     }
 
+    /// True if residuals and Jacobian are finite.
     pub fn is_finite(&self) -> bool {
         self.residuals.iter().chain(self.jacobian.iter()).all(|value| value.is_finite())
     }
 
+    /// The Euclidean norm of the residuals; infinite for NaN.
     pub fn size(&self) -> f64 {
         let size = self.residuals.norm();
         if size.is_nan() { f64::INFINITY } else { size }

@@ -24,6 +24,7 @@ const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
 /// The search for an equilibrium from a guess.
 pub(super) struct Ways<'a> {
+    /// The equations of the model with their derivatives.
     pub equations: &'a VariedEquations,
     /// Indices of the free coordinates.
     pub free: &'a [usize],

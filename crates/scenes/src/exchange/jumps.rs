@@ -19,7 +19,7 @@ pub(super) fn sticking(form: &MatrixForm) -> Option<usize> {
     })
 }
 
-/// True if the jumps are proved to vanish where the condition is zero. The condition is solved for a letter in which it is linear.
+/// True if the jumps are proved to vanish where the condition is zero. The condition is solved for a symbol in which it is linear.
 fn vanish_with(form: &MatrixForm, condition: Sym, jumps: &[Sym]) -> bool {
     let letters = [&form.speeds, &form.positions, &form.parameters, &form.inputs].into_iter().flatten().copied();
     letters.chain([form.time]).any(|letter| {

@@ -19,7 +19,7 @@ pub struct Figure {
     pub places: Vec<Vector3<f64>>,
     /// The unit vectors of the axes x, y, z of each frame.
     pub frames: Vec<[Vector3<f64>; 3]>,
-    /// All contacts of bodies.
+    /// All contacts except diodes and freewheels.
     pub touches: Vec<Touch>,
     /// Forces that do not act between two points, N, each with the index of its point.
     pub forces: Vec<(usize, Vector3<f64>)>,
@@ -49,6 +49,7 @@ pub struct Touch {
 /// The part of the geometry that does not depend on the state. Points and frames are given by their indices.
 #[derive(Debug, Default)]
 pub(super) struct Symbolic {
+    /// The name of each point; empty if it has none.
     pub names: Vec<String>,
     /// For each point: the point from which the model defines it, and the frame of the connecting vector.
     pub bases: Vec<Option<(usize, FrameId)>>,
@@ -56,13 +57,16 @@ pub(super) struct Symbolic {
     pub elements: Vec<Element>,
     /// Pairs of points at a constant distance.
     pub rods: Vec<[usize; 2]>,
+    /// Torsion springs and rotary dashpots.
     pub torsions: Vec<Torsion>,
     /// The two frames of each torque.
     pub couples: Vec<[FrameId; 2]>,
+    /// Constraints between two angles: gears and belts.
     pub gears: Vec<Gear>,
     /// True if a force or a torque depends on a condition.
     pub has_switched_loads: bool,
-    /// Pairs (body, point) that contacts or rolling constraints of the model relate.
+    /// Pairs of a body and a point whose velocity or force the model refers to this body. The point need not be fixed in the body, such
+    /// as the contact point of a wheel.
     pub touched: Vec<(usize, usize)>,
     /// The points on which forces act.
     forces: Vec<usize>,

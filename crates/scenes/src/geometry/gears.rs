@@ -13,6 +13,7 @@ const PULLEY: f64 = 0.3;
 /// Two wheels with proportional angles.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GearPair {
+    /// The two wheels.
     pub wheels: [GearWheel; 2],
     /// True if both turn in one direction, as the pulleys of a belt; false for a pair of toothed wheels.
     pub is_belt: bool,

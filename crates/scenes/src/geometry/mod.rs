@@ -29,6 +29,7 @@ use std::sync::Arc;
 /// The structure of a system, and the compiled positions of its points. Points, frames and bodies are given by their indices.
 #[derive(Debug)]
 pub struct Geometry {
+    /// The model of the system.
     pub model: Arc<Model>,
     /// Names of the points; empty for points without a name.
     pub names: Vec<String>,

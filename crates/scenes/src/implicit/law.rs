@@ -10,6 +10,7 @@ use std::sync::{Arc, OnceLock};
 /// A law whose accelerations are solved for at each evaluation.
 #[derive(Debug)]
 pub(crate) struct ImplicitLaw {
+    /// The linear equations for the accelerations.
     pub equations: Arc<Implicit>,
     series: LawSeries,
     /// The time scales of explicit functions of time, which limit the step; `None` if time appears only linearly.
@@ -17,6 +18,7 @@ pub(crate) struct ImplicitLaw {
 }
 
 impl ImplicitLaw {
+    /// The law of these equations.
     pub fn new(equations: Implicit) -> Self {
         let model = Arc::clone(&equations.model);
         ImplicitLaw {

@@ -9,7 +9,9 @@ const MET: f64 = 1e-10;
 
 /// The laws at a point. Columns of the Jacobian: open speeds, open accelerations, multipliers.
 pub(super) struct Laws {
+    /// The residual of each law.
     pub residuals: DVector<f64>,
+    /// Derivatives of the residuals, one row for each law.
     pub jacobian: DMatrix<f64>,
     /// For each law, the index of the speed of its force balance; `None` for a constraint or a prescribed current.
     pub speeds: Vec<Option<usize>>,
@@ -21,6 +23,7 @@ pub(super) struct Laws {
 type Row<'a> = (&'a Values, usize);
 
 impl Laws {
+    /// The laws at a point whose equations are `at`.
     pub fn of(currents: &Currents<'_>, at: &At, point: &Point) -> Self {
         let rates = currents.rates.iter().map(|&row| ((&at.rate, row), None));
         let (rows, speeds): (Vec<Row<'_>>, Vec<Option<usize>>) = rates.chain(own(currents, at)).unzip();

@@ -3,8 +3,9 @@
 use super::RANK;
 use nalgebra::{DMatrix, DVector};
 
-/// The solution of least norm in scaled unknowns, with the kernel of the matrix.
+/// The solution with the least norm in scaled unknowns, and the kernel of the matrix.
 pub(super) struct Scaled {
+    /// The solution in the original units of the unknowns.
     pub solution: DVector<f64>,
     /// An orthonormal basis of the kernel in scaled unknowns: one row per basis vector.
     kernel: DMatrix<f64>,

@@ -129,8 +129,8 @@ struct Turned {
 }
 
 impl Turned {
-    /// Composes turns, each about an axis e (index) by an angle with three derivatives. A vector a of the frame before the turn has the
-    /// components b = R^T a in the turned frame, with the rate
+    /// Composes turns, each about an axis e (given by its index) by an angle with three derivatives. A vector a of the frame before the
+    /// turn has the components b = R^T a in the turned frame, with the rate
     ///
     ///   b' = R^T a' - e theta' x b ,
     ///

@@ -79,10 +79,15 @@ pub struct Values {
     pub values: DVector<f64>,
     /// Derivatives by a displacement along each speed: of its coordinate, or by a small rotation about an axis of a free frame.
     pub by_coordinates: DMatrix<f64>,
+    /// Derivatives by the speeds.
     pub by_speeds: DMatrix<f64>,
+    /// Derivatives by the accelerations.
     pub by_accelerations: DMatrix<f64>,
+    /// Derivatives by the multipliers.
     pub by_multipliers: DMatrix<f64>,
+    /// Derivatives by the inputs.
     pub by_inputs: DMatrix<f64>,
+    /// Partial derivatives by the time.
     pub by_time: DVector<f64>,
 }
 
@@ -91,11 +96,11 @@ pub struct Values {
 pub struct At {
     /// The equations of motion M z + h - Q - J^T lambda.
     pub motion: Values,
-    /// Position constraints f; rows of other constraints are zero or their law.
+    /// f of every constraint.
     pub zero: Values,
-    /// The constraints of speeds, and the rates df/dt of position constraints.
+    /// df/dt of position constraints, f of constraints of speeds.
     pub rate: Values,
-    /// The constraints of accelerations J z + c.
+    /// The next time derivative J z + c.
     pub acceleration: Values,
     /// The outputs of the model.
     pub outputs: Values,

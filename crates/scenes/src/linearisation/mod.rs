@@ -52,9 +52,13 @@ pub struct Linearisation {
     pub speeds: Vec<usize>,
     /// Variations of all displacements, then of all speeds, as functions of x: 2n rows for n speeds, one column for each state.
     pub variations: DMatrix<f64>,
+    /// A: states by states.
     pub a: DMatrix<f64>,
+    /// B: states by inputs.
     pub b: DMatrix<f64>,
+    /// C: outputs by states.
     pub c: DMatrix<f64>,
+    /// D: outputs by inputs.
     pub d: DMatrix<f64>,
 }
 

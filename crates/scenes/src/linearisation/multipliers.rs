@@ -52,11 +52,11 @@ pub struct Multipliers {
 /// Multipliers that are exactly one, by their causes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Ones {
-    /// The number of cyclic coordinates, each of which gives one.
+    /// The number of cyclic coordinates; each gives a multiplier of one.
     pub cyclic: usize,
-    /// True if the law is autonomous and the motion is not at rest: a shift in time gives one.
+    /// True if the law is autonomous and the system moves: a shift in time gives a multiplier of one.
     pub shift: bool,
-    /// True if the energy is conserved, which gives one more.
+    /// True if the energy is conserved, which gives one more multiplier of one.
     pub energy: bool,
 }
 

@@ -17,9 +17,13 @@ pub(crate) struct Slopes<S> {
 /// of speeds.
 #[derive(Clone, Debug)]
 pub(crate) struct AllSlopes<S> {
+    /// M z + h - Q - J^T lambda.
     pub motion: Slopes<S>,
+    /// f of every constraint.
     pub zero: Slopes<S>,
+    /// df/dt of position constraints, f of constraints of speeds.
     pub rate: Slopes<S>,
+    /// The next time derivative J z + c.
     pub acceleration: Slopes<S>,
 }
 

@@ -41,7 +41,7 @@ impl fmt::Display for NoInstance {
     }
 }
 
-/// The states of a run at `times` (s), across its events. The method is that of the scene; its tolerance is at most [`FINE`]. `allowed`
+/// The states of a run at `times` (s), across its events. The method is that of the scene; its tolerance is at most 1e-11. `allowed`
 /// limits the computing time.
 ///
 /// # Errors

@@ -26,7 +26,7 @@ pub(crate) struct Parted {
     pub multipliers: Vec<Sym>,
     /// The unknown symbols: algebraic speeds, then multipliers of constraints that contain them.
     pub letters: Vec<Sym>,
-    /// The equations for these symbols, as expressions that are zero: the law of each algebraic speed, then each constraint.
+    /// The equations for these symbols, as expressions equal to zero: the law of each algebraic speed, then each constraint.
     pub zeros: Vec<Sym>,
     /// The conditions and contacts that contain an algebraic speed: the mode determines their values.
     pub is_direct: Direct,
@@ -175,7 +175,7 @@ impl Parted {
 pub(super) struct Settled {
     /// Symbols with their expressions.
     pub values: Vec<(Sym, Sym)>,
-    /// Implicit algebraic speeds, each with an equation as an expression that is zero; a run integrates their rates.
+    /// Implicit algebraic speeds, each with an equation as an expression equal to zero; a run integrates their rates.
     pub implicit: Vec<(Sym, Sym)>,
     /// Indices of conditions held at zero whose switches are among `values`.
     pub switches: Vec<usize>,

@@ -13,7 +13,7 @@ use symbolic::{Derivation, Sym, substitute_all};
 /// The number of reaction symbols of a contact: N, and T along each of two tangents. In the plane the last is zero.
 pub(crate) const PARTS: usize = 3;
 
-/// The normal and tangential equations of each contact, as expressions that are zero; for a guide that the coordinates satisfy, the
+/// The normal and tangential equations of each contact, as expressions equal to zero; for a guide that the coordinates satisfy, the
 /// balance of forces across it. They contain accelerations and multipliers.
 pub(super) fn kept_at_zero(trace: &Trace<'_>) -> Vec<[Sym; PARTS]> {
     let of = |(contact, balance): (&Contact, Option<Sym>)| {
@@ -94,7 +94,7 @@ pub(super) struct ReactionEquations {
     pub rows: Vec<Vec<Sym>>,
     /// Their right side.
     pub right: Vec<Sym>,
-    /// The equations as expressions that are zero.
+    /// The equations as expressions equal to zero.
     zeros: Vec<Sym>,
 }
 

@@ -32,9 +32,12 @@ pub(super) enum Sets {
 /// An event: `signal` is the index of the signal, of the law before the event, that crosses zero.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Crossing {
+    /// The time, s.
     pub time: f64,
     pub signal: usize,
+    /// The kind of zero crossing.
     pub what: Happening,
+    /// The change of the state.
     pub sets: Sets,
 }
 

@@ -31,7 +31,9 @@ const RANK: f64 = 1e-11;
 /// happens.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Critical {
+    /// The factor of all coefficients of friction.
     pub factor: f64,
+    /// The mode: contacts of the critical set slide, all others are open.
     pub mode: Mode,
 }
 

@@ -34,7 +34,7 @@ pub(super) const SLACKS: [f64; 7] = [16.0, 256.0, 4096.0, 65_536.0, 1_048_576.0,
 pub(super) enum Standing {
     /// A contact does not press, because others carry the body.
     Carries,
-    /// A condition, or a contact, whose case requires that it leaves zero, remains there.
+    /// A condition, or a contact, remains at zero although its case requires that it leaves zero.
     Rests,
     /// The switch value of a held condition, or a reaction, remains at its bound.
     AtBound,
@@ -60,8 +60,8 @@ pub(super) enum Decided {
     Continuum,
     /// There are more combinations than [`MOST_TRIED`].
     TooMany,
-    /// No combination that was tried is consistent. Several contacts in space are closed and not all of them slide; such combinations are
-    /// not all tried.
+    /// No combination that was tried is consistent. Several contacts in space are closed, at least one of them at rest; not all their
+    /// combinations are tried.
     RestTogether,
 }
 

@@ -4,7 +4,7 @@
 //! to T_l = 0. Outputs show the distribution with the least sum of |T|^2/(mu N), which weights each contact by its friction bound: the
 //! feet of a pushed table reach their bounds together. With a multiplier m for each T_f, this minimum is
 //!
-//!   T_f = D_f m,    T_l = -D_l Z' m,    (D_f + Z D_l Z') m = T_0,    D = mu N,
+//!   T_f = D_f m,    T_l = -D_l Z' m,    (D_f + Z D_l Z') m = T_0,    D = mu N.
 //!
 //! A contact without pressure takes no friction.
 

@@ -203,7 +203,7 @@ impl Modes {
         }
     }
 
-    /// The time, s, in which the contact of an event comes to rest; zero if the event is not that it has slowed down.
+    /// The time, s, in which the contact of an event comes to rest; zero for events other than [`Fall::Slows`].
     pub(super) fn rest_of_a_glide(before: &Current, event: &Event, state: &[f64]) -> f64 {
         let Fall::Slows { contact } = before.moded.signals.falls[event.signal] else { return 0.0 };
         time_to_rest(before, contact, event, state)

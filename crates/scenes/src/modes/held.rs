@@ -128,7 +128,7 @@ pub(crate) fn held(trace: &Trace<'_>, mode: &Mode, parted: Parted) -> Result<Mod
     Ok(ModeMotion { switches, parts, accelerations, multipliers, reactions, determinant, speeds, implicit })
 }
 
-/// The rates of implicit speeds: the rates of their equations, expressions that are zero, are zero.
+/// The rates of implicit speeds, from the time derivatives of their equations `zeros`, which are expressions equal to zero.
 fn implicit_rates(
     trace: &Trace<'_>,
     speeds: &[Sym],
@@ -186,13 +186,13 @@ fn zeros(trace: &Trace<'_>, conditions: &[Sym]) -> Vec<(Sym, Sym)> {
     known
 }
 
-/// The solution of linear equations, or the index of the first row without a pivot.
+/// The solution of linear equations, or the index of the first column without a pivot.
 fn solved(rows: Vec<Vec<Sym>>, right: Vec<Sym>) -> Result<Vec<Sym>, usize> {
     eliminated(rows, right).map(|(values, _)| values)
 }
 
-/// The solution of linear equations by Gaussian elimination without reordering of columns, and the determinant; or the index of the first
-/// row without a pivot.
+/// The solution of linear equations by Gaussian elimination with the first nonzero pivot of each column, and the determinant; or the
+/// index of the first column without a pivot.
 pub(crate) fn eliminated(mut rows: Vec<Vec<Sym>>, mut right: Vec<Sym>) -> Result<(Vec<Sym>, Sym), usize> {
     let (n, mut determinant) = (right.len(), Sym::ONE);
     for pivot in 0..n {

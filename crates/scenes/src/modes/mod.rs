@@ -1,5 +1,5 @@
-//! Modes of a hybrid model, which are the case of each condition and the phase of each contact: the law of each mode, the events that end
-//! it, and the choice of the next mode.
+//! Modes of a hybrid model. A mode is the case of each condition and the phase of each contact; each mode has a law. This module compiles
+//! the laws, detects the events that end them, and chooses the next mode.
 
 mod accumulation;
 mod algebraic;
@@ -159,7 +159,7 @@ impl Laws {
     /// The law of a mode, compiled on first use.
     ///
     /// # Errors
-    /// [`Refused`] if no motion, or more than one, starts from the state.
+    /// The reason for which this mode has no law.
     fn moded(&self, mode: &Mode) -> Result<Arc<Moded>, NotCompiled> {
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
         let made = known.entry(mode.clone()).or_insert_with(|| {
@@ -241,7 +241,7 @@ impl Modes {
     /// The law of the motion from a state at time zero.
     ///
     /// # Errors
-    /// The reason for which the mode has no law.
+    /// [`Refused`] if no motion, or more than one, starts from the state.
     pub fn first(&self, state: &[f64]) -> Result<Arc<CompiledSystem>, Refused> {
         let model = &self.laws.model;
         CompiledSystem::has_equations(model).map_err(Refused::Law)?;
@@ -263,7 +263,7 @@ impl Modes {
         Ok(Arc::clone(&begun.moded.system))
     }
 
-    /// The current law of the run, or its last.
+    /// The current law of the run; after its end, the last.
     pub fn current(&self) -> Option<Arc<CompiledSystem>> {
         let current = self.current.lock().unwrap_or_else(PoisonError::into_inner);
         current.as_ref().map(|current| Arc::clone(&current.moded.system))

@@ -24,11 +24,15 @@ pub(crate) struct ModeMotion {
     pub parts: Vec<Sym>,
     /// Symbols of algebraic speeds, with their expressions.
     pub speeds: Vec<(Sym, Sym)>,
-    /// Symbols of implicit algebraic speeds, each with an equation as an expression that is zero.
+    /// Symbols of implicit algebraic speeds, each with an equation as an expression equal to zero.
     pub implicit: Vec<(Sym, Sym)>,
 }
 
 impl ModeMotion {
+    /// The motion of a model in a mode.
+    ///
+    /// # Errors
+    /// The equations of the mode have no solution.
     pub(crate) fn of(trace: &Trace<'_>, mode: &Mode) -> Result<Self, NotCompiled> {
         held(trace, mode, Parted::of(trace)?)
     }

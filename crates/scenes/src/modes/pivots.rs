@@ -19,7 +19,7 @@ const PIVOTS: usize = 40;
 /// A number counts as zero if it is below this multiple of its error bound.
 const PIVOT: f64 = 64.0;
 
-/// The reason for which no consistent cases were found.
+/// Result of a search without consistent cases.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NotFound {
     /// True if every condition that had to be held at zero could be held.

@@ -33,6 +33,7 @@ pub struct Margin {
     pub asks: &'static str,
     /// Its value in `unit`.
     pub value: f64,
+    /// The SI unit; empty for a condition, whose unit is that of its expression.
     pub unit: &'static str,
 }
 

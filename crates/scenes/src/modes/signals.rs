@@ -80,6 +80,7 @@ impl Fall {
 /// The compiled signals with their rates, and the states that events set.
 #[derive(Debug)]
 pub(crate) struct Signals {
+    /// The meaning of each signal.
     pub(super) falls: Vec<Fall>,
     program: Program,
     events: usize,
@@ -88,6 +89,10 @@ pub(crate) struct Signals {
 }
 
 impl Signals {
+    /// Compiles the signals of a mode.
+    ///
+    /// # Errors
+    /// The mode has no motion, or a signal has no value.
     pub fn of(model: &Model, mode: &Mode) -> Result<Self, NotCompiled> {
         let (mut falls, mut wrong) = (Vec::new(), None);
         let states = model.positions() + model.speeds();

@@ -101,7 +101,7 @@ fn gaps<'a>(trace: &'a Trace<'_>) -> impl Iterator<Item = Sym> + 'a {
     trace.model.contacts.iter().map(|contact| trace.scalar(contact.gap))
 }
 
-/// The equations for all symbols, as expressions that are zero: rates of conditions, equations of contacts, laws of algebraic speeds. A
+/// The equations for all symbols, as expressions equal to zero: rates of conditions, equations of contacts, laws of algebraic speeds. A
 /// direct quantity has its value as the equation, or its rate if the value contains no unknowns. With algebraic speeds the rates follow
 /// after all rows.
 fn rows(trace: &Trace<'_>, parted: &Parted, conditions: &[Sym], motion: &[(Sym, Sym)]) -> Vec<Sym> {

@@ -5,8 +5,7 @@
 //!
 //! * Newton: the rate of the gap after the impact is -e gap'. Coulomb's law holds for the total impulses, with the v after the impact.
 //! * Poisson: N in the restitution phase is e times the N of the compression phase, which ends at gap' = 0. Coulomb's law holds at every
-//!   instant of
-//!   the impact, so that sliding may stop or reverse during the impact (Routh 1860).
+//!   instant of the impact, so that sliding may stop or reverse during the impact (Routh 1860).
 //!
 //! Both laws may increase the energy with friction (Kane 1984, Stronge 1990); such an impact is refused.
 

@@ -63,6 +63,7 @@ pub(super) struct Expansions {
     slopes: Vec<Slope>,
     /// For each condition: the condition whose positive or negative multiple it is, if any.
     pub mirrored: Vec<Option<Mirrored>>,
+    /// The properties of each contact.
     pub kinds: Vec<Kind>,
     /// For each condition: true if it contains an algebraic speed, so that the mode determines its value.
     pub direct_conditions: Vec<bool>,
@@ -78,8 +79,11 @@ pub(super) struct Expansions {
 /// The properties of a contact that do not change.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Kind {
+    /// One-sided or two-sided.
     pub sides: Sides,
+    /// True if it has a coefficient of friction.
     pub is_rough: bool,
+    /// The law of impact.
     pub law: Restitution,
     /// True if the contact is a guide that the coordinates satisfy.
     pub is_guide: bool,
@@ -102,8 +106,9 @@ struct Slope {
 /// The Taylor series of the quantities of a contact.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Touching<const N: usize> {
-    /// Distance, m.
+    /// Distance, m; for a diode its current, A, for a freewheel a speed, rad/s.
     pub gap: Jet<N>,
+    /// Rate of the gap, m/s.
     pub gap_rate: Jet<N>,
     /// Sliding velocity along the first tangent, m/s.
     pub slide: Jet<N>,
@@ -113,13 +118,16 @@ pub(super) struct Touching<const N: usize> {
     pub friction: Jet<N>,
     /// Normal reaction, then friction along each tangent, N.
     pub reactions: [Jet<N>; PARTS],
+    /// True if it has two tangents.
     pub is_in_space: bool,
 }
 
 /// The instant and state from which a motion continues.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Instant<'a> {
+    /// The time, s.
     pub time: f64,
+    /// Coordinates, then speeds.
     pub state: &'a [f64],
     /// The error of the time of the last event, s.
     pub late: f64,
@@ -135,15 +143,20 @@ impl<'a> Instant<'a> {
     }
 }
 
-/// Taylor series of the motion in a mode, from an instant on.
+/// Taylor series of the motion in a mode, from an instant on; N coefficients each.
 #[derive(Clone, Debug)]
 pub(super) struct Expansion<const N: usize> {
+    /// The rates of the state.
     pub rates: Vec<Jet<N>>,
+    /// The expressions of the conditions.
     pub conditions: Vec<Jet<N>>,
+    /// The value of each switch: 0, 1, or the value for which the condition stays at zero.
     pub switches: Vec<Jet<N>>,
     /// The switches; for a switch at its bound the value that it would have without the bound.
     pub parts: Vec<Jet<N>>,
+    /// The contacts.
     pub contacts: Vec<Touching<N>>,
+    /// The expressions of the events of the model.
     pub events: Vec<Jet<N>>,
     /// Derivatives of the rates of conditions by the switches, including the effect of the reactions that depend on these.
     pub slopes: Slopes<N>,
@@ -163,6 +176,10 @@ impl<const N: usize> Expansion<N> {
 }
 
 impl Expansions {
+    /// Compiles the function of a model.
+    ///
+    /// # Errors
+    /// The equations of motion are singular, or an expression has no value.
     pub fn of(model: &Model) -> Result<Self, NotCompiled> {
         apart(|| equations::expansions(model))
     }

@@ -16,6 +16,7 @@ const AT_ONCE: f64 = 1e-9;
 
 /// The state after an impact of several contacts.
 pub(in super::super) struct AfterImpact {
+    /// Coordinates, then speeds, after the impact.
     pub state: Vec<f64>,
     /// Indices of the contacts that the impact opens.
     pub opened: Vec<usize>,

@@ -30,6 +30,7 @@ pub(super) struct Partner<S> {
     pub sliding: S,
     /// The coefficient of friction; `None` for a smooth contact.
     pub friction: Option<S>,
+    /// The coefficient of restitution.
     pub restitution: S,
     /// True for a two-sided contact.
     pub holds: bool,
