@@ -161,7 +161,7 @@ pub fn derived<R: Send>(
     })
 }
 
-/// Longer equations, in operations, get letters for the derivatives by speeds, if these make them shorter by a quarter.
+/// Equations with more operations than this get letters for the derivatives by speeds, if that makes them shorter by a quarter.
 const MOST_WITHOUT_LETTERS: f64 = 12_000.0;
 
 fn in_quasi_velocities<R: Send>(
@@ -210,7 +210,7 @@ pub enum Notation {
     Code(Language),
 }
 
-/// Longer equations, in operations, are printed as code only. A megabyte of text has two hundred thousand operations.
+/// Equations with more operations than this are printed as code only. A megabyte of text has two hundred thousand operations.
 const MOST_WRITTEN: f64 = 1_000_000.0;
 
 impl Derived<'_, '_> {

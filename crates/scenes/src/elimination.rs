@@ -14,8 +14,8 @@ pub(crate) enum Elimination {
     Solved,
 }
 
-/// Systems with more unknowns (accelerations and multipliers together) are solved numerically: the length of an elimination grows with
-/// its third power.
+/// Systems with more unknowns than this (accelerations and multipliers together) are solved numerically: the length of an elimination
+/// grows with the third power of their number.
 pub(crate) const MOST_WRITTEN: usize = 40;
 
 /// Taylor series of systems with at least this many unknowns solve linear equations for them. Time of a series of order 20 on chains of
@@ -27,7 +27,7 @@ pub(crate) const LEAST_SOLVED: usize = 5;
 /// machine) a step without one took 1.45 times as long.
 pub(crate) const LEAST_MOVING: usize = 4;
 
-/// A model with more constraints than these does not count as a tree: its loops are closed by constraints.
+/// A model with more constraints than this does not count as a tree: constraints close loops between bodies.
 const MOST_LOOPS: usize = 200;
 
 /// True if accelerations can be eliminated along a tree of bodies, with a length linear in their number.

@@ -23,7 +23,7 @@ pub struct Figure {
     pub touches: Vec<Touch>,
     /// Forces that do not act between two points, N, each with the index of its point.
     pub forces: Vec<(usize, Vector3<f64>)>,
-    /// Torques that are neither of a spring nor of a dashpot, N m, in the order of the geometry.
+    /// Torques that are neither of a spring nor of a dashpot, N m, in the order of `Geometry::couples`.
     pub torques: Vec<Vector3<f64>>,
     /// The mass, kg, and the entries xx, yy, zz, xy, xz, yz of the inertia tensor, kg m², of each body; zero if not given.
     pub inertias: Vec<[f64; 7]>,

@@ -58,7 +58,7 @@ pub struct Regimes {
     pub regimes: Vec<Regime>,
     /// The number of motions that continue from the state.
     pub motions: Motions,
-    /// The critical friction; `None` if no factor is critical, or a contact slides in space.
+    /// The critical friction; `None` if no factor is critical, a contact slides in space, or more than seven contacts are closed.
     pub critical: Option<CriticalFriction>,
 }
 
