@@ -74,7 +74,7 @@ pub(super) struct Symbolic {
     pub contacts: Vec<(usize, usize)>,
 }
 
-/// The compiled geometry, and the numbers by which its outputs are divided.
+/// The compiled geometry. The numbers of states, points, frames, bodies and loads give the layout of its inputs and outputs.
 #[derive(Debug)]
 pub(super) struct Recorded {
     program: Program,

@@ -26,7 +26,7 @@ const ROUNDED: f64 = 1e-23;
 /// Iterations of the scaling of rows and columns to the size one (Ruiz 2001).
 const ROUNDS: usize = 20;
 
-/// The determination of accelerations by the inertia of a model.
+/// The result of the rank test of a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Inertia {
     /// The mass matrix is regular on the speeds that appear in it; or the test was not possible.
@@ -38,7 +38,7 @@ pub(crate) enum Inertia {
 }
 
 impl Inertia {
-    /// The result for a model whose law does not change and whose parameters have values.
+    /// Tests a model whose law does not change and whose parameters have values.
     pub fn of(model: &Model) -> Self {
         let (n, m) = (model.speeds(), model.constraints.len());
         if n == 0 || n + m > MOST_WRITTEN || !model.algebraic_speeds.is_empty() {

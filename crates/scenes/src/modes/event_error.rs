@@ -10,8 +10,8 @@ use super::signals::Fall;
 use super::touch::margins;
 use integrators::{Event, Happening};
 
-/// An upper bound of the error, in roundings of the time, for systems with algebraic speeds: an exponentially decaying signal reaches
-/// zero by rounding, with an equally small rate, so that its residual gives no error estimate.
+/// An upper limit of the error estimate, in roundings of the time, for systems with algebraic speeds: an exponentially decaying signal
+/// reaches zero by rounding, with an equally small rate, so that its residual gives no error estimate.
 const LOCATED: f64 = 64.0;
 
 /// The error estimate, s, of the time of an event; zero if none is available.
