@@ -1,4 +1,4 @@
-//! The linear equations for the accelerations and multipliers at any state, in numbers:
+//! Numeric values of the linear equations for the accelerations u' and the multipliers lambda at a state:
 //!
 //!   [ M  J^T ] [   u'    ]   [ -h ]
 //!   [ J   0  ] [ -lambda ] = [ -c ]
@@ -11,19 +11,19 @@ use nalgebra::DMatrix;
 use simulation::Program;
 use symbolic::{Sym, substitute_all};
 
-/// Singular values below this part of the largest one are taken for zero.
+/// Singular values below this multiple of the largest one count as zero.
 const RANK: f64 = 1e-11;
 
-/// The matrix and the right side of a model in a mode.
+/// Compiled matrix and right side of these equations for a model in one mode.
 pub(crate) struct MotionMatrix {
     program: Program,
-    /// Row and column of each entry that may differ from zero.
+    /// Row and column of each entry that is not identically zero.
     places: Vec<(usize, usize)>,
     size: usize,
 }
 
 impl MotionMatrix {
-    /// Compiles the matrix; `None` where an expression has no values.
+    /// Compiles the matrix and the right side; `None` where an expression of them cannot be evaluated, for lack of a value.
     pub fn of(model: &Model, mode: &Mode) -> Option<Self> {
         let mut pattern = None;
         let program = Program::of(model.positions() + model.speeds(), |time, state| {
@@ -39,7 +39,7 @@ impl MotionMatrix {
         Some(MotionMatrix { program, places: pattern.places().to_vec(), size: pattern.size() })
     }
 
-    /// The matrix at a state; `None` where the program needs a number that is missing.
+    /// The matrix and the right side at a state (coordinates, then speeds) and a time in seconds; `None` where the evaluation fails.
     pub fn at(&self, time: f64, state: &[f64]) -> Option<Terms> {
         let MotionMatrix { program, places, size } = self;
         let mut found = vec![f64::NAN; places.len() + size];
@@ -51,10 +51,10 @@ impl MotionMatrix {
     }
 }
 
-/// The matrix and the right side at a state.
+/// The matrix and the right side at one state.
 pub(crate) struct Terms {
     pub size: usize,
-    /// The entries, row by row.
+    /// The entries, row by row; `size` rows and columns.
     pub matrix: Vec<f64>,
     pub right: Vec<f64>,
 }
@@ -65,7 +65,7 @@ impl Terms {
         DMatrix::from_fn(n, n, |i, j| self.matrix[i * self.size + j])
     }
 
-    /// The first n components of a null vector of the matrix; `None` where it is regular.
+    /// The first n components of a null vector of the matrix; `None` where the matrix is regular or these components are zero.
     pub fn free(&self, n: usize) -> Option<Vec<f64>> {
         // the singular value decomposition does not end for NaN
         if !self.matrix.iter().all(|entry| entry.is_finite()) {
@@ -80,7 +80,7 @@ impl Terms {
         direction.iter().any(|part| *part != 0.0).then_some(direction)
     }
 
-    /// M and J of a system with n speeds.
+    /// The blocks M (n rows) and J (one row for each constraint) of a system with n speeds.
     pub fn blocks(&self, n: usize) -> [DMatrix<f64>; 2] {
         let whole = DMatrix::from_row_slice(self.size, self.size, &self.matrix);
         [whole.view((0, 0), (n, n)).into_owned(), whole.view((n, 0), (self.size - n, n)).into_owned()]

@@ -1,4 +1,4 @@
-//! Prescribed motions: expressions of the time, in the letters of a file.
+//! Prescribed motions for inverse dynamics: coordinates, free frames and currents as expressions of the time.
 
 use crate::scene::model;
 use crate::system_text::SystemText;
@@ -9,18 +9,19 @@ use std::ops::Range;
 use std::path::Path;
 use symbolic::Dimension;
 
-/// Prescribed motions, each an expression of the time.
+/// A prescribed motion; its values are expressions of the time.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PrescribedMotion {
-    /// A coordinate, by its place.
+    /// The coordinate of index `place` is equal to `is`.
     Coordinate { place: usize, is: ScalarId },
-    /// A free frame, by its number: turns in its parent, one after the other, each about an axis x, y or z that the one before has turned.
+    /// The free frame of index `frame` turns in its parent by successive rotations; each is an axis (0 to 2 for x, y, z) of the frame as turned
+    /// so far, and an angle in radians.
     Turns { frame: usize, turns: Vec<(usize, ScalarId)> },
-    /// A current: an output of the model, by its place, is its prescription less its value.
+    /// A current is prescribed: the model's output of index `output` is the prescription minus the current, in amperes, and must vanish.
     Speed { output: usize },
 }
 
-/// A motion before its expressions have a meaning: the texts of them, and of turns the axes.
+/// A prescribed motion whose expressions are still text.
 enum Written<'a> {
     Coordinate { place: usize, is: &'a str },
     Turns { frame: usize, turns: Vec<(usize, &'a str)> },
@@ -29,11 +30,11 @@ enum Written<'a> {
 
 const TURNS: &str = "turns one after the other: F = 0.3*sin(t*(2 rad/s)) about x, then (10 deg) about z";
 
-/// Reads the system of a file with prescribed motions: coordinates and free frames by their names, with expressions of the time as the
-/// file could have them.
+/// Reads the system of a file together with prescribed motions. Each motion is the name of a coordinate, free frame or current, and an
+/// expression of the time `t` in the language of the file.
 ///
 /// # Errors
-/// All that is wrong with the system, and with the motions.
+/// The issues of the file, or of the motions if one names no such quantity or its expression is not accepted.
 pub fn read_prescribed(
     path: &Path,
     motions: &[(String, String)],
@@ -41,11 +42,11 @@ pub fn read_prescribed(
     parse_prescribed(&SystemText::read(path)?, motions, &[], "--motion")
 }
 
-/// The system of a text, with its values, and prescribed motions, which messages call by the last argument. The motions may not depend on
-/// parameters and inputs that are sought.
+/// The model of a system's text, with its values, together with prescribed motions. The motions must not contain the names in `sought`
+/// (unknown parameters and inputs). `called` is the name by which messages refer to the motions, such as `--motion`.
 ///
 /// # Errors
-/// All that is wrong with the system, and with the motions.
+/// The issues of the text, or of the motions if one names no such quantity or its expression is not accepted.
 pub fn parse_prescribed(
     system: &SystemText,
     motions: &[(String, String)],
@@ -88,7 +89,7 @@ pub fn parse_prescribed(
             source.outputs.push(Entry { name, value: Text::at(is, at) });
         };
         for (place, ((name, _), motion)) in motions.iter().zip(&all).enumerate() {
-            // the sum has the dimension of what is prescribed, or is refused
+            // the added zero gives the sum the dimension of the prescribed quantity, and other dimensions are refused
             match motion {
                 Written::Coordinate { is, .. } => expression(place, is, format!("{is} + ({name} - {name})")),
                 Written::Turns { turns, .. } => {
@@ -138,10 +139,10 @@ pub fn parse_prescribed(
     Ok((system.with_its_values(model)?, prescribed))
 }
 
-/// The motions as they were written, a line each.
+/// The motions as a text of one line each, to which messages refer.
 struct Options<'a> {
     text: String,
-    /// The first byte of each line, and of each expression.
+    /// The first byte of each line; `expressions` has that of each expression.
     lines: Vec<usize>,
     expressions: Vec<usize>,
     motions: &'a [(String, String)],
@@ -159,21 +160,21 @@ impl<'a> Options<'a> {
         options
     }
 
-    /// A whole motion.
+    /// The range of bytes of a motion in the text.
     fn line(&self, place: usize) -> Range<usize> {
         let (name, is) = &self.motions[place];
         let start = self.lines[place];
         start..start + name.len() + " = ".len() + is.len()
     }
 
-    /// Bytes of a motion's expression before a part of it.
+    /// The offset in bytes of `part` within a motion's expression.
     fn within(&self, place: usize, part: &str) -> usize {
         let whole = &self.motions[place].1;
         (part.as_ptr() as usize).checked_sub(whole.as_ptr() as usize).filter(|at| *at <= whole.len()).unwrap_or(0)
     }
 }
 
-/// A motion by the name of its coordinate, current, quasi-velocity or free frame; else the fault, and what is accepted.
+/// Assigns an expression to the coordinate, current or free frame of this name; otherwise the fault, and the accepted names.
 fn written<'a>(own: &Model, name: &str, is: &'a str) -> Result<Written<'a>, (&'static str, String)> {
     if let Some(place) = own.coordinates.iter().position(|one| one.name == name && is_own(one)) {
         return Ok(Written::Coordinate { place, is });
@@ -192,12 +193,12 @@ fn written<'a>(own: &Model, name: &str, is: &'a str) -> Result<Written<'a>, (&'s
     turns.map(|turns| Written::Turns { frame, turns }).ok_or(("a free frame turns", TURNS.to_owned()))
 }
 
-/// Whether a coordinate is one of the file: the charge of a winding is known by its current alone.
+/// Whether the coordinate is declared in the file; others are charges of windings, of which only the currents are known.
 fn is_own(coordinate: &Coordinate) -> bool {
     !coordinate.name.contains('.')
 }
 
-/// Speeds that may be prescribed: currents, and quasi-velocities that are currents.
+/// The names of all currents that may be prescribed.
 fn currents(own: &Model) -> Vec<String> {
     let of_charge = own.coordinates.iter().filter(|one| one.dimension == Dimension::current() * Dimension::time());
     let rates = of_charge.filter(|one| is_own(one)).map(|one| format!("{}'", one.name));
@@ -206,12 +207,12 @@ fn currents(own: &Model) -> Vec<String> {
     of_drive.chain(quasi.map(|one| one.name.clone())).chain(rates).collect()
 }
 
-/// The names in a text.
+/// The words of a text: maximal sequences of letters, digits and underscores.
 fn words(text: &str) -> impl Iterator<Item = &str> {
     text.split(|c: char| !(c.is_alphanumeric() || c == '_'))
 }
 
-/// The quantities that may be prescribed.
+/// The list of all quantities that may be prescribed, for messages.
 fn known(own: &Model) -> String {
     let frames = own.free.iter().map(|frame| own.frames[frame.0].name.as_str());
     let coordinates = own.coordinates.iter().filter(|one| is_own(one)).map(|one| one.name.as_str());

@@ -1,6 +1,6 @@
-//! Systems that have a name: a file says `system = "chain"` and gives data, and a crate builds the model.
+//! Systems with names: a file gives `system = "chain"` and data, and a crate builds the model in Rust.
 //!
-//! A crate brings them by [`submit!`](crate::submit):
+//! A crate registers them by [`submit!`](crate::submit):
 //!
 //! ```
 //! use dalembert_scenes::{NamedSystem, submit, with_tables};
@@ -22,7 +22,7 @@
 //!             source.points.push((point.as_str(), format!("O + {x}*N.z").as_str()).into());
 //!             source.bodies.push(BodySource::particle(&format!("mass{k}"), &point, "m"));
 //!         }
-//!         // values of parameters, starts, forces of the file are taken too
+//!         // parameters, starts and forces of the file are added
 //!         Some(with_tables(source, top))
 //!     },
 //! } }
@@ -32,16 +32,16 @@ use crate::text;
 use model::{Entry, Source};
 use reader::{Issue, Table};
 
-/// A system that a crate builds from the data of a file.
+/// A system that a crate builds from the data in a file.
 #[derive(Clone, Copy, Debug)]
 pub struct NamedSystem {
-    /// As files have it behind `system`.
+    /// The value of `system` in files.
     pub name: &'static str,
-    /// One line for lists.
+    /// A description of one line, for lists.
     pub summary: &'static str,
-    /// Whether a scene runs as this model; of others a law of their own runs, and the model answers what is asked of equations.
+    /// Whether a scene integrates this model. Otherwise another law is integrated, and the model only gives the equations.
     pub runs: bool,
-    /// Reads the data and builds the system; what is wrong with the data goes into the list.
+    /// Reads the data and builds the source of the model; faults of the data are added to the list.
     pub source: fn(&mut Table<'_>, &mut Vec<Issue>) -> Option<Source>,
 }
 
@@ -49,28 +49,28 @@ inventory::collect!(NamedSystem);
 
 reader::submit! { reader::KnownSystems(|| listed(|system| system.runs)) }
 
-/// Systems by name and summary.
+/// The names and summaries of the registered systems that fulfil a condition.
 fn listed(is_meant: impl Fn(&NamedSystem) -> bool) -> Vec<(&'static str, &'static str)> {
     let systems = inventory::iter::<NamedSystem>().filter(|system| is_meant(system));
     systems.map(|system| (system.name, system.summary)).collect()
 }
 
-/// The system that a text names.
+/// The registered system of this name.
 fn named(name: &str) -> Option<&'static NamedSystem> {
     inventory::iter::<NamedSystem>().find(|system| system.name == name)
 }
 
-/// Whether the model of a named system is what its scenes run.
+/// Whether scenes of the named system integrate its model.
 pub(crate) fn runs(name: &str) -> bool {
     named(name).is_some_and(|system| system.runs)
 }
 
-/// Whether a crate builds a model of this name.
+/// Whether a system of this name is registered.
 pub(crate) fn knows(name: &str) -> bool {
     named(name).is_some()
 }
 
-/// The system of a file: the one that it names, or the one that is written in it.
+/// The source of the system in a file: built by a crate if `system` names a registered one, otherwise read from the tables of the file.
 pub(crate) fn source(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Source> {
     if !top.has("system") {
         return Some(text::source(top));
@@ -82,7 +82,7 @@ pub(crate) fn source(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Sou
     }
 }
 
-/// A system with what the tables of a file add to it: a parameter or a start that both give has the file's value.
+/// A source together with the tables of a file. Parameters, outputs and starts with equal names have the values of the file.
 pub fn with_tables(base: Source, top: &mut Table<'_>) -> Source {
     let own = text::source(top);
     Source {
@@ -113,7 +113,7 @@ pub fn with_tables(base: Source, top: &mut Table<'_>) -> Source {
     }
 }
 
-/// Entries, those of a name that both have as the second has them.
+/// The union of two lists of entries; an entry of `own` replaces that with the same name.
 fn replaced(mut entries: Vec<Entry>, own: Vec<Entry>) -> Vec<Entry> {
     for entry in own {
         match entries.iter_mut().find(|known| known.name.text == entry.name.text) {

@@ -1,15 +1,15 @@
-//! The error of files without a system, with the two ways to give one.
+//! The error of a file that defines no system, with the two ways to define one.
 
 use crate::text::is_of_system;
 use reader::{Issue, SceneError, tables};
 
-/// The keys of which a file needs one.
+/// The keys that define a system; a file needs one of them.
 const WAYS: [&str; 2] = ["coordinates", "system"];
 
-/// The faults that such a file has in every command.
+/// The titles of the faults of a file without a system, in any command.
 const TITLES: [&str; 2] = ["`system` is missing", "the system has no coordinates"];
 
-/// Replaces all faults of a file without a system by that one, with the ways to give a system.
+/// Replaces all faults of a file without a system by a single one that says how to define a system. Other errors are returned unchanged.
 pub fn with_ways_to_a_system(error: SceneError) -> SceneError {
     if !error.issues.iter().any(|issue| TITLES.contains(&issue.title.as_str())) {
         return error;

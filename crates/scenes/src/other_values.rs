@@ -1,4 +1,4 @@
-//! A scene with other values of its parameters and of its start.
+//! Variants of a scene with changed values of parameters and of the start, or with parameters at the limits zero and infinity.
 
 use crate::admissible::impossible;
 use crate::branch::settled;
@@ -52,7 +52,7 @@ impl Modelled for ModelScene {
         source.rigid.extend(unbounded.iter().map(|&name| name.to_owned()));
         let elaborated = Model::of(&source).and_then(settled);
         let mut model = elaborated.map_err(|faults| faults.first().map_or_else(String::new, in_short))?;
-        // values that were changed since the file was read
+        // parameters may have been changed after the file was read
         for (own, given) in model.parameters.iter_mut().zip(&self.model.parameters) {
             if !source.absent.contains(&own.name) {
                 own.clone_from(given);
@@ -65,7 +65,7 @@ impl Modelled for ModelScene {
             let start = matrix.and_then(|terms| joined(&model, self.start.clone(), terms.mass(model.speeds())));
             let start = start.unwrap_or_else(|| self.start.clone());
             model.start = starting(&model, &start).start;
-            // the completed start satisfies the constraints but for rounding, which a guess may correct
+            // the completed start satisfies the constraints up to rounding; as a guess it may be corrected
             model.start.iter_mut().for_each(|start| start.is_guess = true);
             model.start_speeds.clear();
         }
@@ -81,17 +81,17 @@ fn in_short(fault: &Fault) -> String {
 }
 
 impl ModelScene {
-    /// The scene with other values of parameters and of its start.
+    /// The scene with changed values; each is the name of a parameter or of a component of the start, and a number in SI units.
     ///
     /// # Errors
-    /// The reason for which there is no such scene.
+    /// The reason as a text, if a name is unknown or no motion starts from the changed values.
     pub(crate) fn varied(&self, values: &[(&str, f64)]) -> Result<Self, String> {
         let mut model = (*self.model).clone();
         model.set_values(values)?;
         self.started(model)
     }
 
-    /// The scene with another model, whose start is completed.
+    /// The scene with another model, whose start is completed first.
     fn started(&self, model: Model) -> Result<Self, String> {
         let told = |issue: Issue| format!("{}: {}", issue.title, issue.label);
         if let Some(issue) = impossible(&model).into_iter().next() {

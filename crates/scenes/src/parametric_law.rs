@@ -1,4 +1,4 @@
-//! The equations of motion with every parameter as an input: one law for all ensemble members.
+//! The equations of motion with all parameters as inputs: one compiled law for all members of an ensemble.
 
 use crate::compiled_system::{NotCompiled, outputs, outputs_of_solved, rates};
 use crate::conservation::conserves;
@@ -13,19 +13,19 @@ use simulation::Expandable;
 use symbolic::linear::Solve;
 use symbolic::{Sym, Tape, Untapeable, apart};
 
-/// The law of a model and its outputs, over state, time and parameters.
+/// The law and the outputs of a model as functions of state, time and parameters.
 #[derive(Debug)]
 pub(crate) struct ParametricLaw {
     pub law: Expandable,
-    /// Computes outputs, kinetic and potential energy from state, time and parameters, and from accelerations and multipliers where these
-    /// are solved for.
+    /// Computes the outputs, the kinetic and the potential energy from state, time and parameters; if `unknowns` is given, also from
+    /// accelerations and multipliers.
     outputs: Tape,
     unknowns: Option<Unknowns>,
-    /// Whether the sum of kinetic and potential energy is constant, for all values of the parameters.
+    /// Whether the total energy is constant for all values of the parameters.
     pub keeps_energy: bool,
 }
 
-/// The solve for accelerations and multipliers on which outputs depend.
+/// The linear equations for accelerations and multipliers, if outputs depend on these.
 #[derive(Debug)]
 struct Unknowns {
     /// Computes the entries of the matrix, then the right side, from state, time and parameters.
@@ -34,17 +34,18 @@ struct Unknowns {
     speeds: usize,
 }
 
-/// The number of unknowns from which series solve for them: the lanes of a batch do so one by one, which pays later than in a single run.
+/// Number of unknowns from which Taylor series solve the linear equations numerically. A batch solves its members one by one, so the
+/// limit is higher than for a single run.
 const LEAST_SOLVED: usize = 16;
 
 impl ParametricLaw {
-    /// Compiles the law from the trace that a single run uses; parameters need no values.
+    /// Compiles the law from the same trace as a single run; parameters need no values.
     pub fn of(model: &Model) -> Result<Self, NotCompiled> {
         match Elimination::of(model) {
-            // by the values in its file
+            // whether inertia is missing is decided with the parameter values of the file
             Elimination::Written if Inertia::of(model) == Inertia::Held => ParametricLaw::solved(model),
             Elimination::Written => match ParametricLaw::written(model) {
-                // a constraint may move what has no inertia
+                // coordinates without inertia may be determined by constraints
                 Err(NotCompiled::Massless { .. }) if !model.constraints.is_empty() => ParametricLaw::solved(model),
                 other => other,
             },
@@ -93,7 +94,7 @@ impl ParametricLaw {
         })
     }
 
-    /// The outputs of the model, the kinetic and the potential energy.
+    /// The values of the outputs, then the kinetic and the potential energy (J).
     pub fn outputs(&self, time: f64, state: &[f64], parameters: &[f64]) -> Vec<f64> {
         let mut values = vec![f64::NAN; self.outputs.outputs()];
         let mut inputs = [state, &[time], parameters].concat();
@@ -107,7 +108,7 @@ impl ParametricLaw {
 }
 
 impl Unknowns {
-    /// Accelerations, then multipliers; NaN where they are not determined.
+    /// The accelerations, then the multipliers; NaN where the matrix is singular.
     fn at(&self, inputs: &[f64]) -> Vec<f64> {
         let mut terms = vec![f64::NAN; self.terms.outputs()];
         self.terms.over().evaluate(inputs, &mut terms);

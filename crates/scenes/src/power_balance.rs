@@ -1,4 +1,4 @@
-//! The power balance of a run: the energy minus the work of all loads is constant but for errors of the run.
+//! The power balance of a run: the total energy minus the work of all loads is constant, except for errors of integration.
 
 use crate::changing_laws::is_watched;
 use crate::compiled_system::CompiledSystem;
@@ -16,8 +16,9 @@ use simulation::{CompiledLaw, LawSeries, Problem, SymbolicLaw};
 use std::sync::Arc;
 use symbolic::{Sym, apart};
 
-/// A problem with the work as its last state; where no load does work, with the energy among its invariants. Unchanged where the energy
-/// is an invariant already, the law changes at events, the column's name is taken, or accelerations are solved at each evaluation.
+/// The problem with the work of all loads as an additional last state and the energy minus this work as its invariant. If no load does
+/// work, only the energy is added as an invariant. The problem is unchanged if the energy is already an invariant, the law changes at events,
+/// a column named as the work exists, or the accelerations are solved numerically at each evaluation.
 pub(crate) fn metered(system: &Arc<CompiledSystem>, plain: Problem) -> Problem {
     let model = system.model();
     let is_taken = plain.columns.iter().any(|name| name == WORK);
@@ -34,14 +35,14 @@ pub(crate) fn metered(system: &Arc<CompiledSystem>, plain: Problem) -> Problem {
         has_energy = states.clone().any(|state| known.contains(state));
         Letters::with_data(time, state).put_into(&trace, &all)
     });
-    // without energies all work is rounding
+    // without any energy all work is rounding error
     let Ok(energy) = energy else { return plain };
     if !has_energy {
         return plain;
     }
     let energies = move |time: f64, state: &[f64]| {
         let mut values = [f64::NAN; 3];
-        // made for a state of this length
+        // the program was compiled for a state of this length
         energy.run(time, state, &mut values).unwrap_or(());
         values
     };
@@ -78,7 +79,7 @@ pub(crate) fn metered(system: &Arc<CompiledSystem>, plain: Problem) -> Problem {
         state,
         metered: 1,
         span,
-        // nothing else is kept where the energy is not
+        // the energy is not constant here, and no other invariant was given
         invariants: vec![Invariant { name: "energy_less_work", value: Box::new(balance), size: Some(Box::new(size)) }],
         columns,
         row: Box::new(row),
@@ -90,7 +91,7 @@ pub(crate) fn metered(system: &Arc<CompiledSystem>, plain: Problem) -> Problem {
     }
 }
 
-/// A problem with its constant energy, the first of the three, as an invariant.
+/// The problem with its constant energy, the first of the three `energies`, as an invariant.
 fn kept(plain: Problem, energies: impl Fn(f64, &[f64]) -> [f64; 3] + Clone + Send + Sync + 'static) -> Problem {
     let (of_size, [_, _, first]) = (energies.clone(), energies(0.0, &plain.state));
     let value = move |time: f64, state: &[f64]| energies(time, state)[0];
@@ -102,7 +103,7 @@ fn kept(plain: Problem, energies: impl Fn(f64, &[f64]) -> [f64; 3] + Clone + Sen
     Problem { invariants: vec![energy], ..plain }
 }
 
-/// A law with the power of all loads as its last rate.
+/// The law of a system with the power of all loads as an additional last rate; the last state is their work (J).
 struct WithSuppliedWork(Arc<CompiledSystem>);
 
 impl Ode<Sym> for WithSuppliedWork {

@@ -1,13 +1,13 @@
-//! Programs of expressions of a time and a state, or the reason for which there is none.
+//! Compilation of expressions of time and state, with the reason for a failure.
 
 use crate::compiled_system::NotCompiled;
 use simulation::Program;
 use symbolic::{Sym, Tape};
 
-/// The program of a function of a time and a state of n numbers, of any length.
+/// Compiles a function of the time and of a state of n numbers; the number of its values is free.
 ///
 /// # Errors
-/// [`NotCompiled::Undefined`] with the letter, or the division by zero, that has no value.
+/// [`NotCompiled::Undefined`] for a letter without a value or a division by zero, [`NotCompiled::TooLong`] for any other failure.
 pub(crate) fn recorded(
     n: usize,
     mut function: impl FnMut(Sym, &[Sym]) -> Vec<Sym> + Send,
@@ -15,7 +15,7 @@ pub(crate) fn recorded(
     if let Some(program) = Program::of(n, &mut function) {
         return Ok(program);
     }
-    // a program of any length fails for one reason alone: its tape
+    // the compilation does not say why it failed; the tape does
     let mut reason = None;
     Program::of(n, |time, state| {
         let values = function(time, state);

@@ -1,8 +1,8 @@
-//! Help for faults of TOML: most often a key with a prime lacks quotes.
+//! Help for syntax errors of TOML, most often a key with a prime and without quotes.
 
 use reader::SceneError;
 
-/// Adds help to a fault of TOML where a key with a prime lacks quotes.
+/// Adds help to each syntax error of TOML: the key that needs quotes, if the line has one, or the forms that TOML accepts.
 pub fn with_quoted_primes(mut error: SceneError) -> SceneError {
     let SceneError { text, issues, .. } = &mut error;
     for issue in issues.iter_mut().filter(|issue| issue.help.is_none()) {
@@ -24,7 +24,7 @@ pub fn with_quoted_primes(mut error: SceneError) -> SceneError {
     error
 }
 
-/// A name with a prime that stands before `=` without quotes.
+/// The name with a prime before `=`, if it has no quotes.
 fn primed_key(line: &str) -> Option<&str> {
     line.split('=').rev().skip(1).find_map(|before| {
         let before = before.trim_end();
@@ -34,7 +34,7 @@ fn primed_key(line: &str) -> Option<&str> {
     })
 }
 
-/// The text before the first `=` without quotes, where it has characters that need them.
+/// The text before the first `=`, if it needs quotes and has none.
 fn unquoted_key(line: &str) -> Option<&str> {
     let key = line.split_once('=')?.0.trim();
     let is_plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.' | ' ');

@@ -1,4 +1,4 @@
-//! Reasons for which a motion does not start, each at its place in the file.
+//! Faults of systems that no motion can start from, each with its place in the file.
 
 use crate::modes::{Refused, Unfit};
 use crate::readiness::refused;
@@ -6,7 +6,7 @@ use crate::row_units::measured;
 use model::Model;
 use reader::Issue;
 
-/// The reason for which a motion does not start, at its place in the file.
+/// The fault of a start from which the modes of the system give no motion.
 pub(crate) fn not_started(model: &Model, why: Refused) -> Issue {
     match why {
         Refused::Law(reason) => refused(model, &reason),

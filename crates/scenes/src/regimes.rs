@@ -8,10 +8,10 @@ use model::Model;
 use reader::Issue;
 use std::sync::Arc;
 
-/// The regimes of a model at its start, without its regulator.
+/// All regimes of contacts and conditions that satisfy the equations at the start of a model. Its regulator is left out.
 ///
 /// # Errors
-/// The reason for which the model cannot be at its start, or has no regimes, at its place in the file.
+/// If the start is not admissible, the law cannot be compiled, or the model has neither a contact nor a condition.
 pub fn regimes(model: Model) -> Result<Regimes, Issue> {
     let mut model = Arc::new(model);
     if model.contacts.is_empty() && model.switches.is_empty() {

@@ -1,5 +1,5 @@
-//! The differential of a system by the residuals of its equations, for Jacobians: it has at most about half as many terms as that of the
-//! rates, which contain the factors of the mass matrix.
+//! The differential of the equations of motion for Jacobians, computed from their residuals M u' + h - Q. It has about half as many terms as
+//! the differential of the explicit accelerations, which contain the factors of the mass matrix.
 
 use crate::changing_laws::changes;
 use crate::letters::Letters;
@@ -9,7 +9,8 @@ use simulation::{DirectionalProgram, SymbolicLaw};
 use std::sync::Arc;
 use symbolic::{Differential, Sym};
 
-/// The differential of a law of a model, by residuals where these alone are the law.
+/// A program for directional derivatives of a model's law: from residuals if the law has one mode and no algebraic speeds, otherwise from
+/// `law`.
 pub(crate) fn residual_differential(model: &Arc<Model>, law: Arc<dyn SymbolicLaw>) -> DirectionalProgram {
     if changes(model) || !model.algebraic_speeds.is_empty() {
         return DirectionalProgram::of(law);
@@ -20,7 +21,7 @@ pub(crate) fn residual_differential(model: &Arc<Model>, law: Arc<dyn SymbolicLaw
     })
 }
 
-/// The shortest differential by residuals.
+/// The differential with the least cost among those of all forms of the residuals; `None` if the accelerations have no expression.
 fn by_residuals(model: &Model, (state, time): (&[Sym], Sym)) -> Option<Differential> {
     let (trace, letters) = (Trace::of(model), Letters::with_data(time, state));
     let (accelerations, multipliers) = solved(&trace).ok()?;
@@ -33,14 +34,14 @@ fn by_residuals(model: &Model, (state, time): (&[Sym], Sym)) -> Option<Different
     Some(shortest.substituted(&unknowns.zip(found).collect::<Vec<_>>()))
 }
 
-/// The estimated number of operations for a Jacobian: terms for a batch of directions, and the cheaper weights.
+/// The estimated number of operations of one Jacobian: terms for all batches of directions, and the operations for the coefficients.
 fn cost(differential: &Differential) -> usize {
     let weights = differential.weights();
     let runs = differential.inputs.div_ceil(DirectionalProgram::DIRECTIONS);
     8 * runs * weights.len() + Sym::operations_of(&weights)
 }
 
-/// State and time determine the rates of positions and the residuals at fixed accelerations; the residuals determine accelerations.
+/// Composes two differentials: of position rates and residuals by state and time, at fixed accelerations; and of accelerations by residuals.
 fn composed(
     trace: &Trace<'_>,
     (letters, state, time): (Letters<'_>, &[Sym], Sym),

@@ -1,20 +1,20 @@
-//! Names and units of the columns of runs and other tables.
+//! Names and units of the columns in rows of runs and in other tables.
 
 use model::Model;
 use model::equations::{Equation, Level};
 use symbolic::Dimension;
 
-/// The column of the work that a run meters.
+/// The name of the column with the work of all loads.
 pub(crate) const WORK: &str = "work";
 
-/// Names of a row: coordinates, speeds, outputs, energies.
+/// The names of the columns: coordinates, speeds, outputs, kinetic and potential energy.
 pub(crate) fn columns(model: &Model) -> Vec<String> {
     let state = model.state_names().into_iter().map(|(name, _)| name);
     let outputs = model.outputs.iter().map(|output| output.name.clone());
     state.chain(outputs).chain(["kinetic_energy".to_owned(), "potential_energy".to_owned()]).collect()
 }
 
-/// The unit in which a run has a quantity that is written in another: m for mm, rad for deg.
+/// The coherent SI unit of a quantity with the given unit: m for mm, rad for deg. Runs give values in this unit.
 pub(crate) fn coherent(unit: &str) -> String {
     match units::Unit::parse(unit) {
         Ok(parsed) if parsed.factors() == [1.0, 1.0] && unit != parsed.dimension().to_string() => unit.to_owned(),
@@ -24,7 +24,7 @@ pub(crate) fn coherent(unit: &str) -> String {
     }
 }
 
-/// A number that a sentence tells, to seven digits, with its unit.
+/// A number with at most seven significant digits and its unit, for messages.
 pub(crate) fn measured(value: f64, unit: &str) -> String {
     let rounded: f64 = format!("{value:.6e}").parse().unwrap_or(value);
     let number = match rounded.abs() {
@@ -34,7 +34,7 @@ pub(crate) fn measured(value: f64, unit: &str) -> String {
     if unit == "1" { number } else { format!("{number} {unit}") }
 }
 
-/// The unit of a rate: m/s, and m/s^2 of m/s.
+/// The unit of the time derivative of a quantity: A for C, V for Wb, m/s for m, m/s^2 for m/s.
 pub(crate) fn rate_unit(unit: &str) -> String {
     match unit {
         "C" => return "A".to_owned(),
@@ -51,8 +51,8 @@ pub(crate) fn rate_unit(unit: &str) -> String {
     }
 }
 
-/// The unit in which runs and tables give a quantity of a model, by its name: a state, an output, an energy, a parameter, an input;
-/// 1 for a quantity without a unit.
+/// The unit in which runs and tables give the quantity `name` of a model: a state, output, energy, parameter, input or component of a body's
+/// velocity; `1` for a quantity without a unit or an unknown name.
 pub fn unit_of(model: &Model, name: &str) -> String {
     let rate = |unit: &str| unit.strip_suffix("/s").map_or_else(|| coherent(unit), |of| rate_unit(&coherent(of)));
     let state = model.state_names().into_iter().find_map(|(own, unit)| (own == name).then(|| rate(&unit)));
@@ -68,18 +68,18 @@ pub fn unit_of(model: &Model, name: &str) -> String {
     known.or_else(component).unwrap_or_else(|| "1".to_owned())
 }
 
-/// The unit of the rate of a quantity in a coherent unit: of a speed in m/s an acceleration in m/s^2.
+/// The unit of the time derivative of a quantity in a coherent unit: m/s^2 for m/s.
 pub fn unit_of_rate(unit: &str) -> String {
     rate_unit(unit)
 }
 
-/// The unit of a generalised force: energy per displacement of its coordinate.
+/// The unit of a generalised force: energy divided by the dimension `along` of its coordinate.
 pub(crate) fn force_unit(along: Dimension) -> String {
     let (length, time) = (Dimension::length(), Dimension::time());
     coherent(&(Dimension::mass() * length * length / (time * time) / along).to_string())
 }
 
-/// The unit of a multiplier: power per rate of its constraint.
+/// The unit of a constraint's multiplier: energy, or for constraints of speeds power, divided by the unit of the constraint.
 pub(crate) fn multiplier_unit(model: &Model, constraint: &Equation) -> String {
     let zero = model.constraints.iter().find(|own| own.at == constraint.at);
     let zero = zero.map_or_else(Dimension::none, |own| own.dimension);

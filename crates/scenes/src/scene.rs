@@ -1,4 +1,4 @@
-//! A scene whose system is written in its file.
+//! Scenes whose system is defined in their file.
 
 mod diagnosis;
 mod system_source;
@@ -37,47 +37,47 @@ use simulation::{Axes, Choice, IvpScene, Problem, Run, RunNotes, Trajectory, run
 use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
 
-/// A system that is written in a file, with its run.
+/// A system defined in a file, with its run.
 #[derive(Debug)]
 pub struct ModelScene {
     pub title: String,
-    /// The motion in one sentence, and why it is hard.
+    /// A sentence on the motion and its difficulty.
     pub description: String,
     pub model: Arc<Model>,
-    /// The source that the model was elaborated from.
+    /// The source from which the model was elaborated.
     pub(crate) source: Arc<Source>,
     pub system: Arc<CompiledSystem>,
-    /// The state at time zero, coordinates, then speeds, which satisfies the constraints.
+    /// The state at time zero: coordinates, then speeds, in SI units. It satisfies the constraints.
     pub start: Vec<f64>,
     pub run: Run,
-    /// Each event by its name, or by its line in the file.
+    /// The description of each event: its name, or its line in the file.
     events: Vec<String>,
-    /// The line of each condition.
+    /// The line in the file of each condition.
     condition_lines: Vec<usize>,
-    /// The text and the line of each function that has values on one side of zero alone.
+    /// The text and the line of each function with a restricted domain, such as `sqrt`, or with a range that overflows, such as `exp`.
     domains: Vec<(String, usize)>,
-    /// The place in the file and the accepted values, where no motion goes on from the start, or several do.
+    /// If no motion or more than one continues from the start: a message with the line and the accepted values.
     without_motion: Option<String>,
-    /// Theory beyond the equations, where the file has `known_as`.
+    /// Additional knowledge about the system that `known_as` names.
     pub(crate) knowledge: Option<&'static Knowledge>,
 }
 
-/// Data that a calling program adds to a text.
+/// Data that a calling program adds to the text of a scene.
 #[derive(Clone, Debug, Default)]
 pub struct Given {
-    /// The run for a text without `[run]`; such a text needs no title.
+    /// The run of a text without the table `[run]`; the title may then be missing.
     pub run: Option<Run>,
-    /// Values of parameters, and of coordinates and speeds at the start, in SI units.
+    /// Values of parameters, and of coordinates and speeds at the start, in SI units, by name.
     pub values: Vec<(String, f64)>,
-    /// Outputs in addition to those of the text.
+    /// Outputs that are added to those of the text.
     pub outputs: Vec<Entry>,
 }
 
-/// A sentence on the names whose values may be changed.
+/// The names whose values may be changed, as a sentence for messages.
 pub(crate) const VALUES: &str =
     "names of parameters, and of coordinates and speeds whose starts are single numbers, are accepted";
 
-/// Registers the reader of files with `[coordinates]` for every command; `warn` gets warnings of doubtful texts.
+/// Registers the reader of files with `[coordinates]` for every command; `warn` receives the warnings about a text.
 pub fn register(warn: Warn) {
     warn_by(warn);
     let scene = |name: &str, text: &str| -> Result<Arc<dyn Modelled>, SceneError> {
@@ -93,39 +93,39 @@ pub fn register(warn: Warn) {
     });
 }
 
-/// The key `title` in words.
+/// Description of the key `title`, for messages.
 pub(crate) const TITLE: &str = "one line that says what happens";
 
-/// The key `known_as` in words.
+/// Description of the key `known_as`, for messages.
 pub(crate) const KNOWN_AS: &str = "name of a system about which the program has knowledge";
 
 impl ModelScene {
-    /// Reads a file; `name` is what messages call it.
+    /// Reads the scene in `text`; messages refer to it as `name`.
     ///
     /// # Errors
-    /// All faults of the file, each at its place.
+    /// All faults of the text, each with its place.
     pub fn parse(name: &str, text: &str) -> Result<Self, SceneError> {
         ModelScene::parse_with(name, text, Given::default())
     }
 
-    /// Reads a file, with additional data from a calling program.
+    /// Reads the scene in `text` with additional data of a calling program.
     ///
     /// # Errors
-    /// All faults of the file, each at its place.
+    /// All faults of the text and of the additional values, each with its place.
     pub fn parse_with(name: &str, text: &str, given: Given) -> Result<Self, SceneError> {
         let scene = tables(name, text, |top, issues| {
-            // members are read by `parse_ensemble`
+            // `parse_ensemble` reads these tables
             top.known(&["ensemble", "failure"]);
             ModelScene::read_with(top, issues, text, given)
         });
         scene.map_err(with_quoted_primes)
     }
 
-    /// Reads the tables of a file, with what a program gives beside the text; what is wrong goes into the list.
+    /// Reads a scene from the tables of a file and from data of a calling program; faults are added to `issues`.
     pub(crate) fn read_with(top: &mut Table<'_>, issues: &mut Vec<Issue>, text: &str, given: Given) -> Option<Self> {
         let title = match &given.run {
             None => top.text("title", TITLE).value,
-            // equations need no title, and neither does a run that another program asks for
+            // a run that a program provides needs no title
             Some(_) => top.optional_text("title", TITLE).map_or_else(String::new, |title| title.value),
         };
         let title = title.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -139,14 +139,14 @@ impl ModelScene {
             issues.push(Issue { span: None, title: why, label: String::new(), help: Some(VALUES.to_owned()) });
         }
         let names = model.as_deref().map(columns);
-        // outputs of a scene with a law of its own have the names of that
+        // `[run]` of a scene with a built-in law refers to the outputs of that law, which are not known here
         let has_own_law = has_model(text) && !holds_model(text);
         let known = names.as_deref().filter(|_| !has_own_law);
         let run = match top.has("run") {
             true if has_own_law => run::read(top, issues, known).map(|run| Run { outputs: Vec::new(), ..run }),
             true => run::read(top, issues, known),
             false if given.run.is_some() => given.run,
-            // keys of the run under another heading are told there
+            // an issue already says that a key of [run] is in another table
             false if issues.iter().any(|issue| issue.help.as_deref().is_some_and(|help| help.contains("[run]"))) => {
                 None
             }
@@ -204,7 +204,7 @@ impl ModelScene {
 }
 
 impl ModelScene {
-    /// The scene with another model, its law at the start, and that start.
+    /// The scene with another model, its law at the start, and its start.
     pub(crate) fn with(&self, model: Arc<Model>, system: Arc<CompiledSystem>, start: Vec<f64>) -> Self {
         let ModelScene { title, description, run, events, condition_lines, domains, knowledge, .. } = self;
         let (title, description) = (title.clone(), description.clone());
@@ -226,24 +226,24 @@ impl ModelScene {
         }
     }
 
-    /// The scene with a run of another length, s.
+    /// The scene with a run of another length, in seconds.
     pub(crate) fn with_span(&self, span: f64) -> Self {
         let mut scene = self.with(Arc::clone(&self.model), Arc::clone(&self.system), self.start.clone());
         scene.run.span = span;
         ModelScene { without_motion: self.without_motion.clone(), ..scene }
     }
 
-    /// Each event by its name, or by its line in the file.
+    /// The description of each event: its name, or its line in the file.
     pub(crate) fn event_names(&self) -> &[String] {
         &self.events
     }
 
-    /// The text and the line of each function that has values on one side of zero alone.
+    /// The text and the line of each function with a restricted domain or with a range that overflows.
     pub(crate) fn domain_texts(&self) -> &[(String, usize)] {
         &self.domains
     }
 
-    /// The problem of the run, with the modes of a law that changes.
+    /// The problem of the run, and the modes of a law that changes at conditions, contacts or events.
     pub(crate) fn switched(&self) -> (Problem, Option<Arc<Modes>>) {
         let (shown, kept) = (Arc::clone(&self.system), Arc::clone(&self.system));
         let watched = is_watched(&self.model);
@@ -284,7 +284,8 @@ impl ModelScene {
         (problem, modes)
     }
 
-    /// The problem of the run, whose rows end with the values that its mode determines, which sketches need: of switches, and of friction.
+    /// The problem of the run with extended rows: [`ModelScene::mode_values`] further values are those of switches and friction in the current
+    /// mode, from which sketches are drawn.
     pub fn problem_with_mode_values(&self) -> Problem {
         let (mut problem, modes) = self.switched();
         if let Some(values) = modes.map(ModeValues::of) {
@@ -294,12 +295,12 @@ impl ModelScene {
         problem
     }
 
-    /// The number of values that the mode adds to each row of such a problem.
+    /// The number of additional values in each row of [`ModelScene::problem_with_mode_values`].
     pub fn mode_values(&self) -> usize {
         mode_values_lengths(&self.model).iter().sum()
     }
 
-    /// The largest residual of the constraints; none of a model without constraints.
+    /// The largest residual of the constraints as a function of time and state; `None` for a model without constraints that are enforced.
     fn residual(&self) -> Option<Box<Function>> {
         if self.model.constraints.iter().all(|constraint| constraint.gains.is_some()) {
             return None;
@@ -310,7 +311,7 @@ impl ModelScene {
         }))
     }
 
-    /// The distance of a state from where its constraints determine the motion no longer, then those that are known of the system.
+    /// Margins along a run: the distance of a state from a singular position of the constraints, then the margins known for the system.
     fn margins(&self) -> Box<Margins> {
         let singular = SingularPositions::of(&self.model, &self.start);
         let names: Vec<String> = self.model.state_names().into_iter().map(|(name, _)| name).collect();
@@ -322,12 +323,12 @@ impl ModelScene {
     }
 }
 
-/// The number of the line in which a byte stands.
+/// The number of the line that contains a byte, from 1.
 fn line_of(text: &str, byte: usize) -> usize {
     text.get(..byte).unwrap_or(text).matches('\n').count() + 1
 }
 
-/// An event by its name, or by its line.
+/// The description of an event for messages: its name, or its line.
 pub(crate) fn called(event: &Event, text: &str) -> String {
     match event.name.as_str() {
         "" => format!("the event in line {}", line_of(text, event.at.start)),

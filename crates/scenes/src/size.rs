@@ -1,26 +1,25 @@
-//! The largest systems that commands accept, checked before the equations are derived.
+//! Limits of size for the commands, checked before equations are derived.
 //!
-//! Equations of motion with a mass matrix are sums over bodies for each pair of speeds: work and memory grow as the square of the speeds
-//! times the bodies. The limits were measured on chains of links in a plane, with as many speeds as bodies. Runs of bodies in a tree
-//! need no mass matrix.
+//! Equations with a mass matrix are sums over all bodies for each pair of speeds; work and memory grow with speeds squared times bodies. The
+//! limits were measured on plane chains of links with as many speeds as bodies. Trees of bodies run without a mass matrix.
 
 use crate::elimination::is_tree;
 use model::Model;
 use reader::Issue;
 
-/// The task for which a system is used.
+/// The task for which a model is used; it determines the largest accepted size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Task {
-    /// Runs with a mass matrix: a chain of 80 links begins after 4 s.
+    /// Run with a mass matrix: a chain of 80 links starts after 4 s.
     Run,
-    /// Equations written down and compared: 64 links take 2 s and 0.8 GB.
+    /// Derivation and comparison of equations: 64 links take 2 s and 0.8 GB.
     Write,
     /// Derivatives of all equations: 40 links take 4 s and 0.7 GB.
     Vary,
 }
 
 impl Task {
-    /// The largest square of the speeds times the bodies.
+    /// The largest accepted number speeds squared times bodies.
     fn most(self) -> usize {
         match self {
             Task::Run => 550_000,
@@ -30,10 +29,10 @@ impl Task {
     }
 }
 
-/// The largest number of speeds for bodies in a tree, whose equations grow linearly with the bodies.
+/// The largest number of speeds of a tree of bodies, whose equations grow linearly with the bodies.
 const MOST_IN_TREE: usize = 1_000;
 
-/// The refusal of a system that is too large.
+/// The fault of a model that is too large for a task; `None` if its size is accepted.
 pub fn too_large(model: &Model, task: Task) -> Option<Issue> {
     let (speeds, bodies) = (model.speeds(), model.bodies.len().max(1));
     if task == Task::Run && speeds <= MOST_IN_TREE && is_tree(model) {

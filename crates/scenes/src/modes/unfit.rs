@@ -1,4 +1,4 @@
-//! Contacts whose state at the start is not possible.
+//! Tests whether contacts, diodes and freewheels admit a start: gaps, their rates, coefficients of friction and restitution.
 
 use super::expansion::{Expansions, Instant, Kind, Touching};
 use super::mode::Case;
@@ -17,18 +17,20 @@ const PULLS: &str =
     "a contact pulls where it should push: its normal does not point to where its gap grows, or nothing moves along it";
 pub(super) const RESTITUTION: &str = "a coefficient of restitution is not between 0 and 1";
 
-/// A contact that cannot be at a state, with the reason.
+/// A contact at which a motion cannot start, with the reason.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unfit {
+    /// Index among the contacts of the model.
     pub contact: usize,
     pub why: &'static str,
+    /// Values that the file may give instead.
     pub accepted: &'static str,
     /// The value that is not possible, with its unit.
     pub found: Option<(f64, &'static str)>,
 }
 
 impl Unfit {
-    /// The first one at a state.
+    /// The first such contact at a state.
     pub(super) fn first(expansions: &Expansions, instant: &Instant<'_>, cases: &[Case]) -> Option<Self> {
         let contacts = expansions.contacts(instant, cases);
         contacts
@@ -45,7 +47,7 @@ fn wrong(
     touching: &Touching<1>,
 ) -> Option<Unfit> {
     let Kind { sides, is_rough, is_guide, is_one_way, is_direct, .. } = expansions.kinds[contact];
-    // its mode gives its speed and its reaction
+    // the mode determines the speed and the reaction of such a contact itself
     if is_direct {
         return None;
     }

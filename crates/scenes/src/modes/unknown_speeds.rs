@@ -1,20 +1,21 @@
-//! Linear equations over expressions for algebraic speeds, with hidden constraints.
+//! Symbolic solution of linear equations for algebraic speeds (speeds that no inertia governs), by Gaussian elimination.
+//! An equation without unknowns is a hidden constraint; its time derivative takes its place.
 
 use model::equations::vanishes;
 use symbolic::{Derivation, Sym};
 
-/// An equation, slopes times unknowns = right, after those before it have been taken from it.
+/// The linear equation `slopes` . unknowns = `right` after elimination by all earlier pivots.
 struct Row {
     slopes: Vec<Sym>,
     right: Sym,
-    /// Whether it is the rate of a hidden constraint.
+    /// Whether the equation is the time derivative of a hidden constraint.
     is_rate: bool,
 }
 
-/// Gauss's elimination over expressions: entries that are numbers are pivots first, since other entries may vanish.
+/// State of the Gaussian elimination. Numbers are preferred as pivots, since other expressions may become zero.
 pub(super) struct Elimination<'a> {
     unknowns: &'a [Sym],
-    /// Row and column of each pivot, in their order.
+    /// Row and column of each pivot, in the order of elimination.
     pivots: Vec<(usize, usize)>,
     rows: Vec<Row>,
 }
@@ -24,8 +25,8 @@ impl<'a> Elimination<'a> {
         Elimination { unknowns, pivots: Vec::new(), rows: Vec::new() }
     }
 
-    /// The unknowns that take sums to zero; `rate` gives the rate of a hidden constraint. None where they are not determined, or the sums
-    /// are not linear in them.
+    /// Solves `zeros` = 0 for the unknowns; `rate` returns the time derivative of a hidden constraint. `None` where the equations do not
+    /// determine all unknowns, or are not linear in them.
     pub fn solved(mut self, zeros: &[Sym], rate: impl Fn(Sym) -> Option<Sym>) -> Option<Vec<Sym>> {
         for zero in zeros {
             let row = self.row(*zero, false)?;
@@ -60,7 +61,7 @@ impl<'a> Elimination<'a> {
         Some(values)
     }
 
-    /// A sum as an equation; none where it is not linear.
+    /// The equation `zero` = 0 as a row; `None` where it is not linear in the unknowns.
     fn row(&self, zero: Sym, is_rate: bool) -> Option<Row> {
         let slopes: Vec<Sym> =
             self.unknowns.iter().map(|&letter| Derivation::new([(letter, Sym::ONE)]).of(zero)).collect();
@@ -72,12 +73,12 @@ impl<'a> Elimination<'a> {
         Some(Row { slopes, right: -zero.substitute(&none), is_rate })
     }
 
-    /// Rows without a pivot.
+    /// Indices of the rows without a pivot.
     fn open(&self) -> Vec<usize> {
         (0..self.rows.len()).filter(|row| self.pivots.iter().all(|(own, _)| own != row)).collect()
     }
 
-    /// The entry that becomes the next pivot: in the shortest row that has one.
+    /// The next pivot (row, column): an entry of the row with fewest entries, a number if there is one.
     fn pivot(&self) -> Option<(usize, usize)> {
         let length = |row: usize| self.rows[row].slopes.iter().filter(|slope| **slope != Sym::ZERO).count();
         let mut open = self.open();
@@ -93,7 +94,7 @@ impl<'a> Elimination<'a> {
         number.or_else(|| entries.iter().copied().find(|&entry| !vanishes(slope(entry))))
     }
 
-    /// Takes a pivot's row from another one.
+    /// Eliminates the unknown of a pivot's column from row `place`.
     fn reduce(&mut self, place: usize, (pivot, column): (usize, usize)) {
         let factor = self.rows[place].slopes[column] / self.rows[pivot].slopes[column];
         if factor == Sym::ZERO {

@@ -1,11 +1,11 @@
-//! Events and modes in words.
+//! Names of modes and events as they appear in results and messages.
 
 use super::mode::{Case, Mode, Phase};
 use super::signals::Fall;
 use model::{Model, OneWay, Trace};
 use symbolic::{Sym, apart};
 
-/// The names of conditions, contacts and events.
+/// The names of a model's conditions, contacts and events.
 pub(super) struct Words {
     /// The expressions that the conditions compare with zero.
     compared: Vec<String>,
@@ -34,17 +34,17 @@ impl Words {
         Words { compared, contacts, are_rough, one_ways, events: events.to_vec() }
     }
 
-    /// A condition.
+    /// The name of a condition.
     pub fn condition(&self, switch: usize) -> String {
         format!("[{} > 0]", self.compared[switch])
     }
 
-    /// A contact.
+    /// The name of a contact.
     pub fn contact(&self, contact: usize) -> String {
         self.contacts[contact].clone()
     }
 
-    /// Whether a contact is a diode or a freewheel.
+    /// The kind of one-way element, a diode or a freewheel; `None` for a mechanical contact.
     pub fn one_way(&self, contact: usize) -> Option<OneWay> {
         self.one_ways[contact]
     }
@@ -53,7 +53,7 @@ impl Words {
         self.are_rough[contact]
     }
 
-    /// The quantity that is positive while a contact presses.
+    /// The name of the quantity that is positive while the contact is closed.
     pub fn pressure(&self, contact: usize) -> &'static str {
         match self.one_ways[contact] {
             None => "normal reaction |N|",
@@ -62,7 +62,7 @@ impl Words {
         }
     }
 
-    /// The quantity that is positive while a diode or a freewheel lets through, with its unit.
+    /// The name and the unit of the quantity that is positive while a diode conducts or a freewheel turns freely.
     pub fn passing(&self, contact: usize) -> [&'static str; 2] {
         match self.one_ways[contact] {
             Some(OneWay::Freewheel) => ["speed", "rad/s"],
@@ -70,7 +70,7 @@ impl Words {
         }
     }
 
-    /// The quantity that is positive where a contact opens.
+    /// The name of the quantity that becomes positive where the contact opens.
     pub fn leaving(&self, contact: usize) -> &'static str {
         match self.one_ways[contact] {
             None => "separation gap''",
@@ -79,7 +79,7 @@ impl Words {
         }
     }
 
-    /// An event.
+    /// The description of an event.
     pub fn fall(&self, fall: Fall) -> String {
         match fall {
             Fall::Passes { switch } => format!("{} reaches 0", self.compared[switch]),
@@ -108,7 +108,7 @@ impl Words {
         }
     }
 
-    /// The contacts of a mode that are not apart.
+    /// The contacts of a mode that are closed, each with its phase.
     pub fn contacts_of(&self, mode: &Mode) -> String {
         let closed = mode.phases.iter().enumerate().filter(|(_, phase)| **phase != Phase::Apart);
         closed.map(|(contact, phase)| self.phase(contact, *phase)).collect::<Vec<String>>().join(", ")
@@ -132,7 +132,7 @@ impl Words {
         format!("{} {what}", self.contacts[contact])
     }
 
-    /// A mode.
+    /// The cases of all conditions and the phases of all contacts in a mode.
     pub fn mode(&self, mode: &Mode) -> String {
         let case = |(name, case): (&String, &Case)| match case {
             Case::On => format!("{name} > 0"),

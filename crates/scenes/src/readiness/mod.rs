@@ -1,4 +1,4 @@
-//! The start and the law of a model that can run, or the reason for which it cannot, at its place in the file.
+//! The start and the law of a model for a run, or the reason for which there is none, with its place in the file.
 
 mod unmet_start;
 
@@ -20,19 +20,20 @@ use std::ops::Range;
 use std::sync::Arc;
 use symbolic::Dimension;
 
-/// The fault of a file without `[run]`, placed at the end of the file.
+/// The fault of a file without the table `[run]`, placed at the end of the file.
 pub(crate) fn without_run(text: &str) -> Issue {
     let end = text.trim_end().len();
     let issue = Issue::at(end..end, "the table [run] is missing", "the file ends here");
     issue.accepted("[run] with span = \"10 s\"; `derive` and `prove` need none")
 }
 
-/// The fault of a system without a law, in words for a run.
+/// The fault of a system whose equations cannot be compiled for a run.
 pub(crate) fn refused(model: &Model, reason: &NotCompiled) -> Issue {
     without_law(model, reason, "this system cannot run")
 }
 
-/// The fault of a system without a law, at its place in the file; `what` names the task that needs one.
+/// The fault of a system whose equations cannot be compiled, at its place in the file; `what` begins the message and names the task that
+/// failed.
 pub fn without_law(model: &Model, reason: &NotCompiled, what: &str) -> Issue {
     if matches!(reason, NotCompiled::Massless { .. } | NotCompiled::Undefined { .. })
         && let Some(issue) = massless(model)
@@ -55,21 +56,21 @@ pub fn without_law(model: &Model, reason: &NotCompiled, what: &str) -> Issue {
     Issue::at(place, format!("{what}: {reason}"), label).accepted(accepted)
 }
 
-/// A start, and the law that runs from it.
+/// A completed start and the law of the motion from it.
 pub(crate) struct Ready {
-    /// The completed state at the start: coordinates, then speeds.
+    /// The completed state at the start: coordinates, then speeds, in SI units.
     pub start: Vec<f64>,
     pub system: Arc<CompiledSystem>,
-    /// The reason for which no motion continues from the start, or several do.
+    /// The fault if no motion, or more than one, continues from the start.
     pub without_motion: Option<Issue>,
 }
 
-/// Completes the start, and compiles the law that runs from it.
+/// Completes the start and compiles the law of the motion from it; removes redundant constraints from the model.
 pub(crate) fn ready(model: &mut Arc<Model>) -> Result<Ready, Issue> {
     if let Some(issue) = with_unsolved_law(model) {
         return Err(issue);
     }
-    // before the law, which redundant constraints make singular
+    // the start comes first: it removes redundant constraints, which would make the law singular
     let mut start = independent_start(Arc::make_mut(model))?;
     let model = &*model;
     let system = match Modes::of(model, &[], &[]).first(&start) {
@@ -87,10 +88,11 @@ pub(crate) fn ready(model: &mut Arc<Model>) -> Result<Ready, Issue> {
     }
 }
 
-/// The state at time zero: as the file gives it, completed so that constraints hold; or an equilibrium, where it asks for one.
+/// The state at time zero, coordinates then speeds, in SI units. Values of the file are completed so that constraints hold; if the file
+/// asks for an equilibrium, the state is that equilibrium.
 ///
 /// # Errors
-/// The reason for which there is no start, at its place in the file.
+/// If the given values violate a constraint that the free ones cannot restore, or no equilibrium is found; with the place in the file.
 pub fn start_of(model: &Model) -> Result<Vec<f64>, Issue> {
     completed(model).map(|completed| completed.state)
 }
@@ -105,28 +107,28 @@ pub(crate) fn completed(model: &Model) -> Result<Completed, Issue> {
     Ok(completed)
 }
 
-/// The start; removes the equations of redundant constraints from the model, since their reactions are not unique, and adds
-/// warnings to it.
+/// The state at time zero, as [`start_of`]. Removes the equations of redundant constraints from the model, since their reactions are not
+/// unique, and adds a warning for each.
 ///
 /// # Errors
-/// The reason for which there is no start, at its place in the file.
+/// As for [`start_of`].
 pub fn independent_start(model: &mut Model) -> Result<Vec<f64>, Issue> {
     let completed = completed(model)?;
     leave_out(model, &completed);
     Ok(completed.state)
 }
 
-/// Removes the equations of constraints that are redundant at a state at which the model may start.
+/// Removes the equations of constraints that are redundant at `state` (coordinates, then speeds), where the model may start.
 ///
 /// # Errors
-/// The reason for which the model cannot start there.
+/// If the state violates a constraint, or the model cannot start there for another reason; with the place in the file.
 pub fn independent_at(model: &mut Model, state: &[f64]) -> Result<(), Issue> {
     let found = consistent(&starting(model, state)).map_err(|unmet| unmet_at(model, unmet))?;
     leave_out(model, &found);
     Ok(())
 }
 
-/// Removes equations of redundant constraints, and adds warnings.
+/// Removes the equations of the redundant constraints that were found, and adds a warning for each.
 pub(crate) fn leave_out(model: &mut Model, Completed { state, implied }: &Completed) {
     if implied.is_empty() {
         return;
@@ -151,7 +153,8 @@ pub(crate) fn leave_out(model: &mut Model, Completed { state, implied }: &Comple
     }
 }
 
-/// The fault of a system whose law or start changes, where a task needs one law, at the place of the change.
+/// The fault of a system whose law or start is not fixed, for a task `what` that needs a single law; placed at the event, contact, condition
+/// or equilibrium.
 pub(crate) fn changes(model: &Model, what: &str) -> Issue {
     let event = model.events.first().map(|event| (event.at.clone(), "this system has an event", "an event"));
     let condition = || {
@@ -168,15 +171,15 @@ pub(crate) fn changes(model: &Model, what: &str) -> Issue {
     issue.accepted("a system with one law and a start of numbers; `run` runs this one")
 }
 
-/// The equilibrium near the coordinates at the start, all of which may move; speeds at the start are ignored.
+/// The equilibrium near the coordinates of the start; every coordinate may change, and speeds of the start are ignored.
 ///
 /// # Errors
-/// The reason for which there is no equilibrium.
+/// If no equilibrium is found, with the residual that remains; or if the law changes at conditions or contacts.
 pub fn equilibrium_of(model: &Model) -> Result<Equilibrium, Issue> {
     sought(model, true)
 }
 
-/// The model with an equilibrium as its start.
+/// The model with the equilibrium near its start as the start. Currents are the only speeds that may differ from zero.
 fn at_rest(model: &Model) -> Result<Model, Issue> {
     let is_current = |start: &StartSpeed| model.quasi_velocities[start.of].dimension == Dimension::current();
     if let Some(start) = model.start_speeds.iter().find(|start| start.value != 0.0 && !is_current(start)) {
@@ -227,7 +230,7 @@ fn sought(model: &Model, all: bool) -> Result<Equilibrium, Issue> {
     })
 }
 
-/// The model with a state as its start.
+/// The model that starts from `state`: coordinates, then speeds.
 pub fn starting(model: &Model, state: &[f64]) -> Model {
     let n = model.positions();
     let value =
@@ -238,7 +241,7 @@ pub fn starting(model: &Model, state: &[f64]) -> Model {
     starting
 }
 
-/// The place in the file of the reason for which a system cannot run, with a label and the accepted values.
+/// The place in the file of the cause of a failed compilation, with a label and the accepted values.
 fn place_of(model: &Model, reason: &NotCompiled) -> (Range<usize>, &'static str, &'static str) {
     let equations = "`dalembert derive` writes its equations down without running them";
     let coordinate = |name: &str| model.coordinates.iter().find(|one| one.name == name).map(|one| one.at.clone());

@@ -1,4 +1,4 @@
-//! Reasons for which a start does not fulfil constraints, each at its place in the file.
+//! Faults of starts that do not satisfy the constraints, each with its place in the file.
 
 use super::refused;
 use crate::row_units::measured;
@@ -8,7 +8,7 @@ use model::Model;
 use model::equations::Level;
 use reader::Issue;
 
-/// The fault of a start that violates a condition, at its place.
+/// The fault of a start at which the constraints fail for the reason `unmet`.
 pub(crate) fn unmet_at(model: &Model, unmet: Unmet) -> Issue {
     match unmet {
         Unmet::Open(open) => match open.residual {
@@ -100,7 +100,7 @@ pub(crate) fn unmet_at(model: &Model, unmet: Unmet) -> Issue {
     }
 }
 
-/// The fault of a constraint that the start violates.
+/// The fault of a constraint that the completed start still violates.
 fn inconsistent(model: &Model, Open { at, name, residual, unit, is_rate, moved, given, level }: &Open) -> Issue {
     let list = |names: &[String]| names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
     let rate = if *is_rate { "its rate is" } else { "its value is" };
@@ -146,7 +146,7 @@ fn inconsistent(model: &Model, Open { at, name, residual, unit, is_rate, moved, 
     )
 }
 
-/// The speeds and quasi-velocities that [start] gives and does not guess.
+/// The names of speeds and quasi-velocities whose values the table `[start]` fixes.
 fn given_speeds(model: &Model) -> Vec<String> {
     let names = model.state_names();
     let given = model.start.iter().filter(|start| start.order == 1 && !start.is_guess);
@@ -155,7 +155,7 @@ fn given_speeds(model: &Model) -> Vec<String> {
     speeds.chain(quasi).collect()
 }
 
-/// A name as a key of TOML.
+/// The name as a key of TOML, in quotes where it needs them.
 fn key(name: &str) -> String {
     let is_bare = name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
     if is_bare { name.to_owned() } else { format!("\"{name}\"") }

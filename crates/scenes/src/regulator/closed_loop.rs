@@ -1,4 +1,4 @@
-//! The closed loop on the nonlinear model: the reference motion from the start, the displaced and regulated motion, and its cost.
+//! The regulated nonlinear model: the reference motion, the motion from a displaced start under feedback, and its cost.
 
 use super::METHOD;
 use super::criterion::opened;
@@ -19,7 +19,7 @@ use std::cell::RefCell;
 use std::time::Instant;
 use symbolic::{Sym, apart, substitute_all};
 
-/// Gains of a loop.
+/// Feedback gains K of u = u0 - K x: constant, or functions of the time on a finite horizon.
 #[derive(Clone, Debug)]
 pub(super) enum Gains {
     Lasting(DMatrix<f64>),
@@ -27,7 +27,7 @@ pub(super) enum Gains {
 }
 
 impl Gains {
-    /// At a time; where P has no value they have none. Those of a horizon are exponentials of matrices, which take room of their own.
+    /// The gain matrix at a time in seconds, inputs by states; empty where the Riccati equation has no solution.
     pub fn at(&self, time: f64) -> Cow<'_, DMatrix<f64>> {
         match self {
             Gains::Lasting(gains) => Cow::Borrowed(gains),
@@ -36,10 +36,11 @@ impl Gains {
     }
 }
 
-/// The largest number of gains.
+/// The largest number of gains that is supported.
 pub(super) const MOST: usize = 256;
 
-/// The law of both motions and of the cost, over their states and the gains; behind the rates stand the inputs.
+/// Rates of the reference state, the regulated state and the cost, compiled with the gains as further inputs. The program returns the
+/// rates and then the inputs u.
 struct ClosedLoop<'a> {
     program: Program,
     gains: &'a Gains,
@@ -49,7 +50,7 @@ struct ClosedLoop<'a> {
     room: (Room<f64>, Room<Dual8>, Room<DoubleDouble>),
 }
 
-/// Inputs and outputs of the program.
+/// Buffers for the inputs and outputs of the program.
 type Room<S> = RefCell<[Vec<S>; 2]>;
 
 macro_rules! runs {
@@ -65,7 +66,7 @@ macro_rules! runs {
                 out.resize(y.len() + self.chosen, <$field>::lift(0.0));
                 all[..y.len()].copy_from_slice(y);
                 let approximate: fn($field) -> f64 = $approximate;
-                // without gains there are no rates, and the run ends here
+                // NaN as a gain makes all rates NaN, which ends the run
                 all[y.len()..].fill(<$field>::lift(f64::NAN));
                 for (place, gain) in all[y.len()..].iter_mut().zip(self.gains.at(approximate(t)).iter()) {
                     *place = <$field>::lift(*gain);
@@ -81,7 +82,7 @@ runs!(f64, 0, |t| t; Dual8, 1, |t| t.re; DoubleDouble, 2, |t| t.approx());
 impl System for ClosedLoop<'_> {}
 
 impl ClosedLoop<'_> {
-    /// The inputs at a state.
+    /// The inputs u of the regulated system at a state of the closed loop.
     fn inputs(&self, time: f64, state: &[f64]) -> Vec<f64> {
         let mut rates = vec![0.0; state.len()];
         Ode::<f64>::rates(self, time, state, &mut rates);
@@ -89,28 +90,28 @@ impl ClosedLoop<'_> {
     }
 }
 
-/// A run of the closed loop.
+/// A run of the regulated system.
 #[derive(Clone, Debug)]
 pub struct ClosedRun {
     pub outcome: Outcome<f64>,
     pub times: Vec<f64>,
-    /// The regulated motion: coordinates, then speeds.
+    /// The states of the regulated motion at `times` (s): coordinates, then speeds.
     pub states: Vec<Vec<f64>>,
-    /// Its deviation from the motion that it is regulated to.
+    /// The regulated states minus those of the reference motion.
     pub deviations: Vec<Vec<f64>>,
     pub inputs: Vec<Vec<f64>>,
-    /// The cost up to each time.
+    /// The integral of the cost from 0 to each time.
     pub costs: Vec<f64>,
-    /// Changes of the law, and of the state by events.
+    /// Instants at which the law or, by an event, the state changes.
     pub passages: Vec<Passage>,
-    /// The reason for which the law of the run ends, where it does.
+    /// The reason if the law of the run ends before its span.
     pub left: Option<&'static str>,
 }
 
-/// Runs the loop from a start and a displaced one; `places` are those of variations in the state.
+/// Runs the closed loop from a start and a displaced start; `places` are the indices of the variations in the state.
 ///
 /// # Errors
-/// Where the law cannot be written down.
+/// If the equations of motion cannot be compiled.
 pub(super) fn run(
     (model, regulator): (&Model, &Regulator),
     (places, known, gains_of): (&[usize], &States, &Gains),
@@ -121,7 +122,7 @@ pub(super) fn run(
     let open = opened(model, regulator);
     let (states, chosen, count) = (start.len(), regulator.inputs.len(), known.kept.len() * regulator.inputs.len());
     let written = |time: Sym, state: &[Sym]| rates(&open, &Mode::default(), Letters::with_data(time, state));
-    // why there is none, where there is none
+    // reports the reason if the equations cannot be compiled
     apart(|| {
         let state: Vec<Sym> = (0..states).map(|place| Sym::symbol(&format!("y{place}"))).collect();
         written(Sym::symbol("t"), &state).map(|_| ())
@@ -133,12 +134,12 @@ pub(super) fn run(
         let (trace, given) = (Trace::of(&open), Trace::of(model));
         let inputs = || regulator.inputs.iter().map(|&input| &model.inputs[input]);
         let letters: Vec<Sym> = inputs().map(|input| Sym::symbol(&input.name)).collect();
-        // the inputs of the motion that the loop is regulated to
+        // inputs of the reference motion
         let values_given: Vec<Sym> =
             inputs().map(|input| input.value.map_or(Sym::ZERO, |value| given.scalar(value))).collect();
         let values_given = substitute_all(&values_given, &values(&given, time, own));
         let deviation = |place: usize| moved[place] - own[place];
-        // states by deviations
+        // states of the linear equations from deviations of the nonlinear state
         let varied = known.by_variations.row_iter().map(|row| {
             let parts = places.iter().zip(row.iter()).filter(|(_, factor)| **factor != 0.0);
             parts.fold(Sym::ZERO, |sum, (&place, &factor)| {
@@ -164,7 +165,7 @@ pub(super) fn run(
         let state: Vec<Sym> = own_letters.collect();
         let cost = Letters::with_data(time, &state).put_into(&trace, &[trace.scalar(regulator.cost)])[0];
         let of_own = match gains_of {
-            // an equilibrium, or a steady motion, and not what rounding makes of it
+            // the reference is an equilibrium or a steady motion: its speeds are constant, also against rounding
             Gains::Lasting(_) => own[states / 2..].iter().copied().chain(vec![Sym::ZERO; states / 2]).collect(),
             Gains::Along(_) => with(own, &values_given),
         };

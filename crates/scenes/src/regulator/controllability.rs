@@ -1,23 +1,24 @@
-//! Controllability: uncontrollable modes of constant equations (Hautus 1969), the Gramian of time-varying ones (Kalman 1960).
+//! Controllability of linear equations: by Hautus' test for constant coefficients (Hautus 1969), by the rank of the controllability Gramian
+//! for time-varying ones (Kalman 1960).
 
 use super::riccati::Stage;
 use integrators::eigenvalues;
 use nalgebra::{Complex, DMatrix};
 
-/// A singular value below this part of the largest one is zero.
+/// Singular values below this multiple of the largest one count as zero.
 const RANK: f64 = 1e-10;
 
-/// The controllability of the linear equations.
+/// The controllability of x' = A x + B u.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Controllability {
-    /// Eigenvalues of A that no input changes; none of a controllable system.
+    /// Constant coefficients: the eigenvalues of A (1/s) that no input can change; empty if the system is controllable.
     Modes(Vec<Complex<f64>>),
-    /// The rank of the Gramian over the time of a motion, beside the number of states.
+    /// Time-varying coefficients: the rank of the Gramian over the horizon and the number of states; the system is controllable if they are equal.
     Directions { rank: usize, of: usize },
 }
 
 impl Controllability {
-    /// Eigenvalues w of A at which (A - w, B) loses rank.
+    /// Hautus' test: the eigenvalues w of A for which the matrix (A - w I, B) has not full rank.
     pub fn of_constant(stage: &Stage) -> Self {
         let (n, k) = stage.b.shape();
         let size = stage.a.norm().max(1e-300);
@@ -37,8 +38,8 @@ impl Controllability {
         Controllability::Modes(values.iter().copied().filter(is_out_of_reach).collect())
     }
 
-    /// The rank of the Gramian, W' = A W + W A^T + B B^T from W = 0, along a motion; each step uses the equations at its middle.
-    /// `stages` stand at the ends and middles of equal steps of the length `step`, s.
+    /// The rank of the controllability Gramian W along a motion, W' = A W + W A^T + B B^T with W = 0 at the start. `stages` are the equations at
+    /// the ends and middles of equal steps of length `step` (s); each step uses those at its middle.
     pub fn along(stages: &[Stage], step: f64) -> Self {
         let n = stages.first().map_or(0, |stage| stage.a.nrows());
         let mut gramian = DMatrix::zeros(n, n);
@@ -46,7 +47,7 @@ impl Controllability {
             let (moved, own) = over(middle, step);
             gramian = &moved * gramian * moved.transpose() + own;
         }
-        // units of states do not count
+        // scaling to a unit diagonal makes the rank independent of the units of states
         let scale: Vec<f64> = (0..n).map(|k| gramian[(k, k)].max(0.0).sqrt()).collect();
         let scaled = DMatrix::from_fn(n, n, |row, column| {
             let both = scale[row] * scale[column];
@@ -58,8 +59,8 @@ impl Controllability {
     }
 }
 
-/// The transition over a step and the Gramian from zero, however fast variations die away: those of a short part of the step (Van Loan
-/// 1978), doubled.
+/// The transition matrix and the Gramian over one step with constant coefficients. The step is halved until A h is small (Van Loan 1978)
+/// and the results are doubled, which stays accurate for stiff A.
 fn over(stage: &Stage, step: f64) -> (DMatrix<f64>, DMatrix<f64>) {
     let n = stage.a.nrows();
     let doublings = (stage.a.norm() * step).max(1.0).log2().ceil();
@@ -84,7 +85,7 @@ mod tests {
     use crate::regulator::Stage;
     use nalgebra::DMatrix;
 
-    /// x' = -a x + u: the Gramian is (1 - exp(-2 a h))/(2 a), of a double integrator (h^3/3, h^2/2; h^2/2, h).
+    /// For x' = -a x + u the Gramian is (1 - exp(-2 a h))/(2 a); for the double integrator it is (h^3/3, h^2/2; h^2/2, h).
     #[test]
     fn gramians_of_a_step_have_their_closed_forms_however_stiff() {
         let stage = |a: &[f64], b: &[f64], n: usize| Stage {

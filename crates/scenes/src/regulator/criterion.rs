@@ -1,4 +1,4 @@
-//! The cost as a quadratic form of deviations.
+//! The cost of a regulator as a quadratic form of deviations.
 
 use crate::letters::Letters;
 use model::equations::vanishes;
@@ -8,14 +8,14 @@ use reader::Issue;
 use std::ops::Range;
 use symbolic::{Sym, apart};
 
-/// Half the second derivatives by displacements, speeds and inputs.
+/// The symmetric matrix S of the quadratic form z^T S z (half the second derivatives); z has displacements, speeds, then inputs.
 #[derive(Clone, Debug)]
 pub struct Form(pub DMatrix<f64>);
 
-/// The cost by the time, and that of the end.
+/// The form of the running cost, and that of the terminal cost if one is given.
 ///
 /// # Errors
-/// Where one is no quadratic form, at its place.
+/// If a cost is not a quadratic form, the terminal cost contains inputs, or the running cost is not positive definite in the inputs.
 pub fn forms(model: &Model, regulator: &Regulator) -> Result<(Form, Option<Form>), Issue> {
     let cost = form(model, regulator, regulator.cost, &regulator.at[0])?;
     let last = regulator.last.map(|last| form(model, regulator, last, &regulator.at[1])).transpose()?;
@@ -70,7 +70,7 @@ fn form(model: &Model, regulator: &Regulator, of: ScalarId, at: &Range<usize>) -
     }
 }
 
-/// The model with the chosen inputs as letters.
+/// The model with the inputs of the regulator as free letters, without their values.
 pub(super) fn opened(model: &Model, regulator: &Regulator) -> Model {
     let mut open = model.clone();
     for &input in &regulator.inputs {
@@ -80,7 +80,8 @@ pub(super) fn opened(model: &Model, regulator: &Regulator) -> Model {
 }
 
 impl Form {
-    /// Q, N and R over the state that displacements and speeds follow from.
+    /// The blocks Q, N and R of the form over the state x, from which displacements and speeds follow as `variations` x: the cost is
+    /// x^T Q x + 2 x^T N u + u^T R u.
     pub fn parts(&self, variations: &DMatrix<f64>) -> [DMatrix<f64>; 3] {
         let Form(all) = self;
         let own = variations.nrows();
@@ -93,7 +94,7 @@ impl Form {
         [by_state, mixed, block(own, own, inputs, inputs)]
     }
 
-    /// Q alone.
+    /// The block Q of the form.
     pub fn of_state(&self, variations: &DMatrix<f64>) -> DMatrix<f64> {
         let [by_state, ..] = self.parts(variations);
         by_state

@@ -1,13 +1,13 @@
-//! Riccati's equation back from the end of a horizon, over equations that change with the time.
+//! Riccati's differential equation, integrated backwards from the end of a finite horizon, with time-varying coefficients.
 //!
-//! With P = Y X^-1 Hamilton's equations (X; Y)' = H (X; Y) are linear: over a step (X; Y) is moved by the exponential of Magnus's sum of the
-//! fourth order, which is exact where H does not change, however fast P settles. Between the ends of steps it is moved in the same way, by
-//! equations through those at the ends and in the middle.
+//! With P = Y X^-1, X and Y satisfy the linear Hamiltonian equations (X; Y)' = H (X; Y). Each step multiplies (X; Y) by the matrix exponential
+//! of the Magnus expansion of fourth order (Magnus 1954); for constant H this is exact, however stiff the equation is. At times between the
+//! ends of a step, the coefficients are interpolated by a parabola through both ends and the middle.
 
 use super::riccati::Stage;
 use nalgebra::DMatrix;
 
-/// P at equal steps of a horizon, with the equations at their ends and in their middles.
+/// The solution P of Riccati's equation at the ends of equal steps, with the linear equations at the ends and middles of the steps.
 #[derive(Clone, Debug)]
 pub struct Backwards {
     step: f64,
@@ -16,7 +16,7 @@ pub struct Backwards {
 }
 
 impl Backwards {
-    /// From the P of the end; none where P has no value.
+    /// Integrates backwards from P = `end` over steps of the length `step` (s); `None` where P becomes infinite.
     pub fn of(stages: Vec<Stage>, step: f64, end: DMatrix<f64>) -> Option<Self> {
         let mut values = vec![end];
         for three in (0..stages.len() / 2).rev().map(|k| &stages[2 * k..2 * k + 3]) {
@@ -27,12 +27,12 @@ impl Backwards {
         Some(Backwards { step, stages, values })
     }
 
-    /// P at the beginning.
+    /// P at the start of the horizon.
     pub fn first(&self) -> &DMatrix<f64> {
         &self.values[0]
     }
 
-    /// K at a time; none where P has no value.
+    /// The gains K at a time in seconds, inputs by states; `None` where P is infinite.
     pub fn gains(&self, time: f64) -> Option<DMatrix<f64>> {
         let last = self.values.len().checked_sub(2)?;
         let place = (time / self.step).floor().clamp(0.0, last as f64) as usize;
@@ -42,19 +42,19 @@ impl Backwards {
         here.gains(&moved([&here, &middle, &three[2]], (1.0 - s) * self.step, &self.values[place + 1])?)
     }
 
-    /// The equations, at the ends and in the middles of steps.
+    /// The linear equations at the ends and middles of the steps, and the length of a step in seconds.
     pub fn stages(&self) -> (&[Stage], f64) {
         (&self.stages, self.step)
     }
 }
 
-/// An exponent beyond this has no exponential: the step is made in parts.
+/// Largest norm of an exponent, beyond which the matrix exponential could overflow: a longer step is divided.
 const MOST: f64 = 30.0;
 
-/// Parts of a step, at most.
+/// Largest number of parts of a step.
 const PARTS: f64 = 4096.0;
 
-/// P at the beginning of a step from that at its end.
+/// P at the beginning of a step from its value at the end; `None` where P is infinite.
 fn moved(stages: [&Stage; 3], step: f64, value: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let size = stages.iter().map(|stage| stage.hamiltonian().map_or(f64::NAN, |all| all.norm())).fold(0.0, f64::max);
     let parts = (size * step / MOST).ceil();
@@ -84,7 +84,7 @@ fn moved_once(stages: [&Stage; 3], step: f64, value: &DMatrix<f64>) -> Option<DM
     value.iter().all(|entry| entry.is_finite()).then(|| (&value + value.transpose()) * 0.5)
 }
 
-/// The parabola through the equations of a step.
+/// The coefficients at the fraction s of a step, by a parabola through its beginning, middle and end.
 fn between(three: &[Stage], s: f64) -> Stage {
     let factors = [(1.0 - s) * (1.0 - 2.0 * s), 4.0 * s * (1.0 - s), s * (2.0 * s - 1.0)];
     let part = |of: fn(&Stage) -> &DMatrix<f64>| {

@@ -1,7 +1,7 @@
-//! Optimal regulators: inputs that bring a model back to the motion from its start at the least cost.
+//! Linear-quadratic regulators: inputs that return a model to its reference motion with the least quadratic cost.
 //!
-//! The model is linearised along that motion, Riccati's equation follows from Bellman's, and the gains close the loop on the nonlinear
-//! model. Without a horizon the motion is an equilibrium, or one with constant linear equations.
+//! The model is linearised along the motion from its start. Riccati's equation gives the feedback gains, and the feedback is applied to the
+//! nonlinear model. Without a horizon the motion must be an equilibrium or have constant linear equations.
 
 mod closed_loop;
 mod controllability;
@@ -31,57 +31,58 @@ use reader::Issue;
 use simulation::Choice;
 use std::time::{Duration, Instant};
 
-/// An optimal regulator of a model, and its run.
+/// An optimal regulator of a model, with a run of the regulated nonlinear model.
 #[derive(Clone, Debug)]
 pub struct Regulated {
-    /// Places of variations in a state: coordinates, then speeds.
+    /// Indices of the independent variations in the state: coordinates, then speeds.
     pub places: Vec<usize>,
-    /// The states on which the gains act.
+    /// The states x of the linear equations on which the gains act.
     pub states: States,
     pub controllability: Controllability,
-    /// K at the start: u = u0 - K (x - x0).
+    /// The gains K at the start, inputs by states: u = u0 - K (x - x0).
     pub gains: DMatrix<f64>,
-    /// P at the start, by states as K.
+    /// The solution P of Riccati's equation at the start; x^T P x is the optimal cost from x.
     pub value: DMatrix<f64>,
-    /// The largest entry of Bellman's equation, relative; of a horizon the change of P by halved steps.
+    /// The residual of the algebraic Riccati equation, relative; for a horizon, the relative change of P when the steps are halved.
     pub residual: f64,
-    /// Eigenvalues of A at the start, and without a horizon those of A - B K.
+    /// Eigenvalues of A at the start in 1/s; `closed` has those of A - B K, without a horizon only.
     pub open: Vec<Complex<f64>>,
     pub closed: Option<Vec<Complex<f64>>>,
-    /// x^T P x of the displaced start, and the cost of what is left at the end of the run.
+    /// The optimal cost x^T P x of the displaced start by the linear equations. `left` is the cost that remains at the end of the run: x^T P x
+    /// without a horizon, otherwise the terminal cost.
     pub predicted: f64,
     pub left: f64,
     pub run: ClosedRun,
 }
 
-/// Steps of a horizon, in the beginning and at most.
+/// First number of steps of a horizon; `MOST_STEPS` is the largest.
 const STEPS: usize = 64;
 const MOST_STEPS: usize = 8192;
 
-/// The equations of the loop are written down once for both motions.
+/// Largest number of speeds and constraints: the program of the closed loop contains the equations of motion twice.
 const MOST_UNKNOWNS: usize = 24;
 
-/// The change of P by halved steps, relative, that is small enough.
+/// Relative change of P between two step sizes below which the steps are short enough.
 const FINE: f64 = 1e-10;
 
-/// A real part above this part of the size of A is none that dies away.
+/// A mode decays if the real part of its eigenvalue is below minus this multiple of the norm of A.
 const STABLE: f64 = 1e-10;
 
-/// The largest rest of Riccati's equation, relative.
+/// Largest accepted relative residual of the algebraic Riccati equation.
 const LASTS: f64 = 1e-6;
 
-/// The largest error of a step of the closed loop.
+/// Largest tolerance for the run of the closed loop.
 const RUN: f64 = 1e-10;
 
-/// The method of the loop's run.
+/// The method for the run of the closed loop.
 pub(crate) const METHOD: Method = Method::DormandPrince8;
 
-/// The method and the tolerance by which the loop of a scene runs.
+/// The method and the tolerance for the closed loop of a scene.
 pub fn loop_choice(scene: &ModelScene) -> Choice {
     Choice { method: METHOD, tolerance: scene.run.tolerance.min(RUN), ..scene.run.choice() }
 }
 
-/// Gains, with all that is told of them.
+/// The solution of Riccati's equation with its gains, residual, controllability and states.
 struct Found {
     gains: Gains,
     value: DMatrix<f64>,
@@ -90,22 +91,23 @@ struct Found {
     states: States,
 }
 
-/// A scene with its criterion and its linear equations.
+/// A scene with its regulator, cost and linear equations.
 struct Task<'a> {
     scene: &'a ModelScene,
     model: &'a Model,
     regulator: &'a Regulator,
     equations: VariedEquations,
-    /// The inputs of the regulator among those of the equations.
+    /// Indices of the regulator's inputs among those of the linear equations.
     chosen: Vec<usize>,
     cost: Form,
     last: Option<Form>,
 }
 
-/// Finds the regulator of a scene, and runs it.
+/// Computes the regulator of a scene and runs the closed loop, within the time `allowed`.
 ///
 /// # Errors
-/// The reason for which there is no regulator, at its place in the file.
+/// If the model is of an unsupported kind, an uncontrollable mode does not decay, Riccati's equation has no suitable solution, or the
+/// displaced start violates constraints; with the place in the file.
 pub fn regulated(scene: &ModelScene, allowed: Duration) -> Result<Regulated, Issue> {
     let deadline = Instant::now() + allowed;
     let task = Task::of(scene)?;
@@ -219,7 +221,7 @@ impl<'a> Task<'a> {
         Stage { a: linear.a.clone(), b, state, mixed, input }
     }
 
-    /// The states of which the gains are not too many.
+    /// The states of the regulator; a fault if there are none, or more than [`MOST`] gains would be needed.
     fn states(&self, stages: &[Stage], last: Option<&DMatrix<f64>>, about: &Linearisation) -> Result<States, Issue> {
         let states = States::of(stages, last, about.coordinates.len());
         let count = states.kept.len() * self.chosen.len();
@@ -235,7 +237,7 @@ impl<'a> Task<'a> {
         }
     }
 
-    /// The loop about an equilibrium, or a motion with constant speeds.
+    /// The feedback about an equilibrium or a steady motion, as a part of the model.
     fn feedback(&self, about: &Linearisation, places: &[usize], states: &States, gains: &DMatrix<f64>) -> Feedback {
         let by_variations = gains * &states.by_variations;
         let inputs = self.regulator.inputs.iter().zip(&self.chosen).enumerate().map(|(k, (&input, &chosen))| {
@@ -251,7 +253,7 @@ impl<'a> Task<'a> {
         }
     }
 
-    /// Without an end.
+    /// The regulator without a horizon, from the algebraic Riccati equation.
     fn lasting(&self, first: &Linearisation) -> Result<Found, Issue> {
         let standing = self.equations.standing(first).map_err(|why| why.at(self.model, 0.0))?;
         if standing == Standing::Moving {
@@ -296,7 +298,8 @@ impl<'a> Task<'a> {
         }
     }
 
-    /// Up to the end of a horizon, along the motion from the start.
+    /// The regulator of a finite horizon (s), from Riccati's differential equation along the motion from the start. Steps are halved until P
+    /// changes no longer.
     fn over(&self, horizon: f64, first: &Linearisation, deadline: Instant) -> Result<Found, Issue> {
         let mut steps = STEPS;
         let mut known: Option<DMatrix<f64>> = None;
@@ -336,7 +339,7 @@ impl<'a> Task<'a> {
             };
             let value = backwards.first().clone();
             let size = value.amax().max(f64::MIN_POSITIVE);
-            // between few instants a variation may stand nowhere that counts later
+            // with few instants, the set of states that influence the cost may differ
             let comparable = known.filter(|known| known.shape() == value.shape());
             let residual = comparable.map_or(f64::INFINITY, |known| (&known - &value).amax() / size);
             if residual <= FINE || steps >= MOST_STEPS {

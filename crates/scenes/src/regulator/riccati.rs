@@ -1,37 +1,37 @@
-//! Riccati's equation, as it follows from Bellman's.
+//! Riccati's equation of the linear-quadratic regulator.
 //!
-//! For x' = A x + B u and the cost w = x^T Q x + 2 x^T N u + u^T R u Bellman's function V = x^T P x obeys
+//! For x' = A x + B u and the cost w = x^T Q x + 2 x^T N u + u^T R u, Bellman's function V = x^T P x satisfies
 //!
 //!   0 = min over u of (dV/dt + w) ,    u = -K x ,    K = R^-1 (B^T P + N^T) ,
 //!   -P' = A^T P + P A - (P B + N) R^-1 (P B + N)^T + Q .
 
 use nalgebra::DMatrix;
 
-/// The linear equations with their cost at an instant.
+/// The matrices A, B of linear equations and Q, N, R of the cost at one instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stage {
     pub a: DMatrix<f64>,
     pub b: DMatrix<f64>,
-    /// Q, N and R.
+    /// Q, states by states; `mixed` is N, states by inputs; `input` is R, inputs by inputs.
     pub state: DMatrix<f64>,
     pub mixed: DMatrix<f64>,
     pub input: DMatrix<f64>,
 }
 
-/// Newton's iterations on the algebraic equation, and those of the matrix sign before them.
+/// Largest number of Newton's iterations for the algebraic equation, and of iterations for the matrix sign before.
 const NEWTON: usize = 12;
 const SIGNS: usize = 100;
 
-/// A step of the iteration for the sign of a matrix, relative, that is none.
+/// Relative change between iterates at which the iteration for the matrix sign has converged.
 const CONVERGED: f64 = 1e-13;
 
 impl Stage {
-    /// K of a P.
+    /// The gains K = R^-1 (B^T P + N^T) for P = `value`; `None` if R is singular.
     pub fn gains(&self, value: &DMatrix<f64>) -> Option<DMatrix<f64>> {
         self.input.clone().lu().solve(&(self.b.transpose() * value + self.mixed.transpose()))
     }
 
-    /// P'.
+    /// The time derivative P' by Riccati's equation; `None` if R is singular.
     pub fn rate(&self, value: &DMatrix<f64>) -> Option<DMatrix<f64>> {
         let gains = self.gains(value)?;
         let moved = self.a.transpose() * value;
@@ -39,7 +39,7 @@ impl Stage {
         Some(spent - &moved - moved.transpose() - &self.state)
     }
 
-    /// Hamilton's equations of the optimal motion, x and p = P x together.
+    /// The Hamiltonian matrix H of the optimal motion: (x; p)' = H (x; p) with p = P x. `None` if R is singular.
     pub fn hamiltonian(&self) -> Option<DMatrix<f64>> {
         let n = self.a.nrows();
         let inverse = self.input.clone().try_inverse()?;
@@ -53,10 +53,10 @@ impl Stage {
         Some(all)
     }
 
-    /// The P of a motion without an end: the solution of the algebraic equation that makes A - B K stable.
+    /// The solution P of the algebraic Riccati equation for which A - B K is stable; `None` if none is found.
     ///
-    /// The stable subspace of Hamilton's equations comes from the sign of their matrix (Roberts 1980); Newton's
-    /// iterations (Kleinman 1968) bring the last digits.
+    /// The stable subspace of H follows from the matrix sign function (Roberts 1980), and Newton's iterations (Kleinman 1968) refine the
+    /// solution to rounding errors.
     pub fn lasting(&self) -> Option<DMatrix<f64>> {
         let n = self.a.nrows();
         let mut sign = self.hamiltonian()?;
@@ -70,7 +70,7 @@ impl Stage {
                 break;
             }
         }
-        // (sign + 1) (1; P) = 0
+        // the stable subspace (1; P) is the kernel of sign + 1
         let unit = DMatrix::<f64>::identity(n, n);
         let (mut left, mut right) = (DMatrix::zeros(2 * n, n), DMatrix::zeros(2 * n, n));
         left.view_mut((0, 0), (n, n)).copy_from(&sign.view((0, n), (n, n)));
@@ -94,14 +94,14 @@ impl Stage {
         value.iter().all(|entry| entry.is_finite()).then_some((&value + value.transpose()) * 0.5)
     }
 
-    /// The largest entry of Bellman's equation without P', relative to the largest of its parts.
+    /// The largest entry of P' by Riccati's equation, relative to the largest entry of A^T P and Q; zero for an exact solution.
     pub fn residual(&self, value: &DMatrix<f64>) -> Option<f64> {
         let size = (self.a.transpose() * value).amax().max(self.state.amax());
         Some(self.rate(value)?.amax() / size)
     }
 }
 
-/// X with F^T X + X F + C = 0.
+/// The solution X of Lyapunov's equation F^T X + X F + C = 0, with F = `closed` and C = `cost`; `None` if it is not unique.
 fn lyapunov(closed: &DMatrix<f64>, cost: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let n = closed.nrows();
     let unit = DMatrix::<f64>::identity(n, n);

@@ -1,30 +1,30 @@
-//! The states of a regulator: variations on which the linear equations or the cost depend.
+//! The states of a regulator: combinations of variations that influence the linear equations or the cost.
 //!
-//! A displacement along a direction v with A v = 0, Q v = 0 and N^T v = 0 changes neither the linear equations nor the cost, such as the charge of
-//! a motor, or the position of a cart that does not occur in the cost. The regulator uses states z = T x without such directions, for which
-//! x' = A x + B u becomes a closed equation.
+//! A displacement in a direction v with A v = 0, Q v = 0 and N^T v = 0 influences neither of them. Examples are the charge of a motor, or the
+//! position of a cart if the cost does not contain it. The regulator uses states z = T x without such directions; z' = A z + B u is then a
+//! closed system of equations.
 
 use super::riccati::Stage;
 use crate::kernel::Rows;
 use crate::linearisation::dependent;
 use nalgebra::DMatrix;
 
-/// Factors in z = T x below this are rounding: those of kept variations are one.
+/// Entries of T below this size are rounding errors: each row of T has an entry 1.
 const ROUNDING: f64 = 1e-10;
 
-/// The states z = T x that a regulator knows.
+/// The states z = T x of a regulator.
 #[derive(Clone, Debug, PartialEq)]
 pub struct States {
-    /// T: rows are states, columns all variations; a column of its own for each state is one of the identity.
+    /// T: rows are states, columns are all variations. The columns in `kept` form an identity matrix.
     pub by_variations: DMatrix<f64>,
-    /// The variation of which each state has the whole.
+    /// For each state, the variation that has the factor 1 in it.
     pub kept: Vec<usize>,
-    /// Variations that are left out.
+    /// Variations that are no states.
     pub left_out: Vec<usize>,
 }
 
 impl States {
-    /// The states for linear equations at instants and the cost at the end; the first `displacements` variations are displacements.
+    /// The states for the linear equations at some instants and the terminal cost; the first `displacements` variations are displacements.
     pub fn of(stages: &[Stage], last: Option<&DMatrix<f64>>, displacements: usize) -> Self {
         let all = stages.first().map_or(0, |stage| stage.a.ncols());
         let parts = stages.iter().flat_map(|stage| [&stage.a, &stage.state]).chain(last);
@@ -32,7 +32,7 @@ impl States {
         parts.for_each(|part| rows.add(&part.columns(0, displacements).into_owned()));
         stages.iter().for_each(|stage| rows.add(&stage.mixed.rows(0, displacements).transpose()));
         let idle = rows.kernel();
-        // directions are independent: each has a pivot
+        // the idle directions are linearly independent, so that each has a pivot
         let left_out = dependent(&idle.transpose()).unwrap_or_default();
         let kept: Vec<usize> = (0..all).filter(|place| !left_out.contains(place)).collect();
         let mut by_variations = DMatrix::zeros(kept.len(), all);
@@ -51,7 +51,7 @@ impl States {
         States { by_variations, kept, left_out }
     }
 
-    /// The equations and the cost by the states.
+    /// The linear equations and the cost in terms of the states.
     pub fn stage(&self, stage: &Stage) -> Stage {
         Stage {
             a: &self.by_variations * stage.a.select_columns(&self.kept),
@@ -62,7 +62,7 @@ impl States {
         }
     }
 
-    /// A quadratic form of variations by the states.
+    /// A quadratic form of the variations in terms of the states.
     pub fn form(&self, form: &DMatrix<f64>) -> DMatrix<f64> {
         form.select_rows(&self.kept).select_columns(&self.kept)
     }

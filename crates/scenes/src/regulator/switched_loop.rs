@@ -1,6 +1,7 @@
-//! The closed loop of a law that changes at conditions and events: the model with its inputs by the state, run across them.
+//! The closed loop of a model whose law changes at conditions or events: the feedback becomes a part of the model, which then runs as any
+//! other.
 //!
-//! The gains are those of the law at the start. A force that saturates, a stop and dry friction act as they stand in the file.
+//! The gains follow from the law at the start. Saturated forces, stops and dry friction act in the run as the file defines them.
 
 use super::METHOD;
 use super::closed_loop::ClosedRun;
@@ -14,10 +15,10 @@ use simulation::events::Switching;
 use std::sync::Arc;
 use std::time::Instant;
 
-/// Runs the loop from a displaced start.
+/// Runs the closed loop from a displaced start; the cost is an additional coordinate.
 ///
 /// # Errors
-/// Why it does not start.
+/// If the law at the displaced start cannot be compiled, or no motion starts there.
 pub(super) fn run(
     scene: &ModelScene,
     feedback: &Feedback,

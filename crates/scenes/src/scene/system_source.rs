@@ -1,4 +1,4 @@
-//! The system of a file: its tables, or those of the system that it names, as a model.
+//! The model of a file: elaborated from its tables, or from those of the named system.
 
 use super::ModelScene;
 use crate::branch::settled;
@@ -9,28 +9,28 @@ use reader::{Issue, Table, tables};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// The system of a file with its source; its faults are added to the list of issues.
+/// The model of a file and the source that it was elaborated from; faults are added to `issues`.
 pub(crate) fn model(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<(Model, Source)> {
     model_with(top, issues, Vec::new())
 }
 
-/// The system of a file with its source and with further outputs.
+/// The model of a file with additional outputs, and its source; faults are added to `issues`.
 pub(crate) fn model_with(top: &mut Table<'_>, issues: &mut Vec<Issue>, outputs: Vec<Entry>) -> Option<(Model, Source)> {
     let mut source = named_systems::source(top, issues)?;
     source.outputs.extend(outputs);
     let faults = match Model::of(&source).and_then(settled) {
-        // a table with unreadable parts gives an incomplete model
+        // without the unreadable parts of a table the model is incomplete
         Ok(model) => return (!top.has_issues()).then_some((model, source)),
         Err(faults) => faults,
     };
-    // unreadable parts may be the cause of these faults, and are reported already
+    // faults may result from unreadable parts, which are reported already
     if !top.has_issues() && !text::has_unknown_tables(top) {
         issues.extend(faults.into_iter().map(text::issue));
     }
     None
 }
 
-/// The model of a text; none where it cannot be read.
+/// The model of a text; `None` if the text has faults.
 pub(crate) fn written(text: &str) -> Option<Model> {
     let read = tables("", text, |top, issues| {
         top.known(&["title", "description", "known_as", "run", "ensemble", "failure"]);
@@ -40,7 +40,7 @@ pub(crate) fn written(text: &str) -> Option<Model> {
 }
 
 impl ModelScene {
-    /// The scene of a model that was elaborated from another source of the same file, with the lines of its conditions.
+    /// The scene with another source of its file and with the lines of those conditions that remain from `whole`.
     pub(crate) fn of_source(self, source: Source, whole: &Self) -> Self {
         let line_of = |place: &Range<usize>| {
             let known = whole.model.switch_places.iter().position(|known| known == place);

@@ -1,4 +1,4 @@
-//! Algebraic speeds at the start, by the laws of the first mode.
+//! Algebraic speeds at the start: speeds that a law without inertia determines, by the law of the first mode.
 
 use super::given;
 use crate::compiled_system::{CompiledSystem, ImplicitSpeeds};
@@ -8,10 +8,10 @@ use model::Model;
 use reader::Issue;
 use std::sync::Arc;
 
-/// A given speed may differ from its law by so much of the largest one.
+/// Largest accepted difference between a given speed and its law, relative to the largest speed.
 const MET: f64 = 1e-9;
 
-/// Gives algebraic speeds that the file does not give what the laws of the first mode make of them, where there is one.
+/// Sets the algebraic speeds that the file does not give, by the law of the first mode; the state is unchanged where no mode is possible.
 pub(crate) fn complete_algebraic_speeds(model: &Model, state: &mut [f64]) {
     if model.algebraic_speeds.is_empty() || model.unsolved_law.is_some() {
         return;
@@ -27,7 +27,7 @@ pub(crate) fn complete_algebraic_speeds(model: &Model, state: &mut [f64]) {
     }
 }
 
-/// Completes the algebraic speeds of a start; the fault of the first that the file gives otherwise.
+/// Sets all algebraic speeds of a start; returns a fault if the file gives one of them with another value.
 pub(crate) fn with_algebraic_speeds(model: &Model, system: &CompiledSystem, start: &mut [f64]) -> Option<Issue> {
     let (written, given) = (start.to_vec(), given(model));
     system.set_algebraic_speeds(0.0, start);

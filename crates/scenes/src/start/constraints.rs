@@ -1,4 +1,4 @@
-//! The constraints of a model with their derivatives, compiled for starts and for the monitoring of runs.
+//! The constraints of a model and their derivatives, compiled for the completion of starts and for the monitoring of runs.
 
 use super::{MET, Open, RANK, ROUNDED, Unmet};
 use crate::compiled_system::NotCompiled;
@@ -11,20 +11,20 @@ use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
 use symbolic::{Sym, Tape, apart};
 
-/// The constraints of a model with their derivatives.
+/// The constraints of a model and the quasi-velocities given at the start, with their derivatives.
 #[derive(Debug)]
 pub(super) struct Constraints {
-    /// From state, parameters, quasi-velocities of the start and time to the residuals, their rates, and the rates' derivatives by the
-    /// speeds.
+    /// Computes from state, parameters, quasi-velocities of the start and time: the residuals, the rates of the residuals, and the derivatives
+    /// of these rates by the speeds.
     pub tape: Tape,
-    /// Constraints of positions stand first.
+    /// The equations in the order of the residuals; constraints of positions come first.
     pub known: Vec<Known>,
-    /// Number of those that are kept, which stand first.
+    /// The number of enforced constraints, which come first.
     pub kept: usize,
-    /// Number of quasi-velocities that the start gives, which stand behind these; the others are led to zero, and may start elsewhere.
+    /// The number of quasi-velocities that the start gives, which come next. Stabilised constraints come last; they need not hold at the start.
     pub started: usize,
     pub layout: Layout,
-    /// Names of coordinates and speeds, in the order of a state.
+    /// The names of coordinates and speeds, in the order of the state.
     pub names: Vec<String>,
 }
 
@@ -32,14 +32,14 @@ pub(super) struct Constraints {
 #[derive(Debug)]
 pub(super) struct Known {
     pub level: Level,
-    /// As sentences call it.
+    /// The name of the constraint in messages.
     pub title: String,
-    /// The unit of its expression.
+    /// The unit of the residual.
     pub unit: String,
     pub at: Range<usize>,
-    /// The equation of a constraint: its constraint in the model, and its component.
+    /// The indices of the constraint in the model and of its component; `None` for a quasi-velocity.
     pub of: Option<[usize; 2]>,
-    /// Whether it is one of speeds that holds coordinates too where they are zero, as the law of a charge does.
+    /// Whether a constraint of speeds depends on coordinates when all speeds are zero, such as the law of a charge.
     pub is_of_places: bool,
 }
 
@@ -97,7 +97,7 @@ impl Constraints {
                 Tape::record(&[&inputs.state, &inputs.parameters, &speeds, &[inputs.time][..]].concat(), &wanted)
                     .map_err(|reason| Unmet::NotCompiled(NotCompiled::Undefined { reason: reason.to_string() }))?
                     .arranged();
-            // behind the tape, whose order of operations is that in which expressions are made
+            // after the recording, since the order in which expressions are created determines that of the operations
             let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
             let is_of_places = |row: &Row| {
                 let rest = row.rate.substitute(&at_rest).symbols_of();
@@ -117,7 +117,8 @@ impl Constraints {
         })
     }
 
-    /// Residuals and their derivatives: of positions by the displacements, of all by the speeds.
+    /// Residuals and their Jacobian at time zero: of position constraints by displacements (`Level::Position`), or without a level the rates of all
+    /// equations by the speeds.
     pub fn at(&self, state: &[f64], parameters: &[f64], level: Option<Level>) -> (DVector<f64>, DMatrix<f64>) {
         let values = self.values(0.0, state, parameters);
         let count = match level {
@@ -128,21 +129,20 @@ impl Constraints {
         (DVector::from_fn(count, |i, _| values[first + i]), self.rows(&values, count))
     }
 
-    /// Values that should be zero, their rates, and their derivatives by the speeds.
+    /// The residuals, their rates, and the derivatives of the rates by the speeds, as one list.
     pub fn values(&self, time: f64, state: &[f64], parameters: &[f64]) -> Vec<f64> {
         let mut values = vec![f64::NAN; self.known.len() * (2 + self.layout.speeds())];
         self.tape.over().evaluate(&[state, parameters, &[time]].concat(), &mut values);
         values
     }
 
-    /// The derivatives of the first constraints by the speeds.
+    /// The derivatives of the first `count` equations by the speeds, from the list of [`Constraints::values`].
     pub fn rows(&self, values: &[f64], count: usize) -> DMatrix<f64> {
         let (m, n) = (self.known.len(), self.layout.speeds());
         DMatrix::from_fn(count, n, |i, j| values[2 * m + i * n + j])
     }
 
-    /// The first two constraints of which one is a multiple of the other and a constant, at every state: f = k g + d with d other than
-    /// zero. Two displaced states decide it.
+    /// Two contradictory constraints f and g with f = k g + d and d not zero, k and d constant; tested at the state and two displaced states.
     pub fn contradiction(&self, state: &[f64], parameters: &[f64], level: Option<Level>) -> Option<Unmet> {
         let displaced = |by: f64| {
             let mut moved = state.to_vec();
@@ -173,7 +173,8 @@ impl Constraints {
         Some(Unmet::Contradiction { at: [one, other].map(|place| self.known[place].at.clone()), residual, unit })
     }
 
-    /// Whether each residual is rounding: of terms in SI units of the order of one, or of larger ones, by the derivatives and the state.
+    /// Whether each residual is a rounding error, relative to the terms of the equation (derivatives times components of the state) or to one
+    /// SI unit.
     pub fn met(&self, state: &[f64], (residuals, jacobian): &(DVector<f64>, DMatrix<f64>), order: usize) -> Vec<bool> {
         let largest = |speed: usize| {
             state[self.layout.places(speed, order)].iter().fold(1.0, |largest: f64, part| largest.max(part.abs()))
@@ -210,7 +211,7 @@ impl Constraints {
         // products of the components of unit vectors leave rounding errors for derivatives that are zero
         let moves = (0..self.layout.speeds()).filter(|&speed| slopes[speed].abs() > RANK * slopes.amax());
         let (moved, given): (Vec<usize>, Vec<usize>) = moves.partition(|speed| free.contains(speed));
-        // the orientation of a free frame is given as a whole
+        // a free frame has one name for its four coordinates
         let name = |speed: usize| {
             let places = self.layout.places(speed, order);
             let name = &self.names[places.start];
@@ -225,14 +226,14 @@ impl Constraints {
         Some(Open { at: at.clone(), name: title.clone(), residual, unit, is_rate, moved, given, level })
     }
 
-    /// The unit of a residual: of a constraint of positions, where speeds are judged, that of its rate.
+    /// The unit of a residual; if speeds are solved for, that of the rate of a position constraint.
     pub fn unit_of(&self, row: usize, level: Option<Level>) -> String {
         let Known { unit, level: own, .. } = &self.known[row];
         if level.is_none() && *own == Level::Position { rate_unit(unit) } else { unit.clone() }
     }
 }
 
-/// A row of the equations of a start.
+/// An equation of the start: residual, its rate, and the derivatives of the rate by the speeds.
 struct Row {
     known: Known,
     zero: Sym,

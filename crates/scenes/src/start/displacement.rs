@@ -1,12 +1,13 @@
-//! A start displaced from another one.
+//! A start that deviates from a given state.
 
 use super::{Completed, Unmet, consistent};
 use model::{Model, StartValue};
 
-/// A state with some of its values moved, by their coordinates and orders; others follow where constraints ask for it.
+/// A state with some components changed and the others adjusted so that constraints hold. Each change is the index of a coordinate, the order 0 (the
+/// coordinate) or 1 (its speed), and the amount in SI units.
 ///
 /// # Errors
-/// Why constraints cannot be met there.
+/// The constraint that cannot be satisfied with these changes.
 pub fn displaced(model: &Model, state: &[f64], by: &[(usize, usize, f64)]) -> Result<Vec<f64>, Unmet> {
     let n = model.positions();
     let value = |(place, &value): (usize, &f64)| {

@@ -1,22 +1,21 @@
-//! Gimbal lock: quasi-velocities of a start that are impossible in its position.
+//! Gimbal lock: quasi-velocities of a start that are impossible at its position.
 //!
-//! If the first and the last of three turns have one axis, their rates turn the body in the same way, and no rates give an angular velocity
-//! in a certain direction. A quasi-velocity of the start then depends on others in this position, but is independent of them in neighbouring
-//! positions.
+//! If the first and the last axis of three successive rotations coincide, their rates cause the same rotation, and some angular velocities
+//! are impossible. A quasi-velocity of the start then depends on others at this position but is independent of them at neighbouring ones.
 
 use super::RANK;
 use super::constraints::Constraints;
 use super::redundancy::Rows;
 
-/// The size of a displacement, in SI units.
+/// Size of the displacements in SI units.
 const ASIDE: f64 = 0.1;
 
-/// Displaced positions, one of which must tell.
+/// Number of displaced positions; independence at one of them is sufficient.
 const PROBES: usize = 3;
 
 impl Constraints {
-    /// The first quasi-velocity of the start, by its row, that depends on constraints and others of the start here, and not in positions
-    /// beside.
+    /// The row of the first quasi-velocity of the start that depends on constraints and other quasi-velocities at this state, but not at
+    /// displaced ones.
     pub(super) fn locked(&self, state: &[f64], parameters: &[f64]) -> Option<usize> {
         let count = self.kept + self.started;
         let dependent = |state: &[f64]| {
@@ -30,7 +29,7 @@ impl Constraints {
         here.into_iter().find(is_locked)
     }
 
-    /// Another position: every coordinate displaced, by parts that are no multiples of each other, to both sides.
+    /// The state with every coordinate displaced by amounts of both signs and incommensurable ratios.
     fn aside(&self, state: &[f64], probe: usize) -> Vec<f64> {
         let mut moved = state.to_vec();
         for speed in 0..self.layout.speeds() {

@@ -1,27 +1,27 @@
-//! Constraints whose gradient jumps where they hold, as that of the norm of a vector at zero: grad |v| is the direction of v, which the zero
-//! vector does not have. Rounding would choose it, and with it the reaction.
+//! Constraints whose gradient is discontinuous where they hold, such as |v| = 0: grad |v| is the direction of v, which is undefined at zero, so
+//! that rounding would determine the reaction.
 
 use super::Unmet;
 use super::constraints::Constraints;
 use model::equations::Level;
 
-/// The size of displacements, in SI units: well above the residual of a completed start, and below every length of a mechanism.
+/// Size of the displacements in SI units: far above the residual of a completed start, far below the lengths of a mechanism.
 const SIZE: f64 = 1e-9;
 
-/// The number of displacements, each to both sides.
+/// Number of displacements; each is applied with both signs.
 const PROBES: usize = 3;
 
-/// A gradient that changes over them by more than this part of itself jumps.
+/// The gradient is discontinuous if it changes by more than this fraction between opposite displacements.
 const JUMP: f64 = 0.1;
 
-/// The size of displacements at which the gradient has its usual size, in SI units.
+/// Size of the displacements at which the gradient is taken as usual, in SI units.
 const USUAL: f64 = 0.1;
 
-/// A gradient below this part of its usual size vanishes, as at a singular position.
+/// A gradient below this fraction of the usual one is zero, as at a singular position.
 const SMALL: f64 = 1e-6;
 
 impl Constraints {
-    /// The first constraint that is kept and has no gradient at a state at which it holds.
+    /// The first enforced constraint without a continuous gradient at a state at which it holds.
     pub(super) fn without_gradient(&self, state: &[f64], parameters: &[f64]) -> Option<Unmet> {
         let row = (0..self.kept).find(|&row| self.jumps(row, state, parameters))?;
         Some(Unmet::Jumping { at: self.known[row].at.clone(), name: self.known[row].title.clone() })
@@ -35,7 +35,7 @@ impl Constraints {
             return true;
         }
         let beside = |probe: usize, by: f64| {
-            // parts that are no multiples of each other, of both signs
+            // incommensurable amounts of both signs
             let part = |place: usize| ((probe * 13 + place + 1) as f64 * 0.618_033_988_749_894_9).fract() * 2.0 - 1.0;
             let mut moved = state.to_vec();
             (0..n).for_each(|speed| self.layout.displace(&mut moved, (speed, order), by * part(speed)));

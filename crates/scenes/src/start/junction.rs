@@ -1,10 +1,10 @@
-//! The start of bodies that become joined, with conservation of momentum.
+//! The state after bodies are rigidly joined, with conservation of momentum.
 //!
-//! Reactions r alone move coordinates and speeds,
+//! Only reactions r change coordinates and speeds,
 //!
 //!   M dq = J^T r ,  g(q + dq) = 0 ;   M dv = J^T r ,  J (v + dv) + g_t = 0 ,
 //!
-//! as in an impact without rebound: of two masses the centre stays where it is, and keeps its velocity.
+//! as in a perfectly inelastic impact: the centre of mass of two joined masses keeps its position and its velocity.
 
 use super::RANK;
 use super::constraints::Constraints;
@@ -12,15 +12,16 @@ use model::Model;
 use model::equations::Level;
 use nalgebra::{DMatrix, DVector};
 
-/// Steps of Newton's method.
+/// Largest number of Newton's iterations.
 const MOST_STEPS: usize = 20;
-/// Residuals below this are met.
+/// Residuals below this size count as zero.
 const MET: f64 = 1e-13;
 
-/// A sum below this part of its terms is rounding.
+/// A sum below this multiple of its terms is a rounding error.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// The state with the constraints of a model satisfied, by the mass matrix M there; `None` with free frames, or where M is singular.
+/// The state after the constraints of a model are imposed, with the mass matrix M at the state; `None` with free frames, with given
+/// quasi-velocities, or if M is singular.
 pub(crate) fn joined(model: &Model, mut state: Vec<f64>, mass: DMatrix<f64>) -> Option<Vec<f64>> {
     if !model.free.is_empty() || !model.start_speeds.is_empty() {
         return None;
@@ -32,7 +33,7 @@ pub(crate) fn joined(model: &Model, mut state: Vec<f64>, mass: DMatrix<f64>) -> 
     let moved = |(residual, jacobian): (DVector<f64>, DMatrix<f64>)| {
         let by_reactions = mass.solve(&jacobian.transpose());
         let slopes = &jacobian * &by_reactions;
-        // the singular value decomposition does not end for NaN
+        // the singular value decomposition does not terminate for NaN
         if !slopes.iter().chain(residual.iter()).all(|entry| entry.is_finite()) {
             return None;
         }
@@ -56,8 +57,8 @@ pub(crate) fn joined(model: &Model, mut state: Vec<f64>, mass: DMatrix<f64>) -> 
     state.iter().all(|value| value.is_finite()).then_some(state)
 }
 
-/// A number moved by another, which is put together from terms of a size; zero where nothing is left but rounding, so that what comes to rest
-/// has no energy that a run could lose.
+/// The sum of a number and a change with terms of the given size. A rounding error becomes zero, so that a body that comes to rest has exactly
+/// no energy.
 fn sum(own: f64, (by, size): (f64, f64)) -> f64 {
     let sum = own + by;
     if sum.abs() <= ROUNDING * (own.abs() + size) { 0.0 } else { sum }

@@ -1,5 +1,5 @@
-//! Constraints at the events of a run: after an event sets some coordinates, those without inertia follow at once, and no constraint may
-//! be violated.
+//! Constraints at events of a run: if an event sets coordinates, those without inertia are adjusted so that constraints hold, and a violated
+//! constraint is reported.
 
 use super::constraints::{Constraints, Known};
 use super::start_speeds;
@@ -8,39 +8,39 @@ use model::Model;
 use model::equations::Level;
 use nalgebra::{DMatrix, DVector};
 
-/// Steps of Newton's method: laws of speeds are linear in most systems.
+/// Largest number of Newton's iterations; most constraints are linear in coordinates without inertia.
 const STEPS: usize = 20;
 
-/// Residuals below this are what rounding leaves.
+/// Residuals below this size are rounding errors.
 const ROUNDED: f64 = 1e-14;
 
-/// Residuals beyond this part of the state are no drift of a run.
+/// Largest residual that can result from integration errors, relative to the state.
 const LOOSE: f64 = 1e-6;
 
-/// Singular values below this part of the largest one are taken for zero.
+/// Singular values below this multiple of the largest one count as zero.
 const RANK: f64 = 1e-10;
 
-/// Parts of a combination of constraints from which on one is told.
+/// Constraints are named if their coefficient in the dependent combination is at least this fraction of the largest coefficient.
 const TOLD: f64 = 0.1;
 
-/// Constraints that are nearest to depending on each other at a state.
+/// The combination of constraints that is closest to linear dependence at a state.
 pub(crate) struct Dependence {
-    /// As sentences call them.
+    /// The names of the constraints in it, for messages.
     pub titles: Vec<String>,
-    /// Speeds that some constraint holds.
+    /// Indices of the speeds that some constraint involves.
     pub moved: Vec<usize>,
-    /// The least singular value of the rows, by the length of the longest.
+    /// The least singular value of J, divided by the norm of its longest row.
     pub least: f64,
 }
 
-/// The constraints of a model, written down once.
+/// The compiled constraints of a model.
 #[derive(Debug)]
 pub(crate) struct KeptConstraints {
-    /// None of a model without constraints.
+    /// `None` for a model without constraints.
     constraints: Option<Constraints>,
-    /// Parameters, then quasi-velocities of the start.
+    /// The values of parameters, then of the quasi-velocities given at the start.
     parameters: Vec<f64>,
-    /// Coordinates without inertia that constraints determine.
+    /// Indices of coordinates without inertia that constraints determine.
     inertialess: Vec<usize>,
 }
 
@@ -54,14 +54,14 @@ impl KeptConstraints {
         }
     }
 
-    /// The largest residual at a time and a state, each in the SI unit of its constraint.
+    /// The largest absolute residual at a time and a state, each in the SI unit of its constraint.
     pub fn residual(&self, time: f64, state: &[f64]) -> f64 {
         let Some(constraints) = &self.constraints else { return 0.0 };
         let values = constraints.values(time, state, &self.parameters);
         values[..constraints.kept].iter().fold(0.0, |largest: f64, residual| largest.max(residual.abs()))
     }
 
-    /// Moves coordinates without inertia, and their speeds, until constraints hold; the state stays where the model has none.
+    /// Adjusts coordinates without inertia and their speeds until constraints hold; other components are unchanged.
     pub fn follow(&self, time: f64, state: &mut [f64]) {
         let (Some(constraints), own) = (&self.constraints, &self.inertialess) else { return };
         if own.is_empty() {
@@ -88,8 +88,8 @@ impl KeptConstraints {
         }
     }
 
-    /// The combination of constraints that is nearest to depending on each other at a state, their rows by their lengths; none of a model
-    /// without constraints.
+    /// The combination of constraints closest to linear dependence at a state; `None` for a model without enforced constraints, or where J is
+    /// not finite.
     pub fn dependence(&self, time: f64, state: &[f64]) -> Option<Dependence> {
         let constraints = self.constraints.as_ref().filter(|constraints| constraints.kept > 0)?;
         let values = constraints.values(time, state, &self.parameters);
@@ -110,7 +110,7 @@ impl KeptConstraints {
         })
     }
 
-    /// The first constraint that a state breaks, of those that are kept at zero, with its residual.
+    /// The first enforced constraint that a state violates, with its residual, as a text; `None` if all hold.
     pub fn broken(&self, time: f64, state: &[f64]) -> Option<String> {
         let constraints = self.constraints.as_ref()?;
         let values = constraints.values(time, state, &self.parameters);
@@ -128,7 +128,7 @@ impl KeptConstraints {
     }
 }
 
-/// Residuals of the constraints of positions, or of the rates of all, and their derivatives by the speeds.
+/// The residuals of position constraints or, without a level, the rates of all constraints, and their derivatives by the speeds.
 fn at(
     constraints: &Constraints,
     time: f64,

@@ -1,7 +1,8 @@
-//! The positions that motions can reach under constraints of speeds: leaves of integrable constraints.
+//! The positions that motions can reach under constraints of speeds.
 //!
-//! The constraints J u = 0 allow sequences of displacements d with J d = 0. If the constraints can be integrated, their constants do not
-//! change along any such path, such as the distance of a ball from the centre of its bowl; otherwise paths lead to all positions.
+//! The constraints J u = 0 admit paths whose tangents d satisfy J d = 0. If the constraints are integrable, their integrals are constant
+//! along every path, such as the distance of a ball from the centre of its bowl, and the reachable positions form a leaf of a foliation.
+//! Otherwise paths lead to all positions (Chow 1939).
 
 use super::constraints::Constraints;
 use super::{RANK, start_speeds};
@@ -9,26 +10,26 @@ use model::Model;
 use model::equations::Level;
 use nalgebra::{DMatrix, DVector};
 
-/// A part of a way, in radians or metres: the classical method of Runge and Kutta leaves 1e-12 of it.
+/// Largest step along a path, in rad or m; the error of the classical Runge-Kutta method is about 1e-12 of the path.
 const PART: f64 = 0.004;
 
-/// Parts of the longest way.
+/// Largest number of steps along a path.
 const MOST_PARTS: f64 = 1_000.0;
 
-/// Paths of positions along which constraints of speeds hold: on one leaf of the foliation that integrable constraints make.
+/// Paths along which the constraints of speeds hold.
 pub(crate) struct Leaf<'m> {
     model: &'m Model,
     constraints: Constraints,
-    /// Places of the constraints of speeds that hold.
+    /// Indices of the enforced constraints of speeds.
     rows: Vec<usize>,
     parameters: Vec<f64>,
 }
 
 impl<'m> Leaf<'m> {
-    /// None where no constraint holds speeds.
+    /// The paths of a model; `None` if it has no constraint of speeds.
     pub fn of(model: &'m Model) -> Option<Self> {
         let constraints = Constraints::of(model).ok()??;
-        // a law of places leads somewhere at any place: it leaves no displacements
+        // a constraint that involves coordinates at rest, such as the law of a charge, restricts no displacement
         let is_of_speeds = |row: &usize| {
             let known = &constraints.known[*row];
             known.level == Level::Speed && !known.is_of_places
@@ -39,19 +40,19 @@ impl<'m> Leaf<'m> {
         (!rows.is_empty()).then_some(Leaf { model, constraints, rows, parameters })
     }
 
-    /// Directions of some speeds, the others at rest, that the constraints leave: orthonormal columns over these speeds.
+    /// An orthonormal basis, as columns over the speeds `free`, of the directions that the constraints admit when all other speeds are zero.
     pub fn directions(&self, coordinates: &[f64], free: &[usize]) -> DMatrix<f64> {
         let projector = self.projector(coordinates, free);
         if projector.is_empty() || !projector.iter().all(|entry| entry.is_finite()) {
             return DMatrix::zeros(free.len(), 0);
         }
         let parts = projector.symmetric_eigen();
-        // eigenvalues are one and zero
+        // eigenvalues of a projector are 1 and 0
         let left: Vec<usize> = (0..free.len()).filter(|&place| parts.eigenvalues[place] > 0.5).collect();
         parts.eigenvectors.select_columns(&left)
     }
 
-    /// I - J^+ J.
+    /// The projector I - J^+ J onto the admissible directions.
     fn projector(&self, coordinates: &[f64], free: &[usize]) -> DMatrix<f64> {
         let layout = self.constraints.layout;
         let state = [coordinates, &vec![0.0; layout.speeds()]].concat();
@@ -70,7 +71,7 @@ impl<'m> Leaf<'m> {
         }
     }
 
-    /// The coordinates at the end of a way that begins with a displacement and follows it as far as the constraints leave it.
+    /// The coordinates at the end of a path; its tangent is the projection of `displacement` onto the admissible directions at each position.
     pub fn along(&self, coordinates: &[f64], free: &[usize], displacement: &DVector<f64>) -> Vec<f64> {
         let parts = (displacement.amax() / PART).ceil().clamp(1.0, MOST_PARTS);
         let step = 1.0 / parts;

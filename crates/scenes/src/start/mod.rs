@@ -1,7 +1,7 @@
 //! The state at time zero: the values in the file, completed so that every constraint holds.
 //!
-//! Coordinates that the file does not give, or gives as a guess, are moved by Newton's method with least changes until the position
-//! constraints hold; then speeds are moved until all constraints hold, a linear problem.
+//! Newton's method with least changes adjusts coordinates that the file does not give, or gives as guesses, until the position constraints
+//! hold. Then speeds are adjusted until all constraints hold, which is a linear problem.
 
 mod algebraic;
 mod constraints;
@@ -32,10 +32,10 @@ use nalgebra::DMatrix;
 use std::borrow::Cow;
 use std::fmt;
 
-/// Steps of Newton's method: from a fair guess six are many.
+/// Largest number of Newton's iterations; from a fair guess six are sufficient.
 const MOST_STEPS: usize = 50;
 
-/// Residuals below this, in SI units and beside larger terms relative to these, are rounding of data with fifteen digits.
+/// Residuals below this size are rounding errors of data with fifteen digits; in SI units, or relative to terms larger than one unit.
 const MET: f64 = 1e-10;
 
 /// Residuals below this, relative to the largest derivative and to one, are rounding errors.
@@ -48,29 +48,30 @@ const SHRINKS: f64 = 0.1;
 /// value: the change is the rounding of a few steps by singular values.
 const STAYS: f64 = 32.0 * f64::EPSILON;
 
-/// Singular values below this part of the largest one are taken for zero.
+/// Singular values below this multiple of the largest one count as zero.
 const RANK: f64 = 1e-10;
 
-/// Completes starts of a model for any values of its parameters.
+/// Completes starts of a model, for any values of its parameters.
 #[derive(Debug)]
 pub(crate) struct StartSolver {
     constraints: Option<Constraints>,
-    /// The constraints without coordinates that lack inertia, and these coordinates.
+    /// If coordinates lack inertia: the constraints without these coordinates, and the indices of the coordinates.
     with_inertia: Option<(Option<Constraints>, Vec<usize>)>,
 }
 
 /// A start that satisfies all constraints.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Completed {
+    /// Coordinates, then speeds, in SI units.
     pub state: Vec<f64>,
-    /// Equations of constraints that are redundant along every motion from the start.
+    /// Constraint equations that are redundant along every motion: index of the constraint and of its component.
     pub implied: Vec<[usize; 2]>,
 }
 
-/// The start of a model whose parameters have values.
+/// The completed start of a model whose parameters have values.
 ///
 /// # Errors
-/// The first constraint that cannot be met.
+/// The first constraint that cannot be satisfied or whose reaction is not determined, or a value that is missing.
 pub fn consistent(model: &Model) -> Result<Completed, Unmet> {
     let in_touch = in_touch(model);
     let solver = StartSolver::of(&in_touch)?;
@@ -83,7 +84,7 @@ pub fn consistent(model: &Model) -> Result<Completed, Unmet> {
     Ok(completed)
 }
 
-/// The model with the gap of each contact that touches at the start as a constraint.
+/// The model in which the gap of each contact that touches at the start is a constraint.
 pub(crate) fn in_touch(model: &Model) -> Cow<'_, Model> {
     let touches = |contact: &&Contact| contact.is_touching && contact.guide.is_none();
     let held: Vec<Constraint> = model.contacts.iter().filter(touches).map(Contact::closed).collect();
@@ -95,12 +96,12 @@ pub(crate) fn in_touch(model: &Model) -> Cow<'_, Model> {
     Cow::Owned(with)
 }
 
-/// Quasi-velocities at the start, as the file gives them.
+/// The values of the quasi-velocities that the file gives at the start.
 pub(crate) fn start_speeds(model: &Model) -> Vec<f64> {
     model.start_speeds.iter().map(|start| start.value).collect()
 }
 
-/// For each coordinate and speed, in the order of a state, whether the file gives it, so that it is not changed.
+/// For each coordinate and then each speed, whether the file gives its value, which then stays unchanged.
 pub(crate) fn given(model: &Model) -> Vec<bool> {
     let mut given = vec![false; model.positions() + model.speeds()];
     for value in model.start.iter().filter(|value| !value.is_guess) {
@@ -110,10 +111,10 @@ pub(crate) fn given(model: &Model) -> Vec<bool> {
 }
 
 impl StartSolver {
-    /// Compiles the constraints.
+    /// Compiles the constraints of a model.
     ///
     /// # Errors
-    /// Where they have no values, or a constraint cannot be completed.
+    /// If a constraint cannot be compiled, depends on conditions, contains no coordinate and no speed, or has a wrong number of gains.
     pub fn of(model: &Model) -> Result<Self, Unmet> {
         let with_inertia = match model.with_inertia_alone() {
             Some((without, own)) => Some((Constraints::of(&without)?, own)),
@@ -122,10 +123,10 @@ impl StartSolver {
         Ok(StartSolver { constraints: Constraints::of(model)?, with_inertia })
     }
 
-    /// Completes a state for some parameters and quasi-velocities: values that are not given are moved until the constraints hold.
+    /// Completes a state for values of parameters and of quasi-velocities. Values with `given` = false are adjusted until the constraints hold.
     ///
     /// # Errors
-    /// The first constraint that cannot be met.
+    /// The first constraint that cannot be satisfied, or whose reaction is not determined.
     pub fn complete(
         &self,
         parameters: &[f64],
@@ -136,7 +137,7 @@ impl StartSolver {
         let by_all =
             |state: Vec<f64>, given: &[bool]| completed(self.constraints.as_ref(), parameters, speeds, state, given);
         let Some((others, own)) = &self.with_inertia else { return by_all(state, given) };
-        // coordinates with inertia keep their values where moving the others suffices
+        // coordinates with inertia stay unchanged if adjusting the others suffices
         let first = completed(others.as_ref(), parameters, speeds, state.clone(), given)?;
         let positions = self.constraints.as_ref().map_or(0, |constraints| constraints.layout.positions());
         let mut kept = vec![true; given.len()];
@@ -148,7 +149,7 @@ impl StartSolver {
         by_all(first.state, &kept).or_else(|_| by_all(state, given))
     }
 
-    /// Writes a text that determines a completed start together with the given numbers.
+    /// Writes a text that, together with the numbers passed to [`StartSolver::complete`], determines the result; two equal texts give equal starts.
     pub fn write(&self, out: &mut dyn fmt::Write) -> fmt::Result {
         match &self.constraints {
             None => Ok(()),
@@ -160,7 +161,7 @@ impl StartSolver {
     }
 }
 
-/// The state that meets constraints.
+/// The state that satisfies the given constraints, by Newton's method.
 fn completed(
     constraints: Option<&Constraints>,
     parameters: &[f64],
@@ -202,7 +203,7 @@ fn completed(
                 layout.displace(&mut state, (at, order), -part);
             }
         }
-        // values changed by rounding alone are restored
+        // values that changed only by rounding are restored
         let (coordinates, speeds) = (0..layout.positions(), layout.positions()..state.len());
         for parts in [coordinates, speeds] {
             let largest = state[parts.clone()].iter().fold(0.0, |largest: f64, part| largest.max(part.abs()));

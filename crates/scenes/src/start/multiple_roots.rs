@@ -1,37 +1,38 @@
-//! Constraints with multiple roots: the gradient vanishes where they hold, as 2 g grad g of f = g^2, and no reaction can enforce them.
+//! Constraints with multiple roots: for f = g^2 the gradient 2 g grad g is zero where f = 0, and no reaction can enforce the constraint.
 //!
-//! A start satisfies f up to rounding, so the gradient there is of the order of the root of a rounding error: small, but not zero. To
-//! distinguish such a constraint from one at a singular position, Newton's method is applied to f alone, from displaced states. It halves g in
+//! A start satisfies f up to a rounding error e, so that the gradient there is of the order sqrt(e): small, but not zero. To distinguish such a
+//! constraint from one at a singular position, Newton's method is applied to f alone from displaced states. At a double root it halves g in
 //! each step, and
 //!
-//!   |grad f| / |grad f0| = (f / f0)^(1/2)    of a double root, and less of a higher one,
+//!   |grad f| / |grad f0| = (f / f0)^(1/2) ;
 //!
-//! where the gradient at a simple root stays.
+//! the ratio is less for roots of higher order, and stays near 1 for a simple root.
 
 use super::constraints::Constraints;
 use super::{MOST_STEPS, RANK, Unmet};
 use model::equations::Level;
 use nalgebra::DVector;
 
-/// A gradient at the start above this part of the largest beside it is none that vanishes.
+/// The gradient at the start does not vanish if it is above this fraction of the largest one at displaced states.
 const SMALL: f64 = 3e-2;
 
-/// States beside the start from which zeros are sought.
+/// Number of displaced states from which Newton's method starts.
 const PROBES: usize = 5;
 
-/// A state whose gradient is below this part of the largest one lies by chance where f is small, and tells nothing.
+/// Displaced states with a gradient below this fraction of the largest one are ignored: they are too close to a root by chance.
 const TELLING: f64 = 0.1;
 
-/// The size of a displacement, in SI units.
+/// Size of the displacements in SI units.
 const SIZE: f64 = 0.1;
 
-/// A zero is found where f is below this part of its value at the displaced state; a zero at all, below the root of this.
+/// The iteration ends where f is below this fraction of its first value. It has converged if the fraction is below the square root of this
+/// value.
 const FOUND: f64 = 1e-12;
 
-/// A gradient may be so many times what the law of a double root gives: f is no pure square.
+/// Factor by which the gradient may exceed the law of a double root, since f is not an exact square.
 const SLACK: f64 = 10.0;
 
-/// A constraint with its gradient at a state.
+/// A constraint's value and gradient at a displaced state.
 struct Beside {
     state: Vec<f64>,
     value: f64,
@@ -39,19 +40,19 @@ struct Beside {
 }
 
 impl Constraints {
-    /// The first constraint that is kept and whose gradient vanishes at all its zeros beside a state.
+    /// The first enforced constraint whose gradient vanishes at all roots found near a state.
     pub(super) fn with_multiple_root(&self, state: &[f64], parameters: &[f64]) -> Option<Unmet> {
         let rows = self.rows(&self.values(0.0, state, parameters), self.kept);
         let norms: Vec<f64> = rows.row_iter().map(|row| row.norm()).collect();
         let largest = norms.iter().copied().fold(0.0, f64::max);
-        // one that is zero in every digit restrains nothing here, and that is told
+        // an exactly zero gradient is reported elsewhere, as a constraint without effect
         let row = (0..self.kept)
             .filter(|&row| norms[row] > RANK * largest)
             .find(|&row| self.vanishes_beside(row, norms[row], state, parameters))?;
         Some(Unmet::Multiple { at: self.known[row].at.clone(), name: self.known[row].title.clone() })
     }
 
-    /// Whether the gradient of a constraint, which has a norm at a state, vanishes at every zero that is found from states beside it.
+    /// Whether the gradient of a constraint, of the given norm at the state, vanishes at every root found from displaced states.
     fn vanishes_beside(&self, row: usize, norm: f64, state: &[f64], parameters: &[f64]) -> bool {
         let order = usize::from(self.known[row].level == Level::Speed);
         let n = self.layout.speeds();
@@ -61,7 +62,7 @@ impl Constraints {
             Beside { state, value: values[row], gradient }
         };
         let displaced = |probe: usize| {
-            // parts that are no multiples of each other, of both signs
+            // incommensurable amounts of both signs
             let part = |place: usize| ((probe * 13 + place + 1) as f64 * 0.618_033_988_749_894_9).fract() * 2.0 - 1.0;
             let mut moved = state.to_vec();
             (0..n).for_each(|speed| self.layout.displace(&mut moved, (speed, order), SIZE * part(speed)));

@@ -1,28 +1,29 @@
-//! Redundant constraints: those that follow from others along every motion, or at one instant only.
+//! Redundant constraints: along every motion, or at one instant only.
 //!
-//! Where the gradient of a constraint depends on those before it, two cases are possible. In a chain of parallelograms one rod is
-//! redundant in every configuration; at the dead point of a crank two constraints have parallel gradients for an instant. To tell
-//! them apart the state is displaced along the tangent space and projected back onto the constraints. Where the rank there equals
-//! the rank here, the dependent constraints are redundant; near a dead point the rank is higher.
+//! If the gradient of a constraint depends linearly on those of others, two cases are possible. In a chain of parallelograms one rod is
+//! redundant in every configuration; at the dead point of a crank two gradients are parallel for an instant. The test displaces the state
+//! along the tangent space and projects it back onto the constraints. If the rank of the Jacobian is equal there, the constraints are redundant;
+//! near a dead point it is higher.
 
 use super::constraints::Constraints;
 use super::{MOST_STEPS, RANK, Unmet};
 use model::equations::Level;
 use nalgebra::{DMatrix, DVector};
 
-/// Displaced states at which a constraint must follow from others.
+/// Number of displaced states at which a redundant constraint must depend on others.
 const PROBES: usize = 3;
 
-/// Sizes of a displacement, in SI units, the next where the one before leads out of reach; and of the time beside it, in seconds.
+/// Sizes of the displacement in SI units, tried in this order until the projection converges. The time is displaced by as many seconds.
 const SIZES: [f64; 4] = [0.1, 0.03, 0.01, 0.003];
 
-/// A row that follows from others leaves at most this part at a displaced state: rounding of its completion.
+/// At a displaced state, a row counts as dependent if its part orthogonal to the others is below this fraction, since the projection is
+/// not exact.
 const LEAVES: f64 = 1e-8;
 
-/// A displaced state is at least this part of the displacement away.
+/// Least distance of the projected state from the start, as a fraction of the displacement.
 const STAYS_AWAY: f64 = 0.3;
 
-/// Rows of a matrix in order: those that depend on others before them, and the others.
+/// The rows of a matrix, in order: `dependent` are linear combinations of rows before them, `independent` are the others.
 pub(super) struct Rows {
     independent: Vec<usize>,
     pub dependent: Vec<usize>,
@@ -31,11 +32,11 @@ pub(super) struct Rows {
 impl Rows {
     pub fn of(rows: impl Iterator<Item = usize>, jacobian: &DMatrix<f64>, rank: f64) -> Self {
         let (mut independent, mut dependent, mut kept) = (Vec::new(), Vec::new(), Vec::<DVector<f64>>::new());
-        // a row of roundings has no direction
+        // rows of rounding errors count as zero
         let least = rank * jacobian.row_iter().map(|row| row.norm()).fold(0.0, f64::max);
         for row in rows {
             let whole: DVector<f64> = jacobian.row(row).transpose();
-            // twice, so that rounding leaves nothing along the others
+            // orthogonalised twice, to remove rounding errors along the other rows
             let rest =
                 (0..2).fold(whole.clone(), |rest, _| kept.iter().fold(rest, |rest, one| &rest - one * one.dot(&rest)));
             let length = rest.norm();
@@ -51,10 +52,10 @@ impl Rows {
 }
 
 impl Constraints {
-    /// The constraints, by their places, that follow from others along every motion.
+    /// The indices of constraints that depend on others along every motion.
     ///
     /// # Errors
-    /// One that no speed moves, or one that depends on others here alone.
+    /// [`Unmet::Idle`] for a constraint without effect, [`Unmet::Redundant`] for one that depends on others only at this position.
     pub(super) fn implied(&self, state: &[f64], parameters: &[f64]) -> Result<Vec<usize>, Unmet> {
         let count = self.known.len();
         let jacobian = self.rows(&self.values(0.0, state, parameters), count);
@@ -80,7 +81,7 @@ impl Constraints {
         }
     }
 
-    /// Whether a constraint restrains nothing at displaced states at which all constraints hold, as it does here.
+    /// Whether the gradient of a constraint is zero at a displaced state, too, at which all constraints hold.
     fn is_idle(&self, row: usize, state: &[f64], parameters: &[f64]) -> bool {
         let displaced = SIZES.iter().find_map(|size| self.displaced(state, parameters, 0, *size));
         displaced.is_none_or(|(time, moved)| {
@@ -90,8 +91,8 @@ impl Constraints {
         })
     }
 
-    /// The first dependent constraint, where the rank of the constraints is another at a displaced state at which all hold, or where no
-    /// such state is reached; `None` where the ranks agree.
+    /// The first dependent constraint, if the rank of the Jacobian differs at a displaced state or no displaced state is found; `None` if the ranks
+    /// are equal.
     fn fails(&self, rows: &Rows, state: &[f64], parameters: &[f64], probe: usize) -> Option<usize> {
         let first = rows.dependent.first().copied();
         let displaced = SIZES.iter().find_map(|size| self.displaced(state, parameters, probe, *size));
@@ -101,10 +102,10 @@ impl Constraints {
         (there.independent.len() != rows.independent.len()).then_some(first).flatten()
     }
 
-    /// A time and a state at which all constraints hold, a way from the start along what they leave; none where none is reached.
+    /// A later time and a displaced state at which all constraints hold, reached along the tangent space; `None` if the projection fails.
     fn displaced(&self, state: &[f64], parameters: &[f64], probe: usize, size: f64) -> Option<(f64, Vec<f64>)> {
         let n = self.layout.speeds();
-        // parts that are no multiples of each other, of both signs
+        // incommensurable amounts of both signs
         let part = |place: usize| ((probe * 17 + place + 1) as f64 * 0.618_033_988_749_894_9).fract() * 2.0 - 1.0;
         let (time, mut moved) = (size * (1.0 + probe as f64), state.to_vec());
         for order in [0, 1] {
@@ -142,7 +143,7 @@ impl Constraints {
                 gone -= step;
                 steps += 1;
             }
-            // a way that leads back says nothing of other states
+            // a projection back to the start gives no information
             if order == 0 && gone.norm() < STAYS_AWAY * along.norm() {
                 return None;
             }
@@ -151,7 +152,7 @@ impl Constraints {
     }
 }
 
-/// The least solution of linear equations; none of those without numbers.
+/// The least-norm solution of linear equations; `None` if a coefficient is not finite.
 fn least(matrix: &DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
     if !matrix.iter().chain(right.iter()).all(|value| value.is_finite()) {
         return None;

@@ -1,10 +1,10 @@
-//! The end of a run at a singular position, where the constraints become dependent; beyond it there may be several motions, or none.
+//! Singular positions of a run, at which the constraints become linearly dependent. Beyond such a position several motions, or none, may
+//! exist, and the run ends.
 //!
-//! Let the rows of J be scaled to lengths of the order of one. Then s = 1/|J^+|, with the norm of Frobenius, is zero if and only if the
-//! rows are linearly dependent; s^-2 is the trace of (J J^T)^-1. Near a singular position s is proportional to the distance from it, and
-//! along a motion its rate is at most |J'|. A row may be zero at some positions, so it is scaled by its largest length at the start and at
-//! other angles, not by its length along the motion. A motion that violates its constraints by d passes a singular position with s^2 of the
-//! order of d.
+//! Let J be the Jacobian with rows scaled to lengths of about one. The measure s = 1/|J^+|, with the Frobenius norm of the pseudoinverse, is
+//! zero if and only if the rows are linearly dependent; s^-2 is the trace of (J J^T)^-1. Near a singular position s is proportional to the
+//! distance from it, and along a motion |s'| is at most |J'|. A row may be zero at some positions; rows are therefore divided by their largest
+//! length at the start and at displaced positions. If a motion violates its constraints by d, s^2 is of the order of d at a singular position.
 
 use super::constraints::Constraints;
 use super::start_speeds;
@@ -22,72 +22,72 @@ const SINGULAR: &str =
 const KEPT: &str = "the constraints that are used become dependent at this position, but the redundant one, which was left out, would still \
      hold the system: remove one of the others from the file instead, and the run passes this position";
 
-/// A position is singular where s falls below this part of its largest value at the start and at the positions beside it, so that a start
-/// near a singular position does not lower it. Bars whose lengths differ by the part e come to a part of the order of e^(1/2): those that
-/// differ by a millionth pass it on the whole, and those that differ by a ten-thousandth always.
+/// A position is singular where s is below this fraction of its largest value at the start and at displaced positions, so that a start near a
+/// singular position does not lower the threshold. If lengths of bars differ from the singular ones by the fraction e, s comes down to the
+/// order of e^(1/2): differences of a millionth are usually detected as singular, differences of a ten-thousandth never.
 const LEAST: f64 = 1e-3;
 
-/// Above this value of s^2 its rate does not matter, since the bound of that is enough.
+/// Above this value of s^2 its rate is not computed, since the bound by |J'| is sufficient.
 const FAR: f64 = 0.02;
 
-/// The part of a unit of the state, and of time, over which rates are taken.
+/// Increment of the state (SI units) and of the time (s) for numerical derivatives.
 const APART: f64 = 1e-7;
 
-/// A position that is off its constraints by d is singular where s^2 is below so many times d.
+/// With the constraints violated by d, a position is singular where s^2 is below this multiple of d.
 const DRIFT: f64 = 10.0;
 
-/// Before that such a position is corrected, by at most so many steps of Newton's method.
+/// Largest number of Newton's iterations that project a state onto the constraints.
 const CORRECTIONS: usize = 4;
 
-/// A position off its constraints by no more than this is on them.
+/// Violations of the constraints below this size count as zero.
 const MET: f64 = 1e-12;
 
-/// But not where s^2 is above so many times the value below which it is singular anyway.
+/// The allowance for violations is at most this multiple of the threshold of s^2.
 const MOST_DRIFT: f64 = 1e4;
 
-/// Elsewhere a coordinate may change the rows by so many times what it does at these positions.
+/// Safety factor for the bound of |J'|, which is measured at a few positions only.
 const SAFETY: f64 = 2.0;
 
-/// By so much angles differ from the start, where the rows and their independence are looked at: no part of a turn. Lengths differ by as
-/// many times the length over which the rows change.
+/// Displacements from the start at which J is evaluated: in radians, no simple fractions of a turn, or as multiples of the length over which
+/// J changes.
 const ASIDE: [f64; 3] = [0.37, -0.61, 1.93];
 
-/// A measure of the linear independence of the constraints of a model.
+/// Compiled measure of the linear independence of a model's constraints.
 #[derive(Debug)]
 pub(crate) struct SingularPositions {
     program: Arc<Program>,
     parameters: Vec<f64>,
-    /// Numbers of all equations, of those of constraints that are kept, and of those of positions among these; then of speeds.
+    /// Numbers of all equations, of enforced constraints, of position constraints among these, and of speeds.
     counts: [usize; 4],
-    /// The number of kept constraints that are independent.
+    /// The number of independent enforced constraints.
     rank: usize,
-    /// The length of each row.
+    /// The length by which each row is divided.
     lengths: Vec<f64>,
-    /// Whether each coordinate is an angle.
+    /// For each coordinate, whether it is an angle.
     angles: Vec<bool>,
-    /// The most by which a coordinate changes the rows, for each unit.
+    /// For each coordinate, a bound of the change of J per unit.
     weights: Vec<f64>,
-    /// Whether the time changes the rows by itself.
+    /// Whether J depends explicitly on time.
     knows_time: bool,
-    /// The value of s^2 below which a position is singular.
+    /// The threshold of s^2, below which a position is singular.
     least: f64,
-    /// Buffers for a state and for a neighbouring state.
+    /// Buffers for a state and a neighbouring state.
     looks: Mutex<[Look; 2]>,
-    /// The independence of all constraints, where redundant ones were left out.
+    /// If redundant constraints were removed: the measure with these included.
     whole: Option<Box<SingularPositions>>,
 }
 
-/// The constraints at a state, with the room in which they are computed.
+/// The constraints at one state, and buffers for their evaluation.
 #[derive(Clone, Debug)]
 struct Look {
     /// State and parameters.
     input: Vec<f64>,
     values: Vec<f64>,
-    /// The rows of J by their lengths.
+    /// The scaled rows of J.
     rows: DMatrix<f64>,
-    /// By how much the state is off its constraints of positions.
+    /// The largest scaled residual of the position constraints.
     off: f64,
-    /// J J^T, and the inverse of its factor L.
+    /// J J^T, and the inverse of its Cholesky factor L.
     product: DMatrix<f64>,
     inverse: DMatrix<f64>,
 }
@@ -96,7 +96,7 @@ impl Look {
     fn new([all, kept, _, speeds]: [usize; 4]) -> Self {
         Look {
             input: Vec::new(),
-            // a program leaves as no number what it does not write
+            // entries that the program does not write are NaN
             values: vec![f64::NAN; all * (2 + speeds)],
             rows: DMatrix::zeros(kept, speeds),
             off: 0.0,
@@ -105,8 +105,8 @@ impl Look {
         }
     }
 
-    /// The value of s^2: the trace of (J J^T)^-1 is the sum of the squares of the inverse of its factor. Where some constraints follow from
-    /// the others, J has a smaller rank, and as many eigenvalues of J J^T count.
+    /// The value of s^2 at full rank from the Cholesky factor: tr (J J^T)^-1 = |L^-1|^2. If J has the smaller rank `rank`, from the `rank` largest
+    /// eigenvalues of J J^T.
     fn independence(&mut self, rank: usize) -> f64 {
         let Look { rows, product, inverse, .. } = self;
         for i in 0..rows.nrows() {
@@ -133,12 +133,12 @@ impl Look {
 }
 
 impl SingularPositions {
-    /// Whether this is why a run ends at a singular position.
+    /// Whether a run ended for the reason `why` at a singular position.
     pub fn ends(why: &str) -> bool {
         why == SINGULAR || why == KEPT
     }
 
-    /// None where no constraint is kept, or where they depend on each other at the start.
+    /// The measure for a model and its start; `None` if no constraint is enforced or the constraints are dependent at the start.
     pub fn of(model: &Model, start: &[f64]) -> Option<Self> {
         let own = SingularPositions::with(model, 0, start)?;
         let whole = match model.implied.len() {
@@ -148,7 +148,7 @@ impl SingularPositions {
         Some(SingularPositions { whole, ..own })
     }
 
-    /// The independence of the constraints of a model with `redundant` redundant equations.
+    /// The measure for a model with `redundant` redundant equations.
     fn with(model: &Model, redundant: usize, start: &[f64]) -> Option<Self> {
         let constraints = Constraints::of(model).ok()?.filter(|constraints| constraints.kept > redundant)?;
         let positions = constraints.known.iter().take_while(|known| known.level == Level::Position).count();
@@ -170,7 +170,7 @@ impl SingularPositions {
         singular.of_member(&values, &start_speeds(model), start)
     }
 
-    /// The independence of the constraints for an ensemble member, with its parameters, quasi-velocities and start.
+    /// The measure for a member of an ensemble with its parameters, quasi-velocities and start, with the compiled program shared.
     pub fn of_member(&self, parameters: &[f64], speeds: &[f64], start: &[f64]) -> Option<Self> {
         let [_, kept, ..] = self.counts;
         let mut singular = SingularPositions {
@@ -211,7 +211,8 @@ impl SingularPositions {
         (at_start.independence(self.rank) > 0.0).then_some(singular)
     }
 
-    /// One radian, or the length over which a coordinate changes the rows by their own size; zero beside free frames.
+    /// The unit of displacement of a coordinate: one radian, or the length over which J changes by its own size. Zero for lengths in models
+    /// with free frames.
     fn scale(&self, start: &[f64], place: usize) -> f64 {
         match self.angles[place] {
             true => 1.0,
@@ -220,7 +221,7 @@ impl SingularPositions {
         }
     }
 
-    /// The most by which a coordinate changes the rows.
+    /// The bound of the change of J per unit of a coordinate, from the given states.
     fn weight(&self, states: &[Vec<f64>], place: usize) -> f64 {
         let by = APART.sqrt();
         let change = |state: &Vec<f64>| {
@@ -252,13 +253,12 @@ impl SingularPositions {
         look.off = residuals.map(|(residual, length)| (residual / length).abs()).fold(0.0, f64::max);
     }
 
-    /// By how much s^2 is above where a position is singular.
+    /// The value of s^2 minus the threshold and minus the allowance for violated constraints; negative at singular positions.
     fn value(&self, look: &mut Look) -> f64 {
         look.independence(self.rank) - self.least - (DRIFT * look.off).min(MOST_DRIFT * self.least)
     }
 
-    /// The value at the position on the constraints that is next to a state; none where steps of least size do not lead there, and of free
-    /// frames.
+    /// This value at the projection of a state onto the constraints; `None` if the projection fails, or with free frames.
     fn on_constraints(&self, time: f64, state: &[f64], look: &mut Look) -> Option<f64> {
         let [_, _, positions, n] = self.counts;
         if positions == 0 || self.angles.len() != n {
@@ -280,18 +280,18 @@ impl SingularPositions {
         None
     }
 
-    /// The distance of a state from a singular position.
+    /// The margin of a state: s^2 above the threshold, its rate along the motion (1/s), and a bound of that rate.
     pub fn margin(&self, time: f64, state: &[f64], rates: &[f64]) -> Margin {
         let mut looks = self.looks.lock().unwrap_or_else(PoisonError::into_inner);
         let [here, beside] = &mut *looks;
         self.look_at(time, state.iter().copied(), here);
         let own = self.value(here);
-        // off its constraints, a position says little on those that the motion passes
+        // at a state that violates its constraints the value is unreliable
         let value = match own <= 0.0 && here.off > MET {
             true => self.on_constraints(time, state, beside).unwrap_or(own),
             false => own,
         };
-        // each coordinate changes entries of its own in the main, so that squares add up
+        // coordinates mostly change different entries of J, so that squares add up
         let squares = self.weights.iter().zip(rates).map(|(weight, rate)| (weight * rate) * (weight * rate));
         let near = squares.sum::<f64>().sqrt();
         let (mut rate, mut pace) = (0.0, near);
@@ -311,7 +311,7 @@ impl SingularPositions {
         Margin { value, rate, pace, what: if is_left_out { KEPT } else { SINGULAR }, goes_on: true }
     }
 
-    /// Whether a state is far from a singular position.
+    /// Whether s^2 at a state is above twice the threshold.
     fn is_regular(&self, time: f64, state: &[f64]) -> bool {
         let [here, _] = &mut *self.looks.lock().unwrap_or_else(PoisonError::into_inner);
         self.look_at(time, state.iter().copied(), here);

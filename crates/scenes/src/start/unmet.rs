@@ -1,4 +1,4 @@
-//! Reasons for which a start is refused.
+//! Reasons for which a start is refused, with the constraint's place in the file.
 
 use crate::compiled_system::NotCompiled;
 use crate::row_units::measured;
@@ -9,46 +9,46 @@ use std::ops::Range;
 /// The reason for which a start is refused.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Unmet {
-    /// A constraint does not hold, and values that may be moved do not change that.
+    /// A constraint does not hold after adjusting the values that may change.
     Open(Box<Open>),
-    /// A constraint that is redundant with those before it.
+    /// A constraint depends on others at this position only, so that its reaction is not determined.
     Redundant { at: Range<usize>, name: String },
-    /// A constraint that no coordinate and no speed moves.
+    /// A constraint has a zero gradient: no coordinate and no speed changes it.
     Idle { at: Range<usize>, name: String },
-    /// A constraint whose gradient vanishes wherever it holds.
+    /// The gradient of a constraint vanishes wherever the constraint holds (multiple root).
     Multiple { at: Range<usize>, name: String },
-    /// A constraint whose gradient jumps where it holds.
+    /// The gradient of a constraint is discontinuous where the constraint holds.
     Jumping { at: Range<usize>, name: String },
-    /// A quasi-velocity of the start that no speeds give in its position, and that speeds give beside it.
+    /// A quasi-velocity of the start is impossible at this position, though possible at neighbouring ones (gimbal lock).
     Locked { at: Range<usize>, name: String },
-    /// A constraint that holds no coordinate and no speed.
+    /// A constraint contains no coordinate and no speed.
     Fixed { at: Range<usize> },
-    /// Two constraints that no position meets together, by their places, and what the second leaves where the first holds.
+    /// Two constraints contradict each other; `residual` is the value of the second where the first holds.
     Contradiction { at: [Range<usize>; 2], residual: f64, unit: String },
-    /// A stabilised constraint with a wrong number of gains; `at` is their place.
+    /// A stabilised constraint has a wrong number of gains, `found`; `at` is the place of the gains.
     Gains { at: Range<usize>, level: Level, found: usize },
-    /// A constraint that is another one in another case of a condition.
+    /// A constraint changes at a condition, which is not supported.
     Piecewise(Range<usize>),
-    /// The constraints have no values.
+    /// The constraints cannot be evaluated.
     NotCompiled(NotCompiled),
 }
 
-/// A constraint that the start does not meet.
+/// A constraint that the start violates.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Open {
-    /// Where the model has the constraint.
+    /// The place of the constraint in the file, in bytes.
     pub at: Range<usize>,
     pub name: String,
-    /// The residual; `None` where it is not finite.
+    /// The residual in the unit `unit`; `None` where it is not finite.
     pub residual: Option<f64>,
     pub unit: String,
-    /// Whether the residual is that of the rate of a constraint of positions.
+    /// Whether the residual is that of the rate of a position constraint.
     pub is_rate: bool,
-    /// Coordinates, or speeds, that were moved to meet it, without success.
+    /// Names of the coordinates or speeds that were adjusted without success.
     pub moved: Vec<String>,
-    /// Those that `[start]` gives and that would move it.
+    /// Names of the values fixed in `[start]` that would change the residual.
     pub given: Vec<String>,
-    /// Whether it is the constraint of positions, or that of speeds.
+    /// Whether positions or speeds were solved for.
     pub level: Level,
 }
 

@@ -1,4 +1,4 @@
-//! Models whose steady motions are sought, and the combinations of cases of a law that changes.
+//! Models for which the search of steady motions is supported, and the combinations of cases of their conditions and contacts.
 
 use super::conditions::{self, Case};
 use super::determinacy::Wanted;
@@ -10,7 +10,7 @@ use model::equations::vanishes;
 use model::{Contact, Model, Trace};
 use symbolic::Sym;
 
-/// The combinations of cases of the conditions of a law.
+/// The combinations of cases of a law's conditions and contacts that are searched.
 pub(super) fn combinations(model: &Model, asked: &SteadySearch) -> Result<Vec<Vec<Case>>, NoSteadyMotions> {
     let is_refused = |one: &&Contact| one.one_way.is_some() || one.guide.is_some();
     if let Some(contact) = model.contacts.iter().find(is_refused) {
@@ -23,7 +23,7 @@ pub(super) fn combinations(model: &Model, asked: &SteadySearch) -> Result<Vec<Ve
         let (names, n) = (state_names(model), trace.speeds.len());
         let free = (0..n).filter(|&k| asked.range(&names[n + k]).is_some()).collect();
         let rows = Rows::of(model, &trace, &Wanted { free, state: &start, is_near: false })?;
-        // a gap that no coordinate opens has a reaction that no position determines
+        // a gap that is identically zero leaves its reaction undetermined
         let gaps = &rows.conditions[rows.condition_letters.len()..];
         if let Some(place) = gaps.iter().position(|gap| vanishes(*gap)) {
             return Err(NoSteadyMotions::Contacts { at: model.contacts[place].at.clone() });
@@ -37,21 +37,21 @@ pub(super) fn combinations(model: &Model, asked: &SteadySearch) -> Result<Vec<Ve
     })
 }
 
-/// Refuses a law that changes, and everything that no law may hold.
+/// Refuses laws that change at conditions or contacts, and models that are not supported.
 pub(super) fn checked(model: &Model) -> Result<(), NoSteadyMotions> {
     checked_but_for_conditions(model)?;
-    // an event changes the state alone: between events the law is one
+    // an event changes only the state, not the law
     let is_one = model.switches.is_empty() && model.contacts.is_empty();
     if is_one { Ok(()) } else { Err(NoSteadyMotions::Changes) }
 }
 
-/// Refuses contacts, and everything that no law may hold.
+/// Refuses contacts, and models that are not supported; conditions are accepted.
 pub(super) fn checked_but_for_cases(model: &Model) -> Result<(), NoSteadyMotions> {
     checked_but_for_conditions(model)?;
     if model.contacts.is_empty() { Ok(()) } else { Err(NoSteadyMotions::Changes) }
 }
 
-/// Refuses speeds without inertia, frames that turn freely, and laws without values.
+/// Refuses algebraic speeds, free frames and models with missing values.
 fn checked_but_for_conditions(model: &Model) -> Result<(), NoSteadyMotions> {
     has_values(model).map_err(NoSteadyMotions::NotCompiled)?;
     if !model.algebraic_speeds.is_empty() {
@@ -63,7 +63,7 @@ fn checked_but_for_conditions(model: &Model) -> Result<(), NoSteadyMotions> {
     Ok(())
 }
 
-/// Speeds that are zero where only cyclic coordinates move.
+/// The speeds of coordinates that are not cyclic, each with the value zero of steady motion.
 pub(super) fn at_rest(trace: &Trace<'_>, is_cyclic: &[bool]) -> Vec<(Sym, Sym)> {
     let rests = trace.speeds.iter().zip(is_cyclic).filter(|(_, cyclic)| !**cyclic);
     rests.map(|(speed, _)| (*speed, Sym::ZERO)).collect()

@@ -1,8 +1,8 @@
-//! Sums of angles as the unknowns of a search.
+//! Sums of angles as the unknowns of a search by interval arithmetic.
 //!
-//! Relative angles occur in sums, as in the directions of the links of an arm. Over a box of the angles the sums in two equations vary
-//! independently, which overestimates their ranges; with the sums as unknowns each has one range. Whole turns correspond to whole turns
-//! where the factors between angles and sums are integers in both directions.
+//! Relative angles occur in sums, such as the directions of the links of an arm. In a box of angles each sum is evaluated in several equations
+//! as if it varied independently, and ranges are overestimated; with sums as unknowns each has one range. Factors between angles and sums are
+//! integers in both directions, so that whole turns correspond to whole turns.
 
 use super::Unknown;
 use algebra::boxes::Zero;
@@ -11,27 +11,27 @@ use nalgebra::DMatrix;
 use std::f64::consts::PI;
 use symbolic::{Node, Sym};
 
-/// Places of angles with whole factors.
+/// A linear combination of unknowns: index and integer factor of each term.
 type Sum = Vec<(usize, i32)>;
 
-/// Each unknown as a sum of those of the search, and each of these as a sum of unknowns.
+/// A linear change of unknowns: each angle as a combination of the sums, and each sum as a combination of the angles.
 #[derive(Debug)]
 pub(super) struct AngleSums {
     unknowns: Vec<Sum>,
     sums: Vec<Sum>,
 }
 
-/// Larger factors are no sums of angles of links.
+/// Largest accepted factor; larger ones do not arise from chains of links.
 const LARGEST: f64 = 64.0;
 
 impl AngleSums {
-    /// The unknowns themselves.
+    /// The identity.
     pub fn none(count: usize) -> Self {
         let own: Vec<Sum> = (0..count).map(|k| vec![(k, 1)]).collect();
         AngleSums { unknowns: own.clone(), sums: own }
     }
 
-    /// None where the angles themselves occur most simply.
+    /// The sums that simplify the arguments of sines and cosines in `rows`; `None` if the angles themselves are as simple.
     pub fn of(rows: &[Sym], letters: &[Sym], unknowns: &[Unknown]) -> Option<Self> {
         let places: Vec<usize> = (0..letters.len()).filter(|&k| unknowns[k].is_circle).collect();
         let mut sums: Vec<(Vec<i32>, usize)> = Vec::new();
@@ -45,7 +45,7 @@ impl AngleSums {
         }
         let size = |of: &[Vec<i32>]| of.iter().flatten().filter(|factor| **factor != 0).count();
         let plain: Vec<Vec<i32>> = sums.iter().map(|(sum, _)| sum.clone()).collect();
-        // those of most rows first, and of these the shortest
+        // sums in most rows first, the shortest among these
         sums.sort_by_key(|(sum, count)| (usize::MAX - count, sum.iter().filter(|factor| **factor != 0).count()));
         let n = places.len();
         let single = (0..n).map(|k| (0..n).map(|j| i32::from(j == k)).collect::<Vec<i32>>());
@@ -57,7 +57,7 @@ impl AngleSums {
             }
         }
         let inverse = inverse(&chosen)?;
-        // sum_j f_j theta_j = sum_k (sum_j f_j inverse_jk) psi_k
+        // sum_j f_j theta_j = sum_k (sum_j f_j inverse_jk) psi_k, with the sums psi
         let by_chosen = |sum: &Vec<i32>| (0..n).map(|k| (0..n).map(|j| sum[j] * inverse[j][k]).sum()).collect();
         let simpler: Vec<Vec<i32>> = plain.iter().map(by_chosen).collect();
         if size(&simpler) >= size(&plain) {
@@ -73,7 +73,7 @@ impl AngleSums {
         Some(AngleSums { unknowns: by_places(&inverse), sums: by_places(&chosen) })
     }
 
-    /// The letters of unknowns, each as a sum of those of the search, which have the same letters.
+    /// Substitutions for the letters of the unknowns: each becomes a combination of the search variables, which have the same letters.
     pub fn replacements(&self, letters: &[Sym]) -> Vec<(Sym, Sym)> {
         let sum = |own: &Sum| {
             own.iter().fold(Sym::ZERO, |sum, &(place, factor)| sum + Sym::int(factor.into()) * letters[place])
@@ -81,7 +81,8 @@ impl AngleSums {
         letters.iter().copied().zip(self.unknowns.iter().map(sum)).collect()
     }
 
-    /// The ranges of the unknowns, and of what stands behind them, over a box of the search; angles within the turn of their ranges.
+    /// The ranges of the unknowns in a box of the search; angles are reduced by whole turns to their range. Further components of the box are
+    /// unchanged.
     pub fn unknowns(&self, at: &[Interval], unknowns: &[Unknown]) -> Vec<Interval> {
         let mut all = at.to_vec();
         for (place, (own, unknown)) in self.unknowns.iter().zip(unknowns).enumerate() {
@@ -97,7 +98,8 @@ impl AngleSums {
         all
     }
 
-    /// A zero by the unknowns: it is alone in a box about it whose sums lie where it is alone in the search.
+    /// A zero in terms of the unknowns, with a box in which it is unique: the sums of all points of this box lie in the box of uniqueness of the
+    /// search.
     pub fn zero(&self, found: &Zero, unknowns: &[Unknown]) -> Zero {
         let enclosure = self.unknowns(&found.enclosure, unknowns);
         let room = |k: usize| {
@@ -108,7 +110,7 @@ impl AngleSums {
             let with = self.sums.iter().enumerate().filter(|(_, sum)| sum.iter().any(|term| term.0 == place));
             let shares = with.map(|(k, sum)| {
                 let size: i32 = sum.iter().map(|term| term.1.abs()).sum();
-                // half, for the ranges of the sums are wider than their enclosures
+                // half, since ranges of sums are wider than their enclosures
                 0.5 * room(k) / f64::from(size)
             });
             shares.fold(f64::INFINITY, f64::min)
@@ -134,7 +136,7 @@ fn total(sum: &Sum, at: &[Interval]) -> Interval {
     sum.iter().fold(Interval::point(0.0), |all, &(place, factor)| all + Interval::point(f64::from(factor)) * at[place])
 }
 
-/// The factors of angles in the argument of a cosine or sine, where these are whole; none of an angle that is no whole circle.
+/// The integer factors of the angles in the argument of a sine or cosine; `None` for other nodes, factors or letters.
 fn sum(each: Sym, letters: &[Sym], places: &[usize]) -> Option<Vec<i32>> {
     let (Node::Cos(argument) | Node::Sin(argument)) = each.node() else { return None };
     let mut factors = vec![0; places.len()];
@@ -156,7 +158,7 @@ fn rank(rows: &[Vec<i32>]) -> usize {
     DMatrix::from_fn(rows.len(), rows[0].len(), |i, j| f64::from(rows[i][j])).rank(1e-9)
 }
 
-/// The inverse of a matrix of whole numbers, where it has whole numbers too.
+/// The inverse of an integer matrix if it is an integer matrix, too.
 fn inverse(rows: &[Vec<i32>]) -> Option<Vec<Vec<i32>>> {
     let n = rows.len();
     let found = DMatrix::from_fn(n, n, |i, j| f64::from(rows[i][j])).try_inverse()?;
@@ -196,14 +198,14 @@ mod tests {
         let [alone, first, second] = [0, 1, 2].map(|k| sums.replacements(&[a, b, c])[k].1);
         let directions = [alone, alone + first, alone + first + second];
         assert!(directions.iter().all(|one| one.linear_terms().len() == 1), "{directions:?}");
-        // the angles themselves
+        // no sums: the angles themselves are simplest
         assert!(AngleSums::of(&[a.circle().cos + b.circle().sin], &[a, b], &circles(["a", "b"])).is_none());
     }
 
     #[test]
     fn what_is_found_by_sums_is_told_by_the_angles_within_their_turn() {
         let [a, b] = symbols(["a", "b"]);
-        // the sum, which occurs most, stands in the place of the first angle
+        // the most frequent sum takes the place of the first angle
         let rows = [(a + b).circle_as_written().cos, (a + b).circle_as_written().sin + a.circle().sin];
         let sums = AngleSums::of(&rows, &[a, b], &circles(["a", "b"])).expect("sums");
         let own = |place: usize| sums.replacements(&[a, b])[place].1;

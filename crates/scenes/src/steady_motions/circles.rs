@@ -1,4 +1,4 @@
-//! Angles that occur only in sines and cosines, so that one turn contains all values.
+//! Angles that occur only in sines and cosines: a range of one turn contains all their values.
 
 use super::Unknown;
 use algebra::boxes::Zero;
@@ -7,7 +7,7 @@ use std::collections::HashSet;
 use std::f64::consts::PI;
 use symbolic::{Node, Sym};
 
-/// Whether an expression is the same after a whole turn of an angle: it occurs in cosines and sines of whole multiples alone.
+/// Whether an expression is 2 pi periodic in an angle: the angle occurs only in sines and cosines, with integer factors.
 pub(super) fn is_periodic(expression: Sym, angle: Sym) -> bool {
     let mut open: HashSet<Sym> = HashSet::from([angle]);
     for each in Sym::ascending(&[expression]) {
@@ -29,14 +29,14 @@ pub(super) fn is_periodic(expression: Sym, angle: Sym) -> bool {
     !open.contains(&expression)
 }
 
-/// The full turns, as an angle, whose addition brings an angle between minus half a turn and half a turn.
+/// The multiple of 2 pi whose addition brings an angle into the interval from -pi to pi.
 pub(super) fn turns_to_zero(angle: f64) -> f64 {
     let turns = (angle / (2.0 * PI)).round() * -2.0 * PI;
-    // minus half a turn is half a turn
+    // -pi becomes pi
     if angle + turns < -PI + 1e-9 { turns + 2.0 * PI } else { turns }
 }
 
-/// Whether two zeros differ by whole turns of angles only: then one of them, after these turns, lies in the box in which the other is unique.
+/// Whether two zeros differ only by whole turns of angles: one of them, after these turns, lies in the box in which the other is unique.
 pub(super) fn is_same(unknowns: &[Unknown], known: &Zero, other: &Zero) -> bool {
     let is_same = |(k, (at, alone)): (usize, (&Interval, &Interval))| {
         let turns = match unknowns.get(k) {

@@ -1,31 +1,31 @@
-//! Whether expressions vanish wherever a condition is zero, for conditions that are linear in no letter, as sin(x) in abs(sin(x)).
+//! Tests whether expressions vanish wherever a condition is zero, for conditions that are linear in no letter, such as sin(x) in abs(sin(x)).
 //!
-//! Along lines through many points, in the direction of one letter each, the zeros of the condition are found by halving, and the
-//! expressions are evaluated there. All that do vanish there do so to rounding: this is identified, and not proved.
+//! The zeros of the condition on lines in the direction of one letter are found by bisection, and the expressions are evaluated there. Expressions
+//! that are zero up to rounding at all these points are identified as zero, which is not a proof.
 
 use crate::spread_values::spread;
 use symbolic::{Sym, Tape};
 
-/// Points through which there are lines.
+/// Number of points through which lines are laid for each letter.
 const POINTS: u32 = 16;
 
-/// Parts of a line in which one change of sign is found.
+/// Number of intervals of a line; in each, one change of sign is found.
 const PARTS: u32 = 48;
 
-/// Zeros that are enough.
+/// Number of zeros after which the test of a letter ends.
 const ENOUGH: usize = 24;
 
-/// Fewer zeros say nothing.
+/// With fewer zeros the test fails.
 const LEAST: usize = 3;
 
-/// Halvings of a part.
+/// Largest number of bisections.
 const HALVINGS: usize = 200;
 
-/// A value below this part of those nearby is zero.
+/// A value below this multiple of the values nearby counts as zero.
 const ROUNDING: f64 = 1e-9;
 
-/// Whether the expressions of a list vanish where a condition does, by zeros of the condition in the direction of each of its letters, and so
-/// do their derivatives by this letter if these are `with_slopes`. Letters of other conditions are one where these hold.
+/// Whether all expressions vanish where `condition` is zero, tested along each letter of the condition; with `with_slopes` also their derivatives
+/// by this letter. `others` are the letters of other conditions (1 where they hold, otherwise 0) with their values.
 pub(super) fn vanish_there(all: &[Sym], condition: Sym, others: &[(Sym, Sym)], with_slopes: bool) -> bool {
     let mut zeros = 0;
     for letter in condition.symbols_of() {
@@ -39,13 +39,13 @@ pub(super) fn vanish_there(all: &[Sym], condition: Sym, others: &[(Sym, Sym)], w
     zeros >= LEAST
 }
 
-/// Lines in the direction of one letter.
+/// Lines in the direction of one letter, on which a condition and expressions are evaluated.
 struct Lines {
     inputs: Vec<Sym>,
     along: usize,
-    /// The condition, then the other conditions, by all letters but those of conditions.
+    /// The condition, then the other conditions, as functions of all inputs.
     conditions: Tape,
-    /// The places among the inputs of the letters of the other conditions.
+    /// The indices among the inputs of the letters of the other conditions.
     cases: Vec<usize>,
     expressions: Tape,
 }
@@ -70,7 +70,7 @@ impl Lines {
         })
     }
 
-    /// The number of zeros at which everything vanishes; none if something does not.
+    /// The number of zeros found, at all of which the expressions vanish; `None` if one does not.
     fn zeros(&mut self) -> Option<usize> {
         let mut found = 0;
         for point in 1..=POINTS {
@@ -100,7 +100,7 @@ impl Lines {
         values[0]
     }
 
-    /// The zero between two places with different signs; none at a pole.
+    /// The zero between two points at which the condition has different signs; `None` if the signs agree, or at a pole.
     fn zero_between(&self, base: &[f64], [mut low, mut high]: [f64; 2]) -> Option<f64> {
         let ends = [low, high].map(|at| self.condition(base, at));
         let changes_sign = ends[0] * ends[1] < 0.0;
@@ -125,7 +125,7 @@ impl Lines {
             let mut inputs = base.to_vec();
             inputs[self.along] = at;
             let mut conditions = vec![f64::NAN; self.conditions.outputs()];
-            // conditions hold no letters of others
+            // values of conditions contain no letters of other conditions
             self.conditions.over::<f64>().evaluate(&inputs, &mut conditions);
             for (&case, value) in self.cases.iter().zip(&conditions[1..]) {
                 inputs[case] = if *value > 0.0 { 1.0 } else { 0.0 };
@@ -160,7 +160,7 @@ mod tests {
         let circle = x * x + y * y - Sym::ONE;
         assert!(vanish_there(&[circle * k * x], circle, &[], false));
         assert!(!vanish_there(&[x * x - y], circle, &[], false));
-        // no zero was found
+        // the condition has no zero
         assert!(!vanish_there(&[Sym::ZERO], x * x + Sym::ONE, &[], false));
     }
 }

@@ -1,5 +1,5 @@
-//! Steady motions with laws that change at conditions: each condition holds, fails, or is zero. At zero its part of the law lies anywhere
-//! between both cases, as for sticking dry friction.
+//! Steady motions of laws that change at conditions: each condition holds, fails, or is zero. At zero, the factor of its part of the law may take any
+//! value between those of both cases, as for sticking dry friction.
 //!
 //! A condition that is zero whenever the system rests, such as the sign of a speed, is set to zero. For other conditions all three cases are
 //! tried. If the law is continuous at the zero of the condition, as for `abs`, the zero belongs to both sides.
@@ -11,29 +11,29 @@ use model::equations::vanishes;
 use model::{Model, Trace, conditions_by_name};
 use symbolic::{Sym, substitute_all};
 
-/// The case of a condition, or of the gap of a contact.
+/// The case of a condition in a steady motion, or the state of a contact; a contact is open if its gap `Holds` (is positive).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Case {
     Holds,
     Fails,
-    /// Its value is zero, and its part of the law lies between both; a contact is in touch, and sticks.
+    /// The condition is zero, and its factor in the law lies between 0 and 1; a contact is closed and sticks.
     Between,
-    /// A contact is in touch, and slides along its tangent, or against it.
+    /// A contact is closed and slides along its tangent; `Backward` is the opposite direction.
     Forward,
     Backward,
-    /// The value is zero, and the searches on both sides found the same motion there.
+    /// The condition is zero, and the searches on both sides found the same motion.
     Meeting,
-    /// Any value: the law does not depend on the condition where the others have their cases.
+    /// The law does not depend on the condition, given the cases of the others.
     Either,
 }
 
-/// More combinations of cases are not tried.
+/// Largest number of combinations of cases.
 const MOST: usize = 243;
 
-/// The part of a law at a condition's zero, between that where it fails and that where it holds.
+/// Range of the factor of a condition that is zero: 0 where it fails, 1 where it holds.
 const BETWEEN: Range = Range { from: 0.0, to: 1.0 };
 
-/// All combinations of cases that are tried.
+/// All combinations of cases that are searched.
 pub(super) fn combinations(rows: &Rows, at_rest: &[(Sym, Sym)]) -> Result<Vec<Vec<Case>>, NoSteadyMotions> {
     let values = substitute_all(&rows.conditions, at_rest);
     let mut all: Vec<Vec<Case>> = vec![Vec::new()];
@@ -68,7 +68,7 @@ pub(super) fn combinations(rows: &Rows, at_rest: &[(Sym, Sym)]) -> Result<Vec<Ve
 }
 
 impl Case {
-    /// The case of the condition with the opposite value.
+    /// The case of a condition with the opposite sign.
     fn opposite(self) -> Self {
         match self {
             Self::Holds => Self::Fails,
@@ -78,7 +78,7 @@ impl Case {
     }
 }
 
-/// The conditions of a law, and the gaps of its contacts, as texts.
+/// The conditions of a law, then the gaps of its contacts, as texts for messages.
 pub fn conditions_of(model: &Model) -> Vec<String> {
     let own = |trace: Trace<'_>| -> Vec<String> {
         let conditions = conditions_by_name(&trace).into_iter().map(|own| own.to_string());
@@ -89,7 +89,7 @@ pub fn conditions_of(model: &Model) -> Vec<String> {
 }
 
 impl Touching {
-    /// Whether it slides in a steady motion, as where a cyclic coordinate moves along it.
+    /// Whether a closed contact slides in a steady motion, since a cyclic coordinate moves along its tangent.
     pub fn may_slide(&self, at_rest: &[(Sym, Sym)]) -> bool {
         self.friction.is_some() && !substitute_all(&self.slides, at_rest).iter().all(|slide| vanishes(*slide))
     }
@@ -103,25 +103,25 @@ impl Touching {
     }
 }
 
-/// Everything that a combination of cases adds to the equations.
+/// The additions of a combination of cases to the equations of steady motion.
 #[derive(Default)]
 pub(super) struct Laws {
-    /// Letters with their values.
+    /// Letters with fixed values.
     pub known: Vec<(Sym, Sym)>,
-    /// Parts of a law between two sides, and shares of friction that are used.
+    /// Additional unknowns: factors of conditions that are zero, and fractions of friction that act.
     pub unknowns: Vec<(Sym, Unknown)>,
-    /// Normal reactions, which are multipliers.
+    /// The normal reactions of closed contacts; they are multipliers.
     pub touching: Vec<Sym>,
-    /// Tangential reactions by these.
+    /// Tangential reactions in terms of the normal reactions.
     pub forces: Vec<(Sym, Sym)>,
-    /// Values that must be positive, or negative, each with the place of its case.
+    /// Expressions that must be positive (true) or negative, each with the index of its case.
     pub sides: Vec<(Sym, bool, usize)>,
-    /// Values that must be zero.
+    /// Expressions that must be zero.
     pub at_zero: Vec<Sym>,
 }
 
 impl Laws {
-    /// Unknowns have places behind a state of this size.
+    /// The additions for a combination of cases; unknowns are numbered from `state` on.
     pub fn of(rows: &Rows, cases: &[Case], at_rest: &[(Sym, Sym)], state: usize) -> Self {
         let held = substitute_all(&rows.conditions, at_rest);
         let mut laws = Laws::default();
@@ -139,14 +139,14 @@ impl Laws {
         laws
     }
 
-    /// Whether the condition has a side.
+    /// Adds a condition; returns whether its value must have a sign.
     fn add_condition(&mut self, rows: &Rows, (own, case): (usize, Case), at_rest: &[(Sym, Sym)], place: usize) -> bool {
         let letter = rows.condition_letters[own];
         let all = || rows.residuals.iter().chain(&rows.zeros);
         match case {
             Case::Holds => self.known.push((letter, Sym::ONE)),
             Case::Fails => self.known.push((letter, Sym::ZERO)),
-            // a part of a factor that multiplies zero, such as a coefficient of damping at rest: it occurs in no equation
+            // the factor multiplies a quantity that is zero at rest, such as a coefficient of damping: it occurs in no equation
             _ if all().all(|row| vanishes(row.diff(letter).substitute(at_rest))) => {
                 self.known.push((letter, Sym::ZERO))
             }
@@ -155,7 +155,7 @@ impl Laws {
         matches!(case, Case::Holds | Case::Fails)
     }
 
-    /// Whether the contact is open.
+    /// Adds a contact; returns whether it is open.
     fn add_contact(
         &mut self,
         contact: &Touching,
@@ -202,29 +202,29 @@ fn sought(letter: Sym, place: usize, range: Range) -> Unknown {
     Unknown { name: letter.to_string(), place, is_circle: false, range }
 }
 
-/// The share of friction along a tangent.
+/// Range of the fraction of the largest friction along one tangent.
 const SHARE: Range = Range { from: -1.0, to: 1.0 };
 
-/// The value of an expression that no letter changes.
+/// The value of an expression that does not depend on any of its letters; `None` for others.
 pub(super) fn constant(expression: Sym) -> Option<f64> {
     let is_constant = expression.symbols_of().into_iter().all(|own| vanishes(expression.diff(own)));
     expression.evaluate(&|_| Some(ANYWHERE)).ok().filter(|_| is_constant)
 }
 
-/// A value for letters that change nothing.
+/// Value for letters on which the result does not depend.
 const ANYWHERE: f64 = 0.377;
 
-/// Smaller constants may be zero.
+/// Constants below this size may be zero.
 const ROUNDING: f64 = 1e-12;
 
-/// Whether an expression depends on a letter linearly.
+/// Whether an expression is linear in a letter, with a factor that is not zero.
 pub(super) fn is_linear(expression: Sym, letter: Sym) -> bool {
     let slope = expression.diff(letter);
     !(slope.symbols_of().contains(&letter) || vanishes(slope))
 }
 
-/// Whether the law does not jump where a condition is zero: shown for conditions that are linear in a letter, identified for others. A jump
-/// that is multiplied by the letter of another condition is none where that condition fails there, as in the middle of a play.
+/// Whether the law is continuous where a condition is zero: proved if the condition is linear in a letter, otherwise identified. A jump multiplied
+/// by another condition's letter is zero if that condition fails there, as in the middle of a backlash.
 fn is_continuous(rows: &Rows, values: &[Sym], (letter, value): (Sym, Sym)) -> bool {
     let jumps: Vec<Sym> = rows.residuals.iter().map(|row| row.diff(letter)).filter(|jump| !vanishes(*jump)).collect();
     let others = || rows.condition_letters.iter().zip(values).filter(|(other, _)| **other != letter);

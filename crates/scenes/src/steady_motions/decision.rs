@@ -1,4 +1,4 @@
-//! The result of a search: isolated motions, families where there are fewer independent equations than unknowns, and undecided boxes.
+//! The result of a search: isolated motions, families of motions if there are fewer independent equations than unknowns, and undecided boxes.
 
 use super::angle_sums::AngleSums;
 use super::equations::{SteadyEquations, Unknown};
@@ -8,10 +8,10 @@ use super::tapes::Tapes;
 use algebra::boxes::{Found, Limits, Zero, zeros};
 use field::Interval;
 
-/// The number of boxes examined before the search looks for families by identities.
+/// Number of boxes examined before families are searched with the help of identities.
 const FIRST: usize = 2_000;
 
-/// Along each unknown, a part of its range below which a box is not divided.
+/// A box is not divided along an unknown if its width is below this fraction of the range.
 const SMALLEST: f64 = 1e-7;
 
 /// The result of a search.
@@ -19,12 +19,12 @@ const SMALLEST: f64 = 1e-7;
 pub(super) struct Decision {
     pub found: Found,
     pub families: Vec<Family>,
-    /// The share of undecided boxes in the whole box.
+    /// The volume of undecided boxes as a fraction of the whole.
     pub undecided_part: f64,
 }
 
 impl Decision {
-    /// By at most so many boxes.
+    /// Searches the box `domain` with at most `most` boxes; ends early when `goes_on` returns false.
     pub fn of(
         equations: &SteadyEquations,
         boxes: &mut Boxes<'_>,
@@ -44,7 +44,7 @@ impl Decision {
                 if own.found.undecided.is_empty() || equations.identities.is_empty() {
                     return own;
                 }
-                // families are given by the angles, not by their sums
+                // families are described by the angles, not by their sums
                 Found { undecided: vec![domain.to_vec()], examined: own.found.examined, ..Found::default() }
             }
             None => zeros(boxes, domain, Limits { boxes: first, smallest: SMALLEST }, &mut goes_on),
@@ -62,7 +62,7 @@ impl Decision {
         Decision { found, families, undecided_part }
     }
 
-    /// Searches with sums of angles as unknowns; the result is given by the angles.
+    /// Searches with sums of angles as unknowns; the result is converted to the angles.
     fn by_sums(
         equations: &SteadyEquations,
         (sums, tapes): &(AngleSums, Tapes),
@@ -83,14 +83,14 @@ impl Decision {
     }
 }
 
-/// The share of some boxes in a box that contains them.
+/// The volume of boxes as a fraction of a box that contains them.
 pub(super) fn part(boxes: &[Vec<Interval>], whole: &[Interval]) -> f64 {
     let volume =
         |at: &Vec<Interval>| at.iter().zip(whole).map(|(at, whole)| at.width() / whole.width()).product::<f64>();
     boxes.iter().map(volume).sum::<f64>().clamp(0.0, 1.0) + 0.0
 }
 
-/// Whether a zero may lie in the ranges that are asked for.
+/// Whether a zero may lie in the ranges of the search.
 pub(super) fn is_in_range(unknowns: &[Unknown], zero: &Zero) -> bool {
     let meets = |(unknown, at): (&Unknown, &Interval)| unknown.is_circle || at.and(unknown.range.interval()).is_some();
     unknowns.iter().zip(&zero.enclosure).all(meets)

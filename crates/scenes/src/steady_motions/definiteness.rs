@@ -1,12 +1,12 @@
-//! Signs of the eigenvalues of a symmetric interval matrix.
+//! Proved signs of the eigenvalues of a symmetric interval matrix.
 
 use field::Interval;
 use nalgebra::DMatrix;
 
-/// The numbers of negative and of positive eigenvalues of every symmetric matrix inside; none where this is not decided.
+/// The numbers of negative and of positive eigenvalues of every symmetric matrix in an n by n interval matrix (row by row); `None` if not proved.
 ///
-/// Q^T K Q with columns about eigenvectors is nearly diagonal: its discs (Gershgorin) do not hold zero, and Q is regular, so that signs are
-/// those of K (Sylvester).
+/// With approximate eigenvectors as columns of Q, the matrix Q^T K Q is nearly diagonal. If none of its Gershgorin discs contains zero and Q is
+/// regular, the signs are those of K (Sylvester's law of inertia).
 pub(super) fn signs(matrix: &[Interval], n: usize) -> Option<[usize; 2]> {
     if matrix.iter().any(|entry| !entry.size().is_finite()) {
         return None;

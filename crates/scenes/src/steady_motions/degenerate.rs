@@ -1,10 +1,10 @@
-//! Isolated motions at which the one equation of a system with one unknown is degenerate: by the order of its zero.
+//! Isolated motions of systems with one unknown at which the force f has a zero of higher order.
 //!
-//! Where f and its derivatives below the order m vanish at q0 exactly, and that of the order m has no zero in a region about q0,
+//! If f and its derivatives below the order m vanish exactly at q0, and the derivative of order m has no zero in a region about q0, then
 //!
 //!   f(q) = f^(m)(p) (q - q0)^m / m!   with p in the region ,
 //!
-//! and q0 is the only zero there. The force f is the negative slope of the energy, whose rise or fall on each side follows from its sign.
+//! and q0 is the only zero in the region. The sign of f^(m) decides whether the energy rises or falls on each side, since f is minus its slope.
 
 use super::Region;
 use super::equations::SteadyEquations;
@@ -13,20 +13,20 @@ use field::{Interval, Rational};
 use model::equations::vanishes;
 use symbolic::Sym;
 
-/// Decimals with up to so many digits are tried.
+/// Largest number of digits of the decimals that are tried as q0.
 const DIGITS: usize = 9;
 
-/// The only zero in a region.
+/// The only zero in a region: its position, and the order and sign of the first derivative that does not vanish.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Degenerate {
     pub at: f64,
     order: usize,
-    /// The sign of the derivative of that order.
+    /// The sign of the derivative of this order.
     sign: i32,
 }
 
 impl Degenerate {
-    /// The zero of a region; none where that is not shown.
+    /// The zero in a region; `None` if it is not proved.
     pub fn of(equations: &SteadyEquations, region: &Region) -> Option<Self> {
         let [[low, high]] = region.hull[..] else { return None };
         let others = equations.tapes.surplus.outputs() + equations.tapes.implied.outputs() + equations.reactions;
@@ -48,7 +48,7 @@ impl Degenerate {
         })
     }
 
-    /// In how many directions the energy falls, of the two sides or of those that conditions leave.
+    /// The number of directions, 0 or 1, in which the energy falls; if a condition is zero at the motion, only its open side counts. `None` if undecided.
     pub fn falls(&self, equations: &SteadyEquations, boxes: &mut Boxes<'_>) -> Option<usize> {
         let at = [Interval::point(self.at)];
         let ways: Vec<i32> = match boxes.open_sides(&at)[..] {
@@ -58,13 +58,13 @@ impl Degenerate {
                 vec![if equations.holds[side] { rises } else { -rises }]
             }
         };
-        // a force along the way that leads off
+        // the force points away from the motion
         let falls = |way: &&i32| self.sign * way.pow(1 + self.order as u32) > 0;
         Some(usize::from(ways.iter().any(|way| falls(&way))))
     }
 }
 
-/// Numbers of a range that somebody may have meant.
+/// Decimals of few digits in an interval, as candidates for the exact zero.
 fn candidates(low: f64, high: f64) -> Vec<f64> {
     let middle = 0.5 * (low + high);
     let decimals = (0..DIGITS).filter_map(|digits| format!("{middle:.digits$e}").parse().ok());

@@ -1,16 +1,16 @@
-//! Regions in which constraints become dependent, as those of a linkage whose bars lie in one line: no equation bounds reactions there.
+//! Regions in which constraints may be dependent, such as the stretched position of a linkage; reactions are unbounded there.
 
 use super::equations::{SteadyEquations, Unknown};
 use super::search::independent;
 use field::Interval;
 use nalgebra::DMatrix;
 
-/// The part of a range up to which a region is so small that its bounds say something of a place in it.
+/// A region is small if its width is below this fraction of the range along every unknown.
 const SMALL: f64 = 1e-2;
 
-/// Whether a small region is not shown to be free of places at which the gradients of the constraints are dependent.
+/// Whether a small region may contain positions with linearly dependent gradients of constraints.
 ///
-/// With C about the inverse of a square part of J^T in its middle, |1 - C J^T| < 1 all over a region shows that they are independent there.
+/// The gradients are proved independent if |1 - C J^T| < 1 all over the region, with C an approximate inverse of a square part of J^T.
 pub(super) fn may_be_dependent(equations: &SteadyEquations, hull: &[Interval]) -> bool {
     let m = equations.reactions;
     let is_small = |(at, unknown): (&Interval, &Unknown)| at.width() <= SMALL * unknown.range.interval().width();
@@ -28,6 +28,6 @@ pub(super) fn may_be_dependent(equations: &SteadyEquations, hull: &[Interval]) -
         let one = Interval::point(if row == column { 1.0 } else { 0.0 });
         (0..m).fold(one, |rest, k| rest - Interval::point(inverse[(row, k)]) * entry(chosen[k], column)).size()
     };
-    // NaN, of entries without bounds, is no bound
+    // a NaN from entries without bounds must not count as a proof
     !(0..m).all(|row| (0..m).map(|column| defect(row, column)).sum::<f64>() < 1.0)
 }

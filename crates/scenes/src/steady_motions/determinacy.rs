@@ -1,36 +1,36 @@
-//! Dependent speeds of nonholonomic constraints in terms of the others, by Cramer's rule.
+//! Elimination of the dependent speeds of nonholonomic constraints, by Cramer's rule.
 
 use algebra::linear::minors;
 use model::Trace;
 use model::equations::{Equation, vanishes};
 use symbolic::{Sym, Tape, substitute_all};
 
-/// Constraints of speeds that are solved as they are written, quasi-velocities among them.
+/// Largest number of constraints of speeds, relations of quasi-velocities among them, that are solved symbolically.
 const MOST_SOLVED: usize = 6;
 
-/// Choices of determined speeds that are compared.
+/// Largest number of choices of dependent speeds that are compared.
 const MOST_COMPARED: usize = 16;
 
-/// A part of the largest determinant at a state below which speeds are not determined there.
+/// A choice is singular at a state if its determinant is below this fraction of the largest one.
 const REGULAR: f64 = 1e-3;
 
-/// Preferences for independent speeds.
+/// Preferences for the choice of independent speeds.
 pub(super) struct Wanted<'a> {
-    /// Speeds that remain independent as far as the others can be determined.
+    /// Indices of speeds that should remain independent if possible.
     pub free: Vec<usize>,
-    /// A state at which the constraints must determine the other speeds, for a motion near this state; otherwise this is a preference.
+    /// A state at which the determinant should not vanish. It must not vanish if `is_near`, for a motion near this state.
     pub state: &'a [f64],
     pub is_near: bool,
 }
 
-/// Determined speeds, each by the others, and whether they are determined at the state.
+/// The dependent speeds in terms of the others, and whether the determinant is not zero at the state.
 pub(super) struct Solution {
     pub determined: Vec<(usize, Sym)>,
     pub is_regular: bool,
 }
 
-/// Choices of determined speeds that leave the largest number of wanted speeds independent; those determined at the state come first.
-/// None if constraints are not linear in the speeds, or if there are too many.
+/// Solutions that keep the largest number of wanted speeds independent; those regular at the state come first. `None` if constraints are not
+/// linear in the speeds, or if there are too many.
 pub(super) fn solutions(
     trace: &Trace<'_>,
     (of_speeds, residuals, zeros_of_positions): (&[Equation], &[Sym], &[Sym]),
@@ -44,13 +44,13 @@ pub(super) fn solutions(
         return None;
     }
     let zeros = put(&of_speeds.iter().map(|one| one.zero).collect::<Vec<_>>());
-    // coordinates that occur nowhere come first; constraints of positions determine some of the coordinates in them
+    // coordinates that occur in no equation first, those in position constraints late, since these determine them
     let written: Vec<Sym> = residuals.iter().chain(rows.iter().flatten()).flat_map(|row| row.symbols_of()).collect();
     let held: Vec<Sym> = zeros_of_positions.iter().flat_map(|zero| zero.symbols_of()).collect();
     let mut order: Vec<usize> = (0..n).collect();
     order.sort_by_key(|&k| {
         let own = trace.coordinates[k];
-        // speeds given at the start are those that the user has in mind
+        // a speed given at the start should remain independent
         let is_given = !wanted.is_near && wanted.state[trace.coordinates.len() + k] != 0.0;
         (wanted.free.contains(&k), is_given, held.contains(&own), written.contains(&own))
     });
@@ -88,7 +88,7 @@ pub(super) fn solutions(
     Some(chosen.map(|place| Solution { determined: solved(&all[place]), is_regular: is_regular(place) }).collect())
 }
 
-/// Determinants at a state.
+/// Absolute values of the determinants at a state; zero where they are not finite.
 fn sizes(trace: &Trace<'_>, all: &[(Vec<usize>, Sym)], state: &[f64]) -> Vec<f64> {
     let inputs: Vec<Sym> = [&trace.coordinates[..], &[trace.time]].concat();
     let values: Vec<Sym> = all.iter().map(|(_, determinant)| *determinant).collect();
@@ -104,7 +104,7 @@ fn determinant(size: usize, entry: impl Fn(usize, usize) -> Sym) -> Sym {
     minors(size, entry, size)[(1 << size) - 1]
 }
 
-/// All choices of so many, in their order.
+/// All subsets of `count` elements, in lexicographic order.
 fn choices(of: &[usize], count: usize) -> Vec<Vec<usize>> {
     if count == 0 {
         return vec![Vec::new()];

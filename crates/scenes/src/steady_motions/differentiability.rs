@@ -1,8 +1,8 @@
-//! Conditions across which the law is once continuously differentiable, as that of |w| in the torque k |w| w of a fan: their zeros are no kinks
-//! for linear equations and for energies.
+//! Conditions across which the law is continuously differentiable, such as that of |w| in the torque k |w| w of a fan: linear equations and
+//! energies have no kink at their zeros.
 //!
-//! Let J be the difference of an expression on the two sides of a condition c, and x a letter of c. Where J = 0 and dJ/dx = 0 on the
-//! whole of c = 0, all first derivatives of both sides agree there.
+//! Let J be the difference of an expression between the two sides of a condition c, and x a letter of c. If J = 0 and dJ/dx = 0 wherever c = 0,
+//! the first derivatives of both sides agree there.
 
 use super::condition_zeros::vanish_there;
 use super::conditions::{Case, is_linear};
@@ -11,8 +11,8 @@ use model::equations::{Residuals, constraints_of, vanishes};
 use model::{Model, Trace};
 use symbolic::{Sym, substitute_all};
 
-/// Whether the law and its first derivatives are the same on both sides of the conditions at some places, at their zeros, all others
-/// having their cases.
+/// Whether the law and its first derivatives agree on both sides of the conditions with the given indices where these are zero; the other
+/// conditions have their cases.
 pub(super) fn joins_smoothly(model: &Model, cases: &[Case], places: &[usize]) -> bool {
     let are_conditions = places.iter().all(|&place| place < model.switches.len());
     are_conditions
@@ -26,8 +26,8 @@ pub(super) fn joins_smoothly(model: &Model, cases: &[Case], places: &[usize]) ->
         })
 }
 
-/// Whether the forces jump at a condition of positions along its gradient, and nothing else does: energies of both sides then agree at its
-/// zeros.
+/// Whether only forces jump at a condition of positions, and along its gradient. The potential energies of both sides then agree where the
+/// condition is zero.
 pub(super) fn jumps_along_gradient(model: &Model, cases: &[Case], place: usize) -> bool {
     symbolic::apart(|| {
         let Some(Sides { rows, letters, conditions }) = Sides::of(model, cases, &[place]) else { return false };
@@ -43,13 +43,13 @@ pub(super) fn jumps_along_gradient(model: &Model, cases: &[Case], place: usize) 
     })
 }
 
-/// The differences of expressions between the two sides of a condition, by its letter.
+/// The differences of expressions between the two sides of a condition with this letter.
 fn differences(rows: &[Sym], letter: Sym) -> Vec<Sym> {
     let on = |value: Sym, row: Sym| row.substitute(&[(letter, value)]);
     rows.iter().map(|&row| on(Sym::ONE, row) - on(Sym::ZERO, row)).collect()
 }
 
-/// Whether differences vanish with their first derivatives where a condition is zero.
+/// Whether the differences and their first derivatives vanish where a condition is zero.
 fn are_tangent(jumps: &[Sym], condition: Sym) -> bool {
     let linear: Vec<Sym> = condition.symbols_of().into_iter().filter(|own| is_linear(condition, *own)).collect();
     if linear.is_empty() {
@@ -62,17 +62,17 @@ fn are_tangent(jumps: &[Sym], condition: Sym) -> bool {
     })
 }
 
-/// The law where some conditions are open.
+/// The law with some conditions left as letters.
 pub(super) struct Sides {
-    /// Residuals, constraints, gaps, and frictions.
+    /// Residuals, constraints, and the gaps, sliding velocities and friction coefficients of contacts.
     pub rows: Vec<Sym>,
-    /// The letters of the open conditions, and their values.
+    /// The letters of these conditions; `conditions` has their values.
     pub letters: Vec<Sym>,
     conditions: Vec<Sym>,
 }
 
 impl Sides {
-    /// In the graph of the thread; none where the system has no equations.
+    /// The law in the expression graph of the thread, with the conditions `places` left as letters; `None` if the system has no equations.
     pub fn of(model: &Model, cases: &[Case], places: &[usize]) -> Option<Self> {
         let trace = Trace::of(model);
         let equations = Residuals::of(&trace).into_iter().next()?;

@@ -1,11 +1,11 @@
-//! The equation that is redundant by conservation of energy, for systems with constraints of speeds.
+//! The equation of steady motion that is redundant by conservation of energy, for systems with constraints of speeds.
 //!
-//! Without accelerations of independent speeds the power of the residuals is the rate of the energy T + V, which steady motion does not change:
-//! V does not depend on cyclic coordinates, and T, which is never negative, would change at a constant rate forever. So
+//! If independent speeds have no accelerations, the power of the residuals R_k is the rate of the energy T + V. In steady motion this rate is zero: V
+//! does not depend on cyclic coordinates, and T cannot change at a constant rate since it is never negative. Therefore
 //!
 //!   sum_k R_k u_k = 0
 //!
-//! over cyclic coordinates whose speeds are independent, and one equation whose speed is not zero follows from all others.
+//! over the cyclic coordinates with independent speeds u_k, and an equation whose speed is not zero follows from the others.
 
 use super::rows::Rows;
 use crate::conservation::conserves;
@@ -13,7 +13,7 @@ use crate::letters::Letters;
 use model::equations::vanishes;
 use model::{Model, Trace};
 
-/// The place of that equation; some of the speeds are known.
+/// The index of the redundant equation: that with the largest speed; `speed` gives the known speeds. `None` if energy is not conserved.
 pub(super) fn implied(
     model: &Model,
     trace: &Trace<'_>,

@@ -1,16 +1,16 @@
-//! Accumulating events: Zeno behaviour, where their times have a limit, and chattering by thousands of events.
+//! Diagnosis of accumulating events: Zeno behaviour, where event times converge to a limit, and chattering, thousands of events in succession.
 
 use super::samples::Samples;
 use simulation::{FailureKind, RunFailure};
 use std::collections::BTreeSet;
 
-/// Gaps below this part of the time are rounding.
+/// Gaps between events below this fraction of the time are rounding errors.
 const ROUNDING: f64 = 1e-9;
 
-/// Events at the end of a run that are looked at.
+/// Number of events at the end of a run that are examined.
 const LOOKED_AT: usize = 100;
 
-/// Events whose times have a limit: the gaps between them shrink by one factor.
+/// The failure of a run whose event times converge to a limit; the evidence has the median ratio of successive gaps.
 pub(super) fn zeno(run: &Samples<'_>) -> RunFailure {
     let (at, _) = run.last();
     let gaps: Vec<f64> = gaps(run).into_iter().filter(|gap| *gap > ROUNDING * at).collect();
@@ -29,7 +29,7 @@ pub(super) fn zeno(run: &Samples<'_>) -> RunFailure {
     }
 }
 
-/// Events by the thousand.
+/// The failure of a run with thousands of events in succession.
 pub(super) fn chattering(run: &Samples<'_>) -> RunFailure {
     let gaps = gaps(run);
     let count = gaps.len().min(LOOKED_AT);
@@ -44,13 +44,13 @@ pub(super) fn chattering(run: &Samples<'_>) -> RunFailure {
     }
 }
 
-/// Times between events, the start left out.
+/// Times between successive events in seconds, without the start.
 fn gaps(run: &Samples<'_>) -> Vec<f64> {
     let times: Vec<f64> = run.trajectory.passages.iter().skip(1).map(|passage| passage.time).collect();
     times.windows(2).map(|two| two[1] - two[0]).collect()
 }
 
-/// The last events, each once.
+/// The descriptions of the last events, each once.
 fn names(run: &Samples<'_>) -> String {
     let last = run.trajectory.passages.iter().skip(1).rev().take(LOOKED_AT);
     let names: BTreeSet<&str> = last.map(|passage| passage.what.as_str()).collect();

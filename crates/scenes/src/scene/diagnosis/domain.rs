@@ -1,4 +1,4 @@
-//! The boundary of a law's domain: rates are finite at the last good state, and undefined a little further along the motion.
+//! Diagnosis of runs that stop at the boundary of the law's domain: rates are finite at the last state and NaN a little later.
 
 use super::samples::Samples;
 use crate::letters::Letters;
@@ -7,13 +7,14 @@ use integrators::{Failure, Ode};
 use model::{Domain, DomainEnd, Model, Trace};
 use simulation::{FailureKind, RunFailure};
 
-/// Parts of the time of the run that are looked ahead, from the shortest on.
+/// Fractions of the elapsed time by which the motion is extrapolated, in increasing order.
 const AHEAD: [f64; 7] = [1e-12, 1e-10, 1e-8, 1e-6, 1e-4, 1e-2, 1e-1];
 
-/// The function whose argument leaves its domain where a run has stopped, by its text and its line: a root of what becomes negative.
+/// The failure of a run that stopped where the argument of a function, such as `sqrt`, leaves its domain; with the text and line of the
+/// function.
 ///
-/// With the margin m, not negative where the function has a value, and its rate along the motion, m reaches zero after -m/m'. Beyond that time
-/// rates have no number.
+/// The margin m is an expression that is not negative in the domain. By linear extrapolation m reaches zero after the time -m/m'; later the
+/// rates must be NaN.
 pub(super) fn crossed(run: &Samples<'_>) -> Option<RunFailure> {
     if !has_lost_numbers(run) || run.trajectory.left.is_some() {
         return None;
@@ -29,7 +30,7 @@ pub(super) fn crossed(run: &Samples<'_>) -> Option<RunFailure> {
             let rate = (margin(at + h, &moved(state, &here, h)) - value) / h;
             let left = -value / rate;
             let beyond = rates(run, at + 2.0 * left, &moved(state, &here, 2.0 * left));
-            // an adaptive run comes up to the place, equal steps stop within a few of it
+            // an adaptive method stops close to the boundary, a method with constant steps within a few steps of it
             let is_near = left > 0.0
                 && match run.choice.method.steps() {
                     Some(_) => left <= NEAR * run.step(),
@@ -62,7 +63,7 @@ pub(super) fn crossed(run: &Samples<'_>) -> Option<RunFailure> {
     })
 }
 
-/// Whether a run has stopped where rates or steps have no numbers.
+/// Whether the run stopped since rates or steps could not be computed.
 pub(super) fn has_lost_numbers(run: &Samples<'_>) -> bool {
     matches!(
         run.trajectory.outcome.failure(),
@@ -70,7 +71,7 @@ pub(super) fn has_lost_numbers(run: &Samples<'_>) -> bool {
     )
 }
 
-/// The condition under which a function has a value, and its argument where zero bounds it.
+/// The condition under which a function has a value, and its argument if zero is the boundary of the domain.
 fn needed(text: &str) -> (&'static str, Option<&str>) {
     let argument = text.split_once('(').and_then(|(_, rest)| rest.strip_suffix(')'));
     match text.split('(').next().unwrap_or_default().trim() {
@@ -81,7 +82,7 @@ fn needed(text: &str) -> (&'static str, Option<&str>) {
     }
 }
 
-/// The expression of a domain as a function of time and state; none where it depends on accelerations or reactions.
+/// The margin of a domain as a function of time and state; `None` if it depends on accelerations or reactions.
 pub(super) fn margin(model: &Model, domain: &Domain) -> Option<impl Fn(f64, &[f64]) -> f64> {
     let program = recorded(model.positions() + model.speeds(), |time, state| {
         let trace = Trace::of(model);
@@ -90,7 +91,7 @@ pub(super) fn margin(model: &Model, domain: &Domain) -> Option<impl Fn(f64, &[f6
     let program = program.ok()?;
     Some(move |time: f64, state: &[f64]| {
         let mut value = [f64::NAN];
-        // made for a state of this length
+        // the program was compiled for a state of this length
         program.run(time, state, &mut value).unwrap_or(());
         value[0]
     })
@@ -106,21 +107,21 @@ fn moved(state: &[f64], rates: &[f64], h: f64) -> Vec<f64> {
     state.iter().zip(rates).map(|(value, rate)| value + h * rate).collect()
 }
 
-/// A part of the time of a run that is short for its motion.
+/// Time of an extrapolation, relative to the elapsed time, over which the motion is linear.
 const SHORT: f64 = 1e-9;
 
-/// Equal steps within which a domain ends that has stopped a run.
+/// Largest number of constant steps between the last state and the boundary that stopped the run.
 const NEAR: f64 = 4.0;
 
-/// The part of its largest value that a margin has come down to where an adaptive run has stopped by it.
+/// An adaptive method stopped at the boundary if the margin is below this fraction of its largest value.
 const CLOSE: f64 = 1e-3;
 
-/// The largest value of a margin along a run.
+/// The largest value of a margin along the run.
 fn largest(run: &Samples<'_>, margin: &impl Fn(f64, &[f64]) -> f64) -> f64 {
     run.sound().iter().map(|(time, state)| margin(*time, state)).fold(0.0, f64::max)
 }
 
-/// The rates that have no number ahead of a run whose own numbers are moderate.
+/// The failure of a run with moderate states whose extrapolated motion has a rate that is NaN.
 pub(super) fn left(run: &Samples<'_>) -> Option<RunFailure> {
     if !has_lost_numbers(run) || run.sound().len() < run.states.len() {
         return None;
@@ -149,5 +150,5 @@ pub(super) fn left(run: &Samples<'_>) -> Option<RunFailure> {
     })
 }
 
-/// Coordinates that are told.
+/// Largest number of coordinates in a message.
 const MOST_TOLD: usize = 6;

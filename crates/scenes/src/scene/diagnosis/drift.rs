@@ -1,19 +1,19 @@
-//! Drift: constraints that a run violates.
+//! Diagnosis of drift: the residuals of constraints become too large along a run.
 
 use super::samples::Samples;
 use crate::start::KeptConstraints;
 use simulation::{FailureKind, RunFailure};
 
-/// Residuals that no step of a run with constraints that are kept leaves, relative to the state.
+/// Largest accepted residual of constraints that the run enforces, relative to the state.
 const OFF: f64 = 1e-6;
 
-/// The residual for constant steps, relative to the state: their errors are judged by shorter steps instead.
+/// Largest accepted relative residual for constant steps; the error of such runs is measured with shorter steps.
 const OFF_OF_STEPS: f64 = 1e-4;
 
-/// Tolerances that a run which is asked for few digits may be off.
+/// For coarse tolerances, the accepted residual as a multiple of the tolerance.
 const TOLERANCES: f64 = 10.0;
 
-/// The first sample at which the residual of the constraints is beyond what is kept.
+/// The failure at the first sample with a residual beyond the accepted one; `None` if the model has no enforced constraint.
 pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
     let kept = run.model().constraints.iter().any(|constraint| constraint.gains.is_none());
     if !kept {

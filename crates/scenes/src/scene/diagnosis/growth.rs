@@ -1,32 +1,31 @@
-//! Motions that grow without bound, in finite time (blow-up) or exponentially.
+//! Diagnosis of unbounded motions: growth to infinity in finite time (blow-up), or exponential growth.
 //!
-//! The time |y|/|y'| in which a component grows by its own size goes to zero like t* - t where it blows up at t*, is constant for exponential
+//! The growth time |y|/|y'| of a component y distinguishes them. It falls to zero as t* - t before a blow-up at t*, is constant for exponential
 //! growth, and is t/p for growth as t^p.
 
 use super::samples::Samples;
 use integrators::{Failure, Ode};
 use simulation::{FailureKind, RunFailure};
 
-/// The growth of a component over its largest value in the first nine tenths of the run, from which on it is looked at.
+/// Least ratio of the last value to the largest one in the first nine tenths of the run; a component with less growth is not examined.
 const GROWN: f64 = 100.0;
 
-/// The part of the time of the run below which the time of growth is small.
+/// For a blow-up, the growth time must be below this fraction of the elapsed time.
 const FAST: f64 = 1e-3;
 
-/// The part of its value in the middle of the run to which the time of growth has come down, where it goes to zero.
+/// For a blow-up, the growth time must be below this fraction of its value in the middle of the run.
 const SHRUNK: f64 = 0.02;
 
-/// A component that has grown so many times beyond one in SI units, and beyond its size in the first tenth of the run, has no bound, whatever
-/// ends the run.
+/// A component has overflown if it is this many times as large as one SI unit and as its values in the first tenth of the run.
 const HUGE: f64 = 1e12;
 
-/// The logarithm of the growth in the last quarter of a run, over that in the quarter before, below which it is slower than an exponential's.
+/// Growth is slower than exponential if its logarithm over the last quarter of a run, divided by that over the quarter before, is less.
 const SLOWER: f64 = 0.85;
 
-/// The ratio of these logarithms above which the growth is faster than exponential.
+/// Growth is faster than exponential if this ratio of logarithms is larger.
 const FASTER: f64 = 1.3;
 
-/// The component that has grown most.
+/// The failure of a run in which the component with the most growth is unbounded.
 pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
     let (at, last) = run.last();
     let before: Vec<&(f64, Vec<f64>)> = run.states.iter().filter(|(time, _)| *time <= 0.9 * at).collect();
@@ -44,7 +43,7 @@ pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
         Ode::<f64>::rates(&*run.scene.system, *time, state, &mut rates);
         (state[place] / rates[place]).abs()
     };
-    // a constant step goes on behind t*: there its own length is all that it shows
+    // constant steps continue behind t*; growth times shorter than a step have no meaning there
     let step = if run.choice.method.steps().is_some() { run.step() } else { 0.0 };
     let followed = |state: &&(f64, Vec<f64>)| scale(state).is_finite() && scale(state) > step;
     let near = run.states.iter().rev().find(followed)?;
@@ -66,7 +65,7 @@ pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
     }
     let has_overflown = match run.trajectory.outcome.failure() {
         Some(Failure::LeftTheNumbers { .. }) => true,
-        // powers of a state, as the terms of a series or the squares of an error, overflow before it does
+        // powers of the state, as terms of a series or squares of error estimates, overflow before the state itself
         Some(Failure::StepCollapsed { .. } | Failure::NewtonFailed { .. } | Failure::Singular { .. }) => {
             let first = run.states.iter().take_while(|(time, _)| *time <= 0.1 * at);
             last[place].abs() > HUGE * first.fold(1.0, |size: f64, (_, state)| size.max(state[place].abs()))
@@ -76,7 +75,7 @@ pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
     if !has_overflown {
         return None;
     }
-    // an oscillation grows by its largest values
+    // maxima over intervals measure the growth of oscillations, too
     let largest = |from: f64, to: f64| {
         let own = run.states.iter().filter(|(time, _)| from * at < *time && *time <= to * at);
         own.map(|(_, state)| state[place].abs()).fold(0.0, f64::max)

@@ -1,8 +1,8 @@
-//! Singular mass matrices: directions without inertia at a position, among those that the constraints allow.
+//! Diagnosis of singular mass matrices: at some position a direction that the constraints allow has no inertia.
 //!
-//! With D the sizes of the diagonal of M along the run and Z a basis of the motions that constraints leave, the smallest eigenvalue of
-//! Z^T D^-1 M D^-1 Z is compared with its median along the run: data and units decide nothing. Where the energy is that of bodies,
-//! M v = 0 means that v moves none of them: the coordinates describe no single position there, and the chart is singular.
+//! Let D be the diagonal matrix of the largest sqrt(M_ii) along the run, and Z a basis of the directions that the constraints allow. The smallest
+//! eigenvalue of Z^T D^-1 M D^-1 Z is compared with its median along the run, so that the result does not depend on units. If the kinetic
+//! energy is that of bodies, M v = 0 means that no body moves in the direction v: the coordinates are singular there (a singular chart).
 
 use super::samples::Samples;
 use crate::modes::{Case, Mode};
@@ -12,35 +12,35 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use simulation::{FailureKind, RunFailure};
 use symbolic::apart;
 
-/// The part of its usual size below which an eigenvalue is none: angles within a thousandth of a pole.
+/// An eigenvalue below this multiple of its median is zero. For angles this is a distance of 1e-3 rad from a pole.
 const SINGULAR: f64 = 1e-6;
 
-/// The same of a run that has passed, at what much work shows: its samples come within a hundredth of a pole.
+/// The multiple for runs that did not stop but needed many steps; their samples come within 1e-2 rad of a pole.
 const PASSED: f64 = 1e-4;
 
-/// Larger systems are not looked at: eigenvalues take the cube of their size.
+/// Largest number of speeds; the cost grows with the cube of the number.
 const MOST_SPEEDS: usize = 64;
 
-/// Samples that are looked at.
+/// Largest number of samples that are examined.
 const MOST_LOOKS: usize = 400;
 
-/// Minima between samples that are refined, and steps of each search.
+/// Number of minima along the run that are refined between samples, and number of steps of each search.
 const REFINED: usize = 8;
 const SEARCHES: usize = 40;
 
-/// Singular values of J below this part of the largest are rounding.
+/// Eigenvalues of J^T J below this power 3/2 of the largest one are rounding errors.
 const RANK: f64 = 1e-9;
 
-/// Parts of a direction from which on a speed is named.
+/// A message names the speeds whose components are at least this fraction of the largest component of the direction.
 const NAMED: f64 = 0.1;
 
-/// The part of a unit by which a coordinate is moved, or of the span the time, to see which makes the place singular.
+/// Displacement of a coordinate in SI units, or of the time in spans, that shows whether the singularity depends on it.
 const ASIDE: f64 = 0.05;
 
-/// An eigenvalue that vanishes at a place is so many times as large aside of it; one that is small beside a motion that grows is not.
+/// Least ratio of the eigenvalue after the displacement to that before. With less, the eigenvalue is small but not singular at the place.
 const RISE: f64 = 20.0;
 
-/// The place of a run at which an eigenvalue is least, where it is singular there.
+/// The failure of a run that comes to a position with a singular mass matrix.
 pub(super) fn singular(run: &Samples<'_>) -> Option<RunFailure> {
     let model = run.model();
     if model.speeds() > MOST_SPEEDS {
@@ -96,15 +96,15 @@ pub(super) fn singular(run: &Samples<'_>) -> Option<RunFailure> {
     })
 }
 
-/// Whether no mass and no moment of inertia varies.
+/// Whether all masses and moments of inertia are constant.
 fn has_constant_masses(model: &Model) -> bool {
     let trace = Trace::of(model);
-    // every body takes part
+    // adds every body to the trace
     trace.kinetic_energy();
     trace.solid().is_empty()
 }
 
-/// The first place of a run at which the least eigenvalue comes down to a bound, between its samples too: time, state, eigenvalue.
+/// The first place of the run at which the least eigenvalue is at most `bound`, refined between samples: time (s), state and eigenvalue.
 fn first_below(run: &Samples<'_>, look: &Look<'_>, seen: &[(usize, f64)], bound: f64) -> Option<(f64, Vec<f64>, f64)> {
     let is_valley = |at: &usize| {
         let beside = [at.checked_sub(1), Some(at + 1)];
@@ -143,7 +143,7 @@ fn first_below(run: &Samples<'_>, look: &Look<'_>, seen: &[(usize, f64)], bound:
     None
 }
 
-/// Names of the speeds in a direction whose parts are scaled.
+/// The names of the speeds with large components in a direction.
 fn named(model: &Model, direction: &[f64]) -> Vec<String> {
     let largest = direction.iter().fold(0.0, |size: f64, part| size.max(part.abs()));
     let names = model.state_names();
@@ -151,7 +151,7 @@ fn named(model: &Model, direction: &[f64]) -> Vec<String> {
     own.filter(|(part, _)| part.abs() >= NAMED * largest).map(|(_, (name, _))| format!("`{name}`")).collect()
 }
 
-/// Mass matrices of a model, scaled by their sizes along a run.
+/// The mass matrix of a model, scaled by `sizes`, the largest sqrt(M_ii) along a run.
 struct Look<'a> {
     model: &'a Model,
     matrix: MotionMatrix,
@@ -176,7 +176,7 @@ impl<'a> Look<'a> {
         Some(Look { model, matrix, sizes })
     }
 
-    /// The size of the least eigenvalue, and its direction in scaled speeds.
+    /// The least absolute eigenvalue of the scaled mass matrix and its direction in scaled speeds; `None` if the constraints allow no motion.
     fn least(&self, time: f64, state: &[f64]) -> Option<(f64, Vec<f64>)> {
         let n = self.model.speeds();
         let [mut mass, mut rows] = self.matrix.at(time, state)?.blocks(n);
@@ -198,7 +198,7 @@ impl<'a> Look<'a> {
         Some((value, (left * eigenvectors.column(least)).iter().copied().collect()))
     }
 
-    /// The coordinate, or the time, that leads away from the singular place soonest; `None` if the eigenvalue stays as it is all around.
+    /// The coordinate, or the time, whose change increases the eigenvalue most; `None` if no change increases it by the factor `RISE`.
     fn cause(&self, time: f64, state: &[f64], span: f64, least: f64) -> Option<Cause> {
         let at = |time: f64, state: &[f64]| self.least(time, state).map_or(0.0, |(least, _)| least);
         let moved = |place: usize| {
@@ -217,7 +217,7 @@ enum Cause {
     Time,
 }
 
-/// A basis of the directions that rows leave free, its columns.
+/// A basis, as columns, of the kernel of `rows`.
 fn left_by(rows: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let n = rows.ncols();
     if rows.nrows() == 0 {

@@ -1,7 +1,8 @@
-//! Missed events: `when` changes its sign between two samples, and the run has no event there.
+//! Diagnosis of missed events: the expression `when` changes its sign between two samples, but the run reports no event there.
 //!
-//! Between samples, which are states of the run, positions are interpolated by cubics. Where these show an event, the motion is computed
-//! again from the sample before, and the event is reported if the motion has it too. A zero between two tested places stays unseen.
+//! Positions are interpolated by cubics between the samples, which are states of the run. Where the interpolation shows an event, the motion is
+//! integrated again from the sample before, and the event is reported if this motion has it, too. Pairs of zeros between tested times stay
+//! undetected.
 
 use super::samples::Samples;
 use crate::letters::Letters;
@@ -10,23 +11,24 @@ use integrators::{Method, Span, Tolerance, integrate};
 use model::{Direction, Event, Trace};
 use simulation::{FailureKind, Program, RunFailure};
 
-/// Places that are looked at between two samples.
+/// Number of times tested between two samples.
 const BETWEEN: usize = 16;
 
-/// Places between two samples at which the time behind zero is measured, and steps that find an event in that time.
+/// Number of times between two samples that measure how long `when` keeps its new sign; and number of steps within this duration that
+/// find the event.
 const FINER: usize = 1_024;
 const STEPS: f64 = 4.0;
 
-/// Values below this part of the largest one along the run are rounding, or errors of the run.
+/// Values below this multiple of the largest one along the run are rounding or integration errors.
 const ROUNDING: f64 = 1e-6;
 
-/// The accuracy of the motion that is computed again.
+/// Tolerance of the repeated integration.
 const TOLERANCE: f64 = 1e-10;
 
-/// Evaluations for it.
+/// Largest number of evaluations of the repeated integration.
 const BUDGET: u64 = 20_000;
 
-/// The first event that was passed over, of a system whose law does not change otherwise.
+/// The failure at the first missed event; only for systems whose law changes at events alone.
 pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
     let model = run.model();
     let changes = !model.switches.is_empty() || !model.contacts.is_empty() || !model.algebraic_speeds.is_empty();
@@ -70,7 +72,7 @@ pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
                     again(run, k, time).map(|state| values(time, &state)[event])
                 };
                 if own.is_some_and(|own| crossed(event, own)) {
-                    // the time that `when` spends behind zero, as far as the sample after
+                    // duration for which `when` keeps its new sign before the next sample
                     let parts = (0..=FINER).map(|part| run.between(k, part as f64 / FINER as f64));
                     let behind = parts.filter(|(time, state)| values(*time, state)[event] * value > 0.0).count();
                     let lasts = behind.max(1) as f64 / FINER as f64 * (to - from);
@@ -84,12 +86,12 @@ pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
 
 fn values(program: &Program, count: usize, time: f64, state: &[f64]) -> Vec<f64> {
     let mut values = vec![f64::NAN; count];
-    // made for a state of this length
+    // the program was compiled for a state of this length
     program.run(time, state, &mut values).unwrap_or(());
     values
 }
 
-/// The state at a time, from a sample on.
+/// The state at a time in seconds, integrated again from sample k; `None` if the integration fails.
 fn again(run: &Samples<'_>, k: usize, time: f64) -> Option<Vec<f64>> {
     let (from, state) = &run.states[k];
     let span = Span::new(*from, time, state).with_evaluations(BUDGET);

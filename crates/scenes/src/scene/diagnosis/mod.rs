@@ -1,14 +1,15 @@
-//! The diagnosis of a run of a text system: its failures by their standard names, each with evidence and a remedy.
+//! The diagnosis of a run of a text system: failures by their standard names, each with evidence and a remedy.
 //!
 //! # Overview
 //! * `samples`: the sampled states of a run, with interpolation between them;
 //! * `reasons`: failures that follow from the reason for which a law ended;
 //! * `inertia`: singular charts and mass matrices; `rank`: dependent constraints;
-//! * `stiffness`, `growth`, `domain`: step sizes limited by stability, motions that grow without bound, laws that end; `overflow`:
+//! * `stiffness`: step sizes limited by stability; `growth`: unbounded motions; `domain`: functions that leave their domain; `overflow`:
 //!   exponentials beyond the range of double precision;
-//! * `drift`, `accumulation`, `missed_events`, `pulses`: residuals, event times, events and forces of short duration between the samples.
+//! * `drift`: residuals of constraints; `accumulation`: converging event times; `missed_events`, `pulses`: events and short forces between
+//!   samples.
 //!
-//! All diagnoses are computed after the run from its samples, at no cost during the run.
+//! All diagnoses are computed from samples after the run, at no cost during the run.
 
 mod accumulation;
 mod domain;
@@ -27,7 +28,7 @@ use crate::scene::ModelScene;
 use samples::Samples;
 use simulation::{Choice, RunFailure, Trajectory};
 
-/// All failures of a run.
+/// All failures of a run; none if it was interrupted.
 pub(super) fn failures(scene: &ModelScene, choice: &Choice, trajectory: &Trajectory) -> Vec<RunFailure> {
     if trajectory.broken_off() {
         return Vec::new();

@@ -1,14 +1,14 @@
-//! Overflow of exponentials or of their squares: a law that divides by one may have a value there but no derivatives.
+//! Diagnosis of overflow: an exponential, or its square in a derivative, exceeds the range of double precision.
 
 use super::domain::{has_lost_numbers, margin, rates};
 use super::samples::Samples;
 use model::DomainEnd;
 use simulation::{FailureKind, RunFailure};
 
-/// Exponents from this part of the largest one on are told: derivatives of quotients take squares, and steps end a little before.
+/// Fraction of ln(f64::MAX) from which an exponent counts as large: derivatives of quotients contain squares, and a run ends a step before.
 const LARGE: f64 = 0.48;
 
-/// The largest exponential of the law where a run has lost its numbers.
+/// The failure of a run that stopped at an overflow, with the largest exponential of the law at its last state.
 pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
     if !has_lost_numbers(run) {
         return None;

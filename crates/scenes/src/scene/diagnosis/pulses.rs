@@ -1,8 +1,8 @@
-//! Missed pulses: between two samples the rates change within a short time, and no step of the run has evaluated them there.
+//! Diagnosis of missed pulses: between two samples a force acts for a short time, and no step of the run evaluated the law within this time.
 //!
-//! Between samples positions are interpolated by cubics, speeds linearly, and rates are evaluated there. Where their integral is not the
-//! change of a speed, the motion is computed again from the sample before, with short steps where the rates change. The pulse is reported
-//! if the next sample of the run differs. A pulse shorter than the distance of two evaluations stays unseen.
+//! Rates are evaluated between samples, with positions from cubic and speeds from linear interpolation. Where the integral of a rate differs
+//! from the change of its speed, the motion is integrated again from the sample before, with short steps during the pulse. The pulse is reported
+//! if the result differs from the next sample of the run. Pulses shorter than the distance of two evaluations stay undetected.
 
 use super::samples::Samples;
 use crate::changing_laws::is_watched;
@@ -11,53 +11,54 @@ use model::{PowerBalance, Trace};
 use simulation::{FailureKind, RunFailure};
 use symbolic::{Operation, Sym, Tape, apart};
 
-/// Times between two samples at which rates are looked at.
+/// Largest number of evaluations between two samples.
 const LOOKS: usize = 1_000;
 
-/// Samples after which others are left out.
+/// Largest number of intervals between samples that are examined, from the start of the run.
 const MOST_SAMPLES: usize = 400;
 
-/// Evaluations in all: of a law that knows the time under constant steps, and of others, whose steps are bounded where the time changes them.
+/// Largest number of evaluations in all: for laws that depend on time and constant steps, and for the others. The steps of adaptive methods
+/// are limited where the law depends on time.
 const MOST_RATES_OF_TIME: usize = 400_000;
 const MOST_RATES: usize = 30_000;
 
-/// The part of its largest distance from a line at which a pulse begins and ends.
+/// A pulse begins and ends where the deviation of the rate from linear interpolation is this fraction of its maximum.
 const BEGINS: f64 = 1e-3;
 
-/// A pulse takes at most so many of the steps made.
+/// Largest duration of a pulse in steps of the run.
 const SHORT: f64 = 2.0;
 
-/// Intervals that are computed again: those with the largest differences.
+/// Number of intervals that are integrated again: those with the largest differences.
 const MOST_AGAIN: usize = 4;
 
-/// The accuracy of the motion that is computed again, and how much coarser a difference is told.
+/// Tolerance of the repeated integration. A relative difference is reported from `TOLD` tolerances on.
 const TOLERANCE: f64 = 1e-9;
 const TOLD: f64 = 1e4;
 
-/// Differences of so many tolerances are told at least: the tolerance is absolute too.
+/// A difference is reported from this many absolute tolerances of the run on.
 const ABSOLUTE: f64 = 100.0;
 
-/// Evaluations for it.
+/// Largest number of evaluations of each part of the repeated integration.
 const BUDGET: u64 = 100_000;
 
-/// A stretch of time in which rates are others than before and after it.
+/// A time interval between two samples, of indices `sample` and `sample` + 1, with a rate unlike that before and after.
 struct Pulse {
     sample: usize,
     from: f64,
     to: f64,
-    /// The time at which they differ most, and the component that does.
+    /// The time of the largest deviation in seconds, and the index of the speed in the state.
     at: f64,
     component: usize,
-    /// The difference of the integral of this rate from the change of the component, in parts of what is told.
+    /// The integral of the rate minus the change of the speed, as a multiple of the least difference that is reported.
     weight: f64,
 }
 
-/// The first pulse that was passed over, of a system with one law.
+/// The failure at the first missed pulse; only for systems whose law does not change at conditions, contacts or events.
 pub(super) fn missed(run: &Samples<'_>) -> Option<RunFailure> {
     let model = run.model();
-    // rates for which accelerations are solved cost too much to be looked at so often
+    // laws that solve numerically for accelerations are too expensive for so many evaluations
     let is_followed = !is_watched(model) && run.scene.system.is_written();
-    // where a law ends rates may have no bound
+    // rates may be unbounded where a run has stopped
     if !is_followed || run.states.len() < 2 || run.trajectory.stopped().is_some() {
         return None;
     }
@@ -111,18 +112,18 @@ pub(super) fn missed(run: &Samples<'_>) -> Option<RunFailure> {
     })
 }
 
-/// The difference of a component of a size from which on it is told.
+/// The least difference that is reported for a component of the given size.
 fn allowed(run: &Samples<'_>, size: f64) -> f64 {
     let tolerance = run.choice.tolerance;
     (TOLD * TOLERANCE.max(tolerance) * size).max(ABSOLUTE * tolerance)
 }
 
-/// The parts of energies and loads.
+/// Properties of the expressions of energies and loads that make pulses possible.
 struct Loads {
-    /// Whether the time stands in them.
+    /// Whether they contain the time explicitly.
     by_time: bool,
-    /// Whether they hold functions that may be large in a narrow place alone: an exponential, a quotient, an angle. Polynomials and circular
-    /// functions are as narrow as their whole course.
+    /// Whether they contain exponentials, quotients or angles, which may be large in a narrow region only. Polynomials and circular functions
+    /// cannot be.
     may_be_narrow: bool,
 }
 
@@ -143,7 +144,7 @@ impl Loads {
     }
 }
 
-/// The pulse with the largest part in the change of a speed between sample `k` and the next that the run does not have.
+/// The pulse of the speed with the largest weight between samples `k` and `k` + 1; `None` if no integral differs from the change.
 fn pulse(run: &Samples<'_>, k: usize, looks: usize) -> Option<Pulse> {
     let [(from, before), (to, after)] = [&run.states[k], &run.states[k + 1]];
     let (from, to) = (*from, *to);
@@ -181,7 +182,7 @@ fn pulse(run: &Samples<'_>, k: usize, looks: usize) -> Option<Pulse> {
     found.max_by(|a, b| a.weight.total_cmp(&b.weight))
 }
 
-/// The state of the sample after a pulse, with steps that are short where a pulse begins.
+/// The state at the sample after a pulse, integrated again with a short first step at the beginning of the pulse.
 fn again(run: &Samples<'_>, pulse: &Pulse) -> Option<Vec<f64>> {
     let (from, state) = &run.states[pulse.sample];
     let to = run.states[pulse.sample + 1].0;

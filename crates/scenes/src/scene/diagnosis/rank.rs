@@ -1,13 +1,13 @@
-//! Loss of rank of the constraints at a position, with the dependent constraints.
+//! Diagnosis of dependent constraints: their Jacobian loses rank at a position.
 
 use super::samples::Samples;
 use crate::start::{Dependence, KeptConstraints, SingularPositions};
 use simulation::{FailureKind, RunFailure};
 
-/// The part of its value at the start below which the least singular value of J counts as lost, where the run has stopped by itself.
+/// If steps have collapsed, the constraints are dependent where the least singular value of J is below this multiple of that at the start.
 const LOST: f64 = 1e-3;
 
-/// The same where the law has ended by itself at a position that is singular.
+/// The multiple for runs whose law ended at a position already known as singular.
 const KEPT: f64 = 0.1;
 
 const THROUGH: &str = "`through_singular_positions = true` under [run], by which the run goes on along the smooth branch of its motion; or ";
@@ -20,7 +20,7 @@ const UNIQUE: &str = "`run`, which goes on along the smooth branch of the motion
 const REMEDIES: &str = "a dimension that differs by a ten-thousandth leads past on one branch; or a start from which the motion turns before; \
      or an [[event]] with `end = true` before this position";
 
-/// The loss of rank at the last good state of a run, where its law has ended there or steps have collapsed.
+/// The failure of a run that stopped at a position where constraints become dependent.
 pub(super) fn lost(run: &Samples<'_>) -> Option<RunFailure> {
     let left = run.trajectory.left;
     let is_named = left.is_some_and(SingularPositions::ends);
@@ -31,7 +31,7 @@ pub(super) fn lost(run: &Samples<'_>) -> Option<RunFailure> {
     let (time, state) = run.last();
     let Dependence { titles, moved, least } = kept.dependence(time, state)?;
     let at_start = kept.dependence(0.0, &run.scene.start)?.least;
-    // where the constraints have their rank, what the law divides by vanishes with the inertia
+    // at full rank, another divisor of the law is zero, such as an inertia
     if least > if is_named { KEPT } else { LOST } * at_start {
         return None;
     }

@@ -1,4 +1,4 @@
-//! Failures that follow directly from the reason for which a law ended.
+//! Failures that follow directly from the reason for which the law of a run ended.
 
 use super::samples::Samples;
 use super::{accumulation, rank};
@@ -7,7 +7,7 @@ use crate::start::SingularPositions;
 use simulation::events::{ACCUMULATE, POLE, TOO_MANY};
 use simulation::{FailureKind, RunFailure};
 
-/// The failure of a law that has ended with a reason.
+/// The failure for the reason with which the law ended; `None` if the reason needs further diagnosis.
 pub(super) fn named(run: &Samples<'_>) -> Option<RunFailure> {
     let why = run.trajectory.left?;
     let (at, _) = run.last();
@@ -41,7 +41,7 @@ pub(super) fn named(run: &Samples<'_>) -> Option<RunFailure> {
     }
 }
 
-/// A pole, where nothing else explains it.
+/// The failure at a pole of the rates, for runs that no other diagnosis explains.
 pub(super) fn unexplained(run: &Samples<'_>) -> Option<RunFailure> {
     (run.trajectory.left == Some(POLE)).then(|| RunFailure {
         kind: FailureKind::Pole,

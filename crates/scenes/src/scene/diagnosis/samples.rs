@@ -6,22 +6,22 @@ use crate::scene::ModelScene;
 use model::Model;
 use simulation::{Choice, Trajectory};
 
-/// A state that is larger than all in the first half of a run by this factor is none to look at coordinates in.
+/// A state larger than this multiple of all states in the first half of a run counts as overflown.
 const OVERFLOWN: f64 = 1e6;
 
-/// From so many rejected steps on, and from this part of all steps on, a run was held up by something: the control of the step foresees most of
-/// what would be rejected.
+/// A run was difficult if at least `REJECTED` steps, and at least the fraction `PART_REJECTED` of all steps, were rejected; normally the
+/// step size control avoids rejections.
 const REJECTED: u64 = 5;
 const PART_REJECTED: f64 = 0.02;
 
-/// A run with its states alone.
+/// A run with its sampled states.
 pub(super) struct Samples<'a> {
     pub scene: &'a ModelScene,
     pub choice: &'a Choice,
     pub trajectory: &'a Trajectory,
-    /// Times and states, the last good one at the end.
+    /// Times (s) and states (coordinates, then speeds, SI units); the last one is the last finite state.
     pub states: Vec<(f64, Vec<f64>)>,
-    /// The number of these, from the first on, whose size is no overflow.
+    /// The number of states before an overflow.
     sound: usize,
 }
 
@@ -43,24 +43,24 @@ impl<'a> Samples<'a> {
         &self.scene.model
     }
 
-    /// The states before an overflow.
+    /// The states before an overflow, with their times.
     pub fn sound(&self) -> &[(f64, Vec<f64>)] {
         &self.states[..self.sound]
     }
 
-    /// The last good state with its time.
+    /// The time and the state at the end of the run.
     pub fn last(&self) -> (f64, &[f64]) {
         self.states.last().map_or((0.0, &[][..]), |(time, state)| (*time, state))
     }
 
-    /// Whether many steps were rejected, or the energy was lost: something on the way was hard.
+    /// Whether the run was difficult: many steps were rejected, or the method lost an invariant.
     pub fn is_laborious(&self) -> bool {
         let work = self.trajectory.outcome.work;
         let is_lost = self.trajectory.outcome.deviations.iter().any(|one| one.lost.is_some());
         is_lost || (work.rejected >= REJECTED && work.rejected as f64 >= PART_REJECTED * work.steps as f64)
     }
 
-    /// The length of a step: of all, or the mean of those that were made.
+    /// The step size in seconds: constant, or the mean of the steps that were made.
     pub fn step(&self) -> f64 {
         match self.choice.method.steps() {
             Some(steps) => self.scene.run.span / f64::from(steps),
@@ -68,12 +68,13 @@ impl<'a> Samples<'a> {
         }
     }
 
-    /// A state between sample `k` and the next, at a part of the way from 0 to 1: positions on the cubic by their rates at both ends.
+    /// Time and state at the fraction `part` between samples `k` and `k` + 1. Positions are interpolated by a cubic from the values and rates at
+    /// both ends, speeds linearly.
     pub fn between(&self, k: usize, part: f64) -> (f64, Vec<f64>) {
         let [(from, a), (to, b)] = [&self.states[k], &self.states[k + 1]];
         let (h, n) = (to - from, self.model().positions());
         let s = part;
-        // a free frame has more coordinates than speeds: its rates are not those of the state
+        // with free frames, speeds are not the rates of the coordinates
         let rate_of = |state: &[f64], place: usize| match n == self.model().speeds() {
             true => state[n + place],
             false => f64::NAN,
@@ -87,7 +88,7 @@ impl<'a> Samples<'a> {
         (from + s * h, state.collect())
     }
 
-    /// `theta = 1.570796 rad`, of a coordinate or a speed by its place in the state.
+    /// A component of the state with its name, value and unit: `theta = 1.570796 rad`.
     pub fn told(&self, place: usize, value: f64) -> String {
         let name = &self.model().state_names()[place].0;
         format!("`{name}` = {}", measured(value, &unit_of(self.model(), name)))

@@ -1,4 +1,4 @@
-//! Stiffness: stability, not accuracy, limits the step size of an explicit method.
+//! Diagnosis of stiffness and unstable steps: stability, not accuracy, limits the step size of an explicit method.
 
 use super::samples::Samples;
 use crate::modes::Modes;
@@ -7,44 +7,45 @@ use nalgebra::{Complex, DMatrix, Schur};
 use simulation::{FailureKind, Law, RunFailure};
 use std::sync::Arc;
 
-/// Larger systems are not looked at: eigenvalues take the cube of their size.
+/// Largest number of states; the cost of eigenvalues grows with the cube of the number.
 const MOST_STATES: usize = 128;
 
-/// Steps from which on a run that has reached its end is looked at.
+/// Least number of steps of a completed run that is examined.
 const MANY_STEPS: u64 = 1_000;
 
-/// Life times of the fastest mode that a run lasts, from which on that mode is gone while it still holds the steps.
+/// A mode has decayed if the run lasts at least this many of its time constants.
 const GONE: f64 = 1_000.0;
 
-/// Samples that are looked at.
+/// Number of samples at which eigenvalues are computed.
 const LOOKS: usize = 5;
 
 /// Iterations of the QR algorithm.
 const MOST_ITERATIONS: usize = 10_000;
 
-/// Real parts below this share of an eigenvalue are rounding.
+/// Real parts below this multiple of an eigenvalue's absolute value are rounding errors.
 const ROUNDING: f64 = 1e-9;
 
-/// Halvings that find the longest stable step.
+/// Number of bisections for the longest stable step.
 const HALVINGS: usize = 60;
 
-/// The growth of a mode over a run that overflows.
+/// Least growth of a mode over a run that explains an overflow.
 const OVERFLOWS: f64 = 1e6;
 
-/// A mode that fades.
+/// A mode of the linearised equations.
 struct Mode {
-    /// Its eigenvalue, 1/s.
+    /// The eigenvalue in 1/s.
     value: Complex<f64>,
     at: f64,
-    /// The speed that it moves most.
+    /// Index of the speed with the largest component of the mode.
     moves: usize,
 }
 
-/// The stiffness that has stopped a run by the method's own test, or the step of a constant method that lets a mode grow which fades.
+/// The failure of a run that stopped by the method's own test for stiffness, by an unstable constant step, or by a limit of time or
+/// evaluations in a stiff system.
 pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
     match run.trajectory.outcome.failure()? {
         Failure::Stiff { at } => {
-            // one that swings holds the steps as one that fades
+            // undamped fast oscillations limit the step as well
             let is_kept = |mode: &Mode| mode.value.re <= ROUNDING * mode.value.norm();
             let mode = fastest(run, |mode| if is_kept(mode) { mode.value.norm() } else { -mode.value.re })?;
             is_kept(&mode).then(|| of(run, &mode, at))
@@ -55,7 +56,7 @@ pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
     }
 }
 
-/// The mode that a constant step lets grow most, where the motion lets it fade, or keeps it.
+/// The failure of a run with a constant step that amplifies a mode which does not grow in the exact motion.
 fn unstable(run: &Samples<'_>) -> Option<RunFailure> {
     let (h, method) = (run.step(), run.choice.method);
     if !matches!(method, Method::Euler { .. } | Method::RungeKutta4 { .. }) {
@@ -83,7 +84,7 @@ fn unstable(run: &Samples<'_>) -> Option<RunFailure> {
     })
 }
 
-/// The stiffness of a run that has reached its end: its steps were as long as stability allows, although the mode that holds them is gone.
+/// The stiffness of a completed run: its steps had the length of the stability limit, although the fastest mode had decayed.
 pub(super) fn hidden(run: &Samples<'_>) -> Option<RunFailure> {
     let traits = run.choice.method.traits();
     if traits.implicit || !traits.adaptive || run.trajectory.outcome.work.steps < MANY_STEPS {
@@ -95,8 +96,8 @@ pub(super) fn hidden(run: &Samples<'_>) -> Option<RunFailure> {
     is_held.then(|| of(run, &mode, mode.at))
 }
 
-/// The stiffness of a run that was given up, for its time or its evaluations: its steps were as long as stability allows, and the whole run
-/// lasts many lives of the mode that holds them.
+/// The stiffness of a run that exceeded its time or its number of evaluations: its steps had the length of the stability limit, and the span is
+/// many time constants of the fastest mode.
 fn given_up(run: &Samples<'_>) -> Option<RunFailure> {
     let (traits, outcome) = (run.choice.method.traits(), &run.trajectory.outcome);
     if traits.implicit || !traits.adaptive || outcome.work.steps < MANY_STEPS {
@@ -108,7 +109,7 @@ fn given_up(run: &Samples<'_>) -> Option<RunFailure> {
     is_held.then(|| of(run, &mode, mode.at))
 }
 
-/// Remedies against stiffness.
+/// The remedy for stiffness, for messages.
 const IMPLICIT: &str = "an implicit method: --method radau_5 or rodas_4, or `method = \"radau_5\"` in [run]";
 
 fn of(run: &Samples<'_>, mode: &Mode, at: f64) -> RunFailure {
@@ -129,12 +130,12 @@ fn of(run: &Samples<'_>, mode: &Mode, at: f64) -> RunFailure {
     }
 }
 
-/// The speed that a mode moves most.
+/// The name of the speed with the largest component of a mode.
 fn moved(run: &Samples<'_>, mode: &Mode) -> String {
     format!("`{}`", run.model().state_names()[run.model().positions() + mode.moves].0)
 }
 
-/// `-20000 1/s`, or with its imaginary part.
+/// An eigenvalue for messages: `-2.000e4 1/s`, or with its imaginary part.
 fn told(value: Complex<f64>) -> String {
     match value.im == 0.0 {
         true => format!("{:.3e} 1/s", value.re),
@@ -142,7 +143,7 @@ fn told(value: Complex<f64>) -> String {
     }
 }
 
-/// The mode for which a measure is largest, at a few samples.
+/// The mode with the largest measure at some samples of the run.
 fn fastest(run: &Samples<'_>, measure: impl Fn(&Mode) -> f64) -> Option<Mode> {
     let sound = run.sound();
     let every = sound.len().div_ceil(LOOKS).max(1);
@@ -150,7 +151,7 @@ fn fastest(run: &Samples<'_>, measure: impl Fn(&Mode) -> f64) -> Option<Mode> {
     all.max_by(|a, b| measure(a).total_cmp(&measure(b)))
 }
 
-/// All modes at a state.
+/// All modes of the law, linearised at a state; `None` for large systems and where derivatives are not finite.
 fn modes(run: &Samples<'_>, time: f64, state: &[f64]) -> Option<Vec<Mode>> {
     let n = state.len();
     if n > MOST_STATES {
@@ -176,7 +177,7 @@ fn modes(run: &Samples<'_>, time: f64, state: &[f64]) -> Option<Vec<Mode>> {
     Some(values.iter().filter_map(|value| Some(Mode { value: *value, at: time, moves: moves(value)? })).collect())
 }
 
-/// The law that goes on from a state.
+/// The law of the motion from a state.
 fn law_at(run: &Samples<'_>, state: &[f64]) -> Arc<dyn Law> {
     let model = &run.scene.model;
     let changes = !model.switches.is_empty() || !model.contacts.is_empty();
@@ -184,7 +185,7 @@ fn law_at(run: &Samples<'_>, state: &[f64]) -> Arc<dyn Law> {
     here.as_ref().unwrap_or(&run.scene.system).law()
 }
 
-/// The longest step with which a method lets a mode fade, by halving below one with which it grows; none where there is none to speak of.
+/// The longest step for which a method does not amplify a mode, by bisection below the unstable step `grows`; `None` if it is zero.
 fn longest(method: Method, value: Complex<f64>, grows: f64) -> Option<f64> {
     let (mut fades, mut grows) = (0.0, grows);
     for _ in 0..HALVINGS {
@@ -194,7 +195,7 @@ fn longest(method: Method, value: Complex<f64>, grows: f64) -> Option<f64> {
     (fades > 0.0).then_some(fades)
 }
 
-/// |R(z)|, by which a step changes a mode.
+/// The factor |R(z)| by which a step multiplies a mode, with the stability function R of Euler's or the classical Runge-Kutta method.
 fn amplified(method: Method, z: Complex<f64>) -> f64 {
     let one = Complex::new(1.0, 0.0);
     match method {

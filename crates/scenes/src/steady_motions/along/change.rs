@@ -1,4 +1,4 @@
-//! The kinds of changes of steady motions between two values of a parameter.
+//! Classification of the changes of steady motions between two values of a parameter.
 
 use super::Sample;
 use crate::linearisation::{Stability, Standing};
@@ -12,13 +12,13 @@ const TOGETHER: f64 = 1e-2;
 /// A motion closer to an end of a range than this fraction of it counts as leaving the range there.
 const AT_END: f64 = 1e-5;
 
-/// Real parts below this part of a typical eigenvalue, beside a change, belong to eigenvalues that cross the imaginary axis.
+/// Next to a change, eigenvalues cross the imaginary axis if their real parts are below this multiple of a typical eigenvalue.
 const NEAR_AXIS: f64 = 1e-2;
 
 /// Eigenvalues above this multiple of a typical one, on both sides of a change, become infinite in between.
 const HUGE: f64 = 30.0;
 
-/// A change between two values.
+/// The kind of change of the steady motions between two values of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Change {
     /// Two motions appear or vanish together: a fold, or saddle-node.
@@ -27,44 +27,45 @@ pub enum Change {
     Pitchfork,
     /// The motions persist; a pair of eigenvalues crosses the imaginary axis: a Hopf bifurcation, or the loss of gyroscopic stability.
     Pair,
-    /// The motions persist; their stability changes in another way.
+    /// The motions persist; their stability changes in another way, such as an exchange of stability.
     Exchange,
-    /// The number of directions changes in which a motion is unstable; motions neither appear nor vanish, and none becomes stable or unstable.
+    /// The motions and their stability persist; the number of unstable directions of an unstable motion changes.
     Directions,
-    /// A motion leaves the ranges, or enters them.
+    /// A motion leaves or enters the searched ranges at their end.
     Leaves,
-    /// Motions appear or vanish at a place at which the coordinates are singular, such as the axis about which a bead circles.
+    /// Motions appear or vanish where the coordinates are singular, such as the axis about which a bead circles.
     AtSingularPlace,
-    /// A motion appears or vanishes within the ranges, since a condition changes or friction reaches its bound.
+    /// A motion appears or vanishes within the ranges, since a condition changes or friction reaches its limit.
     Ends,
-    /// Two or more motions leave the ranges, or enter them, at their ends.
+    /// Two or more motions leave or enter the searched ranges at their ends.
     LeaveTogether,
-    /// Families appear or vanish, such as positions at which friction holds, and no isolated motion does.
+    /// Families of motions appear or vanish, such as positions at which friction holds; the isolated motions persist.
     Families,
-    /// The motions persist; eigenvalues become infinite, and none crosses the imaginary axis: the inertia, or the rank of the constraints,
-    /// vanishes in between.
+    /// The motions persist; eigenvalues become infinite and none crosses the imaginary axis: inertia, or the rank of the constraints, vanishes in
+    /// between.
     Infinite,
-    /// Motions on both sides are alike, and differ at one value in between, as where dry friction holds at one speed of a belt alone.
+    /// The motions are equal in kind on both sides and differ at a single value in between, such as the one belt speed at which dry friction
+    /// sticks.
     AtValue,
-    /// Several of these at once.
+    /// Several of these changes together.
     Several,
 }
 
-/// The number of directions in which each motion is unstable, if known, in ascending order; and the number of families.
+/// For each motion the number of unstable directions (zero if unknown), sorted; and the number of families.
 pub(in crate::steady_motions) fn kinds(found: &SteadyMotions) -> (Vec<usize>, usize) {
     let mut kinds: Vec<usize> = found.motions.iter().map(unstable).collect();
     kinds.sort_unstable();
     (kinds, found.families.len())
 }
 
-/// The number of unstable directions, as far as it is known.
+/// The number of unstable directions; zero for stable motions and where it is unknown.
 fn unstable(motion: &SteadyMotion) -> usize {
     match &motion.stability {
         SteadyStability::Falls(count) | SteadyStability::FallsOdd(count) | SteadyStability::FallsOnSide(count) => {
             *count
         }
         SteadyStability::FedByFriction => 1,
-        // the linear equations without cyclic coordinates do not depend on the instant; those with cyclic coordinates may
+        // linear equations that contain cyclic coordinates may depend on the instant
         SteadyStability::Linear(found) => {
             match (found.enclosed.as_ref().map(EnclosedSpectrum::verdict), found.by_numbers()) {
                 (Ok(EnclosedVerdict::Unstable(count)), _) => count,
@@ -87,10 +88,10 @@ fn unstable(motion: &SteadyMotion) -> usize {
     }
 }
 
-/// The number of motions next to the ranges, outside of them, at a value of the parameter; none where that is not known.
+/// The number of motions just outside the searched ranges at a value of the parameter; `None` where it is unknown.
 pub(super) type Beyond<'a> = &'a dyn Fn(f64) -> Option<usize>;
 
-/// The change between two neighbouring samples, where usual eigenvalues have a typical size.
+/// The change between two neighbouring samples; `typical` is the typical size of an eigenvalue in 1/s.
 pub(super) fn change(before: &Sample, after: &Sample, (typical, beyond): (f64, Beyond<'_>)) -> Change {
     let (fewer, more) = match before.found.motions.len() <= after.found.motions.len() {
         true => (before, after),
@@ -102,7 +103,7 @@ pub(super) fn change(before: &Sample, after: &Sample, (typical, beyond): (f64, B
         return if alone == others { Change::Families } else { Change::Several };
     }
     let touching = at_ends(more).saturating_sub(at_ends(fewer));
-    // motions that move fast leave a range between two values before they touch its end
+    // a motion that moves fast may leave a range between two samples without touching its end at either
     let leaving = match gap {
         0 => 0,
         _ if touching >= gap => touching,
@@ -120,7 +121,7 @@ pub(super) fn change(before: &Sample, after: &Sample, (typical, beyond): (f64, B
     }
 }
 
-/// The change if the number of motions stays equal, by the directions that become unstable.
+/// The change between samples with equal numbers of motions.
 fn exchanged(before: &Sample, after: &Sample, typical: f64) -> Change {
     let unstable = |sample: &Sample| -> usize { sample.found.motions.iter().map(unstable).sum() };
     let stable = |sample: &Sample| kinds(&sample.found).0.iter().filter(|directions| **directions == 0).count();
@@ -136,7 +137,7 @@ fn exchanged(before: &Sample, after: &Sample, typical: f64) -> Change {
     }
 }
 
-/// The eigenvalues of a motion, by enclosures where these have bounds; none where the energy alone decided.
+/// The eigenvalues (real and imaginary parts, 1/s) of a motion, enclosed ones if available; empty if the energy alone decided the stability.
 fn eigenvalues(motion: &SteadyMotion) -> Vec<[f64; 2]> {
     let (SteadyStability::Linear(found) | SteadyStability::InTouch(found)) = &motion.stability else {
         return Vec::new();
@@ -149,13 +150,13 @@ fn eigenvalues(motion: &SteadyMotion) -> Vec<[f64; 2]> {
     }
 }
 
-/// The size of the largest eigenvalue of all motions, 1/s; `None` if no eigenvalue is known, or all are zero.
+/// The largest absolute eigenvalue of all motions in 1/s; `None` if no eigenvalue is known, or all are zero.
 pub(super) fn largest_eigenvalue(found: &SteadyMotions) -> Option<f64> {
     let sizes = found.motions.iter().flat_map(eigenvalues).map(|[re, im]| re.hypot(im));
     Some(sizes.fold(0.0, f64::max)).filter(|size| *size > 0.0)
 }
 
-/// Whether the two eigenvalues that lie right of the imaginary axis, and nearest to it, are a complex pair close to it.
+/// Whether the two eigenvalues with the smallest positive real parts are complex and close to the imaginary axis.
 fn is_pair_at_axis(found: &SteadyMotions, typical: f64) -> bool {
     let mut right: Vec<[f64; 2]> = found.motions.iter().flat_map(eigenvalues).filter(|[re, _]| *re > 0.0).collect();
     right.sort_by(|a, b| a[0].total_cmp(&b[0]));
@@ -176,14 +177,14 @@ fn at_ends(sample: &Sample) -> usize {
     motions.iter().filter(touches).count()
 }
 
-/// Whether three motions lie close together.
+/// Whether three motions are close together.
 fn has_three_together(sample: &Sample) -> bool {
     let SteadyMotions { unknowns, motions, .. } = &sample.found;
     let is_near = |a: &SteadyMotion, b: &SteadyMotion| are_near(unknowns, &a.enclosure, &b.enclosure);
     motions.iter().any(|own| motions.iter().filter(|other| is_near(own, other)).count() >= 3)
 }
 
-/// The number of motions close to places at which the coordinates are singular.
+/// The number of motions close to positions at which the coordinates are singular.
 fn at_singular_places(sample: &Sample) -> usize {
     let SteadyMotions { unknowns, motions, singular_places, .. } = &sample.found;
     let is_there =
@@ -191,7 +192,7 @@ fn at_singular_places(sample: &Sample) -> usize {
     motions.iter().filter(is_there).count()
 }
 
-/// Whether enclosures of unknowns lie close together.
+/// Whether the midpoints of two enclosures are close together.
 fn are_near(unknowns: &[Unknown], a: &[[f64; 2]], b: &[[f64; 2]]) -> bool {
     let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
     unknowns.iter().zip(a.iter().zip(b)).all(|(unknown, (a, b))| {

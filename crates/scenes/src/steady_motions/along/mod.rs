@@ -1,7 +1,7 @@
-//! Steady motions along a parameter, or along the speed of a cyclic coordinate, with the bifurcations between values.
+//! Steady motions as functions of a parameter or of the speed of a cyclic coordinate, with bifurcations.
 //!
-//! At each value all motions are found. If the number of motions or their stability differs between two values with complete searches, there is a
-//! bifurcation in between, and its bracket is narrowed as far as motions can be distinguished.
+//! All motions are found at each value. If the number of motions or their stability differs between two values with complete searches, there is a
+//! bifurcation in between; its bracket is narrowed until motions can no longer be distinguished.
 
 mod change;
 
@@ -14,52 +14,53 @@ use change::{change, largest_eigenvalue};
 use model::Model;
 use std::cell::RefCell;
 
-/// All motions at a value.
+/// All steady motions at one value of the parameter, in SI units.
 #[derive(Clone, Debug)]
 pub struct Sample {
     pub value: f64,
     pub found: SteadyMotions,
 }
 
-/// Two values between which the motions change.
+/// A bifurcation: two values of the parameter between which the motions change.
 #[derive(Clone, Debug)]
 pub struct Bifurcation {
-    /// The last value before the change and the first one after it, each with a complete search.
+    /// The last sample before the change; `after` is the first one behind it. Both searches are complete.
     pub before: Sample,
-    /// Motions in between that differ from those on both sides.
+    /// A sample in between whose motions differ from those on both sides.
     pub at: Option<Sample>,
     pub after: Sample,
     pub change: Change,
 }
 
-/// Motions along a parameter.
+/// Steady motions as functions of a parameter.
 #[derive(Clone, Debug)]
 pub struct Along {
     pub samples: Vec<Sample>,
-    /// Values at which steady motions are not searched for, and why.
+    /// Values of the parameter at which the search is not possible, with the reasons.
     pub left_out: Vec<(f64, NoSteadyMotions)>,
-    /// All examined values in ascending order, including those of brackets.
+    /// All examined samples in ascending order, including those that narrow brackets.
     pub visited: Vec<Sample>,
     pub bifurcations: Vec<Bifurcation>,
 }
 
-/// The part of the range to which a change is enclosed.
+/// Width of a final bracket as a fraction of the range of the parameter.
 const ENCLOSED: f64 = 1e-9;
 
-/// The part of its width by which a range is wider on each side, to find motions that have left it.
+/// Fraction by which ranges are widened on each side to find motions that have left them.
 const WIDER: f64 = 1e-3;
 
-/// Changes closer to each other than this fraction of the range count as one, since stability is not decided close to a change.
+/// Changes closer together than this fraction of the range count as one, since stability is undecided close to a change.
 const ONE: f64 = 1e-6;
 
-/// If the search at a value between two others is not complete, values at these fractions of the distance are tried.
+/// Fractions of a bracket at which samples are tried, in this order, until a search is complete.
 const PARTS: [f64; 5] = [0.5, 0.381_966, 0.618_034, 0.236, 0.764];
 
 impl Along {
-    /// The motions at a number of values between two, in SI units; values at which none are searched for are left out.
+    /// The motions at equally spaced values of the parameter or cyclic speed `name`, in SI units, and their bifurcations. Values at which no search is
+    /// possible are left out; the search ends early when `goes_on` returns false.
     ///
     /// # Errors
-    /// The reason for which steady motions are not searched for at any value, or for which the name is not a parameter.
+    /// If no search is possible at any value, such as for a name that is no parameter; with the reason at the last value.
     pub fn of(
         model: &Model,
         asked: &SteadySearch,
@@ -77,7 +78,7 @@ impl Along {
         let last = values.saturating_sub(1).max(1);
         let value = |k: usize| range.from + (range.to - range.from) * k as f64 / last as f64;
         let (mut samples, mut left_out): (Vec<Sample>, Vec<(f64, NoSteadyMotions)>) = (Vec::new(), Vec::new());
-        // the first value is examined in any case
+        // even without time left, one value is examined
         for value in (0..=last).filter(|k| *k == 0 || (goes_on.borrow_mut())()).map(value) {
             match at(value) {
                 Ok(sample) => samples.push(sample),
@@ -107,7 +108,7 @@ impl Along {
     }
 }
 
-/// All motions at values of parameters, or of speeds of cyclic coordinates, in SI units, without places at which the coordinates are singular.
+/// All steady motions at given values of parameters and cyclic speeds in SI units, without positions at which the coordinates are singular.
 pub(super) fn found_at(
     model: &Model,
     asked: &SteadySearch,
@@ -149,7 +150,7 @@ fn searched(
     }
 }
 
-/// Brackets of the changes between two values, from the first to the last.
+/// The brackets of all changes between two samples, in ascending order.
 fn enclosed(ends: [Sample; 2], size: f64, at: &impl Fn(f64) -> Result<Sample, NoSteadyMotions>) -> Vec<[Sample; 2]> {
     let mut open = vec![ends];
     let mut all = Vec::new();
@@ -168,7 +169,7 @@ fn enclosed(ends: [Sample; 2], size: f64, at: &impl Fn(f64) -> Result<Sample, No
     all
 }
 
-/// The number of motions outside of the ranges of a search with narrower ones.
+/// The number of motions outside the ranges of `asked`, from a search in wider ranges.
 fn outside(found: &SteadyMotions, asked: &SteadySearch) -> usize {
     let leaves = |(unknown, [low, high]): (&Unknown, &[f64; 2])| {
         let range = asked.range(&unknown.name).filter(|_| !unknown.is_circle);
@@ -178,7 +179,7 @@ fn outside(found: &SteadyMotions, asked: &SteadySearch) -> usize {
     found.motions.iter().filter(is_outside).count()
 }
 
-/// The changes in brackets; brackets that are closer together than `near` hold one.
+/// The bifurcations in brackets; brackets closer together than `near` are merged into one.
 fn merged(brackets: Vec<[Sample; 2]>, near: f64, change: &dyn Fn(&Sample, &Sample) -> Change) -> Vec<Bifurcation> {
     let mut merged: Vec<(Sample, Option<Sample>, Sample)> = Vec::new();
     for [before, after] in brackets {
@@ -200,7 +201,7 @@ fn merged(brackets: Vec<[Sample; 2]>, near: f64, change: &dyn Fn(&Sample, &Sampl
     told.filter(|one| one.change != Change::AtValue || one.at.is_some()).collect()
 }
 
-/// The median of the largest eigenvalues at the values, 1/s; infinite where none are known.
+/// The median over the samples of the largest eigenvalue, 1/s; infinite if none is known.
 fn typical(samples: &[Sample]) -> f64 {
     let mut all: Vec<f64> = samples.iter().filter_map(|sample| largest_eigenvalue(&sample.found)).collect();
     all.sort_by(f64::total_cmp);
