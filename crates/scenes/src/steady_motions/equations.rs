@@ -1,5 +1,5 @@
-//! The equations of steady motions of a model: residuals of its equations of motion without accelerations, with all speeds zero but those of
-//! cyclic coordinates, and its constraints,
+//! The equations of steady motion of a model: the residuals of its equations of motion with zero accelerations, and its constraints. All speeds
+//! are zero, except those of cyclic coordinates, w:
 //!
 //!   J^T lambda - h(q, w) = 0 ,    f(q) = 0 .
 
@@ -25,76 +25,77 @@ use model::{Model, Trace};
 use std::f64::consts::PI;
 use symbolic::{Dimension, Sym, Tape, substitute_all};
 
-/// An unknown of the search: a coordinate, or the constant speed of a cyclic one.
+/// An unknown of the search: a coordinate, the constant speed of a cyclic one, or a factor of a condition or friction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unknown {
-    /// The name as in states: theta, or phi'.
+    /// The name: that of the coordinate or speed in the state, such as `theta` or `phi'`.
     pub name: String,
-    /// Its place in the state.
+    /// Its index in the state; indices behind the state are those of factors.
     pub place: usize,
-    /// Whether it is an angle with the range of a whole turn.
+    /// Whether it is an angle that is searched over a whole turn.
     pub is_circle: bool,
+    /// The searched range in SI units.
     pub range: Range,
 }
 
-/// A system that is ready for the search.
+/// The equations of steady motion, compiled for the search.
 #[derive(Debug)]
 pub(super) struct SteadyEquations {
     pub unknowns: Vec<Unknown>,
-    /// Given numbers of the state: fixed coordinates, and speeds of cyclic coordinates.
+    /// Names and values of the fixed components of the state: coordinates with given values, and speeds of cyclic coordinates.
     pub given: Vec<(String, f64)>,
-    /// Coordinates that occur nowhere.
+    /// The names of the cyclic coordinates, which occur in no equation.
     pub cyclic: Vec<String>,
-    /// Those of them that occur at other values of the parameters.
+    /// The names of coordinates that are cyclic only for the given values of the parameters.
     pub cyclic_by_values: Vec<String>,
-    /// The places of these cyclic coordinates among the coordinates.
+    /// The indices of the cyclic coordinates.
     pub cyclic_places: Vec<usize>,
-    /// Cyclic coordinates with conserved momenta.
+    /// Index and name of each cyclic coordinate whose momentum is conserved.
     pub kept_momenta: Vec<(usize, String)>,
-    /// The state with the given numbers.
+    /// The state with the given values; unknowns are not filled in.
     pub state: Vec<f64>,
-    /// The number of reactions that the positions determine.
+    /// The number of reactions (multipliers), which the equations determine together with the unknowns.
     pub reactions: usize,
-    /// The energy that is kept where the loads have a potential energy.
+    /// The conserved energy, if all loads have a potential.
     pub energy_integral: Option<EnergyIntegral>,
-    /// Whether dampers lessen the energy, and everything else keeps it.
+    /// Whether dampers dissipate energy and all other loads have a potential.
     pub decays: bool,
-    /// Whether an equation has no unknowns and does not hold.
+    /// Whether an equation without unknowns does not hold, so that there is no steady motion.
     pub is_unbalanced: bool,
-    /// Coordinates that are unknowns.
+    /// The number of unknowns that are coordinates.
     pub coordinates: usize,
-    /// The number of residuals.
+    /// The number of equations that are solved.
     pub rows: usize,
-    /// Whether each condition must be positive; otherwise it must be negative.
+    /// For each expression with a required sign, whether it must be positive; otherwise negative.
     pub holds: Vec<bool>,
-    /// The case of each of these, by its place in the combination.
+    /// For each of these expressions, the index of its case in the combination, or [`NO_CASE`].
     pub side_places: Vec<usize>,
-    /// The combination.
+    /// The combination of cases of conditions and contacts.
     pub cases: Vec<Case>,
-    /// Whether a condition is zero.
+    /// Whether the combination contains a condition that is zero.
     pub is_at_condition: bool,
-    /// Contacts with friction that are in touch, by their places in the combination.
+    /// The indices, in the combination, of closed contacts with friction.
     pub rubbing: Vec<usize>,
-    /// The dry friction of these, where the system rests.
+    /// The law of dry friction if the system is at rest in all its steady motions.
     pub friction: Option<FrictionLaw>,
-    /// For each condition of the law 1 where it holds, else 0.
+    /// For each condition of the law 1 if it holds, otherwise 0.
     pub switches: Vec<f64>,
-    /// Identities between the residuals, if these contain no reactions.
+    /// Linear identities between the equations, if they contain no reactions.
     pub identities: Vec<Identity>,
-    /// Given speeds that may have any other value: there are steady motions for each value.
+    /// The names of given speeds that occur in no equation; for any other value of such a speed there are steady motions, too.
     pub free_speeds: Vec<String>,
-    /// Derivatives of the momenta of cyclic coordinates by the unknowns, row after row, then by their speeds; none where these depend on
-    /// anything else, and where constraints hold speeds.
+    /// The derivatives of the momenta of cyclic coordinates by the unknowns, row by row, then by their speeds. `None` if they contain other
+    /// quantities or there are constraints of speeds.
     pub momenta: Option<Tape>,
-    /// The mass matrix, row after row, by the unknowns; none where it depends on anything else.
+    /// The mass matrix as a function of the unknowns, row by row; `None` if it contains other quantities.
     pub masses: Option<Tape>,
-    /// The programs of the search.
+    /// The compiled equations for the search.
     pub tapes: Tapes,
-    /// The one equation of one unknown with its derivatives.
+    /// For a single equation with one unknown: the equation and its derivatives.
     pub derivatives: Option<Tape>,
-    /// The programs with sums of angles as unknowns, if the equations are simpler in them.
+    /// The equations with sums of angles as unknowns, if these are simpler.
     pub by_sums: Option<(AngleSums, Tapes)>,
-    /// Places in the state of speeds that constraints of speeds determine, and these by the unknowns.
+    /// The indices in the state of speeds that constraints of speeds determine, and these speeds as functions of the unknowns.
     pub determined: (Vec<usize>, Tape),
 }
 
@@ -104,13 +105,13 @@ impl SteadyEquations {
         symbolic::apart(|| Self::written(model, asked, (None, false), &[]))
     }
 
-    /// In one combination of cases of the conditions of a law that changes.
+    /// The equations in one combination of cases of the conditions and contacts.
     pub fn in_cases(model: &Model, asked: &SteadySearch, cases: &[Case]) -> Result<Self, NoSteadyMotions> {
         symbolic::apart(|| Self::written(model, asked, (None, false), cases))
     }
 
-    /// The equations for the motion of a state, if they hold at it identically except for reactions; otherwise for motions near it. Speeds of
-    /// cyclic coordinates are those of the state unless an equation determines them; the conditions of the law have their cases.
+    /// The equations for one motion: all coordinates fixed to `state` if the equations then hold identically except for reactions; otherwise in
+    /// a neighbourhood of `state`. Speeds of cyclic coordinates are those of `state` unless an equation determines them.
     pub fn near(model: &Model, state: &[f64], cases: &[Case]) -> Result<Self, NoSteadyMotions> {
         checked_but_for_cases(model)?;
         let written = |is_pinned| Self::written(model, &SteadySearch::default(), (Some(state), is_pinned), cases);
@@ -125,7 +126,7 @@ impl SteadyEquations {
         })
     }
 
-    /// In the graph of the thread; every number is the decimal that was written, so that sums such as k1 + k2 - k3 are exact.
+    /// The equations in the expression graph of the thread. Numbers are exact decimals as written, so that sums such as k1 + k2 - k3 are exact.
     fn written(
         model: &Model,
         asked: &SteadySearch,
@@ -141,7 +142,7 @@ impl SteadyEquations {
         let free = (0..n).filter(is_asked).collect();
         let wanted = Wanted { free, state: near.unwrap_or(&start), is_near: near.is_some() };
         let mut rows = Rows::of(model, &trace, &wanted)?;
-        // a frame that is turned steadily leaves no time in the equations, however they are written
+        // the residuals of a steadily rotated frame depend on time only formally
         let all = rows.residuals.iter_mut().chain(&mut rows.zeros).chain(&mut rows.conditions);
         all.for_each(|row| *row = without_idle(*row, &[trace.time]));
         let all = [&rows.residuals[..], &rows.zeros, &rows.conditions].concat();
@@ -163,7 +164,7 @@ impl SteadyEquations {
         if let Some(k) = implied(model, &trace, &rows, speed) {
             residuals[k] = Sym::ZERO;
         }
-        // the speed of a cyclic coordinate is an unknown if the equation of this coordinate depends on it; otherwise the user or the start gives it
+        // the speed of a cyclic coordinate is an unknown if the equation of the coordinate depends on it; otherwise the user or the start gives it
         let mut state = near.map_or_else(|| model.start_state(), <[f64]>::to_vec);
         state[..n].iter_mut().zip(is_cyclic).filter(|(_, cyclic)| **cyclic).for_each(|(value, _)| *value = 0.0);
         let (mut unknowns, mut given, mut known) = (Vec::new(), Vec::new(), Vec::new());
@@ -172,7 +173,7 @@ impl SteadyEquations {
             let (symbol, place, is_sought) = match is_cyclic[k] {
                 false => (trace.coordinates[k], k, !is_pinned),
                 true => {
-                    // its equation depends on speeds, or on quantities that the other equations determine by this speed
+                    // the equation depends on speeds, or on quantities that the other equations determine from this speed
                     let asks = residuals[k].symbols_of().iter().any(|symbol| trace.speeds.contains(symbol))
                         || residuals[k] != Sym::ZERO
                             && residuals.iter().any(|row| row.symbols_of().contains(&trace.speeds[k]));
@@ -185,7 +186,7 @@ impl SteadyEquations {
             } else {
                 state[n + k] = 0.0;
             }
-            // a length in the argument of a sine has a range of its own
+            // the argument of a sine may be a length, whose range is not a turn
             let is_angle = model.coordinates.get(k).is_none_or(|own| own.dimension == Dimension::none());
             let is_circle =
                 near.is_none() && is_angle && !is_cyclic[k] && all.iter().all(|row| is_periodic(*row, symbol));
@@ -197,7 +198,7 @@ impl SteadyEquations {
                     known.push((symbol, number(range.from)));
                     given.push((name, range.from));
                 }
-                // a range above a turn would contain positions twice
+                // a range of more than a turn would contain positions twice
                 Some(range) if is_circle && range.to - range.from >= 2.0 * PI => {
                     unknowns.push((symbol, Unknown { name, place, is_circle, range: Range::TURN }));
                 }
@@ -239,7 +240,7 @@ impl SteadyEquations {
         let friction = FrictionLaw::of(&rows, cases, &rest, &put).filter(|_| rests);
         let asking_all = [&residuals[..], &rows.zeros].concat();
         let (residuals, zeros, at_zero) = (put(&residuals), put(&rows.zeros), put(&at_zero));
-        // without reactions a row may contain sines and cosines whose combination is constant
+        // for a combination of cases a row may contain sines and cosines whose combination is constant
         let is_constant = |row: &Sym| match cases.is_empty() {
             true => row.as_constant().is_some(),
             false => row.symbols_of().into_iter().all(|own| vanishes(row.diff(own))),
@@ -254,7 +255,7 @@ impl SteadyEquations {
         let asking: Vec<usize> = (0..n).filter(|&k| residuals[k] != Sym::ZERO).collect();
         let zeros_put = zeros.clone();
         let zeros: Vec<Sym> = zeros.into_iter().filter(|zero| *zero != Sym::ZERO).collect();
-        // an unbalanced load
+        // an equation with a constant that is not zero, such as an unbalanced load
         let is_unbalanced = residuals.iter().chain(&at_zero).any(is_open);
         let zeros: Vec<Sym> = zeros.into_iter().chain(at_zero.into_iter().filter(|zero| *zero != Sym::ZERO)).collect();
         let counts = [asking.len() + zeros.len(), unknowns.len() + multipliers.len()];
@@ -263,7 +264,7 @@ impl SteadyEquations {
         if counts[0] > counts[1] && !idle.is_empty() && !is_unbalanced {
             return Err(NoSteadyMotions::Unequal { counts, idle });
         }
-        // an equation that holds at the given values may fail at others
+        // an equation that becomes trivial at the given values may fail at others
         let is_lost = |(before, after): (&Sym, &Sym)| *before != Sym::ZERO && *after == Sym::ZERO;
         let keeps_all = !asking_all.iter().zip(residuals.iter().chain(&zeros_put)).any(is_lost);
         let switches =
@@ -368,18 +369,18 @@ impl SteadyEquations {
 }
 
 impl SteadyEquations {
-    /// A box of the unknowns with any reactions.
+    /// A box of the unknowns, extended by unbounded intervals for the reactions.
     pub fn with_reactions(&self, at: &[Interval]) -> Vec<Interval> {
         let mut all = at.to_vec();
         all.resize(self.unknowns.len() + self.reactions, Interval::EVERYTHING);
         all
     }
 
-    /// The state at values of the unknowns.
+    /// The state for values of the unknowns.
     pub fn state_at(&self, values: impl Iterator<Item = f64>) -> Vec<f64> {
         let mut state = self.state.clone();
         let values: Vec<f64> = values.collect();
-        // parts of a law at conditions have no place in the state
+        // factors of conditions have indices behind the state
         for (unknown, value) in self.unknowns.iter().zip(&values) {
             state.iter_mut().skip(unknown.place).take(1).for_each(|own| *own = *value);
         }
@@ -391,10 +392,10 @@ impl SteadyEquations {
     }
 }
 
-/// A number of the state as the decimal that was written.
+/// A number of the state as the exact decimal that was written.
 fn number(value: f64) -> Sym {
     Sym::constant(Rational::decimal(value))
 }
 
-/// The place of a side that belongs to no case.
+/// The index of an expression with a required sign that belongs to no case.
 pub(super) const NO_CASE: usize = usize::MAX;

@@ -1,35 +1,36 @@
-//! Numerical values of the three angles that orient a frame.
+//! The three angles that describe the orientation of a frame: Euler or Tait-Bryan angles.
 
 use super::SteadyMotion;
 use model::{Model, StartValue};
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 
-/// A factor of an expression for the position of a set: the sine or the cosine of an angle.
+/// A trigonometric function of an angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Factor {
     Sine,
     Cosine,
 }
 
-/// A set of angles by its axes.
+/// A set of three angles about successive axes.
 #[derive(Clone, Debug)]
 pub(super) struct Set {
     pub axes: [usize; 3],
     pub names: [&'static str; 3],
-    /// The names of the other set.
+    /// The names of the angles in the other set.
     pub other: [&'static str; 3],
-    /// The axis of the frame, and whether nothing depends on the turn about it.
+    /// The axis fixed in the frame; `is_spinning` says whether no equation depends on the rotation about it.
     pub own: usize,
     pub is_spinning: bool,
-    /// The first of both sets, whose last axis is that of the frame.
+    /// Whether this is the first set, whose last axis is that of the frame.
     pub is_main: bool,
-    /// The side of the second set if both turns have one axis: along the axis of the parent, or against it.
+    /// For the second set, if no equation depends on the spin: whether the axis of the frame points along or against that of the parent.
     pub is_positive: Option<bool>,
-    /// The function of the second angle that is zero where the set is singular.
+    /// The function of the second angle that is zero at singular orientations of the set.
     pub regular: Factor,
-    /// Whether the second angle is a quarter turn at the middle of the orientations in which the set is used.
+    /// Whether the second angle is pi/2, not 0, in the middle of the orientations for which the set is used.
     pub has_angle_from_axis: bool,
-    /// The cosine of the angle between both axes, up to its sign, of the second set.
+    /// For the second set: factors whose product is, up to the sign, the cosine of the angle between the axes of parent and frame. Each is an index
+    /// of an angle and its function.
     pub alignment: Vec<(usize, Factor)>,
 }
 
@@ -38,7 +39,7 @@ const ELEVATED: [&str; 3] = ["precession", "elevation", "spin"];
 const TAIT_BRYAN: [&str; 3] = ["yaw", "pitch", "roll"];
 
 impl Set {
-    /// The first set for an axis of the parent and one of the frame.
+    /// The first set of angles, for an axis of the parent and one of the frame.
     pub fn main((parent, own): (usize, usize), is_spinning: bool) -> Self {
         let is_euler = parent == own;
         let between = if is_euler { (parent + 1) % 3 } else { 3 - parent - own };
@@ -56,7 +57,7 @@ impl Set {
         }
     }
 
-    /// Both sets; the second one for both sides if both turns have one axis.
+    /// The first set, then the second; if the frame spins, the second set for both directions of its axis.
     pub fn all((parent, own): (usize, usize), is_spinning: bool) -> Vec<Self> {
         let main = Set::main((parent, own), is_spinning);
         let (next, last) = ((parent + 1) % 3, (parent + 2) % 3);
@@ -85,33 +86,33 @@ impl Set {
     }
 }
 
-/// Below this determinant of the axes two of the turns cannot be separated.
+/// If the determinant of the rotation axes is below this value, two of the rotations cannot be separated.
 const SINGULAR: f64 = 1e-6;
 
-/// Components of an angular velocity below this fraction of it are rounding.
+/// Components of an angular velocity below this fraction of its norm are rounding errors.
 const ROUNDING: f64 = 1e-13;
 
-/// The angles of one frame.
+/// The angles of one frame relative to its parent.
 #[derive(Clone, Debug)]
 pub(super) struct Angles {
     pub parent: String,
     pub frame: String,
-    /// The rotation axes of the three angles, in the parent and in the frames between.
+    /// The rotation axes (0 to 2) of the three angles, in the parent and in the intermediate frames.
     pub axes: [usize; 3],
     pub names: [&'static str; 3],
-    /// The place of the first angle among the coordinates.
+    /// The index of the first angle among the coordinates.
     pub first: usize,
 }
 
 impl Angles {
-    /// The same frame by the first set.
+    /// The angles of this frame by the first set.
     pub fn as_main(&self, set: &Set) -> Angles {
         let main = Set::main((self.axes[0], set.own), set.is_spinning);
         Angles { axes: main.axes, names: main.names, ..self.clone() }
     }
 
-    /// The angles at the start of a model in which the frame is free, then their rates. These give the whole angular velocity if the spin is
-    /// cyclic; otherwise only its component along the axis of the parent is used.
+    /// Start values of the angles, then of their rates, from the free frame of the original model. The rates give the whole angular velocity if the
+    /// spin is cyclic, otherwise only its component along the first axis.
     pub fn start(&self, original: &Model, number: usize, is_spinning: bool) -> Vec<StartValue> {
         let state = original.start_state();
         let at = original.free_position(number);
@@ -124,7 +125,7 @@ impl Angles {
         let turns = self.turns(angles);
         let mut rates = match is_spinning {
             true if turns.determinant().abs() > SINGULAR => turns.lu().solve(&turning).unwrap_or_default(),
-            // both turns have one axis
+            // first and last axis coincide: the whole rate is attributed to the spin
             true => Vector3::new(0.0, 0.0, own[self.axes[2]]),
             false => Vector3::new(turning[self.axes[0]], 0.0, 0.0),
         };
@@ -141,7 +142,7 @@ impl Angles {
         value(0, angles).chain(value(1, rates.into())).collect()
     }
 
-    /// The angles of a rotation.
+    /// The angles of a rotation matrix, in radians.
     fn of(&self, matrix: &Matrix3<f64>) -> [f64; 3] {
         let [e, a, last] = self.axes;
         let b = 3 - e - a;
@@ -156,7 +157,7 @@ impl Angles {
                 (-entry(e, a)).atan2(entry(e, e)),
             ],
         };
-        // in the opposite order of axes turns have the opposite sense
+        // with the opposite cyclic order of axes, angles change their signs
         if a == (e + 1) % 3 { angles } else { angles.map(|angle| -angle) }
     }
 
@@ -164,12 +165,12 @@ impl Angles {
         *Rotation3::from_axis_angle(&Vector3::ith_axis(self.axes[place]), angle).matrix()
     }
 
-    /// The rotation.
+    /// The rotation matrix of the angles: from components in the frame to those in the parent.
     pub fn matrix(&self, angles: [f64; 3]) -> Matrix3<f64> {
         (0..3).fold(Matrix3::identity(), |own, place| own * self.turn(place, angles[place]))
     }
 
-    /// The angular velocities of the three rates, along the axes of the parent.
+    /// The angular velocities per unit of the three rates, as columns of components in the parent.
     pub fn turns(&self, angles: [f64; 3]) -> Matrix3<f64> {
         let mut own = Matrix3::identity();
         let columns: Vec<Vector3<f64>> = (0..3)
@@ -182,13 +183,13 @@ impl Angles {
         Matrix3::from_columns(&columns)
     }
 
-    /// Axes of the parent: all, or the first one.
+    /// The axes of the parent that a motion determines: all, or the first one.
     pub fn rows(&self, is_whole: bool) -> impl Iterator<Item = usize> {
         let first = self.axes[0];
         (0..3).filter(move |row| is_whole || *row == first)
     }
 
-    /// The axes of the parent in the frame, and the angular velocity; only the first axis if the motion does not determine the first angle.
+    /// The axes of the parent in the frame, then the angular velocity in the frame (rad/s); only the first axis unless `is_whole`.
     pub fn seen(&self, motion: &SteadyMotion, is_whole: bool) -> Vec<f64> {
         let n = motion.state.len() / 2;
         let of = |from: usize| -> [f64; 3] { std::array::from_fn(|k| motion.state[from + self.first + k]) };
@@ -206,7 +207,7 @@ impl Angles {
 mod tests {
     use super::*;
 
-    /// For every first axis and both sets, the angles of R give R again, and the rates give the angular velocity.
+    /// For all orders of axes, the angles of R reproduce R, and their rates reproduce the angular velocity.
     #[test]
     fn angles_of_a_rotation_give_it_again() {
         let rotation = *Rotation3::from_euler_angles(0.3, -0.8, 1.9).matrix();
@@ -224,7 +225,7 @@ mod tests {
         }
     }
 
-    /// The cosine of the angle between both axes by the second set of angles, for each pair of axes.
+    /// The factors of `alignment` multiply to the cosine of the angle between both axes.
     #[test]
     fn the_second_set_tells_how_both_axes_lie() {
         let rotation = *Rotation3::from_euler_angles(0.3, -0.8, 1.9).matrix();

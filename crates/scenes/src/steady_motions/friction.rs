@@ -1,13 +1,13 @@
-//! Dry friction at rest, which is a condition c = a(q) u on the speeds u, linear in them, with a force that jumps by J = -f a where c becomes
-//! positive.
+//! Stability of rest under dry friction. Such friction is a condition c = a(q) u, linear in the speeds u, with a force that jumps by J = -f a
+//! where c becomes positive.
 //!
-//! At a rest q0 with the share s of each friction strictly between 0 and 1 the equations balance. About it the kinetic energy T has the rate
+//! At a rest q0 each friction acts with a fraction s strictly between 0 and 1. Near q0 the kinetic energy T satisfies
 //!
 //!   T' <= L |q - q0| |u| + C |u|^2 - sum_i d_i f_i |a_i u| ,   d_i = min(s_i, 1 - s_i) ,
 //!
-//! with bounds L and C of the other forces. Where every f_i is positive, and the a_i with the gradients of constraints span all directions,
-//! T' <= -k |u| near q0 and for small u with some k > 0: after a small push the system moves by at most T/k and stops. The rest is stable,
-//! whatever the other forces are. Where every f_i is negative, T grows as fast, and the rest is unstable.
+//! with bounds L and C of the other forces. If every f_i is positive and the vectors a_i together with the gradients of constraints span all
+//! directions, T' <= -k |u| near q0 for small u, with some k > 0: after a small push the system moves at most a distance T/k and stops. The rest
+//! is then stable for any other forces. If every f_i is negative, T grows at such a rate, and the rest is unstable.
 
 use super::conditions::Case;
 use super::definiteness::signs;
@@ -16,44 +16,44 @@ use field::Interval;
 use model::equations::vanishes;
 use symbolic::{Sym, Tape, substitute_all};
 
-/// The effect of dry friction on small motions about a rest.
+/// The effect of dry friction on small motions about a position of rest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Friction {
-    /// It resists every motion: the rest is stable.
+    /// Friction dissipates energy in every motion: the rest is stable.
     Resists,
-    /// It feeds every motion, since its coefficient is negative: the rest is unstable.
+    /// Friction supplies energy to every motion, since its coefficient is negative: the rest is unstable.
     Feeds,
-    /// It acts on some motions only.
+    /// Friction acts in some directions only.
     Partial,
-    /// Its force depends on normal forces of contacts, which may change when they slide.
+    /// Friction depends on normal reactions of contacts, which may change when these slide.
     OfContacts,
     /// Not decided.
     Open,
 }
 
-/// The friction of a combination of cases, over the unknowns.
+/// The dry friction in one combination of cases, as a function of the unknowns.
 #[derive(Debug)]
 pub(super) struct FrictionLaw {
-    /// The places of its shares among the unknowns.
+    /// The indices of the fractions s among the unknowns.
     shares: Vec<usize>,
-    /// For each friction f, then a; then the gradient of each constraint.
+    /// Computes f, then a, for each friction; then the gradient of each constraint.
     tape: Option<Tape>,
     speeds: usize,
     of_contacts: bool,
 }
 
-/// The expressions of a combination at rest.
+/// Expressions of the equations at rest.
 pub(super) struct AtRest<'a> {
     pub speeds: &'a [Sym],
-    /// The residuals before the data are put in.
+    /// The residuals before substitution of the data.
     pub residuals: &'a [Sym],
-    /// The letters of the unknowns, and those of reactions.
+    /// The letters of the unknowns; `multipliers` are those of the reactions.
     pub letters: &'a [Sym],
     pub multipliers: &'a [Sym],
 }
 
 impl FrictionLaw {
-    /// None where no condition is held at zero.
+    /// The friction law; `None` if neither a condition nor a contact with friction sticks.
     pub fn of(rows: &Rows, cases: &[Case], rest: &AtRest<'_>, put: &dyn Fn(&[Sym]) -> Vec<Sym>) -> Option<Self> {
         let held = |place: &usize| cases[*place] == Case::Between;
         let conditions = rows.condition_letters.len();
@@ -61,7 +61,7 @@ impl FrictionLaw {
             (0..conditions).filter(held).filter(|&k| rest.letters.contains(&rows.condition_letters[k])).collect();
         let of_contacts =
             rows.contacts.iter().enumerate().any(|(k, own)| own.friction.is_some() && held(&(conditions + k)));
-        // a contact that bounces may gain energy from the other forces in every flight
+        // a bouncing contact may gain energy from other forces in each flight
         let bounces = rows.contacts.iter().enumerate().any(|(k, own)| {
             own.bounces && matches!(cases[conditions + k], Case::Between | Case::Forward | Case::Backward)
         });
@@ -81,7 +81,7 @@ impl FrictionLaw {
         Some(FrictionLaw { shares, tape, speeds: rest.speeds.len(), of_contacts })
     }
 
-    /// The effect at every rest in an enclosure of the unknowns whose shares lie strictly inside their ranges.
+    /// The effect at every rest in a box of the unknowns whose fractions s are strictly between 0 and 1.
     pub fn at(&self, enclosure: &[Interval]) -> Friction {
         if self.of_contacts {
             return Friction::OfContacts;
@@ -106,14 +106,14 @@ impl FrictionLaw {
         }
     }
 
-    /// The effect at one rest, whose shares may lie at the ends of their ranges.
+    /// The effect at one rest; `Friction::Open` if a fraction may be 0 or 1.
     pub fn at_motion(&self, enclosure: &[Interval]) -> Friction {
         let is_inside = |&share: &usize| enclosure[share].low() > 0.0 && enclosure[share].high() < 1.0;
         if self.shares.iter().all(is_inside) { self.at(enclosure) } else { Friction::Open }
     }
 }
 
-/// f and a of one friction; none where the condition or its force is another one.
+/// The expressions f and a of one friction; `None` if the condition or the force has another form.
 fn law(
     (condition, letter): (Sym, Sym),
     jumping: &[Sym],

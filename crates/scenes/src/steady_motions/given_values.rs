@@ -1,5 +1,5 @@
-//! Motions at which the user gives values of coordinates: their stability is that of the same motions with these coordinates sought, since all
-//! coordinates move after a push.
+//! Stability of motions at which the user fixed coordinates: since all coordinates move after a push, the motion is found again with these
+//! coordinates as unknowns.
 
 use super::conditions::Case;
 use super::equations::SteadyEquations;
@@ -7,11 +7,11 @@ use super::quasi_velocities::state_names;
 use super::{Range, SteadyMotion, SteadyMotions, SteadySearch};
 use model::Model;
 
-/// The number of boxes that are examined about a motion.
+/// Number of boxes of the search near a motion.
 const BOXES: usize = 500;
 
 impl SteadyMotions {
-    /// With the stability that a search next to each motion finds, where it shows the motion to be alone there.
+    /// Replaces the stability of each motion by that found with all coordinates as unknowns, if the motion is proved to be isolated then.
     pub(super) fn with_free_values(
         mut self,
         model: &Model,
@@ -39,7 +39,7 @@ impl SteadyMotions {
     }
 }
 
-/// The only motion of a search next to a motion.
+/// The only motion of a complete search near a motion; `None` if it is not isolated.
 fn alone(
     model: &Model,
     near: &SteadySearch,

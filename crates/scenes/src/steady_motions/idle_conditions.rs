@@ -1,5 +1,5 @@
-//! Conditions on which the law does not depend where other conditions have their cases, as the sign of x within a play |x| < e: their
-//! zeros are no kinks, and the steady motions of both sides belong together.
+//! Conditions that do not influence the law, given the cases of other conditions, such as the sign of x within a backlash |x| < e. The law has no
+//! kink at their zeros, and steady motions of both sides are joined.
 
 use super::conditions::Case;
 use super::differentiability::Sides;
@@ -10,7 +10,7 @@ use model::equations::vanishes;
 
 type Combination = (Vec<Case>, SteadyMotions);
 
-/// Whether the law is the same on both sides of the conditions at some places, all others having their cases.
+/// Whether the law is equal on both sides of the conditions with the given indices; the other conditions have their cases.
 pub(super) fn is_one_law(model: &Model, cases: &[Case], places: &[usize]) -> bool {
     let is_condition = places.iter().all(|&place| place < model.switches.len());
     is_condition && symbolic::apart(|| does_not_hold(model, cases, places))
@@ -21,7 +21,7 @@ fn does_not_hold(model: &Model, cases: &[Case], places: &[usize]) -> bool {
     letters.iter().all(|letter| rows.iter().all(|row| vanishes(row.diff(*letter))))
 }
 
-/// Joins families that come from both sides to the zero of a condition on which the law does not depend there.
+/// Joins families that meet at the zero of a condition that does not influence the law there.
 pub(super) fn join_families(model: &Model, all: &mut Vec<Combination>) {
     while let Some(Meeting { places, sides: [(first, own), (second, other)] }) = meeting(model, all) {
         let examined = all[first].1.examined + all[second].1.examined;
@@ -39,7 +39,8 @@ pub(super) fn join_families(model: &Model, all: &mut Vec<Combination>) {
     }
 }
 
-/// Two families of different combinations that meet: the conditions that these differ in, and the places of both.
+/// Two families of different combinations that meet: the conditions in which these differ, and for each side the indices of combination and
+/// family.
 struct Meeting {
     places: Vec<usize>,
     sides: [(usize, usize); 2],

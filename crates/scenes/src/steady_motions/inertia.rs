@@ -1,7 +1,8 @@
-//! Inertia at a steady motion: whether the kinetic energy is positive in every direction that constraints allow.
+//! Inertia at a steady motion: whether the kinetic energy is positive in every direction that the constraints allow.
 //!
-//! The kinetic energy of a system of bodies is positive in every direction of motion. Where the mass matrix is singular nevertheless, as at
-//! the pole of spherical angles, two positions of the coordinates are one position of the system: the equations of motion hold there for any
+//! The kinetic energy of bodies is positive for every motion of the system. If the mass matrix is singular nevertheless, as at the pole of
+//! spherical angles, the coordinates are singular: several values describe one position, the equations of motion hold there for any force,
+//! and neither equilibrium nor stability follows from them.
 //! force, and neither equilibrium nor stability follows from them.
 
 use super::definiteness::signs;
@@ -12,28 +13,28 @@ use algebra::boxes::Equations;
 use field::Interval;
 use nalgebra::DMatrix;
 
-/// Components of a direction without inertia below this part of the largest one are rounding.
+/// Components of a direction without inertia below this fraction of the largest one are rounding errors.
 const MOVED: f64 = 1e-3;
 
-/// The kinetic energy about a motion.
+/// The definiteness of the kinetic energy at a motion.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Inertia {
-    /// Positive in every direction, for all enclosed numbers.
+    /// Proved positive in every allowed direction.
     Positive,
-    /// Zero to rounding when the coordinates at these places move.
+    /// Zero up to rounding in a direction; the indices are those of the coordinates that change.
     Singular(Vec<usize>),
-    /// Neither is shown.
+    /// Undecided.
     Open,
 }
 
 impl Inertia {
-    /// At an enclosure of unknowns and reactions, with the reactions of `n` speeds. Bodies without mass are allowed between others. The
-    /// matrix
+    /// The definiteness at an enclosure of unknowns and reactions, for a system with `n` speeds. Single coordinates may lack inertia if
+    /// constraints connect them with others. The matrix
     ///
     ///   | M   f'^T |
     ///   | f'   0   |
     ///
-    /// then has as many negative eigenvalues as there are constraints f = 0, and all others are positive.
+    /// then has one negative eigenvalue for each constraint f = 0, and n positive ones.
     pub fn of(equations: &SteadyEquations, boxes: &mut Boxes<'_>, enclosure: &[Interval], n: usize) -> Self {
         let Some(tape) = &equations.masses else { return Inertia::Open };
         let (own, positions) = (enclosure.len(), equations.unknowns.len());
@@ -47,7 +48,7 @@ impl Inertia {
         let unknown_at: Vec<Option<usize>> =
             (0..n).map(|place| equations.unknowns.iter().position(|unknown| unknown.place == place)).collect();
         let (reactions, zero) = (equations.reactions, Interval::point(0.0));
-        // constraints contain no cyclic coordinates
+        // constraints do not depend on cyclic coordinates
         let push = |place: usize, reaction: usize| {
             unknown_at[place].map_or(zero, |row| slopes[row * own + positions + reaction])
         };
@@ -69,7 +70,7 @@ impl Inertia {
         let Some(direction) = without_inertia(masses, pushes) else { return Inertia::Open };
         let most = direction.amax();
         let places: Vec<usize> = (0..n).filter(|&place| direction[place].abs() > MOVED * most).collect();
-        // a coordinate that has no inertia anywhere lacks a mass, not a place
+        // a coordinate without inertia at every position lacks a mass; its coordinates are not singular
         if places.iter().any(|&place| sizes[place] == 0.0) { Inertia::Open } else { Inertia::Singular(places) }
     }
 
@@ -78,7 +79,7 @@ impl Inertia {
     }
 }
 
-/// The largest inertia of each coordinate over the ranges of the unknowns; one where that has no bound.
+/// The largest diagonal entry of the mass matrix for each coordinate over the searched ranges; 1 where it is unbounded.
 fn largest(equations: &SteadyEquations, n: usize) -> Vec<f64> {
     let ranges: Vec<Interval> = equations.unknowns.iter().map(|unknown| unknown.range.interval()).collect();
     let mut masses = vec![Interval::EVERYTHING; n * n];

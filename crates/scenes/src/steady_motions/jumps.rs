@@ -1,9 +1,9 @@
-//! Equilibria at a jump of a force that depends on positions, such as -F sign(x): the potential energy has an edge there.
+//! Equilibria at a jump of a force that depends on positions, such as -F sign(x). The potential energy is continuous and has an edge there.
 //!
-//! Let c(q) = 0 be the edge, and R + s J the forces, with the share s of the jump J between 0 and 1. The energies of both sides agree on the
-//! edge, so that J is parallel to the gradient of c. Where J leads against it, each side drives towards the edge, and the energy has a strict
-//! minimum if it has one on the edge, with s in the part of a multiplier. With one coordinate, a jump along the gradient drives off on both
-//! sides.
+//! Let c(q) = 0 be the edge and R + s J the forces, with a factor s of the jump J between 0 and 1. J is parallel to the gradient of c, since the
+//! energies of both sides agree on the edge. If J points against the gradient, both sides push towards the edge, and the energy has a strict
+//! minimum if its restriction to the edge has one; s acts as a multiplier. If J points along the gradient and there is one coordinate, both sides
+//! push away.
 
 use super::conditions::Case;
 use super::definiteness::signs;
@@ -15,7 +15,7 @@ use algebra::boxes::Equations;
 use field::Interval;
 use model::Model;
 
-/// The stability at an enclosure with positive inertia, all coordinates of `n` being unknowns that rest; none where the jump does not decide it.
+/// The stability of an equilibrium at a jump, with positive inertia and all `n` coordinates unknown; `None` if the jump does not decide it.
 pub(super) fn at_jump(
     model: &Model,
     equations: &SteadyEquations,

@@ -1,4 +1,4 @@
-//! The law in a combination of cases in which no contact rubs: contacts in touch are constraints, and others are none.
+//! The model in a combination of cases: closed contacts without friction become constraints, and open contacts are removed.
 
 use super::conditions::Case;
 use crate::letters::Letters;
@@ -6,7 +6,7 @@ use model::equations::vanishes;
 use model::{Contact, Model, Trace};
 use std::borrow::Cow;
 
-/// The model while contacts keep the state that they have in a combination; none where one with friction is in touch.
+/// The model with the contacts in the states of a combination of cases; `None` if a contact with friction is closed.
 pub fn with_kept_contacts<'a>(model: &'a Model, cases: &[Case]) -> Option<Cow<'a, Model>> {
     if model.contacts.is_empty() {
         return Some(Cow::Borrowed(model));
@@ -19,14 +19,14 @@ pub fn with_kept_contacts<'a>(model: &'a Model, cases: &[Case]) -> Option<Cow<'a
     model.with_kept_contacts(&touch).map(Cow::Owned)
 }
 
-/// The model without its outputs, which may have kinks of their own and do not act on motions.
+/// The model without its outputs, which may have kinks but do not influence motions.
 pub(super) fn without_outputs(model: &Model) -> Model {
     let mut without = model.clone();
     without.outputs.clear();
     without
 }
 
-/// Whether the coefficient of friction is other than zero.
+/// Whether the coefficient of friction of a contact is not identically zero.
 fn has_friction(model: &Model, contact: &Contact) -> bool {
     contact.friction.is_some_and(|friction| {
         symbolic::apart(|| {

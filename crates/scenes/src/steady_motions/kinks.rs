@@ -1,4 +1,4 @@
-//! Motions at the zero of a condition: the searches on both sides find them, and they are counted once.
+//! Steady motions at the zero of a condition, which the searches on both sides find; they are united.
 
 use super::borders::remove_borders;
 use super::conditions::Case;
@@ -8,24 +8,25 @@ use super::stability::{OnSide, SteadyStability};
 use super::{Family, Member, SteadyMotion, SteadyMotions};
 use model::Model;
 
-/// The relative error allowed for the end of a family.
+/// Tolerance, relative to the value, for a state at the end of a family.
 const NEAR: f64 = 1e-9;
 
-/// A combination and a motion of it, by their places.
+/// Indices of a combination and of one of its motions.
 type Place = (usize, usize);
 
 type Combination = (Vec<Case>, SteadyMotions);
 
-/// The combinations with each such motion once: in the case between both sides if it was tried, otherwise as a combination of its own.
+/// The combinations of cases with each motion at the zero of a condition listed once: under `Case::Between` if this case was searched, otherwise in
+/// a combination of its own.
 pub(super) fn joined(model: &Model, mut all: Vec<Combination>) -> Vec<Combination> {
-    // where no such case was tried, the law is the same on both sides of the zero
+    // a condition that is never `Between` does not make the law jump
     let jumps: Vec<bool> = (0..all.first().map_or(0, |(cases, _)| cases.len()))
         .map(|place| all.iter().any(|(cases, _)| !matches!(cases[place], Case::Holds | Case::Fails)))
         .collect();
     while let Some((places, members)) = meeting(&all) {
         let is_between = |(at, _): &&(usize, usize)| places.iter().any(|&place| !is_side(all[*at].0[place]));
         let kept = members.iter().find(is_between).copied();
-        // opposite conditions have no more sides than one
+        // two opposite conditions have only two sides together
         let cases_there = &all[members[0].0].0;
         let is_around = |cases: &[Case]| {
             (0..cases.len()).all(|place| match places.contains(&place) {
@@ -61,7 +62,7 @@ pub(super) fn joined(model: &Model, mut all: Vec<Combination>) -> Vec<Combinatio
         }
     }
     for motion in all.iter_mut().flat_map(|(_, found)| &mut found.motions) {
-        // of the other side of a condition nothing is known
+        // the stability on the other side of the condition is unknown
         if !motion.at_conditions.is_empty() {
             motion.stability = SteadyStability::AtCondition(None);
         }
@@ -74,7 +75,7 @@ pub(super) fn joined(model: &Model, mut all: Vec<Combination>) -> Vec<Combinatio
     join_families(model, &mut all);
     remove_borders(&mut all);
     join_regions(&mut all, &jumps);
-    // sides whose motions are all told together are no combinations of their own
+    // a combination without motions is left out if the united combination contains it
     let together: Vec<Vec<Case>> =
         all.iter().map(|(cases, _)| cases.clone()).filter(|cases| cases.contains(&Case::Either)).collect();
     let is_part = |cases: &[Case], whole: &Vec<Case>| {
@@ -84,12 +85,12 @@ pub(super) fn joined(model: &Model, mut all: Vec<Combination>) -> Vec<Combinatio
     all
 }
 
-/// Whether the law of two sides differs at a motion that both have.
+/// Whether the law has a kink at a motion found on both sides.
 fn is_kink(each: &[&SteadyMotion]) -> bool {
     each.iter().any(|motion| matches!(motion.stability, SteadyStability::AtCondition(_)))
 }
 
-/// The stability of a motion at the zero of conditions at which the law does not jump, by that of each side.
+/// The stability of a motion at the zero of conditions at which the law is continuous, from the stability on each side.
 fn on_sides(each: &[&SteadyMotion]) -> SteadyStability {
     if !is_kink(each) {
         let is_alike = each.iter().all(|motion| motion.at_conditions == each[0].at_conditions);
@@ -103,13 +104,14 @@ fn on_sides(each: &[&SteadyMotion]) -> SteadyStability {
     let falls = sides.iter().flatten().find(|side| side.falls > 0);
     match falls {
         None if sides.iter().all(Option::is_some) => SteadyStability::MinimumOnSides,
-        // two sides of one smooth surface
+        // the two sides of one smooth surface
         Some(side) if sides.len() == 2 && side.is_regular => SteadyStability::FallsOnSide(side.falls),
         _ => SteadyStability::AtCondition(None),
     }
 }
 
-/// Whether each motion of a combination, at the zero of a condition, is the end of a family of another combination, where it is printed.
+/// For each motion of a combination, whether it is at the zero of a condition and belongs to a family of another combination, where it is
+/// reported.
 fn ends_of_families(all: &[Combination], (cases, found): (&Vec<Case>, &SteadyMotions)) -> Vec<bool> {
     let is_end = |motion: &SteadyMotion| {
         !motion.at_conditions.is_empty()
@@ -125,7 +127,7 @@ fn ends_of_families(all: &[Combination], (cases, found): (&Vec<Case>, &SteadyMot
     found.motions.iter().map(is_end).collect()
 }
 
-/// Whether a state is in a family or at its end, by the enclosures of its pieces and of the undecided boxes next to them.
+/// Whether a state belongs to a family or to its closure, by the boxes of its pieces and the undecided boxes next to them.
 pub(super) fn is_met(there: &SteadyMotions, family: &Family, state: &[f64]) -> bool {
     let known = there.unknowns.iter().enumerate().filter(|(_, unknown)| unknown.place < there.state_size);
     let known: Vec<(usize, usize)> = known.map(|(own, unknown)| (own, unknown.place)).collect();
@@ -141,7 +143,7 @@ pub(super) fn is_met(there: &SteadyMotions, family: &Family, state: &[f64]) -> b
         || there.undecided.iter().any(|open| meets(open) && family.pieces.iter().any(|(_, at)| touches(at, open)))
 }
 
-/// The places of conditions that are zero at a motion which several combinations have, and where these have it, in rising order.
+/// The indices of conditions that are zero at a motion found in several combinations, and its index in each of these, in ascending order.
 fn meeting(all: &[Combination]) -> Option<(Vec<usize>, Vec<Place>)> {
     let motions = || {
         all.iter().enumerate().flat_map(|(at, (cases, found))| {
@@ -170,7 +172,7 @@ fn is_side(case: Case) -> bool {
     matches!(case, Case::Holds | Case::Fails)
 }
 
-/// Whether the coordinates and speeds of two motions may be the same.
+/// Whether two motions may be equal, since the enclosures of all coordinates and speeds meet.
 fn is_same((found, motion): (&SteadyMotions, &SteadyMotion), (others, other): (&SteadyMotions, &SteadyMotion)) -> bool {
     let ends = |all: &SteadyMotions, of: &SteadyMotion, place: usize| {
         let own = all.unknowns.iter().position(|unknown| unknown.place == place);
@@ -183,8 +185,8 @@ fn is_same((found, motion): (&SteadyMotions, &SteadyMotion), (others, other): (&
 }
 
 impl SteadyMotions {
-    /// The motions of all combinations, by the unknowns that they have in common: shares of friction, and parts of a law between two sides,
-    /// are left out.
+    /// The motions of all combinations with the unknowns that these have in common; fractions of friction and factors of conditions are
+    /// removed.
     pub(super) fn united(all: Vec<Combination>) -> Self {
         let mut all = all.into_iter().map(|(_, found)| found.of_state());
         let Some(mut united) = all.next() else { return SteadyMotions::default() };
@@ -205,7 +207,7 @@ impl SteadyMotions {
         united
     }
 
-    /// Without unknowns that are no part of the state.
+    /// The motions without unknowns that are not components of the state.
     fn of_state(mut self) -> Self {
         let is_state: Vec<bool> = self.unknowns.iter().map(|unknown| unknown.place < self.state_size).collect();
         let kept = |ends: &mut Vec<[f64; 2]>| {
@@ -224,12 +226,12 @@ impl SteadyMotions {
         self
     }
 
-    /// One motion of the same search, and nothing else.
+    /// A result of the same search with a single motion.
     fn alone(&self, motion: SteadyMotion, examined: usize) -> Self {
         SteadyMotions { motions: vec![motion], ..self.with_families(Vec::new(), examined) }
     }
 
-    /// Families of the same search, and nothing else.
+    /// A result of the same search with only the given families.
     pub(super) fn with_families(&self, families: Vec<(Family, Vec<Member>)>, examined: usize) -> Self {
         SteadyMotions {
             unknowns: self.unknowns.clone(),

@@ -1,5 +1,6 @@
-//! All steady motions of a model in a box: equilibria, and motions in which only cyclic coordinates move, at constant speeds. The search is
-//! complete: [`algebra::boxes`] excludes boxes in which an equation has no zero, proves zeros, and reports the undecided rest.
+//! All steady motions of a model in a box: equilibria, and motions in which only cyclic coordinates change, at constant speeds.
+//!
+//! The search is complete: [`algebra::boxes`] excludes boxes in which an equation has no zero, proves zeros, and reports undecided boxes.
 
 mod admission;
 mod along;
@@ -73,74 +74,75 @@ use quasi_velocities::Extended;
 use search::Boxes;
 use stability::judged;
 
-/// A steady motion: the only one in a box about it.
+/// A steady motion, proved to be the only one in a box about it.
 #[derive(Clone, Debug)]
 pub struct SteadyMotion {
-    /// Unknowns, as narrowly as rounding allows.
+    /// An interval that contains each unknown, in SI units, of a width near rounding errors.
     pub enclosure: Vec<[f64; 2]>,
-    /// The whole state.
+    /// The state: coordinates, then speeds, in SI units.
     pub state: Vec<f64>,
-    /// Quasi-velocities among the independent speeds.
+    /// Names and values of quasi-velocities among the independent speeds.
     pub quasi_velocities: Vec<(String, f64)>,
     pub stability: SteadyStability,
-    /// The conditions that may be zero there, by their places in the combination of cases.
+    /// The indices, in the combination of cases, of conditions that may be zero at the motion.
     pub at_conditions: Vec<usize>,
 }
 
-/// A member of a family.
+/// A motion of a family, in numbers.
 #[derive(Clone, Debug)]
 pub struct Member {
-    /// Unknowns, to rounding.
+    /// The unknowns in SI units, up to rounding.
     pub values: Vec<f64>,
     pub state: Vec<f64>,
-    /// The linear equations there, as numbers.
+    /// The linear equations at the motion.
     pub linear: Option<Linear>,
-    /// The eigenvalues without cyclic coordinates by enclosures, where the member moves, so that equations at one instant say nothing.
+    /// Enclosed eigenvalues without cyclic coordinates, if the linear equations depend on time, so that their eigenvalues at one instant mean
+    /// nothing.
     pub enclosed: Option<EnclosedSpectrum>,
-    /// Coordinates that have no inertia there, so that they do not describe the position.
+    /// The names of coordinates that are singular at the motion, since they have no inertia there.
     pub without_inertia: Vec<String>,
 }
 
-/// All steady motions of a search, with its undecided regions.
+/// The steady motions found by a search, and its undecided regions.
 #[derive(Clone, Debug, Default)]
 pub struct SteadyMotions {
     pub unknowns: Vec<Unknown>,
-    /// The number of coordinates and speeds: unknowns from this place on are shares of friction, or of a law between two sides.
+    /// The number of coordinates and speeds. Unknowns with larger or equal indices are fractions of friction, or factors of conditions.
     pub state_size: usize,
-    /// Coordinates and speeds with given values.
+    /// Names and values of coordinates and speeds that are fixed.
     pub given: Vec<(String, f64)>,
-    /// Coordinates that occur nowhere.
+    /// The names of cyclic coordinates, which occur in no equation.
     pub cyclic: Vec<String>,
-    /// Those of them that occur at other values of the parameters.
+    /// The names of those that are cyclic only for the given values of parameters.
     pub cyclic_by_values: Vec<String>,
     pub motions: Vec<SteadyMotion>,
-    /// Whether the loads have a potential energy, however they are written.
+    /// Whether the loads have a potential energy, also if they are written as forces.
     pub have_potential: bool,
-    /// Whether frames that turn at a given rate give kinetic energy to what rests in them: Jacobi's integral is kept.
+    /// Whether frames turn at a given rate, so that Jacobi's integral T2 + V - T0 takes the place of the energy.
     pub are_in_turning_frames: bool,
-    /// Families of motions, with the stability of some members of each.
+    /// Families of motions, each with some of its members.
     pub families: Vec<(Family, Vec<Member>)>,
-    /// Given speeds that may have any other value: there are motions for each value.
+    /// The names of given speeds that influence nothing: there are steady motions for each of their values.
     pub free_speeds: Vec<String>,
-    /// Boxes in which there may be further motions.
+    /// Boxes, in SI units, that may contain further motions.
     pub undecided: Vec<Vec<[f64; 2]>>,
-    /// Undecided boxes grouped into regions.
+    /// The undecided boxes, grouped into connected regions.
     pub regions: Vec<Region>,
-    /// The share of undecided boxes in the whole box.
+    /// The volume of undecided boxes as a fraction of the searched box.
     pub undecided_part: f64,
-    /// Undecided boxes at the zero of conditions that are reported in a combination for both sides.
+    /// The number of undecided boxes at zeros of conditions that are reported in another combination.
     pub elsewhere: usize,
     /// The number of examined boxes.
     pub examined: usize,
-    /// Places at which the coordinates are singular, where the motions are listed without these: the unknowns there.
+    /// The enclosures of motions at which coordinates are singular, if these were removed from `motions`.
     pub singular_places: Vec<Vec<[f64; 2]>>,
 }
 
 impl SteadyMotions {
-    /// All steady motions in a box; the search calls `goes_on` regularly and ends if it returns false.
+    /// All steady motions in a box. The search calls `goes_on` regularly and ends when it returns false.
     ///
     /// # Errors
-    /// The reason for which steady motions are not searched for.
+    /// If the search does not support the model, a name in `asked` is unknown, or an unknown has no range.
     pub fn of(model: &Model, asked: &SteadySearch, mut goes_on: impl FnMut() -> bool) -> Result<Self, NoSteadyMotions> {
         let asked = &asked.by_coordinates(model);
         let extended = Extended::of(model, &asked.names(), None);
@@ -152,10 +154,10 @@ impl SteadyMotions {
         Ok(found)
     }
 
-    /// Steady motions in each combination of cases of the conditions of a law.
+    /// The steady motions in each combination of cases of the conditions and contacts of a law.
     ///
     /// # Errors
-    /// The reason for which steady motions are not searched for.
+    /// As for [`SteadyMotions::of`]; also if there are too many combinations.
     pub fn of_cases(
         model: &Model,
         asked: &SteadySearch,
@@ -181,7 +183,7 @@ impl SteadyMotions {
         Ok(all)
     }
 
-    /// States of the model with the integrals of quasi-velocities become those of the original one.
+    /// Replaces states of the model extended by integrals of quasi-velocities by those of the original model.
     fn restore(&mut self, extended: &Extended) {
         for motion in &mut self.motions {
             (motion.state, motion.quasi_velocities) = extended.original(&motion.state);
@@ -209,7 +211,7 @@ impl SteadyMotions {
                 None => found.undecided.push(zero.enclosure[..domain.len()].to_vec()),
             }
         }
-        // boxes that were not looked at may lie on an excluded side
+        // boxes that were not examined may violate a required sign
         found.undecided.retain(|at| boxes.lies_aside(&equations.with_reactions(at)) != Some(false));
         undecided_part = undecided_part.min(part(&found.undecided, &domain));
         let mut regions = region::regions(&equations, &zeros, &found.undecided);
@@ -281,7 +283,7 @@ impl SteadyMotions {
                     Member { values, state, linear, enclosed, without_inertia }
                 };
                 let members = family.members.iter().map(member).collect();
-                // friction stops a motion that has a kinetic energy
+                // friction stops a motion only if it has a kinetic energy
                 let friction = family.friction.map(|own| if has_inertia { own } else { Friction::Open });
                 (Family { friction, ..family }, members)
             })
@@ -309,12 +311,12 @@ impl SteadyMotions {
         }
     }
 
-    /// Nothing is known where there was no time to search.
+    /// The result of a search for which no time was left: everything is undecided.
     fn not_searched() -> Self {
         SteadyMotions { undecided: vec![Vec::new()], undecided_part: 1.0, ..SteadyMotions::default() }
     }
 
-    /// The motions at which the coordinates describe the position; others are counted alone.
+    /// Moves motions at which coordinates are singular from `motions` to `singular_places`.
     fn without_singular_places(mut self) -> Self {
         let is_singular = |motion: &SteadyMotion| matches!(motion.stability, SteadyStability::Singular(_));
         let (singular, regular): (Vec<SteadyMotion>, Vec<SteadyMotion>) =
@@ -324,18 +326,18 @@ impl SteadyMotions {
         self
     }
 
-    /// Whether there is no steady motion, and nothing is undecided.
+    /// Whether the search proved that there is no steady motion.
     pub fn is_empty(&self) -> bool {
         self.motions.is_empty() && self.families.is_empty() && self.is_complete()
     }
 
-    /// Whether every steady motion of the box is among them.
+    /// Whether all steady motions in the box were found.
     pub fn is_complete(&self) -> bool {
         self.undecided.is_empty()
     }
 }
 
-/// Values that differ by rounding alone sort as one.
+/// A value rounded so that rounding errors do not influence the order of motions.
 fn rounded(value: f64) -> f64 {
     (value * 1e9).round() + 0.0
 }

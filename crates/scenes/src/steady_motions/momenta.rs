@@ -1,11 +1,12 @@
-//! Momenta of cyclic coordinates and mass matrix at steady motions.
+//! Momenta of cyclic coordinates and the mass matrix at steady motions, symbolically.
 
 use super::rows::without_idle;
 use crate::letters::Letters;
 use model::Trace;
 use symbolic::{Sym, substitute_all};
 
-/// Derivatives of the momenta of cyclic coordinates, all other speeds being zero: by letters, then by their speeds; and the mass matrix.
+/// The derivatives of the momenta of cyclic coordinates, with all other speeds zero: by `letters`, then by the cyclic speeds; and the mass matrix, row by
+/// row.
 pub(super) fn momenta(
     trace: &Trace<'_>,
     is_cyclic: &[bool],

@@ -1,14 +1,14 @@
-//! Undecided regions that come from both sides to the zero of a condition: they are told once.
+//! Undecided regions on both sides of the zero of a condition, which are united.
 
 use super::conditions::Case;
 use super::{Region, SteadyMotions};
 
 type Combination = (Vec<Case>, SteadyMotions);
 
-/// Regions of two combinations that are no further from one another, in SI units and relative to the values, touch.
+/// Regions touch if their distance is below this tolerance, in SI units and relative to the values.
 const NEAR: f64 = 1e-9;
 
-/// Joins undecided regions that touch at zeros of conditions at which the law does not jump.
+/// Unites undecided regions that touch at the zero of a condition at which the law does not jump.
 pub(super) fn join_regions(all: &mut Vec<Combination>, jumps: &[bool]) {
     while let Some(Meeting { places, sides }) = meeting(all, jumps) {
         let examined = sides.iter().map(|(at, _)| all[*at].1.examined).sum();
@@ -29,7 +29,7 @@ pub(super) fn join_regions(all: &mut Vec<Combination>, jumps: &[bool]) {
     }
 }
 
-/// Two regions of different combinations that meet: the conditions that these differ in, and the places of both.
+/// Two touching regions of different combinations: the conditions in which these differ, and for each side the indices of combination and region.
 struct Meeting {
     places: Vec<usize>,
     sides: [(usize, usize); 2],
@@ -74,7 +74,7 @@ fn joined(one: Region, other: Region) -> Region {
 }
 
 impl SteadyMotions {
-    /// Takes out a region with its boxes.
+    /// Removes a region and its boxes, and returns both.
     fn without_region(&mut self, own: usize) -> (Region, Vec<Vec<[f64; 2]>>) {
         let region = self.regions.remove(own);
         let is_in =
@@ -86,7 +86,7 @@ impl SteadyMotions {
         (region, taken)
     }
 
-    /// The part of the ranges that undecided boxes take.
+    /// The volume of undecided boxes as a fraction of the searched box.
     fn part(&self) -> f64 {
         let share = |(at, unknown): (&[f64; 2], &super::Unknown)| (at[1] - at[0]) / unknown.range.interval().width();
         let volume = |at: &Vec<[f64; 2]>| at.iter().zip(&self.unknowns).map(share).product::<f64>();

@@ -1,4 +1,4 @@
-//! The options of a search: ranges of unknowns, and its limits.
+//! The options of a search for steady motions: ranges of unknowns, and limits.
 
 use super::orientations::Steep;
 use super::quasi_velocities::rates_by_name;
@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 use units::nearest;
 
-/// A range of an unknown, in SI units; one number where both ends are the same.
+/// The range of an unknown in SI units; a fixed value if both ends are equal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Range {
     pub from: f64,
@@ -17,10 +17,10 @@ pub struct Range {
 }
 
 impl Range {
-    /// A whole turn whose ends are not angles at which symmetric systems have equilibria.
+    /// One turn in radians; its ends avoid angles at which symmetric systems have equilibria.
     pub(super) const TURN: Range = Range { from: -PI - 0.617, to: PI - 0.6169 };
 
-    /// A little to both sides of a value.
+    /// A narrow range about a value.
     pub(super) fn about(value: f64) -> Range {
         let aside = ASIDE * (1.0 + value.abs());
         Range { from: value - aside, to: value + aside }
@@ -38,13 +38,13 @@ impl Range {
 /// The options of a search for steady motions.
 #[derive(Clone, Debug, Default)]
 pub struct SteadySearch {
-    /// Ranges of coordinates, and of speeds of cyclic ones, by their names.
+    /// Ranges by the names of coordinates and of speeds of cyclic coordinates; the last range of a name counts.
     pub ranges: Vec<(String, Range)>,
-    /// The largest number of boxes to examine.
+    /// The largest number of boxes that the search examines.
     pub boxes: usize,
-    /// Products of sines and cosines that must not be small.
+    /// Lower bounds for products of sines and cosines, which exclude singular orientations.
     pub steep: Vec<Steep>,
-    /// The text of the model, for frames that turn freely, along a parameter.
+    /// The source of the model; needed for free frames if motions are followed along a parameter.
     pub text: Option<Arc<Source>>,
 }
 
@@ -53,7 +53,7 @@ impl SteadySearch {
         self.ranges.iter().map(|(name, _)| name.as_str()).collect()
     }
 
-    /// With each range wider by a part of its width on both sides.
+    /// The options with each range widened on both sides by a fraction of its width.
     pub(super) fn wider(&self, part: f64) -> Self {
         let mut own = self.clone();
         for (_, range) in &mut own.ranges {
@@ -63,7 +63,7 @@ impl SteadySearch {
         own
     }
 
-    /// With a quasi-velocity that is the rate of one coordinate by the name of this rate.
+    /// The options in which a quasi-velocity that equals the rate of a coordinate has the name of this rate.
     pub(super) fn by_coordinates(&self, model: &Model) -> Self {
         let mut own = self.clone();
         let is_named = |name: &String| model.quasi_velocities.iter().any(|own| own.name == *name);
@@ -82,12 +82,12 @@ impl SteadySearch {
         self.ranges.iter().rev().find(|(own, _)| own == name).map(|(_, range)| *range)
     }
 
-    /// The speed of a cyclic coordinate that is given as one number.
+    /// The fixed value of a speed; `None` if it has no range, or a range of positive width.
     pub(super) fn speed(&self, name: &str) -> Option<f64> {
         self.range(name).filter(|range| range.is_point()).map(|range| range.from)
     }
 
-    /// Whether each name is one of those that may have a range.
+    /// Refuses names with ranges that are not among the accepted ones.
     pub(super) fn checked<'a>(&self, accepted: impl Iterator<Item = &'a str>) -> Result<(), NoSteadyMotions> {
         let accepted: Vec<&str> = accepted.collect();
         match self.ranges.iter().find(|(name, _)| !accepted.contains(&name.as_str())) {
@@ -101,5 +101,5 @@ impl SteadySearch {
     }
 }
 
-/// The distance from a state, relative to one in SI units and to the value, within which a steady motion counts as the one of this state.
+/// Half the width of a range about a state, within which a steady motion counts as that of the state; in SI units and relative to the value.
 pub(super) const ASIDE: f64 = 1e-6;

@@ -1,13 +1,13 @@
-//! Steady motions of systems with frames that turn freely: by two sets of angles, each regular where the other is not.
+//! Steady motions of systems with free frames, by two sets of angles; each set is regular where the other is singular.
 //!
 //! Let e be the axis of the parent about which the law is invariant, such as the vertical, and s an axis of the frame: the axis of a body of
-//! revolution, or otherwise the axis with the letter of e. The set
+//! revolution, otherwise the axis with the same letter as e. The first set
 //!
 //!   R = R_e R_a R_s :    c = e . R s ,
 //!
-//! is regular where |c| is not one. If s has the letter of e, these are Euler's angles with c = cos(nutation), and the second set is that of Tait
-//! and Bryan; otherwise the sets are exchanged, and c is the sine of an elevation. If the frame turns about e, and about s if nothing depends on
-//! this spin, only these two angles of the first set change. If s is parallel to e, both turns are one.
+//! is regular where |c| is not 1. If s has the same letter as e, these are Euler's angles with c = cos(nutation), and the second set is that of
+//! Tait and Bryan. Otherwise the sets are exchanged, and c is the sine of an elevation. If the frame rotates steadily about e, and about s if
+//! nothing depends on this spin, only these two angles of the first set change. If s is parallel to e, both rotations coincide.
 
 use super::frame_angles::{Angles, Factor, Set};
 use super::quasi_velocities::without_part;
@@ -21,19 +21,19 @@ use nalgebra::Vector3;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use symbolic::Sym;
 
-/// The largest number of free frames: each doubles the number of searches.
+/// The largest number of free frames; each frame doubles the number of searches.
 const MOST_FRAMES: usize = 2;
 
-/// An angle by which both sets overlap.
+/// Overlap of both sets, as an angle in radians.
 const OVERLAP: f64 = 0.01;
 
-/// The distance, as an angle, from singular orientations of a set within which it is not used.
+/// Least distance from singular orientations of a set, as an angle in radians.
 const LEAST: f64 = 1e-3;
 
-/// Two motions whose numbers differ by less are one motion.
+/// Motions whose values differ by less are equal; in SI units and relative to the values.
 const SAME: f64 = 1e-7;
 
-/// A lower bound for a product of sines and cosines of angles: for its absolute value, the product itself, or its negative.
+/// A lower bound for a product P of sines and cosines: for |P| if `is_positive` is `None`, for P if true, for -P if false.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Steep {
     factors: Vec<(String, Factor)>,
@@ -41,27 +41,27 @@ pub struct Steep {
     is_positive: Option<bool>,
 }
 
-/// A set of angles for each free frame, with its model, and the orientations in which it is used.
+/// A model with angles in the place of its free frames, and the ranges of angles for which this set is used.
 #[derive(Clone, Debug)]
 pub struct Orientation {
     pub model: Model,
     pub asked: SteadySearch,
     frames: Vec<Angles>,
-    /// The orientations in which it is used, in words.
+    /// Descriptions of these ranges.
     held: Vec<String>,
 }
 
-/// The axis of the parents; for each frame its own axis, and whether nothing depends on the turn about it.
+/// The axis e of the parents; for each frame the axis s, and whether nothing depends on the rotation about s.
 struct Axes {
     parent: usize,
     own: Vec<(usize, bool)>,
 }
 
 impl Orientation {
-    /// All sets for the free frames of a model that was read from a source.
+    /// The models with all combinations of sets of angles for the free frames of a model that was elaborated from `source`.
     ///
     /// # Errors
-    /// There are too many free frames, or a part of the text uses the free rotation itself.
+    /// If there are too many free frames, or a part of the text uses the free rotation itself.
     pub fn all(source: &Source, model: &Model, asked: &SteadySearch) -> Result<Vec<Self>, NoSteadyMotions> {
         let count = model.free.len();
         if count > MOST_FRAMES {
@@ -112,7 +112,7 @@ impl Orientation {
         Ok(Orientation { model, asked: SteadySearch::default(), frames, held: Vec::new() })
     }
 
-    /// Takes over the start and the ranges of the options; false if these ranges belong to other sets.
+    /// Adopts the start and the searched ranges; returns false if the ranges are given for angles of another set.
     fn take(&mut self, original: &Model, sets: &[Set], asked: &SteadySearch) -> bool {
         self.asked = SteadySearch { steep: Vec::new(), ..asked.clone() };
         for (number, (angles, set)) in self.frames.iter().zip(sets).enumerate() {
@@ -126,11 +126,11 @@ impl Orientation {
             let main = angles.as_main(set);
             let start = main.start(original, number, set.is_spinning);
             let rates: [f64; 3] = std::array::from_fn(|k| start[3 + k].value);
-            // turns about the axis of the parent, and about the axis of the frame if that is not a coordinate of this set
+            // rates about the axis of the parent, and about the axis of the frame if it is no coordinate of this set
             let (main_names, first) = (main.names, of(set.names[0], "'"));
             let about = range(of(main_names[0], "'")).or_else(|| range(first.clone()));
             let spin = if set.is_spinning { range(of(main_names[2], "'")) } else { None };
-            // each set has its own names
+            // ranges of rates are given by names of one set, which other sets do not have
             let turning = [of(set.names[0], "'")].into_iter().chain(set.other.map(|name| of(name, "'")));
             let turning: Vec<String> = turning.collect();
             self.asked.ranges.retain(|(own, _)| !turning.contains(own));
@@ -138,7 +138,7 @@ impl Orientation {
                 self.model.start.extend(start);
                 self.asked.ranges.extend(about.map(|about| (first, about)));
             } else {
-                // both turns have the same or opposite axes
+                // both axes are parallel or opposite, so that only the sum or difference of the rates matters
                 let point = |value: f64| Range { from: value, to: value };
                 let about_ends = about.unwrap_or(point(rates[0]));
                 let spin_ends = spin.unwrap_or(point(if set.is_spinning { rates[2] } else { 0.0 }));
@@ -162,7 +162,7 @@ impl Orientation {
                 least,
                 is_positive,
             };
-            // not near singular orientations of the set
+            // excludes singular orientations of the set
             self.asked.steep.push(steep(&[(1, set.regular)], LEAST.sin(), None));
             if is_asked(set.names) {
                 continue;
@@ -192,12 +192,12 @@ impl Orientation {
                 ));
             }
         }
-        // a missing start does not matter
+        // the search needs no start
         let _ = independent_start(&mut self.model);
         true
     }
 
-    /// The angles, and the orientations in which they are used, in words.
+    /// Descriptions of the angles and of the orientations for which they are used.
     pub fn in_words(&self) -> Vec<String> {
         let letter = |at: usize| ["x", "y", "z"][at];
         let frames = self.frames.iter().map(|own| {
@@ -211,8 +211,8 @@ impl Orientation {
 }
 
 impl Axes {
-    /// The axis of the parents on which the law depends least, the first of several; and for each frame an axis such that nothing depends on the turn
-    /// about it, or otherwise the axis with the same letter.
+    /// The axis of the parents on which the law depends least, the first of several; for each frame an axis about which nothing depends on the
+    /// rotation, otherwise the axis with the same letter.
     fn of(source: &Source, model: &Model) -> Result<Self, NoSteadyMotions> {
         let count = model.free.len();
         let mut best: Option<(usize, Axes)> = None;
@@ -239,14 +239,14 @@ impl Axes {
 }
 
 impl Orientation {
-    /// The axis of the parent of the first frame about which its first angle turns, by the axes of the frame.
+    /// The axis of the parent about which the first angle of the first frame turns, as a unit vector in components of this frame.
     pub fn vertical(&self, motion: &SteadyMotion) -> Vector3<f64> {
         let Some(angles) = self.frames.first() else { return Vector3::zeros() };
         let own = std::array::from_fn(|k| motion.state[angles.first + k]);
         angles.matrix(own).row(angles.axes[0]).transpose()
     }
 
-    /// Coordinates, speeds and orientations of a motion, in numbers that do not depend on the set.
+    /// Coordinates, speeds, direction cosines and angular velocities of a motion, which do not depend on the set of angles.
     fn seen(&self, found: &SteadyMotions, motion: &SteadyMotion) -> Vec<f64> {
         let n = motion.state.len() / 2;
         let plain = self.frames.first().map_or(n, |angles| angles.first);
@@ -255,20 +255,20 @@ impl Orientation {
     }
 }
 
-/// A set of angles with the motions in each combination of the cases of conditions.
+/// A set of angles, and the motions in each combination of cases of the conditions.
 pub type InOrientation = (Orientation, Vec<(Vec<Case>, SteadyMotions)>);
 
 impl SteadyMotions {
-    /// All steady motions by sets of angles, each with the cases of its conditions; a motion that two sets describe is listed in the first.
+    /// All steady motions for several sets of angles; a motion that two sets describe is listed in the first.
     ///
     /// # Errors
-    /// The reason for which steady motions are not searched for.
+    /// If the search is not supported for a set, or unknowns have no range.
     pub fn of_orientations(
         all: Vec<Orientation>,
         mut goes_on: impl FnMut() -> bool,
     ) -> Result<Vec<InOrientation>, NoSteadyMotions> {
         let (mut known, mut told): (Vec<Vec<f64>>, Vec<_>) = (Vec::new(), Vec::new());
-        // each set has unknowns of its own: all that need ranges are named together
+        // unknowns without range are collected over all sets for one message
         let mut missing: Vec<String> = Vec::new();
         for own in all {
             let found = match changes(&own.model) {
@@ -305,7 +305,7 @@ impl SteadyMotions {
         Ok(told)
     }
 
-    /// The motions of all sets of angles, by direction cosines instead of angles.
+    /// The motions of all sets of angles, with direction cosines instead of angles.
     pub(super) fn united_orientations(all: Vec<InOrientation>) -> Self {
         let by_cosines = |(own, cases): InOrientation| {
             let mut found = Self::united(cases);
@@ -324,7 +324,7 @@ impl SteadyMotions {
 }
 
 impl Orientation {
-    /// The unknowns of a search with direction cosines instead of angles, in the order of `seen`.
+    /// The unknowns of a search with direction cosines instead of angles, in the order of [`Orientation::seen`].
     fn cosines(&self, found: &SteadyMotions) -> Vec<Unknown> {
         let n = found.state_size / 2;
         let plain = self.frames.first().map_or(n, |angles| angles.first);
@@ -338,12 +338,12 @@ impl Orientation {
             for (row, column) in rows.flat_map(|row| (0..3).map(move |column| (row, column))) {
                 let axis = |at: usize| ["x", "y", "z"][at];
                 let name = format!("{}.{} . {}.{}", angles.parent, axis(row), angles.frame, axis(column));
-                // all direction cosines lie within
+                // contains all direction cosines
                 let range = Range { from: -2.0, to: 2.0 };
                 all.push(Unknown { name, place, is_circle: false, range });
                 place += 1;
             }
-            // the angular velocity
+            // the three components of the angular velocity
             place += 3;
         }
         all
@@ -354,7 +354,7 @@ impl Orientation {
     }
 }
 
-/// An expression for each bounded product; it must not be negative.
+/// For each lower bound an expression that must not be negative.
 pub(super) fn steep(trace: &Trace<'_>, names: &[String], asked: &SteadySearch, is_cyclic: &[bool]) -> Vec<Sym> {
     let each = asked.steep.iter().filter_map(|steep| {
         let mut product = Sym::ONE;

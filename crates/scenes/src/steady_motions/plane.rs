@@ -1,36 +1,36 @@
-//! Steady motions over two parameters, or speeds of cyclic coordinates: all motions in the middle of each cell, and brackets of changes
-//! between neighbours.
+//! Steady motions as functions of two parameters or cyclic speeds: all motions at the midpoint of each cell, and brackets of changes between
+//! neighbouring cells.
 
 use super::along::{found_at, kinds};
 use super::{NoSteadyMotions, Range, SteadyMotions, SteadySearch};
 use model::Model;
 
-/// A parameter, or the speed of a cyclic coordinate, with its range in SI units.
+/// The name of a parameter or of the speed of a cyclic coordinate, with its range in SI units.
 pub type Direction<'a> = (&'a str, Range);
 
-/// The motions in the middle of a cell.
+/// The motions at the midpoint of a cell.
 #[derive(Clone, Debug)]
 pub struct PlaneCell {
     pub values: [f64; 2],
     pub found: SteadyMotions,
-    /// Why steady motions are not searched for there, if they are not.
+    /// The reason if no search is possible for the values of this cell.
     pub left_out: Option<NoSteadyMotions>,
 }
 
-/// Halvings of the distance between the middles of two cells that differ.
+/// Number of bisections between the midpoints of two different cells.
 const HALVINGS: usize = 5;
 
-/// The middles of `count` equal parts of a range.
+/// The midpoints of `count` equal parts of a range.
 pub fn middles(range: Range, count: usize) -> Vec<f64> {
     let part = |k: usize| range.from + (range.to - range.from) * (2 * k + 1) as f64 / (2 * count) as f64;
     (0..count).map(part).collect()
 }
 
 impl PlaneCell {
-    /// All motions at two values.
+    /// All motions for two values, in SI units.
     ///
     /// # Errors
-    /// The reason for which steady motions are not searched for.
+    /// If no search is possible for these values.
     pub fn at(
         model: &Model,
         asked: &SteadySearch,
@@ -42,7 +42,7 @@ impl PlaneCell {
         Ok(PlaneCell { values, found, left_out: None })
     }
 
-    /// The column of cells at a value of the first parameter.
+    /// The cells for one value of the first parameter and `rows` values of the second.
     pub fn column(
         model: &Model,
         asked: &SteadySearch,
@@ -59,18 +59,18 @@ impl PlaneCell {
         middles(second.1, rows).into_iter().map(at).collect()
     }
 
-    /// Whether every motion in the cell is known.
+    /// Whether the search of the cell was complete.
     pub fn is_complete(&self) -> bool {
         self.left_out.is_none() && self.found.is_complete()
     }
 
-    /// Whether two cells have equal numbers of motions with equal numbers of unstable directions; false for undecided cells.
+    /// Whether two cells have equal numbers of motions with equal numbers of unstable directions; true, too, if a search was not complete.
     pub fn is_like(&self, other: &Self) -> bool {
         let decided = self.is_complete() && other.is_complete();
         !decided || kinds(&self.found) == kinds(&other.found)
     }
 
-    /// A narrow bracket of the change of motions between two cells that differ, as far as searches in between are complete.
+    /// Two points between two different cells that enclose the change of the motions; the bisection ends at an incomplete search.
     pub fn border(
         &self,
         other: &Self,

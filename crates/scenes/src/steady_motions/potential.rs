@@ -1,33 +1,33 @@
-//! Test for a potential energy of loads, also of springs that are written as forces.
+//! Test whether the loads have a potential energy, also if they are written as forces.
 //!
-//! With the kinetic energy T and without accelerations and reactions the residuals are Q - (T_uq u - T_q). Where Q holds no speeds, and
+//! With the kinetic energy T, the residuals without accelerations and reactions are Q - (T_uq u - T_q). If Q does not depend on speeds and
 //!
 //!   dQ_i/dq_j = dQ_j/dq_i ,
 //!
-//! Q is the gradient of an energy about every position, -V_q. In frames that turn at a given rate T = T2 + T1 + T0 by powers of the speeds:
-//! Jacobi's integral T2 + V - T0 is kept, and T1 gives gyroscopic forces, which do no work.
+//! then Q = -V_q locally. In frames that turn at a given rate, T = T2 + T1 + T0 by powers of the speeds. Jacobi's integral T2 + V - T0 is constant
+//! then, and T1 causes gyroscopic forces, which do no work.
 
 use super::conditions::constant;
 use model::Trace;
 use model::equations::{Equation, vanishes};
 use symbolic::{Sym, substitute_all};
 
-/// The largest number of speeds for which this is tested: the work grows with its square.
+/// Largest number of speeds for this test; its cost grows with the square of the number.
 const MOST_ASKED: usize = 10;
 
-/// An integral of a system whose loads have a potential energy.
+/// The energy integral of a system whose loads have a potential energy, except for linear dampers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct EnergyIntegral {
-    /// Whether frames that turn at a given rate give kinetic energy to a system that rests in them: Jacobi's integral.
+    /// Whether T0 is not zero, so that Jacobi's integral takes the place of the energy.
     pub is_of_jacobi: bool,
-    /// Whether gyroscopic forces act on small motions about rest.
+    /// Whether gyroscopic forces act on small motions about a position of rest.
     pub is_gyroscopic: bool,
-    /// Whether it is constant; otherwise linear dampers lessen it.
+    /// Whether it is constant; otherwise linear dampers reduce it.
     pub is_kept: bool,
 }
 
-/// The energy where the loads behind residuals without accelerations have a potential energy but for linear dampers, T over the same letters. The reactions of
-/// constraints and of contacts are left out: without friction they do no work.
+/// The energy integral of a system with the residuals R without accelerations and the kinetic energy T = `energy`; `None` if the loads have no
+/// potential energy besides linear dampers. Reactions of constraints and contacts are left out, since they do no work without friction.
 pub(super) fn energy_integral(
     trace: &Trace<'_>,
     residuals: &[Sym],
@@ -75,11 +75,11 @@ pub(super) fn energy_integral(
     })
 }
 
-/// Rounding of sums of decimals, relative to them.
+/// Relative rounding error of sums of decimals.
 const ROUNDING: f64 = 1e-13;
 
-/// Whether the power of loads is a quadratic form of the speeds with constant coefficients, and nowhere positive: each diagonal entry
-/// outweighs the others of its row, as of dampers of coordinates and between two of them.
+/// Whether the power of loads is a quadratic form of the speeds with constant coefficients that is nowhere positive, by diagonal dominance; dampers
+/// of coordinates and between two coordinates have this form.
 fn take_power(loads: &[Sym], speeds: &[Sym]) -> bool {
     let power = loads.iter().zip(speeds).fold(Sym::ZERO, |sum, (load, speed)| sum + *load * *speed);
     let row = |i: usize| -> Option<Vec<f64>> {
@@ -94,16 +94,16 @@ fn take_power(loads: &[Sym], speeds: &[Sym]) -> bool {
     })
 }
 
-/// Whether expressions are the derivatives of one by coordinates.
+/// Whether expressions are the gradient of a function of `by`.
 fn is_gradient(all: &[Sym], by: &[Sym]) -> bool {
     (0..all.len()).all(|i| (0..i).all(|j| vanishes(all[i].diff(by[j]) - all[j].diff(by[i]))))
 }
 
-/// Coordinates with conserved momenta: T does not depend on them, and no load and no reaction occurs in their equations,
+/// The indices of coordinates with conserved momenta: T does not depend on them, and their equations contain no load and no reaction,
 ///
 ///   R_k + d(T_uk)/dq u = 0 ,
 ///
-/// with residuals R = Q + J^T lambda - (d(T_u)/dq u - T_q) without accelerations.
+/// with the residuals R = Q + J^T lambda - (d(T_u)/dq u - T_q) without accelerations.
 pub(super) fn momenta_kept(trace: &Trace<'_>, residuals: &[Sym], energy: Sym) -> Vec<usize> {
     let (coordinates, speeds) = (&trace.coordinates, &trace.speeds);
     if !trace.solid().is_empty() {

@@ -1,9 +1,9 @@
-//! Quasi-velocities among the independent speeds of a system with constraints of speeds.
+//! Quasi-velocities as independent speeds of systems with constraints of speeds.
 //!
 //! If a knife edge moves in a circle, the rates of its Cartesian coordinates vary, but its velocity along the edge is constant.
-//! The quasi-velocities of the file are tried first, then components of the velocities of bodies along their axes. The set that makes the most
-//! coordinates cyclic is chosen. Each chosen quasi-velocity becomes the rate of an added coordinate, so that the other code handles
-//! coordinates only.
+//! Quasi-velocities of the file, then components of the velocities of bodies along their axes are tried, and the set that makes the most
+//! coordinates cyclic is chosen. Each chosen quasi-velocity becomes the rate of an additional coordinate, its integral, so that the search
+//! handles coordinates only.
 
 use super::NoSteadyMotions;
 use super::determinacy::Wanted;
@@ -13,19 +13,19 @@ use model::equations::{Level, constraints_of};
 use model::{Event, INTEGRAL, Model, QuasiVelocity, StartValue, Trace};
 use symbolic::Tape;
 
-/// A model with coordinates whose rates are the quasi-velocities that are chosen.
+/// A model extended by coordinates whose rates are the quasi-velocities `speeds`.
 pub(super) struct Extended {
     original: Model,
     pub model: Model,
     pub speeds: Vec<QuasiVelocity>,
 }
 
-/// Components of velocities that are tried.
+/// Largest number of velocity components that are tried.
 const MOST_TRIED: usize = 24;
 
 impl Extended {
-    /// The extended model, if quasi-velocities make more coordinates cyclic than rates of coordinates do, or if `asked` names one of them;
-    /// at a state, or at the start if there is none.
+    /// The extended model, if quasi-velocities make more coordinates cyclic than the rates of coordinates do, or if `asked` names a quasi-velocity.
+    /// The constraints must be regular at `state`, or at the start if there is none.
     pub fn of(model: &Model, asked: &[&str], state: Option<&[f64]>) -> Option<Self> {
         if !may_be_extended(model) || model.positions() != model.speeds() || !model.algebraic_speeds.is_empty() {
             return None;
@@ -33,7 +33,7 @@ impl Extended {
         symbolic::apart(|| Self::chosen(model, asked, state))
     }
 
-    /// The model and the state with quasi-velocities, if they are useful at this state; otherwise both unchanged.
+    /// The extended model and state if quasi-velocities are useful at this state; otherwise both unchanged.
     pub fn about(model: &Model, state: &[f64]) -> (Model, Vec<f64>) {
         let extended = Self::of(model, &[], Some(state));
         let moved = extended.and_then(|extended| extended.extended(state).map(|state| (extended.model, state)));
@@ -59,7 +59,7 @@ impl Extended {
         if least.is_some_and(|(count, is_regular, most)| count >= most && is_regular) {
             return None;
         }
-        // those of the file together, then each, then components of velocities
+        // first all those of the file, then each of them, then components of velocities
         let mut model = model.clone();
         let components = model.body_velocities();
         let trace = Trace::of(&model);
@@ -85,7 +85,7 @@ impl Extended {
                 None => None,
             };
             let Some((count, is_regular, most)) = score(&extended.model, asked, state.as_deref()) else { continue };
-            // each of the added ones has no part in the equations
+            // the additional coordinates occur in no equation and do not count
             let own = (count - extended.speeds.len(), is_regular);
             if best.as_ref().is_none_or(|(known, _)| own > *known) {
                 let reached = count >= most && is_regular;
@@ -98,7 +98,7 @@ impl Extended {
         best.and_then(|(_, extended)| extended)
     }
 
-    /// With starts of the quasi-velocities: those of the file, or by its start.
+    /// The model extended by `speeds`, with their start values from the file or from the state.
     fn at(model: &Model, speeds: Vec<QuasiVelocity>, state: Option<&[f64]>) -> Option<Self> {
         let mut extended = Extended { original: model.clone(), model: model.with_integrals(&speeds), speeds };
         let start = model.start_state();
@@ -112,7 +112,7 @@ impl Extended {
         Some(extended)
     }
 
-    /// The quasi-velocities at a state of the model as it was.
+    /// The values of the quasi-velocities at a state of the original model.
     fn values(&self, state: &[f64]) -> Option<Vec<f64>> {
         let trace = Trace::of(&self.original);
         let letters = [&trace.coordinates[..], &trace.speeds].concat();
@@ -124,14 +124,14 @@ impl Extended {
         values.iter().all(|value| value.is_finite()).then_some(values)
     }
 
-    /// A state of the model with the integrals, zero, and their rates.
+    /// A state of the extended model: the additional coordinates are zero, their rates are the quasi-velocities.
     pub fn extended(&self, state: &[f64]) -> Option<Vec<f64>> {
         let (coordinates, speeds) = state.split_at(state.len() / 2);
         let values = self.values(state)?;
         Some([coordinates, &vec![0.0; values.len()], speeds, &values].concat())
     }
 
-    /// From a state with the integrals: the state of the original model, and its quasi-velocities.
+    /// The state of the original model and its quasi-velocities, from a state of the extended model.
     pub fn original(&self, state: &[f64]) -> (Vec<f64>, Vec<(String, f64)>) {
         let n = self.original.speeds();
         let (coordinates, speeds) = state.split_at(state.len() / 2);
@@ -140,13 +140,13 @@ impl Extended {
     }
 }
 
-/// Whether its contacts, which name places among the coordinates, and its events leave room for further coordinates.
+/// Whether coordinates can be added: the model has no contacts, which refer to coordinates by index, and no events that set a state.
 fn may_be_extended(model: &Model) -> bool {
     let is_end = |event: &Event| event.ends && event.set.is_empty();
     model.contacts.is_empty() && model.events.iter().all(is_end)
 }
 
-/// Quasi-velocities that are the rate of one coordinate each, by the names of both.
+/// The quasi-velocities that equal the rate of one coordinate, each with the name of this rate.
 pub(super) fn rates_by_name(model: &Model) -> Vec<(String, String)> {
     symbolic::apart(|| {
         let trace = Trace::of(model);
@@ -160,7 +160,7 @@ pub(super) fn rates_by_name(model: &Model) -> Vec<(String, String)> {
     })
 }
 
-/// The names of a state, quasi-velocities by their own.
+/// The names of the state's components; the rate of an integral has the name of its quasi-velocity.
 pub(super) fn state_names(model: &Model) -> Vec<String> {
     let own = |name: String| match name.strip_prefix(INTEGRAL) {
         Some(rest) => rest.strip_suffix('\'').unwrap_or(&name).to_owned(),
@@ -174,8 +174,7 @@ pub(super) fn is_integral(model: &Model, place: usize) -> bool {
     model.coordinates.get(place).is_some_and(|own| own.name.starts_with(INTEGRAL))
 }
 
-/// Coordinates on which nothing depends, whether the determined speeds are determined at the state, and the most that there may be.
-/// Whether each coordinate has no part in the equations.
+/// For each coordinate whether it occurs in no equation.
 pub(super) fn without_part(model: &Model) -> Result<Vec<bool>, NoSteadyMotions> {
     let trace = Trace::of(model);
     let start = model.start_state();
@@ -183,6 +182,8 @@ pub(super) fn without_part(model: &Model) -> Result<Vec<bool>, NoSteadyMotions> 
     Rows::of(model, &trace, &wanted).map(|rows| rows.is_cyclic)
 }
 
+/// The number of coordinates that occur in no equation, whether the constraints determine the dependent speeds at the state, and the largest
+/// possible number of such coordinates.
 fn score(model: &Model, asked: &[&str], state: Option<&[f64]>) -> Option<(usize, bool, usize)> {
     let trace = Trace::of(model);
     let n = trace.speeds.len();

@@ -1,65 +1,65 @@
-//! The reasons for which steady motions are not searched for.
+//! The reasons for which a search for steady motions is not possible.
 
 use crate::compiled_system::NotCompiled;
 use std::ops;
 
-/// The reason for which steady motions of a model are not searched for.
+/// The reason for which a search for steady motions of a model is not possible.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoSteadyMotions {
     NotCompiled(NotCompiled),
     /// The law changes at conditions or with contacts.
     Changes,
-    /// Contacts, the first of them at its place.
+    /// Contacts of this kind are not supported; `at` is the place of the first in the file.
     Contacts {
         at: ops::Range<usize>,
     },
-    /// More combinations of conditions than are tried.
+    /// The number of combinations of conditions exceeds `most`.
     ManyConditions {
         conditions: usize,
         most: usize,
     },
-    /// A frame turns freely, and is not described by angles.
+    /// A free frame cannot be described by angles, for the reason `why`.
     FreeFrame {
         why: String,
     },
-    /// The law depends on time.
+    /// The law depends explicitly on time.
     OfTime,
-    /// A constraint of speeds that is not linear in the speeds, or a programmed constraint.
+    /// A constraint of speeds is not linear in the speeds, or is a programmed constraint.
     OfSpeeds {
         at: ops::Range<usize>,
     },
-    /// No inertia resists a coordinate.
+    /// A coordinate has no inertia.
     Singular,
-    /// Neither inertia nor a force belongs to a coordinate, by its name.
+    /// A coordinate has neither inertia nor a force.
     Empty {
         coordinate: String,
     },
-    /// At values of parameters or speeds.
+    /// The reason holds for these values of parameters or speeds, by name.
     At {
         values: Vec<(String, f64)>,
         why: Box<NoSteadyMotions>,
     },
-    /// Not the name of a coordinate that occurs, nor of the speed of a cyclic coordinate.
+    /// A name with a range is neither that of a coordinate that occurs in the equations nor that of a cyclic speed.
     Unknown {
         name: String,
         nearest: Option<String>,
         accepted: Vec<String>,
     },
-    /// A single value is given for an unknown that an equation determines; it would hold only by chance.
+    /// A fixed value is given for an unknown that an equation determines.
     Sought {
         name: String,
         value: f64,
     },
-    /// Unknowns that are no angles of a circle, and have no range.
+    /// Unknowns other than angles over a whole turn have no range.
     WithoutRange {
         names: Vec<String>,
     },
-    /// More equations than unknowns, and coordinates along which no force acts.
+    /// There are more equations than unknowns (`counts`), and no force acts along the coordinates `idle`.
     Unequal {
         counts: [usize; 2],
         idle: Vec<String>,
     },
-    /// An expression has no values.
+    /// An expression cannot be evaluated.
     Undefined {
         why: String,
     },

@@ -1,4 +1,4 @@
-//! Undecided regions of boxes, with a numerical diagnosis of each: merging motions, or a family.
+//! Undecided regions of a search, each with a numerical diagnosis: merging motions, a family, or singular equations.
 
 use super::dependence::may_be_dependent;
 use super::equations::{SteadyEquations, Unknown};
@@ -7,79 +7,80 @@ use field::Interval;
 use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
 
-/// Undecided boxes that touch one another.
+/// A region of undecided boxes that touch one another.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Region {
-    /// The smallest box around them.
+    /// The smallest box that contains them, in SI units.
     pub hull: Vec<[f64; 2]>,
     pub boxes: usize,
     pub near: Near,
-    /// Whether there is at least one steady motion, by enclosures: the equations change their signs between opposite faces (Poincare,
-    /// Miranda). This test also works for singular equations.
+    /// Whether the region is proved to contain a steady motion: the equations change their signs between opposite faces (theorem of Poincare
+    /// and Miranda). This test also works for singular equations.
     pub holds_one: bool,
 }
 
-/// The result of Newton's method in a region, from some of its boxes: a numerical guess without proof.
+/// The result of Newton's method from some boxes of a region: a numerical indication, not a proof.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Near {
-    /// Newton's method finds no steady motion that is not already known.
+    /// No steady motion other than the known ones is found.
     Nothing,
-    /// The equations have no value somewhere in the region, since a distance or a divisor is zero there.
+    /// The equations are undefined somewhere in the region, since a distance or a divisor is zero there.
     Undefined,
-    /// The constraints become dependent in it, or nearly so: reactions have no bounds there.
+    /// The constraints are dependent, or nearly so, somewhere in the region: reactions are unbounded there.
     Dependent,
-    /// At least one motion with regular equations: a search with more boxes would prove it.
+    /// A motion with regular equations: a search with more boxes would prove it.
     Regular,
-    /// A motion with equations that are singular in this number of directions, and no motion next to it along them: motions merge.
+    /// A motion at which the equations are singular in this number of directions, without further motions along these: motions merge.
     Merging(usize),
-    /// Other motions adjoin in this number of directions: a curve, a surface.
+    /// Motions that form a family of this dimension: a curve, a surface.
     Family(usize),
 }
 
-/// The largest number of unknowns for the test of signs on faces, and the distance of these faces outside the region, as a fraction of it.
+/// Largest number of unknowns for the test of signs on faces. `FACE` is the distance of these faces from the region, relative to its width.
 const MOST_FACES: usize = 6;
 const FACE: f64 = 0.25;
 
-/// Cells along each unknown to which boxes are assigned, where these are no larger.
+/// Number of cells along each unknown into which boxes are sorted; cells are at least as large as the largest box.
 const CELLS: f64 = 48.0;
 
-/// More cells than these are one region.
+/// With more cells, all boxes are one region.
 const MOST_CELLS: usize = 2_000;
 
-/// A larger number of boxes counts as one region: separating them would take longer than the search.
+/// With more boxes, all are one region: separating them would take longer than the search.
 const MOST_BOXES: usize = 20_000;
 
-/// With more regions than these the cells are twice as large.
+/// With more regions, the size of the cells is doubled.
 const MOST_REGIONS: usize = 16;
 
-/// Boxes of all regions together from which it begins, of six unknowns: each takes the cube of their number.
+/// Number of boxes, over all regions, from which Newton's method starts; for more than six unknowns fewer, since the cost grows with the
+/// cube of the number.
 const BEGINNINGS: usize = 96;
 
-/// Iterations of a singular value decomposition.
+/// Largest number of iterations of a singular value decomposition.
 const MOST_ITERATIONS: usize = 1_000;
 
-/// Steps of Newton's method.
+/// Largest number of Newton's iterations.
 const STEPS: usize = 60;
 
-/// Numbers that differ by no more are one zero.
+/// Zeros whose values differ by less, relative to the values, are equal.
 const ROUNDING: f64 = 1e-9;
 
-/// Singular values below this part of the largest are taken for zero.
+/// Singular values below this multiple of the largest one count as zero.
 const RANK: f64 = 1e-6;
 
-/// Below this singular value a position counts as singular; rows are divided by their largest derivatives over the ranges.
+/// Singular value of the equations, divided by their largest derivatives over the ranges, below which a position may be singular.
 const LEAST_REGULAR: f64 = 1e-4;
 
-/// The starting point of Newton's method, as a fraction of a box.
+/// Newton's method starts at this fraction of a box along each unknown.
 const ASIDE_OF_MIDDLE: f64 = 0.43;
 
-/// The part of a range up to which a region is small.
+/// A region is small if its widths are below this fraction of the ranges.
 const SMALL: f64 = 1e-5;
 
-/// The length of a displacement along a singular direction, as a fraction of a range.
+/// Length of a displacement along a singular direction, as a fraction of a range.
 const ASIDE: f64 = 1e-3;
 
-/// The regions of undecided boxes, the largest first.
+/// The regions of undecided boxes; those with most boxes come first.
 pub(super) fn regions(equations: &SteadyEquations, known: &[Zero], undecided: &[Vec<Interval>]) -> Vec<Region> {
     let ranges: Vec<Interval> = equations.unknowns.iter().map(|unknown| unknown.range.interval()).collect();
     let mut cells = if undecided.len() > MOST_BOXES { 1.0 } else { CELLS };
@@ -95,7 +96,7 @@ pub(super) fn regions(equations: &SteadyEquations, known: &[Zero], undecided: &[
     all
 }
 
-/// Boxes that touch one another, as cells of that size see them.
+/// Groups of boxes whose cells touch, with `cells` cells along each unknown.
 fn grouped<'a>(ranges: &[Interval], undecided: &'a [Vec<Interval>], cells: f64) -> Vec<Vec<&'a Vec<Interval>>> {
     let largest = |k: usize| undecided.iter().fold(0.0, |most: f64, at| most.max(at[k].width()));
     let sizes: Vec<f64> = (0..ranges.len()).map(|k| largest(k).max(ranges[k].width() / cells)).collect();
@@ -111,7 +112,7 @@ fn grouped<'a>(ranges: &[Interval], undecided: &'a [Vec<Interval>], cells: f64) 
     groups.into_values().collect()
 }
 
-/// A number for each cell, the same for those that touch.
+/// For each cell the number of its group; touching cells belong to one group.
 fn joined(cells: &[&Vec<i64>]) -> Vec<usize> {
     let mut of: Vec<usize> = (0..cells.len()).collect();
     if cells.len() > MOST_CELLS {
@@ -145,7 +146,7 @@ fn region(equations: &SteadyEquations, known: &[Zero], (boxes, beginnings): (&[&
     Region { hull: hull.into_iter().map(|at| [at.low(), at.high()]).collect(), boxes: boxes.len(), near, holds_one }
 }
 
-/// Whether loads are bounded in a region; not decided for large regions, whose enclosures are too wide.
+/// Whether the loads are bounded in a small region; true for large regions, in which enclosures are too wide for a decision.
 fn has_values(equations: &SteadyEquations, hull: &[Interval]) -> bool {
     let is_large = |(at, unknown): (&Interval, &Unknown)| at.width() > SMALL * unknown.range.interval().width();
     if hull.iter().zip(&equations.unknowns).any(is_large) {
@@ -156,8 +157,8 @@ fn has_values(equations: &SteadyEquations, hull: &[Interval]) -> bool {
     loads.iter().all(|load| load.size().is_finite())
 }
 
-/// Whether each unknown has an equation of its own that is positive on one of its two faces and negative on the other, of a box a little
-/// larger than this.
+/// Whether every unknown can be assigned an equation of its own that has opposite signs on the two faces of this unknown, for a box slightly
+/// larger than the region.
 fn holds_one(equations: &SteadyEquations, hull: &[Interval]) -> bool {
     let unknowns = hull.len();
     let others = equations.tapes.surplus.outputs() + equations.tapes.implied.outputs() + equations.holds.len();
@@ -179,7 +180,7 @@ fn holds_one(equations: &SteadyEquations, hull: &[Interval]) -> bool {
     matched(unknowns, &changes, 0, &mut vec![false; unknowns])
 }
 
-/// Whether each unknown from this one on can be assigned an equation that is still free.
+/// Whether each unknown from `from` on can be assigned an equation that is not yet taken.
 fn matched(count: usize, changes: &impl Fn(usize, usize) -> bool, from: usize, taken: &mut Vec<bool>) -> bool {
     if from == count {
         return true;
@@ -198,7 +199,7 @@ fn matched(count: usize, changes: &impl Fn(usize, usize) -> bool, from: usize, t
 fn near(equations: &SteadyEquations, known: &[Zero], from: &[Interval], hull: &[Interval]) -> Near {
     let positions = equations.unknowns.len();
     let mut start = DVector::zeros(positions + equations.reactions);
-    // off the middle, which may be a point of symmetry
+    // not the midpoint, which may be a point of symmetry
     (0..positions).for_each(|k| start[k] = from[k].low() + ASIDE_OF_MIDDLE * from[k].width());
     let Some(found) = zero(equations, start) else { return Near::Nothing };
     let margin = |k: usize| ASIDE * equations.unknowns[k].range.interval().width();
@@ -211,7 +212,7 @@ fn near(equations: &SteadyEquations, known: &[Zero], from: &[Interval], hull: &[
     if is_known || !is_there(&found) {
         return Near::Nothing;
     }
-    // a row that is small at the zero and larger elsewhere makes the zero singular, even if all rows are small there
+    // rows are scaled by their largest derivatives, so that an equation all of whose derivatives vanish at the zero counts as singular
     let Some(mut scaled) = slopes(equations, &found) else { return Near::Nothing };
     let largest = largest_slopes(equations);
     for (row, largest) in largest.iter().enumerate().filter(|(_, largest)| **largest > 0.0 && largest.is_finite()) {
@@ -236,11 +237,11 @@ fn near(equations: &SteadyEquations, known: &[Zero], from: &[Interval], hull: &[
     }
 }
 
-/// A zero near a point, by steps of least size.
+/// A zero near a point by Newton's method with least-norm steps; `None` if it does not converge.
 fn zero(equations: &SteadyEquations, mut at: DVector<f64>) -> Option<DVector<f64>> {
     let mut program = equations.tapes.values.over::<f64>();
     let mut values = vec![0.0; at.len()];
-    // singular values that are zero because there are fewer equations than unknowns are left out
+    // truncation removes singular values that are zero since equations are fewer than unknowns
     for _ in 0..STEPS {
         program.evaluate(at.as_slice(), &mut values[..equations.rows]);
         let svd = slopes(equations, &at)?.try_svd(true, true, f64::EPSILON, MOST_ITERATIONS)?;
@@ -259,7 +260,7 @@ fn zero(equations: &SteadyEquations, mut at: DVector<f64>) -> Option<DVector<f64
     values.iter().all(|value| value.abs() <= 1e-9 * size).then_some(at)
 }
 
-/// The largest derivative of each equation over the ranges of the unknowns, by enclosures; infinite if it is not bounded.
+/// A bound of the derivatives of each equation over the ranges of the unknowns; infinite if there is none.
 fn largest_slopes(equations: &SteadyEquations) -> Vec<f64> {
     let ranges = equations.unknowns.iter().map(|unknown| unknown.range.interval());
     let all: Vec<Interval> = ranges.chain((0..equations.reactions).map(|_| Interval::EVERYTHING)).collect();
@@ -268,7 +269,7 @@ fn largest_slopes(equations: &SteadyEquations) -> Vec<f64> {
     slopes.chunks(all.len()).map(|row| row.iter().fold(0.0, |largest: f64, slope| largest.max(slope.size()))).collect()
 }
 
-/// None if one of them is NaN, such as the derivative of a distance that is zero.
+/// The derivatives of the equations, filled up with zero rows; `None` if one is not finite, such as that of a distance at zero.
 fn slopes(equations: &SteadyEquations, at: &DVector<f64>) -> Option<DMatrix<f64>> {
     let mut slopes = vec![0.0; at.len() * at.len()];
     equations.tapes.slopes.over::<f64>().evaluate(at.as_slice(), &mut slopes[..equations.rows * at.len()]);

@@ -1,12 +1,12 @@
-//! Equations of motion without accelerations, one for each speed, over letters of the model.
+//! Equations of motion without accelerations, one for each speed, symbolically.
 //!
-//! Constraints of speeds determine some speeds by the others, u_D = B(q) u_I + b(q). In a steady motion the independent speeds u_I are
-//! constant. With u_I' = 0 and u_D' = du_D/dq q', the equations along the displacements that these constraints allow,
+//! Constraints of speeds determine the dependent speeds u_D = B(q) u_I + b(q). In a steady motion the independent speeds u_I are constant. With
+//! u_I' = 0 and u_D' = du_D/dq q', the equations along the displacements that these constraints allow are (Maggi)
 //!
-//!   r_I + B^T r_D = 0 ,
+//!   r_I + B^T r_D = 0 ;
 //!
-//! contain no reactions (Maggi). A determined speed must be zero if its coordinate occurs in the equations; otherwise it may change: a disc that
-//! rolls in a circle moves steadily.
+//! they contain no reactions. A dependent speed must be zero if its coordinate occurs in the equations. Otherwise it may vary: a disc that rolls
+//! in a circle moves steadily.
 
 use super::NoSteadyMotions;
 use super::determinacy::{Solution, Wanted, solutions};
@@ -18,60 +18,60 @@ use model::equations::{Equation, Level, Residuals, constraints_of, implied_const
 use model::{Contact, Model, Sides, Trace};
 use symbolic::{Sym, substitute_all};
 
-/// The equations with the data of the file.
+/// The equations of steady motion with the numbers of the file.
 pub(super) struct Rows {
-    /// One for each speed; zero if it is satisfied identically.
+    /// One residual for each speed; zero if the equation holds identically.
     pub residuals: Vec<Sym>,
-    /// Constraints of positions, and their functions.
+    /// The constraints of positions; `zeros` are their residuals.
     pub constraints: Vec<Equation>,
     pub zeros: Vec<Sym>,
-    /// Constraints that were left out, since they follow from others near the start.
+    /// The residuals of constraints that were removed, since they follow from others near the start.
     pub implied: Vec<Sym>,
-    /// Conditions at which the law changes, then the gaps of contacts; and the letters that are 1 where the first are positive and 0 where
-    /// they are negative.
+    /// The conditions at which the law changes, then the gaps of contacts. `condition_letters` are the letters of the conditions: 1 where a condition is
+    /// positive, 0 where it is negative.
     pub conditions: Vec<Sym>,
     pub condition_letters: Vec<Sym>,
-    /// Contacts with the letters of their reactions.
+    /// The contacts of the model.
     pub contacts: Vec<Touching>,
-    /// Speeds that constraints of speeds determine, by the others.
+    /// The dependent speeds: index, and expression in the independent speeds.
     pub determined: Vec<(usize, Sym)>,
-    /// Coordinates on which nothing depends.
+    /// For each coordinate, whether it occurs in no expression.
     pub is_cyclic: Vec<bool>,
-    /// Those on which nothing depends at any values of the parameters, if there are no constraints of speeds.
+    /// For each coordinate, whether this holds for all values of the parameters; meaningful only without constraints of speeds.
     pub is_always_cyclic: Vec<bool>,
-    /// The energy that is kept where the loads have a potential energy, no constraint holds speeds, and no contact rubs.
+    /// The energy integral, if the loads have a potential energy and there are no constraints of speeds.
     pub energy_integral: Option<EnergyIntegral>,
-    /// Coordinates with conserved momenta, if there are no constraints of speeds.
+    /// The indices of coordinates with conserved momenta, if there are no constraints of speeds.
     pub kept_momenta: Vec<usize>,
-    /// Whether the constraints determine these speeds at the state of the request.
+    /// Whether the constraints determine the dependent speeds at the state of [`Wanted`].
     pub is_regular: bool,
-    /// The largest number of cyclic coordinates for any choice of independent speeds.
+    /// The largest number of cyclic coordinates that any choice of independent speeds could give.
     pub most_cyclic: usize,
 }
 
-/// A contact that may be in touch.
+/// A contact, with the expressions for the case that it is closed.
 #[derive(Clone, Debug)]
 pub(super) struct Touching {
-    /// Letters of N, then of T along each tangent.
+    /// The letters of the normal reaction, then of the tangential ones.
     pub reactions: Vec<Sym>,
-    /// The coefficient of friction; none for a smooth contact, also where the coefficient is zero.
+    /// The coefficient of friction; `None` for a smooth contact.
     pub friction: Option<Sym>,
-    /// Whether the contact may open.
+    /// Whether the contact can open.
     pub is_one_sided: bool,
-    /// Whether an impact may leave a velocity along the normal.
+    /// Whether its coefficient of restitution is not zero.
     pub bounces: bool,
     /// The sliding velocity along each tangent.
     pub slides: Vec<Sym>,
 }
 
-/// The reason for which an equation has no value anywhere.
+/// The reason for refusal if an equation is undefined at all points that were tried.
 const WITHOUT_VALUE: &str = "one has none at any point that was tried, as where a number is divided by zero, or the root of a negative one is taken";
 
-/// In systems with more coordinates a coordinate counts as cyclic only if it does not occur in the expressions.
+/// In systems with more coordinates, a coordinate counts as cyclic only if it does not occur formally.
 const MOST_DECIDED: usize = 12;
 
 impl Rows {
-    /// The equations; wanted speeds remain independent, and the determined speeds are such as constraints determine at the state.
+    /// The equations of a model. Wanted speeds stay independent if possible; among several choices, that with most cyclic coordinates is taken.
     pub fn of(model: &Model, trace: &Trace<'_>, wanted: &Wanted<'_>) -> Result<Self, NoSteadyMotions> {
         let is_kept = |one: &Equation| one.gains.is_none() && one.law.is_none();
         let (constraints, of_speeds): (Vec<Equation>, Vec<Equation>) =
@@ -81,7 +81,7 @@ impl Rows {
         }
         let equations = Residuals::of(trace).into_iter().next().ok_or(NoSteadyMotions::Singular)?;
         let state = [&trace.coordinates[..], &trace.speeds].concat();
-        // letters for everything that moves
+        // coordinates and speeds stay letters, parameters become numbers
         let letters = Letters::with_decimals(trace.time, &state);
         let put = |all: &[Sym]| letters.put_into(trace, all);
         let residuals = put(&equations.residuals[..model.speeds()]);
@@ -115,7 +115,7 @@ impl Rows {
         if contacts.iter().any(is_negative) {
             return Err(NoSteadyMotions::Undefined { why: NEGATIVE.to_owned() });
         }
-        // no potential depends on it
+        // a coordinate in the potential or in a position constraint cannot be cyclic
         let potential = put(&[trace.potential_energy()])[0];
         let is_held = |own: &Sym| {
             zeros.iter().chain([&potential]).any(|zero| zero.symbols_of().contains(own) && !vanishes(zero.diff(*own)))
@@ -175,12 +175,12 @@ impl Rows {
         best.ok_or_else(|| NoSteadyMotions::OfSpeeds { at: of_speeds[0].at.clone() })
     }
 
-    /// The number of coordinates on which nothing depends.
+    /// The number of cyclic coordinates.
     pub fn cyclic_count(&self) -> usize {
         self.is_cyclic.iter().filter(|cyclic| **cyclic).count()
     }
 
-    /// Finds coordinates on which nothing depends. The rate of one that is determined, and on which something depends, is one more row.
+    /// Finds the cyclic coordinates. If the coordinate of a dependent speed is not cyclic, this speed must be zero, which is a further equation.
     fn find_cyclic(&mut self, trace: &Trace<'_>) {
         loop {
             let held: Vec<(usize, Sym)> =
@@ -201,7 +201,7 @@ impl Rows {
                 break;
             }
         }
-        // nothing depends on them: any value will do
+        // the values of cyclic coordinates do not matter
         let cyclic = trace.coordinates.iter().zip(&self.is_cyclic).filter(|(_, cyclic)| **cyclic);
         let none: Vec<(Sym, Sym)> = cyclic.map(|(symbol, _)| (*symbol, Sym::ZERO)).collect();
         self.residuals = substitute_all(&self.residuals, &none);
@@ -214,7 +214,7 @@ impl Rows {
     }
 }
 
-/// Which cyclic coordinates are in no expression at any values of the parameters.
+/// For each coordinate, whether it is cyclic for all values of the parameters.
 fn always_cyclic(trace: &Trace<'_>, is_cyclic: &[bool], rows: &[Sym]) -> Vec<bool> {
     let free = |symbol: Sym| {
         rows.iter().filter(|row| row.symbols_of().contains(&symbol)).all(|row| vanishes(row.diff(symbol)))
@@ -222,8 +222,8 @@ fn always_cyclic(trace: &Trace<'_>, is_cyclic: &[bool], rows: &[Sym]) -> Vec<boo
     is_cyclic.iter().zip(&trace.coordinates).map(|(is_cyclic, symbol)| *is_cyclic && free(*symbol)).collect()
 }
 
-/// An expression without the letters on which its value does not depend, as x in x cos a sin a - x sin a cos a with the angle a of a slope:
-/// over a range of x its enclosure is as wide as each term.
+/// The expression without letters on which its value does not depend, such as x in x cos a sin a - x sin a cos a with a slope a; otherwise
+/// the enclosure over a range of x would be as wide as each term.
 pub(super) fn without_idle(row: Sym, letters: &[Sym]) -> Sym {
     if letters.len() > MOST_DECIDED {
         return row;
@@ -239,21 +239,21 @@ pub(super) fn without_idle(row: Sym, letters: &[Sym]) -> Sym {
     if has_value { rest } else { row }
 }
 
-/// A value of letters at which an expression is likely to be defined.
+/// A value for all letters, at which an expression is likely to be defined.
 const ANYWHERE: f64 = 0.377;
 
-/// The expressions with the determined speeds replaced by the independent ones.
+/// Expressions with the dependent speeds in terms of the independent ones.
 fn moving(trace: &Trace<'_>, all: &[Sym], determined: &[(usize, Sym)]) -> Vec<Sym> {
     substitute_all(all, &determined.iter().map(|&(k, rate)| (trace.speeds[k], rate)).collect::<Vec<_>>())
 }
 
-/// The rows with zero accelerations, except for some.
+/// Rows with the accelerations `but` as given and all others zero.
 fn at_rest(trace: &Trace<'_>, rows: Vec<Sym>, but: &[(Sym, Sym)]) -> Vec<Sym> {
     let rests = trace.accelerations.iter().map(|symbol| (*symbol, Sym::ZERO));
     substitute_all(&rows, &but.iter().copied().chain(rests).collect::<Vec<_>>())
 }
 
-/// The equations along displacements that constraints of speeds allow.
+/// The equations along displacements that the constraints of speeds allow (Maggi).
 fn projected(trace: &Trace<'_>, residuals: &[Sym], of_speeds: &[Equation], determined: &[(usize, Sym)]) -> Vec<Sym> {
     let n = trace.speeds.len();
     let known: Vec<(Sym, Sym)> = determined.iter().map(|&(k, rate)| (trace.speeds[k], rate)).collect();

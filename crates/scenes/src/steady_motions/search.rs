@@ -1,4 +1,4 @@
-//! The search over boxes of unknowns, with reactions determined by positions where possible.
+//! Interval evaluation of the equations of steady motion for the search over boxes; the reactions are bounded as functions of the positions.
 
 use super::SteadyEquations;
 use super::tapes::Tapes;
@@ -7,10 +7,10 @@ use field::Interval;
 use nalgebra::DMatrix;
 use symbolic::{Program, Propagation};
 
-/// A condition below this part of its size, by its slopes and the unknowns, is zero.
+/// A condition is zero if its value is below this multiple of its derivatives times the unknowns.
 const ROUNDING: f64 = 1e-10;
 
-/// Programs over intervals.
+/// The equations and conditions, compiled for interval arguments, with buffers.
 pub(super) struct Boxes<'a> {
     divided: usize,
     reactions: usize,
@@ -23,19 +23,20 @@ pub(super) struct Boxes<'a> {
     through_surplus: Propagation<'a>,
     slopes: Program<'a, Interval>,
     loads: Program<'a, Interval>,
-    /// Conditions, and whether each must be positive; otherwise it must be negative.
+    /// Expressions with required signs; `holds` says for each whether it must be positive, otherwise negative.
     sides: Program<'a, Interval>,
     side_slopes: Program<'a, Interval>,
     through_sides: Propagation<'a>,
     holds: &'a [bool],
     side: Vec<Interval>,
-    /// Shares of friction and of laws between two cases, by their places, with the ranges outside of which there is no motion.
+    /// Factors of conditions and fractions of friction: index of the unknown, and the range to which it is limited.
     shares: Vec<(usize, Interval)>,
-    /// J^T and -h.
+    /// The values of J^T, then of -h.
     load: Vec<Interval>,
 }
 
-/// A family of motions in a box: the motion at the middle of its parameters, their places, and the derivatives of all unknowns by each.
+/// A family of motions in a box: the motion at the midpoint of its parameters, the indices of the parameters, and the derivatives of all
+/// unknowns by each.
 pub(super) struct Tangents {
     pub middle: Vec<Interval>,
     pub parameters: Vec<usize>,
@@ -43,7 +44,7 @@ pub(super) struct Tangents {
 }
 
 impl<'a> Boxes<'a> {
-    /// The programs of equations, by their unknowns or by others.
+    /// The compiled equations; `tapes` may be those with sums of angles as unknowns.
     pub fn of(equations: &'a SteadyEquations, tapes: &'a Tapes) -> Self {
         let SteadyEquations { reactions, unknowns, holds, .. } = equations;
         let Tapes { values, slopes, loads, surplus, implied, sides, side_slopes, margins } = tapes;
@@ -74,13 +75,13 @@ impl<'a> Boxes<'a> {
 }
 
 impl Boxes<'_> {
-    /// Whether every condition has its sign in the whole box; `None` if this is not decided. A violated constraint that was left out also
-    /// excludes motions of the system.
+    /// Whether all expressions with required signs have these signs everywhere in a box (`Some(true)`) or one has the other sign (`Some(false)`);
+    /// `None` if undecided. A violated redundant constraint also gives `Some(false)`.
     pub fn lies_aside(&mut self, at: &[Interval]) -> Option<bool> {
         self.lies_aside_but_for(at, &[])
     }
 
-    /// The same for all conditions but some, by their numbers.
+    /// As [`Boxes::lies_aside`], without the expressions with the indices `open`.
     pub fn lies_aside_but_for(&mut self, at: &[Interval], open: &[usize]) -> Option<bool> {
         self.implied.evaluate(at, &mut self.implies);
         if self.implies.iter().any(|value| !value.contains(0.0)) {
@@ -94,7 +95,7 @@ impl Boxes<'_> {
             return are_within.then_some(true);
         }
         self.sides.evaluate(at, &mut self.side);
-        // an enclosure without bounds, as of a root whose argument may be negative by rounding, hides where there is a value
+        // an unbounded enclosure, as of a root whose argument may be negative by rounding, does not show where the expression is defined
         if self.side.iter().any(|value| !value.size().is_finite()) && !self.narrow_aside(&mut at.to_vec()) {
             return Some(false);
         }
@@ -109,7 +110,7 @@ impl Boxes<'_> {
 }
 
 impl Boxes<'_> {
-    /// Narrows a box to the places at which conditions may have values on their sides; false where there are none.
+    /// Narrows a box to the points at which expressions may have their required signs; false if there are none.
     pub fn narrow_aside(&mut self, at: &mut [Interval]) -> bool {
         let side = |holds: &bool| if *holds { [0.0, f64::INFINITY] } else { [f64::NEG_INFINITY, 0.0] };
         let margins = self.holds.iter().map(side).map(|[from, to]| Interval::new(from, to));
@@ -122,8 +123,8 @@ impl Boxes<'_> {
         may
     }
 
-    /// The conditions that are zero at all motions of a family in a box, to rounding, by their numbers, if all others have their signs there: by
-    /// the value in the middle and the rate along the family, since the unknowns of its motions are not independent.
+    /// The indices of expressions that are zero, up to rounding, at all motions of a family in a box, if all others have their signs there. Uses the
+    /// value at the midpoint and the derivative along the family, since the unknowns depend on each other.
     pub fn lies_along(&mut self, at: &[Interval], family: &Tangents) -> Option<Vec<usize>> {
         let (wide, open) = (at.len(), self.open_sides(at));
         let mut slopes = vec![Interval::EVERYTHING; self.side.len() * wide];
@@ -143,26 +144,26 @@ impl Boxes<'_> {
         (are_zero && self.lies_aside_but_for(at, &open) == Some(true)).then_some(open)
     }
 
-    /// The conditions that may be zero in a box, by their numbers.
+    /// The indices of expressions that may be zero in a box.
     pub fn open_sides(&mut self, at: &[Interval]) -> Vec<usize> {
         self.sides.evaluate(at, &mut self.side);
         (0..self.side.len()).filter(|&k| self.side[k].contains(0.0)).collect()
     }
 
-    /// Whether each condition that may be zero in a box has a slope there that is not zero.
+    /// Whether each expression that may be zero in a box has a gradient that is not zero there.
     pub fn has_regular_sides(&mut self, at: &[Interval]) -> bool {
         let open = self.open_sides(at);
         open.into_iter().all(|side| self.side_slope(at, side).iter().any(|slope| !slope.contains(0.0)))
     }
 
-    /// The derivatives of a condition by the unknowns.
+    /// The derivatives of an expression with a required sign by the unknowns.
     pub fn side_slope(&mut self, at: &[Interval], side: usize) -> Vec<Interval> {
         let mut slopes = vec![Interval::EVERYTHING; self.side.len() * at.len()];
         self.side_slopes.evaluate(at, &mut slopes);
         slopes[side * at.len()..][..self.divided].to_vec()
     }
 
-    /// Whether a zero in a box satisfies the surplus equations, which were not solved; `None` if this is not decided.
+    /// Whether a zero in a box satisfies the surplus equations, which were not solved; `None` if undecided.
     pub fn fulfils_all(&mut self, at: &[Interval]) -> Option<bool> {
         self.surplus.evaluate(at, &mut self.left);
         match self.left.iter().all(|value| value.contains(0.0)) {
@@ -186,7 +187,7 @@ impl Equations for Boxes<'_> {
         self.through.narrow(at) && self.through_surplus.narrow(at) && self.lies_aside(at) != Some(false)
     }
 
-    /// J^T lambda = h has as many rows as coordinates: as many of them as reactions, independent about the middle of the box, bound these.
+    /// Bounds the reactions by as many rows of J^T lambda = h as there are reactions, chosen independent at the middle of the box.
     fn bound(&mut self, at: &mut [Interval]) -> bool {
         let m = self.reactions;
         let (positions, multipliers) = at.split_at_mut(self.divided);
@@ -207,7 +208,7 @@ impl Equations for Boxes<'_> {
         let product = |row: usize, of: &dyn Fn(usize) -> Interval| {
             (0..m).fold(point(0.0), |sum, k| sum + point(inverse[(row, k)]) * of(k))
         };
-        // lambda = mid + e, |e| <= |C (h - J mid)| / (1 - |1 - C J|) in the largest norm
+        // lambda = mid + e, |e| <= |C (h - J mid)| / (1 - |1 - C J|) in the maximum norm
         let guess: Vec<f64> = (0..m).map(|row| product(row, &|k| -forces[chosen[k]]).middle()).collect();
         let left: Vec<Interval> = (0..m)
             .map(|row| {
@@ -229,7 +230,7 @@ impl Equations for Boxes<'_> {
         }
         for (one, guess) in multipliers.iter_mut().zip(&guess) {
             let found = point(*guess) + Interval::new(-bound, bound);
-            // both contain every zero; if they are disjoint there is no zero
+            // both contain every solution; if they are disjoint there is none
             *one = one.and(found).unwrap_or(found);
         }
         true
@@ -244,7 +245,7 @@ impl Equations for Boxes<'_> {
     }
 }
 
-/// As many rows of a matrix as it has columns, each with the largest remaining pivot.
+/// A choice of as many rows as columns that form a regular matrix, by partial pivoting; `None` if there is none.
 pub(super) fn independent(rows: usize, columns: usize, entry: impl Fn(usize, usize) -> f64) -> Option<Vec<usize>> {
     let mut left = DMatrix::from_fn(rows, columns, entry);
     let mut chosen = Vec::new();

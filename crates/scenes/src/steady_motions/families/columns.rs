@@ -1,7 +1,7 @@
-//! The choice of dependent unknowns of a family: columns with the largest pivots.
+//! The choice of the dependent unknowns of a family, by Gaussian elimination with complete pivoting.
 
-/// As many columns as rows, each with the largest pivot that is left; those beyond the divided ones come first. None where the rows are
-/// dependent.
+/// A choice of `rows` columns that form a regular square matrix, in ascending order. Columns from `divided` on are chosen first. `None` if
+/// the rows are dependent.
 pub(super) fn chosen(
     [rows, columns]: [usize; 2],
     entry: impl Fn(usize, usize) -> f64,

@@ -1,7 +1,7 @@
-//! Ends of a family along each unknown: values beyond which it has no motion, and values that its motions are shown to reach.
+//! Bounds of a family along each unknown: values beyond which it contains no motion, and values that its motions are proved to reach.
 //!
-//! The part of a family that reaches furthest is halved along its parameters. In each half Krawczyk's operator narrows the unknowns that
-//! depend on these, until a motion is shown within rounding of the furthest bound, or no half is left to gain by.
+//! The piece of the family that extends furthest is bisected along its parameters. In each half Krawczyk's operator narrows the dependent
+//! unknowns. The bisection ends when a proved motion is within rounding of the outer bound, or when the parameters are too narrow.
 
 use super::Fewer;
 use super::pieces::{Piece, fulfils, narrow};
@@ -9,25 +9,25 @@ use crate::steady_motions::Unknown;
 use field::Interval;
 use std::f64::consts::PI;
 
-/// The values of an unknown over a family.
+/// The range of an unknown over a family.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Extent {
-    /// Beyond these there is none.
+    /// A range that contains the values of all motions.
     pub within: [f64; 2],
-    /// At both of these there is one; none where no motion is shown to fulfil everything.
+    /// Two values that the unknown is proved to reach; `None` if no motion is proved to satisfy all conditions.
     pub reached: Option<[f64; 2]>,
 }
 
-/// An end is known where both bounds of it differ by no more, in SI units and relative to the value.
+/// Largest distance between the outer bound and a proved motion at which an end is known, in SI units and relative to the value.
 const KNOWN: f64 = 1e-10;
 
-/// Halvings for each end.
+/// Largest number of bisections for each end.
 const HALVINGS: usize = 160;
 
-/// Narrower parameters, relative to their values, are not halved.
+/// Parameters narrower than this, relative to their values, are not bisected.
 const NARROW: f64 = 1e-15;
 
-/// A part of a piece.
+/// A part of a piece: a box of motions; `holds` says whether all of them are proved to satisfy the conditions.
 #[derive(Clone)]
 struct Part<'a> {
     piece: &'a Piece,
@@ -36,14 +36,14 @@ struct Part<'a> {
     holds: bool,
 }
 
-/// The pieces of a family, each with the numbers of the equations that determine it, and the unknowns with their ranges.
+/// The pieces of a family, each with the indices of the equations that determine it; and the unknowns with their ranges.
 pub(super) struct Ends<'a> {
     pub pieces: Vec<(&'a Piece, &'a [usize])>,
     pub unknowns: &'a [Unknown],
 }
 
 impl<'a> Ends<'a> {
-    /// The extent of an unknown, known to be within a range; the equations are those of some rows.
+    /// The range of the unknown with index `place`, which lies in the interval `within`.
     pub fn along(
         &self,
         (place, within): (usize, [f64; 2]),
@@ -65,7 +65,7 @@ impl<'a> Ends<'a> {
         for (side, end) in [-1.0, 1.0].into_iter().zip(&mut ends) {
             let far = |at: &Interval| if side < 0.0 { -at.low() } else { at.high() };
             let near = |at: &Interval| if side < 0.0 { -at.high() } else { at.low() };
-            // the furthest of single motions that are shown
+            // the furthest of the proved motions at midpoints
             let mut single: Option<f64> = None;
             for halvings in 0..=HALVINGS {
                 let bounds = |part: &Part<'_>| self.within(&part.at, place, within);
@@ -100,7 +100,7 @@ impl<'a> Ends<'a> {
         Extent { within: [low.outer.max(within[0]), high.outer.min(within[1])], reached }
     }
 
-    /// The values of an unknown in a box, an angle within the turn of a range, and others within their own ranges.
+    /// The range of an unknown in a box: an angle is shifted by whole turns next to `within`, another unknown is cut to its searched range.
     fn within(&self, at: &[Interval], place: usize, within: [f64; 2]) -> Interval {
         let (unknown, at) = (&self.unknowns[place], at[place]);
         if !unknown.is_circle {
@@ -119,7 +119,7 @@ impl<'a> Ends<'a> {
         self.unknowns.iter().zip(at).all(|(own, at)| own.is_circle || at.is_part_of(own.range.interval()))
     }
 
-    /// The halves along the widest parameter in which there may be motions; none where all parameters are narrow.
+    /// The halves of a part along its relatively widest parameter, without those that contain no motion; `None` if all parameters are narrow.
     fn halves<'p>(&self, part: &Part<'p>, equations: &mut Fewer<'_, '_>) -> Option<Vec<Part<'p>>> {
         let share = |&k: &usize| part.at[k].width() / part.piece.enclosure[k].width();
         let is_wide = |k: &usize| part.at[*k].width() > NARROW * (1.0 + part.at[*k].size());
@@ -141,7 +141,7 @@ impl<'a> Ends<'a> {
         Some(halves)
     }
 
-    /// The box of the motion at the middle of the parameters of a part; none where it is not shown to fulfil everything.
+    /// The box of the motion at the midpoint of the parameters; `None` if it is not proved to satisfy all conditions.
     fn middle(&self, part: &Part<'_>, equations: &mut Fewer<'_, '_>) -> Option<Vec<Interval>> {
         let mut at = part.at.clone();
         part.piece.parameters.iter().for_each(|&place| at[place] = Interval::point(at[place].middle()));
@@ -152,7 +152,7 @@ impl<'a> Ends<'a> {
     }
 }
 
-/// An end: beyond the outer bound there is no motion.
+/// One end of a range: no motion lies beyond `outer`, and a motion is proved at `reached`.
 #[derive(Clone, Copy, Default)]
 struct Bound {
     outer: f64,

@@ -1,11 +1,11 @@
-//! Identities between the equations of steady motions,
+//! Identities between the equations R_k of steady motion,
 //!
 //!   sum_k c_k(q) R_k(q) = 0 at every q ,
 //!
-//! with coefficients that are linear in the unknowns and in cosines and sines of angles. Nothing acts along the displacement c, such as the
-//! turn (-y, x) about a centre. If c_k is not zero, equation k follows from the others.
+//! with coefficients c_k linear in the unknowns and in sines and cosines of angles. The forces do no work along the displacement c, such as the
+//! rotation (-y, x) about a centre. If c_k is not zero, equation k follows from the others.
 //!
-//! Candidates are found from values at points of the domain, and decided by identity testing.
+//! Candidates follow from values at sample points and are then decided by identity testing.
 
 use crate::steady_motions::Unknown;
 use algebra::linear::minors;
@@ -14,31 +14,31 @@ use model::equations::vanishes;
 use nalgebra::DMatrix;
 use symbolic::{Sym, Tape};
 
-/// Coefficients of an identity, one for each equation, by the unknowns.
+/// The coefficients of an identity as functions of the unknowns, one for each equation.
 #[derive(Debug)]
 pub(in crate::steady_motions) struct Identity {
     coefficients: Tape,
-    /// The coefficients as a displacement, in words.
+    /// The displacement c as text.
     told: String,
 }
 
-/// The largest number of unknowns for which identities are searched for.
+/// Largest number of unknowns for which identities are searched.
 const MOST_UNKNOWNS: usize = 6;
 
-/// Larger denominators are no coefficients of an identity.
+/// Largest denominator of a rational coefficient.
 const LARGEST: u16 = 10_000;
 
-/// The number of points that are tried for each one with values that is needed.
+/// Largest number of sample points that are tried for each point needed; at some the equations may be undefined.
 const MOST_POINTS: usize = 16;
 
-/// Iterations of a singular value decomposition.
+/// Largest number of iterations of the singular value decomposition.
 const MOST_ITERATIONS: usize = 1_000;
 
-/// Singular values below this part of the largest are zero.
+/// Singular values below this multiple of the largest one count as zero.
 const RANK: f64 = 1e-10;
 
 impl Identity {
-    /// All identities between equations that contain only these letters.
+    /// All identities between the equations; none if these contain other letters than `letters`. `along` names the displacement of each equation.
     pub fn of(residuals: &[Sym], (letters, unknowns): (&[Sym], &[Unknown]), along: &[String]) -> Vec<Self> {
         let (rows, n) = (residuals.len(), letters.len());
         if rows == 0 || n > MOST_UNKNOWNS || rows > n {
@@ -71,7 +71,7 @@ impl Identity {
             .collect()
     }
 
-    /// Equations that follow from the others everywhere in a box, as many as possible, and the identities by which they do.
+    /// As many equations as possible that follow from the others everywhere in a box, and the displacements of the identities used.
     pub fn implied(all: &[Self], at: &[Interval]) -> (Vec<usize>, Vec<String>) {
         let Some(first) = all.first() else { return (Vec::new(), Vec::new()) };
         let rows = first.coefficients.outputs();
@@ -104,13 +104,13 @@ impl Identity {
     }
 }
 
-/// A coefficient as text, letters by the names of the unknowns.
+/// A coefficient as text, with the names of the unknowns.
 fn named(coefficient: &Sym, letters: &[Sym], unknowns: &[Unknown]) -> String {
     let names = letters.iter().zip(unknowns).map(|(letter, unknown)| (letter.to_string(), &unknown.name));
     names.fold(coefficient.to_string(), |text, (letter, name)| text.replace(&letter, name))
 }
 
-/// Factors of products whose sum is zero at some points, in their shortest form.
+/// Rational factors for which the sum of the products vanishes at the sample points, in reduced row echelon form.
 fn candidates(products: &[Sym], letters: &[Sym], unknowns: &[Unknown]) -> Vec<Vec<Rational>> {
     let wide = products.len();
     let Ok(tape) = Tape::record(letters, products) else { return Vec::new() };
@@ -123,7 +123,7 @@ fn candidates(products: &[Sym], letters: &[Sym], unknowns: &[Unknown]) -> Vec<Ve
         if found == tall {
             break;
         }
-        // points of a sequence that fills the domain evenly
+        // a quasi-random sequence (Weyl) fills the domain evenly
         let part = |k: usize| (0.5 + (point + 1) as f64 * STEPS[k % STEPS.len()]).fract();
         let at: Vec<f64> = unknowns
             .iter()
@@ -131,7 +131,7 @@ fn candidates(products: &[Sym], letters: &[Sym], unknowns: &[Unknown]) -> Vec<Ve
             .map(|(k, unknown)| unknown.range.from + part(k) * (unknown.range.to - unknown.range.from))
             .collect();
         program.evaluate(&at, &mut row);
-        // outside of the domain of a root there are no values
+        // points outside the domain of a function are left out
         if row.iter().all(|value| value.is_finite()) {
             row.iter().enumerate().for_each(|(column, value)| values[(found, column)] = *value);
             found += 1;
@@ -165,7 +165,7 @@ fn candidates(products: &[Sym], letters: &[Sym], unknowns: &[Unknown]) -> Vec<Ve
     null.row_iter().filter_map(|row| row.iter().map(|&value| fraction(value)).collect()).collect()
 }
 
-/// Steps of a sequence of points: fractional parts of square roots of primes.
+/// Increments of the sequence of sample points: fractional parts of square roots of primes.
 const STEPS: [f64; 6] = [
     0.414_213_562_373_095_05,
     0.732_050_807_568_877_3,
@@ -175,7 +175,7 @@ const STEPS: [f64; 6] = [
     0.605_551_275_463_989_3,
 ];
 
-/// Reduced row echelon form.
+/// Brings a matrix to reduced row echelon form.
 fn reduce(matrix: &mut DMatrix<f64>) {
     let mut done = 0;
     for column in 0..matrix.ncols() {
@@ -196,7 +196,7 @@ fn reduce(matrix: &mut DMatrix<f64>) {
     }
 }
 
-/// All choices of so many of some, in their order.
+/// All subsets of `count` of the numbers below `of`.
 fn choices(of: usize, count: usize) -> Vec<Vec<usize>> {
     if count == 0 {
         return vec![Vec::new()];

@@ -1,18 +1,18 @@
-//! Underdetermined equations about the middle of a box, preconditioned for the unknowns that depend on the others.
+//! Linearisation of underdetermined equations about the middle of a box, preconditioned for the dependent unknowns.
 
 use super::columns::chosen;
 use super::pieces::Underdetermined;
 use field::Interval;
 use nalgebra::DMatrix;
 
-/// A box seen from its middle, with some unknowns as parameters.
+/// Equations f in a box with middle m, multiplied by an approximate inverse C of the derivatives by the dependent unknowns.
 pub(super) struct Local {
     pub dependent: Vec<usize>,
     pub parameters: Vec<usize>,
     middle: Vec<f64>,
-    /// C f(m)
+    /// C f(m).
     pub step: Vec<Interval>,
-    /// C f', row after row, by all unknowns.
+    /// C f' over the box, row by row, by all unknowns.
     slopes: Vec<Interval>,
     wide: usize,
 }
@@ -57,7 +57,7 @@ impl Local {
         self.slopes[row * self.wide + column]
     }
 
-    /// The deviation of the preconditioned equations from the unknowns.
+    /// The maximum norm of 1 - C f_x, with f_x the derivatives by the dependent unknowns.
     pub fn spread(&self) -> f64 {
         let each = |(row, &place): (usize, &usize)| {
             let entry = |&column: &usize| {
@@ -73,7 +73,7 @@ impl Local {
         at[column] - Interval::point(self.middle[column])
     }
 
-    /// The part of a box that may hold solutions; none where there is no such part.
+    /// The part of a box that may contain solutions, by the interval Gauss-Seidel method; `None` if it contains none.
     pub fn narrowed(&self, at: &[Interval]) -> Option<Vec<Interval>> {
         let mut left = at.to_vec();
         for (row, &place) in self.dependent.iter().enumerate() {
@@ -90,8 +90,8 @@ impl Local {
         Some(left)
     }
 
-    /// The derivatives of all unknowns by each parameter along the solutions: with C f_x = 1 + E and |E| = e in the largest norm those of the
-    /// dependent ones are -C f_t, to within e |C f_t| / (1 - e). None where e is not below one.
+    /// The derivatives of all unknowns by each parameter along the solutions. With C f_x = 1 + E and e = |E| in the maximum norm, those of the
+    /// dependent unknowns are -C f_t within e |C f_t| / (1 - e). `None` unless e < 1.
     pub fn tangents(&self) -> Option<Vec<Vec<Interval>>> {
         let spread = self.spread();
         let of = |&parameter: &usize| {

@@ -1,7 +1,7 @@
-//! Families of steady motions: there are fewer independent equations than unknowns, because a speed may have any value, or because one equation
-//! follows from the others by an identity.
+//! Families of steady motions, where independent equations are fewer than unknowns: a speed may have any value, or an equation follows from
+//! the others by an identity.
 //!
-//! A family is enclosed in pieces, in each of which there is one motion, and no other, for every value of its parameters.
+//! A family is enclosed in pieces. In each piece there is exactly one motion for every value of its parameters.
 
 mod columns;
 mod ends;
@@ -24,31 +24,31 @@ use pieces::{Limits, Piece, Pieces, Underdetermined};
 use std::f64::consts::PI;
 use sweep::Sweep;
 
-/// A family of steady motions, in adjoining pieces.
+/// A connected family of steady motions.
 #[derive(Clone, Debug)]
 pub struct Family {
     /// The dimension of the family.
     pub dimension: usize,
-    /// Pieces, each with one motion for every value of some unknowns: the places of these unknowns, and the box of the motions.
+    /// For each piece, the indices of the unknowns that are its parameters, and the box of its motions, in SI units.
     pub pieces: Vec<(Vec<usize>, Vec<[f64; 2]>)>,
-    /// For each unknown a range beyond which there is none of them.
+    /// For each unknown, a range that contains its values in all motions of the family.
     pub hull: Vec<[f64; 2]>,
-    /// For each unknown values at both of which one of them is shown to be; none where that is not shown of any.
+    /// For each unknown, two values that are proved to be reached; `None` if no motion is proved.
     pub reached: Vec<Option<[f64; 2]>>,
-    /// Displacements along which nothing acts, one for each identity, if identities cause the family.
+    /// The displacements along which the forces do no work, one for each identity that causes the family.
     pub along: Vec<String>,
-    /// The number of pieces at its border, for some of whose motions the conditions hold.
+    /// The number of pieces at the border of the family; only some of their motions satisfy the conditions.
     pub border: usize,
-    /// The conditions that are zero all along it, by their places in the combination of cases.
+    /// The indices, in the combination of cases, of conditions that are zero in all motions of the family.
     pub at_conditions: Vec<usize>,
-    /// The effect of dry friction on small motions about those whose shares lie inside their ranges; none where none acts.
+    /// The effect of dry friction on small motions about those members that are strictly inside the friction limits; `None` without friction.
     pub friction: Option<Friction>,
-    /// Some of the motions: unknowns with reactions.
+    /// Some of the motions: values of unknowns and reactions.
     pub(super) members: Vec<Vec<f64>>,
 }
 
 impl Family {
-    /// Whether pieces of two families have a place in common.
+    /// Whether pieces of two families have a point in common, up to rounding.
     pub(super) fn touches(&self, other: &Self) -> bool {
         let near = |[low, high]: &[f64; 2]| JOINT * (1.0 + low.abs().max(high.abs()));
         let meet = |one: &[[f64; 2]], other: &[[f64; 2]]| {
@@ -67,7 +67,7 @@ impl Family {
         sweep.any_pair(|a, b| (a < own) != (b < own) && meet(all[a], all[b]))
     }
 
-    /// Both as one family; they touch.
+    /// The union of two families that touch.
     pub(super) fn joined(mut self, other: Self) -> Self {
         let both = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a.min(c), b.max(d)];
         self.hull.iter_mut().zip(other.hull).for_each(|(own, other)| *own = both(*own, other));
@@ -86,13 +86,13 @@ impl Family {
     }
 }
 
-/// The number of motions of a family whose stability is tested.
+/// Number of motions of a family whose stability is tested.
 const MEMBERS: usize = 7;
 
-/// Along each unknown, a part of its range below which a box is not divided.
+/// A box is not divided along an unknown if its width is below this fraction of the range.
 const SMALLEST: f64 = 1e-6;
 
-/// Rows of equations that are kept.
+/// The equations with the indices `rows`, without those that follow by identities.
 struct Fewer<'a, 'b> {
     boxes: &'b mut Boxes<'a>,
     rows: Vec<usize>,
@@ -143,7 +143,7 @@ impl Underdetermined for Fewer<'_, '_> {
 }
 
 impl Fewer<'_, '_> {
-    /// The conditions that are zero at all motions in a box, one for each value of some unknowns, if all others have their signs there.
+    /// The conditions that are zero in all motions of a box with these parameters, if all other conditions have their required signs there.
     fn conditions_along(&mut self, at: &[Interval], parameters: &[usize]) -> Option<Vec<usize>> {
         let tangents = Local::with(self, at, parameters)?.tangents()?;
         let mut middle = at.to_vec();
@@ -153,14 +153,14 @@ impl Fewer<'_, '_> {
     }
 }
 
-/// Boxes with a common choice of independent equations, and the displacements along which nothing acts there.
+/// Boxes with one choice of independent equations; `along` has the displacements of the identities.
 struct OfRows {
     rows: Vec<usize>,
     along: Vec<String>,
     open: Vec<Vec<Interval>>,
 }
 
-/// Families and undecided boxes.
+/// The families that were found, and the undecided boxes.
 #[derive(Default)]
 pub(super) struct Enclosed {
     pub families: Vec<Family>,
@@ -168,7 +168,7 @@ pub(super) struct Enclosed {
     pub examined: usize,
 }
 
-/// Families in some boxes of a domain with fewer independent equations than unknowns.
+/// The families in some boxes of a domain, for equations that are dependent or fewer than the unknowns.
 pub(super) fn families(
     equations: &SteadyEquations,
     boxes: &mut Boxes<'_>,
@@ -205,14 +205,14 @@ pub(super) fn families(
     enclosed
 }
 
-/// A piece, the equations that determine it, and the displacements along which nothing acts.
+/// A piece, the indices of its equations, and the displacements of the identities.
 struct OwnPiece {
     piece: Piece,
     rows: Vec<usize>,
     along: Vec<String>,
 }
 
-/// Pieces that touch one another as one family.
+/// The families of all pieces: touching pieces belong to one family.
 fn joined(
     equations: &SteadyEquations,
     all: Vec<OwnPiece>,
@@ -249,14 +249,14 @@ fn joined(
     found
 }
 
-/// Whether two pieces have a point in common, angles up to whole turns.
+/// Whether two pieces have a point in common; angles are compared up to whole turns.
 fn touch(equations: &SteadyEquations, one: &Piece, other: &Piece) -> bool {
     equations.unknowns.iter().zip(one.enclosure.iter().zip(&other.enclosure)).all(|(unknown, (one, other))| {
         let turns = match unknown.is_circle {
             true => ((one.middle() - other.middle()) / (2.0 * PI)).round() * 2.0 * PI,
             false => 0.0,
         };
-        // rounding of a whole turn
+        // tolerance for the rounding of a whole turn
         let moved = *other + Interval::new(turns - 1e-12, turns + 1e-12);
         one.and(moved).is_some()
     })
@@ -272,7 +272,7 @@ fn family(
     let ends = |piece: &Piece| -> Vec<[f64; 2]> {
         let ranges = equations.unknowns.iter().map(|unknown| unknown.range);
         let own = piece.enclosure[..positions].iter().zip(ranges);
-        // a piece may go beyond the ranges
+        // a piece may extend beyond the searched ranges
         own.map(|(own, range)| [own.low().max(range.from), own.high().min(range.to)]).collect()
     };
     let all: Vec<(Vec<usize>, Vec<[f64; 2]>)> =
@@ -313,7 +313,7 @@ fn family(
     Family { dimension, members, pieces: all, hull, reached, along, border, at_conditions, friction }
 }
 
-/// The places of the conditions that are zero all over the inner part of each piece.
+/// The conditions that are zero in the inner part of every piece, as indices in the combination.
 fn along_conditions(equations: &SteadyEquations, pieces: &[&OwnPiece], fewer: &mut Fewer<'_, '_>) -> Vec<usize> {
     let mut common: Option<Vec<usize>> = None;
     for own in pieces {
@@ -329,21 +329,21 @@ fn along_conditions(equations: &SteadyEquations, pieces: &[&OwnPiece], fewer: &m
     common.unwrap_or_default().into_iter().filter(|place| *place != NO_CASE).collect()
 }
 
-/// The effect that friction has everywhere, or none that is known.
+/// The effect of friction if it is equal in all parts; otherwise `Friction::Open`. `None` without friction.
 fn common(mut all: impl Iterator<Item = Option<Friction>>) -> Option<Friction> {
     let first = all.next()??;
     Some(if all.all(|own| own == Some(first)) { first } else { Friction::Open })
 }
 
-/// A gap between pieces that counts as rounding.
+/// Gaps between pieces below this size are rounding errors.
 const JOINT: f64 = 1e-9;
 
-/// The smallest range around some ranges.
+/// The smallest interval that contains all the intervals.
 fn around(ends: impl Iterator<Item = [f64; 2]>) -> [f64; 2] {
     ends.fold([f64::INFINITY, f64::NEG_INFINITY], |all, own| [all[0].min(own[0]), all[1].max(own[1])])
 }
 
-/// The smallest arc around arcs of a circle, which begins within half a turn of zero.
+/// The smallest arc that contains all the arcs of a circle, in radians; the end may exceed a turn.
 fn arc(mut ends: Vec<[f64; 2]>) -> [f64; 2] {
     ends.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let first = ends[0][0];
@@ -358,7 +358,7 @@ fn arc(mut ends: Vec<[f64; 2]>) -> [f64; 2] {
     if widest <= JOINT || first + 2.0 * PI - last >= widest {
         return [first, last];
     }
-    // continued beyond a turn, from the end of the widest gap
+    // the widest gap lies between the arcs: the result begins behind it and continues beyond a turn
     let end = ends.iter().map(|own| own[1]).filter(|end| *end < begin).fold(f64::NEG_INFINITY, f64::max) + 2.0 * PI;
     let turns = turns_to_zero(begin);
     [begin + turns, end + turns]
@@ -375,7 +375,7 @@ mod tests {
             |found: [f64; 2], from: f64, to: f64| (found[0] - from).abs() < 1e-12 && (found[1] - to).abs() < 1e-12;
         assert!(near(arc(vec![[2.0, 2.6], [-3.7, -3.5]]), 2.0, 2.0 * PI - 3.5));
         assert!(near(arc(vec![[-0.5, 0.1], [0.1, 0.4]]), -0.5, 0.4));
-        // the whole circle except a gap
+        // the whole circle except for one gap
         assert!(near(arc(vec![[-3.7, -1.0], [-0.5, 2.6]]), -0.5, 2.0 * PI - 1.0));
         assert!(near(arc(vec![[-3.7586, 1.0], [0.9, 2.5247]]), -3.7586, 2.5247));
     }

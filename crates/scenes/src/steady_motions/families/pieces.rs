@@ -1,7 +1,7 @@
-//! All solutions of fewer equations than unknowns, in pieces: boxes in which there is one solution, and no other, for every value of some
-//! unknowns, its parameters.
+//! All solutions of fewer equations than unknowns, enclosed in pieces: boxes in which there is exactly one solution for every value of some
+//! unknowns, the parameters of the piece.
 //!
-//! Krawczyk's operator for the other unknowns x, with the parameters t anywhere in their ranges T about t0,
+//! A piece is proved by Krawczyk's operator for the other unknowns x, with the parameters t in their ranges T about t0:
 //!
 //!   K(X) = m - C f(m, t0) - C f_t (T - t0) + (1 - C f_x(X, T)) (X - m) inside X .
 
@@ -10,58 +10,58 @@ use algebra::boxes::halves;
 use field::Interval;
 use std::collections::VecDeque;
 
-/// Equations over intervals, fewer than unknowns.
+/// Equations with interval arguments, fewer than the unknowns.
 pub(in crate::steady_motions) trait Underdetermined {
-    /// The number of unknowns that are divided, which come first, and the number of unknowns that are bounded by the others.
+    /// The number of unknowns that are divided, which come first; and of unknowns that follow from these by bounds, such as reactions.
     fn unknowns(&self) -> [usize; 2];
 
     fn rows(&self) -> usize;
 
-    /// Narrows a box of all unknowns; false where no solution is in it.
+    /// Narrows a box; false if it contains no solution.
     fn narrow(&mut self, at: &mut [Interval]) -> bool;
 
-    /// Bounds for the unknowns that are not divided; false where there are none.
+    /// Computes bounds of the unknowns that are not divided; false if there are none.
     fn bound(&mut self, at: &mut [Interval]) -> bool;
 
-    /// Whether the further conditions on solutions hold in the whole box, or nowhere in it; none if this is not decided.
+    /// Whether the further conditions (inequalities) hold everywhere in a box, or nowhere; `None` if undecided.
     fn holds(&mut self, _at: &[Interval]) -> Option<bool> {
         Some(true)
     }
 
-    /// Whether each further condition that is open in a box is zero at all solutions in it, to rounding, one for each value of some unknowns.
+    /// Whether each condition that is undecided in a box is zero, up to rounding, at all solutions there (one for each value of the parameters).
     fn is_at_conditions(&mut self, _at: &[Interval], _parameters: &[usize]) -> bool {
         false
     }
 
     fn values(&mut self, at: &[Interval], values: &mut [Interval]);
 
-    /// Derivatives, row after row.
+    /// The derivatives of the values by all unknowns, row by row.
     fn slopes(&mut self, at: &[Interval], slopes: &mut [Interval]);
 }
 
-/// One solution for every value of the parameters.
+/// A box with exactly one solution for every value of its parameters.
 #[derive(Clone, Debug)]
 pub(in crate::steady_motions) struct Piece {
-    /// Places of the parameters.
+    /// The indices of the parameters.
     pub parameters: Vec<usize>,
-    /// The box of the solutions, with all values of the parameters.
+    /// A box that contains the solutions for all values of the parameters.
     pub enclosure: Vec<Interval>,
-    /// The box in which there is no other solution.
+    /// A larger box without further solutions.
     alone: Vec<Interval>,
-    /// Whether everything else holds for all of its solutions; else that is open.
+    /// Whether the further conditions are proved for all solutions of the piece.
     pub holds: bool,
-    /// A part, narrower than the box by rounding alone, for all of whose solutions it holds, or is at its end.
+    /// The box with parameters narrower by rounding, if all its solutions satisfy the conditions or lie at the zero of one.
     pub inner: Option<Vec<Interval>>,
 }
 
 impl Piece {
-    /// Whether everything else holds for some of its solutions at most.
+    /// Whether only some of the solutions may satisfy the conditions.
     pub fn is_border(&self) -> bool {
         !self.holds && self.inner.is_none()
     }
 }
 
-/// Every solution lies in a piece or in an undecided box.
+/// The result of a search: every solution lies in a piece or in an undecided box.
 #[derive(Debug, Default)]
 pub(in crate::steady_motions) struct Pieces {
     pub pieces: Vec<Piece>,
@@ -69,39 +69,39 @@ pub(in crate::steady_motions) struct Pieces {
     pub examined: usize,
 }
 
-/// Where a search ends.
+/// Limits of a search: the number of boxes, and the smallest width.
 #[derive(Clone, Copy)]
 pub(in crate::steady_motions) struct Limits {
     pub boxes: usize,
-    /// Fraction of the domain, along each unknown, below which a box is not divided.
+    /// A box is not divided along an unknown if its width is below this fraction of the domain.
     pub smallest: f64,
 }
 
-/// Steps of Newton's method towards the middle of a piece.
+/// Number of Newton's iterations towards the middle of a piece.
 const STEPS: usize = 8;
 
-/// The width of a piece about its middle, relative to the change of the solutions along it.
+/// Trial widths of a piece, relative to the change of the solutions by the derivatives at the middle.
 const WIDTHS: [f64; 3] = [1.25, 2.0, 4.0];
 
-/// The same relative to the change by the largest derivatives in a box.
+/// Further trial widths, relative to the change by the largest derivatives in the box.
 const OVER_BOX: [f64; 2] = [1.25, 2.0];
 
-/// If a narrowed box is smaller than this fraction of the box, it is narrowed again.
+/// A box is narrowed again if this step reduced a width below this fraction.
 const WORTH: f64 = 0.75;
 
-/// The width, as a fraction of the domain, to which the border of a curve is located, where a condition ends it.
+/// Width, as a fraction of the domain, to which the end of a curve at a condition is located.
 const END: f64 = 1e-9;
 
-/// The same of a surface, which has many boxes along its border, and of families of more dimensions.
+/// The corresponding widths for surfaces, whose borders need many boxes, and for families of higher dimension.
 const BORDERS: [f64; 2] = [4e-3, 3e-2];
 
-/// The part of the domain, along each parameter, by which the inner part of a piece is narrower on each side.
+/// Fraction of the domain by which the inner part of a piece is narrower on each side, along each parameter.
 const ASIDE: f64 = 1e-10;
 
-/// Boxes between two checks of the deadline.
+/// Number of boxes between two checks of the deadline.
 const BETWEEN: usize = 8;
 
-/// All pieces in some boxes of the divided unknowns, which are parts of a domain.
+/// Encloses all solutions in some boxes of a domain.
 pub(in crate::steady_motions) fn pieces(
     equations: &mut dyn Underdetermined,
     domain: &[Interval],
@@ -109,7 +109,7 @@ pub(in crate::steady_motions) fn pieces(
     limits: Limits,
     mut goes_on: impl FnMut() -> bool,
 ) -> Pieces {
-    // sides could be narrowed without end where equations have no values
+    // equations without values in a box could be narrowed indefinitely
     let least: Vec<f64> = domain.iter().map(|side| limits.smallest * side.width()).collect();
     let mut found = Pieces::default();
     let mut open = VecDeque::from(boxes);
@@ -137,16 +137,16 @@ pub(in crate::steady_motions) fn pieces(
     found
 }
 
-/// The part of a box that is still open.
+/// A box that is still undecided.
 struct Open {
     left: Vec<Interval>,
-    /// The unknown to divide, if a single one spreads the equations.
+    /// The unknown to be divided, if one is mainly responsible for the nonlinearity.
     blamed: Option<usize>,
-    /// Its solutions, if only the further conditions are undecided for some of them.
+    /// The piece of its solutions, if only the further conditions are undecided.
     end: Option<Piece>,
 }
 
-/// None if the whole box is decided.
+/// Examines a box and adds its pieces; `None` if the box is decided.
 fn examined(
     equations: &mut dyn Underdetermined,
     mut at: Vec<Interval>,
@@ -211,7 +211,7 @@ fn examined(
     }
 }
 
-/// The unknown whose range spreads the equations the most: with this unknown at its middle they are closest to linear.
+/// The unknown whose range contributes most to the nonlinearity: with this unknown at its middle, 1 - C f_x is smallest.
 fn blamed(equations: &mut dyn Underdetermined, parameters: &[usize], at: &[Interval]) -> Option<usize> {
     let [n, _] = equations.unknowns();
     let mut least: Option<(f64, usize)> = None;
@@ -226,7 +226,7 @@ fn blamed(equations: &mut dyn Underdetermined, parameters: &[usize], at: &[Inter
     least.map(|(_, k)| k)
 }
 
-/// A piece over the parameters of a box, with all solutions in this.
+/// A piece that is proved to contain all solutions in a box; `None` if the proof fails.
 fn shown(equations: &mut dyn Underdetermined, local: &Local, at: &[Interval]) -> Option<Piece> {
     let mut middle: Vec<f64> = at.iter().map(|part| part.middle()).collect();
     let mut last = None;
@@ -240,8 +240,8 @@ fn shown(equations: &mut dyn Underdetermined, local: &Local, at: &[Interval]) ->
         last = Some(near);
     }
     let near = last?;
-    // the change of the solutions along the parameters, which is at least rounding: by their derivatives in the middle, and where an unknown
-    // turns there, by those in the whole box
+    // change of the solutions over the parameters, from derivatives in the middle, or at turning points from those in the whole box; at least
+    // a rounding error
     let way = |by: &Local, row: usize| -> f64 {
         let along = local.parameters.iter().map(|&k| by.entry(row, k).size() * 0.5 * at[k].width());
         along.sum::<f64>() + near.step[row].width()
@@ -267,7 +267,7 @@ fn shown(equations: &mut dyn Underdetermined, local: &Local, at: &[Interval]) ->
     })
 }
 
-/// The part of a piece whose parameters are narrower by rounding, if everything else holds all over it, or is at its end.
+/// The piece with parameters narrower by rounding, if all its solutions satisfy the conditions or lie at the zero of one; otherwise `None`.
 fn inner(equations: &mut dyn Underdetermined, piece: &Piece, domain: &[Interval]) -> Option<Vec<Interval>> {
     let mut at = piece.enclosure.clone();
     for &place in &piece.parameters {
@@ -282,7 +282,7 @@ fn inner(equations: &mut dyn Underdetermined, piece: &Piece, domain: &[Interval]
     fulfils(equations, &at, &piece.parameters).filter(|fulfils| *fulfils).map(|_| at)
 }
 
-/// An approximate solution of a piece at a part, from 0 to 1, of the range of each parameter.
+/// An approximate solution of a piece, with each parameter at the fraction `part` of its range.
 pub(super) fn solution(equations: &mut dyn Underdetermined, piece: &Piece, part: f64) -> Vec<f64> {
     let mut at = piece.enclosure.clone();
     for &place in &piece.parameters {
@@ -293,15 +293,15 @@ pub(super) fn solution(equations: &mut dyn Underdetermined, piece: &Piece, part:
     at.iter().map(|own| own.middle()).collect()
 }
 
-/// Whether the further conditions hold in a whole box or are at their ends there, or nowhere; none if this is not decided.
+/// Whether the conditions are satisfied, or zero, at all solutions of a box, or satisfied nowhere; `None` if undecided.
 pub(super) fn fulfils(equations: &mut dyn Underdetermined, at: &[Interval], parameters: &[usize]) -> Option<bool> {
     equations.holds(at).or_else(|| equations.is_at_conditions(at, parameters).then_some(true))
 }
 
-/// Steps of Krawczyk's operator in a part of a piece.
+/// Number of iterations of Krawczyk's operator in [`narrow`].
 const NARROWED: usize = 6;
 
-/// Narrows the unknowns that depend on the parameters of a piece, one motion of which is in a box for every value of these.
+/// Narrows the dependent unknowns in a box by Krawczyk's operator, if the box contains a solution for every value of the parameters.
 pub(super) fn narrow(equations: &mut dyn Underdetermined, parameters: &[usize], at: &mut [Interval]) {
     for _ in 0..NARROWED {
         let Some(local) = Local::with(equations, at, parameters) else { return };
@@ -322,7 +322,7 @@ pub(super) fn narrow(equations: &mut dyn Underdetermined, parameters: &[usize], 
 mod tests {
     use super::*;
 
-    /// A curve in the plane, by its equation and the derivatives of this.
+    /// A curve in the plane, given by an equation and its two derivatives.
     struct Curve {
         value: fn(Interval, Interval) -> Interval,
         slopes: fn(Interval, Interval) -> [Interval; 2],

@@ -1,17 +1,16 @@
-//! Boxes that touch one another: pairs of them by a sweep along one unknown, so that a family of many thousand pieces takes little time.
+//! Pairs of touching boxes by a sweep along one unknown (sweep and prune), which is fast for many thousand pieces.
 
 use std::f64::consts::TAU;
 
-/// The range of each box along the unknown of a sweep.
+/// The intervals of boxes along the unknown of the sweep.
 pub(super) struct Sweep {
-    /// In ascending order of their lower ends: ends, and the number of the box.
+    /// Lower and upper end of each interval with the index of its box, in ascending order of the lower ends.
     entries: Vec<([f64; 2], usize)>,
     boxes: usize,
 }
 
 impl Sweep {
-    /// Along the unknown in which the boxes are narrowest compared with the range of all; boxes have equally many sides, of which some are
-    /// angles up to whole turns.
+    /// A sweep along the unknown in which the boxes are narrowest relative to the range of all. Angles (`is_circle`) are compared up to whole turns.
     pub fn of(boxes: &[Vec<[f64; 2]>], is_circle: impl Fn(usize) -> bool) -> Self {
         let spread = |k: usize| {
             let [low, high] = boxes
@@ -30,7 +29,7 @@ impl Sweep {
                     let low = at[k][0].rem_euclid(TAU);
                     let ends = [low - ROUNDING, low + at[k][1] - at[k][0] + ROUNDING];
                     entries.push((ends, own));
-                    // the part beyond a turn lies beside the first boxes
+                    // a part beyond a turn touches the first boxes
                     entries.extend((ends[1] >= TAU - ROUNDING).then_some((ends.map(|end| end - TAU), own)));
                 }
                 Some(k) => entries.push((at[k], own)),
@@ -40,7 +39,7 @@ impl Sweep {
         Sweep { entries, boxes: boxes.len() }
     }
 
-    /// Whether some pair of boxes whose ranges meet is accepted.
+    /// Whether `accepts` is true for some pair of boxes whose intervals meet.
     pub fn any_pair(&self, mut accepts: impl FnMut(usize, usize) -> bool) -> bool {
         let mut open: Vec<([f64; 2], usize)> = Vec::new();
         self.entries.iter().any(|&(ends, own)| {
@@ -51,7 +50,7 @@ impl Sweep {
         })
     }
 
-    /// A number for each box, the same for boxes that a chain of touching ones joins.
+    /// For each box the number of its group; boxes connected by a chain of touching ones form a group.
     pub fn groups(&self, touch: impl Fn(usize, usize) -> bool) -> Vec<usize> {
         let mut of: Vec<usize> = (0..self.boxes).collect();
         self.any_pair(|one, other| {
@@ -65,10 +64,10 @@ impl Sweep {
     }
 }
 
-/// Rounding of whole turns.
+/// Tolerance for the rounding of whole turns.
 const ROUNDING: f64 = 1e-9;
 
-/// The first box of a group; the way to it becomes shorter.
+/// The first box of the group, with path compression (union-find).
 fn root(of: &mut [usize], mut own: usize) -> usize {
     while of[own] != own {
         of[own] = of[of[own]];

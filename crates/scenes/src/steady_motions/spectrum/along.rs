@@ -1,8 +1,8 @@
-//! Exact boundaries of stability along one parameter, by the roots of the last coefficient and of Hurwitz' determinant.
+//! Exact stability boundaries along one parameter: roots of the last coefficient of the characteristic polynomial and of Hurwitz' determinant.
 //!
-//! The characteristic polynomial has fractions of polynomials in the parameter as coefficients. A real eigenvalue crosses the axis where its
-//! last coefficient vanishes, a pair where Hurwitz' determinant of order n - 1 does (Orlando); between two such places, and poles, the
-//! number of eigenvalues on either side is constant, and Routh's criterion counts it at one fraction there.
+//! The coefficients are rational functions of the parameter. A real eigenvalue crosses the imaginary axis where the last coefficient vanishes, a
+//! complex pair only where Hurwitz' determinant of order n - 1 vanishes (Orlando 1911). Between neighbouring roots and poles, the numbers of
+//! eigenvalues on both sides of the axis are constant, and Routh's criterion counts them at one rational value.
 
 use super::NotEnclosed;
 use super::exact::{MOST_SPEEDS, Routh, at_motion, counted};
@@ -19,26 +19,26 @@ use symbolic::Sym;
 /// Precision of the boundaries, in bits.
 const BITS: usize = 80;
 
-/// A value of the parameter at which an eigenvalue is on the axis, or an equation singular.
+/// A value of the parameter at which an eigenvalue is on the imaginary axis, or an equation is singular.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Boundary {
     pub value: f64,
-    /// The value as a fraction; none for a root of higher degree.
+    /// The value as a fraction; `None` for an irrational one.
     pub exact: Option<String>,
-    /// The degree of the polynomial, with integer coefficients, whose root it is.
+    /// The degree of the polynomial with integer coefficients of which the value is a root.
     pub degree: usize,
 }
 
-/// Exact stability along a parameter.
+/// Exact numbers of stable and unstable eigenvalues as functions of a parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExactAlong {
-    /// In ascending order.
+    /// The boundaries in ascending order.
     pub boundaries: Vec<Boundary>,
-    /// Before the first boundary, between two, and after the last.
+    /// The counts before the first boundary, between successive ones, and after the last.
     pub counts: Vec<Routh>,
 }
 
-/// Boundaries along a parameter, given by its place; `reasons` zero eigenvalues have known reasons.
+/// The boundaries along the parameter with the given index; `reasons` is the number of zero eigenvalues with known reasons.
 pub(super) fn along(
     model: &Model,
     layout: &Layout,
@@ -52,14 +52,14 @@ pub(super) fn along(
         polynomial(model, layout, (state, parameter), reasons).ok_or(NotEnclosed::NotExact)?;
     let one = Quotient::constant(Rational::int(1));
     let hurwitz = determinant(hurwitz(&coefficients, &one)).ok_or(NotEnclosed::NotExact)?;
-    // opposite eigenvalues at every value
+    // for every value of the parameter some eigenvalues are opposite to others
     if hurwitz.above.is_empty() {
         return Err(NotEnclosed::Opposite);
     }
     bounded(&coefficients, &hurwitz, unexplained).ok_or(NotEnclosed::NotExact)
 }
 
-/// The characteristic polynomial divided by its zero roots, and the number of zero roots without a known reason.
+/// The coefficients of the characteristic polynomial without its zero roots, and the number of zero roots without a known reason.
 fn polynomial(
     model: &Model,
     layout: &Layout,
@@ -91,7 +91,7 @@ fn polynomial(
     Some((coefficients, zeros.checked_sub(reasons)?))
 }
 
-/// Roots of the last coefficient and of Hurwitz' determinant, and poles, with the counts between them.
+/// The roots of the last coefficient and of Hurwitz' determinant, and the poles, with the counts between them.
 fn bounded(coefficients: &[Quotient], hurwitz: &Quotient, unexplained: usize) -> Option<ExactAlong> {
     let last = coefficients.last()?;
     let poles = coefficients.iter().fold(vec![Rational::int(1)], |all, c| product(&all, &c.below));
@@ -131,14 +131,14 @@ fn bounded(coefficients: &[Quotient], hurwitz: &Quotient, unexplained: usize) ->
     Some(ExactAlong { boundaries, counts })
 }
 
-/// A quotient as an expression.
+/// A rational function as an expression.
 fn written(number: &Quotient, letter: Sym) -> Sym {
     let horner = |all: &[Rational]| all.iter().rev().fold(Sym::ZERO, |sum, c| sum * letter + Sym::constant(*c));
     let above = horner(&number.above);
     if number.below.len() == 1 { above } else { above / horner(&number.below) }
 }
 
-/// Hurwitz' matrix of order n - 1, of coefficients from the highest.
+/// Hurwitz' matrix of order n - 1 for a polynomial of degree n, whose highest coefficient comes first.
 fn hurwitz<R: Pivot>(coefficients: &[R], one: &R) -> Matrix<R> {
     let order = coefficients.len().saturating_sub(2);
     let entry = |row: usize, column: usize| {
@@ -148,7 +148,7 @@ fn hurwitz<R: Pivot>(coefficients: &[R], one: &R) -> Matrix<R> {
     (0..order).map(|row| (0..order).map(|column| entry(row, column)).collect()).collect()
 }
 
-/// By elimination.
+/// The determinant up to its sign, by elimination.
 fn determinant(mut matrix: Matrix<Quotient>) -> Option<Quotient> {
     let mut all = Quotient::constant(Rational::int(1));
     let size = matrix.len();
@@ -163,7 +163,7 @@ fn determinant(mut matrix: Matrix<Quotient>) -> Option<Quotient> {
             let factor = row[column].over(&own[column])?;
             row.iter_mut().zip(&own).for_each(|(entry, own)| *entry = entry.minus(&own.times(&factor)));
         }
-        // the sign of the determinant does not matter for its roots
+        // row exchanges change only the sign, which does not influence the roots
         all = all.times(&own[column]);
     }
     Some(all)

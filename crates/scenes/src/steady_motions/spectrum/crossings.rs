@@ -1,59 +1,59 @@
-//! Brackets of the parameter values at which the verdict of enclosed eigenvalues changes.
+//! Brackets of the parameter values at which the stability by enclosed eigenvalues changes.
 
 use super::{EnclosedSpectrum, EnclosedVerdict, NotEnclosed};
 
-/// Intervals at whose ends verdicts are compared.
+/// Number of equal intervals of the range at whose ends the stability is compared.
 const INTERVALS: usize = 8;
 
-/// The largest number of steps to narrow a bracket.
+/// Largest number of steps that narrow a bracket.
 const STEPS: usize = 48;
 
-/// Parts of a bracket that are tried one after the other.
+/// Fractions of a bracket that are tried if the eigenvalues are not enclosed at the first choice.
 const PARTS: [f64; 5] = [0.5, 0.381_966, 0.618_034, 0.236, 0.764];
 
-/// A bracket of this width, in rounding errors, is not narrowed further.
+/// Least width of a bracket, in rounding errors of the value.
 const ROUNDINGS: f64 = 4.0;
 
-/// A value with its verdict.
+/// A value of the parameter with the stability verdict.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Judged {
     pub value: f64,
     pub verdict: EnclosedVerdict,
-    /// The number of zeros that have reasons.
+    /// The number of zero eigenvalues with known reasons.
     pub zeros: usize,
-    /// The eigenvalue with the largest real part.
+    /// The eigenvalue with the largest real part: real and imaginary part in 1/s.
     pub foremost: [f64; 2],
 }
 
 impl Judged {
-    /// Whether no disc touches the axis.
+    /// Whether no disc of an eigenvalue touches the imaginary axis without being proved to be on it.
     fn is_certain(&self) -> bool {
         !matches!(self.verdict, EnclosedVerdict::Undecided { touching, .. } if touching > 0)
     }
 
-    /// Whether the verdict is the same, as far as it is known: discs that touch the axis do not differ from eigenvalues on it.
+    /// Whether the verdicts agree as far as they are known; two undecided ones agree unless both are certain.
     fn is_like(&self, other: &Self) -> bool {
         let are_undecided = [self, other].iter().all(|one| matches!(one.verdict, EnclosedVerdict::Undecided { .. }));
         self.verdict == other.verdict || are_undecided && !(self.is_certain() && other.is_certain())
     }
 }
 
-/// Real parts below this part of an eigenvalue are rounding.
+/// Real parts below this multiple of the imaginary part are rounding errors.
 const ROUNDING: f64 = 1e-25;
 
-/// Verdicts along a range.
+/// The stability along a range of a parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Crossings {
-    /// Values that are compared, those without enclosures left out.
+    /// The compared values, without those at which eigenvalues are not enclosed.
     pub samples: Vec<Judged>,
-    /// Values on both sides of each change.
+    /// For each change of the verdict, a value on each side.
     pub changes: Vec<[Judged; 2]>,
-    /// Values without enclosures, and why.
+    /// Values at which eigenvalues are not enclosed, with the reasons.
     pub open: Vec<(f64, NotEnclosed)>,
 }
 
 impl Crossings {
-    /// The verdicts from one value to another, by the eigenvalues at each; `goes_on` is called regularly and ends the search if it returns false.
+    /// The verdicts over a range, with the eigenvalues that `spectrum` gives at each value; ends early when `goes_on` returns false.
     pub fn of(
         [from, to]: [f64; 2],
         mut spectrum: impl FnMut(f64) -> Result<EnclosedSpectrum, NotEnclosed>,
@@ -91,8 +91,8 @@ impl Crossings {
     }
 }
 
-/// The bracket narrowed. Each step is twice the distance of the secant's zero from the nearer end, by the largest real parts, so that soon both
-/// ends are near the change.
+/// A narrower bracket, by a secant method for the largest real part. Each step goes twice the distance from the nearer end to the zero of the
+/// secant, so that both ends approach the change.
 fn narrowed(
     mut ends: [Judged; 2],
     judged: &mut impl FnMut(f64) -> Result<Judged, NotEnclosed>,
@@ -114,7 +114,7 @@ fn narrowed(
             true => (2.0 * part).max(least).min(0.5),
             false => 1.0 - (2.0 * (1.0 - part)).max(least).min(0.5),
         };
-        // where the middle has no enclosures, as where motions merge at a round number, other places may have some
+        // eigenvalues may not be enclosed at a round value, at which motions merge
         let Some(found) = [part].into_iter().chain(PARTS).find_map(|part| {
             judged(low.value + part * way)
                 .ok()

@@ -1,38 +1,38 @@
-//! Discs that hold the roots of a real polynomial whose coefficients are enclosed.
+//! Discs that contain the roots of a real polynomial with enclosed coefficients.
 //!
-//! About numbers z_1 ... z_n, all different, the discs of radius n |W_i|,
+//! For distinct approximate roots z_1 ... z_n, the discs about z_i of radius n |W_i|,
 //!
 //!   W_i = p(z_i) / (a_n prod_(j != i) (z_i - z_j)) ,
 //!
-//! contain all roots; a connected union of discs contains as many roots as discs (Smith 1970). Roots of real polynomials come in conjugate pairs,
-//! those of conservative systems also in pairs of opposite sign. A root that is alone in its disc, and whose mirror image lies in this disc, is
-//! therefore on the axis of the mirror.
+//! contain all roots, and a connected union of discs contains as many roots as discs (Smith 1970). Roots of real polynomials come in conjugate
+//! pairs, those of conservative systems also in pairs of opposite sign. If a disc contains a single root and only this disc meets its mirror
+//! image, the root is therefore on the axis of the mirror.
 
 use algebra::real::{Ball, Ordered};
 use field::{DoubleDouble, Over, Scalar};
 use num_traits::Zero;
 
-/// Steps towards roots.
+/// Largest number of iterations that improve the approximate roots.
 const STEPS: usize = 60;
 
-/// The initial distance between numbers that are all zero, in 1/s, in rounding errors.
+/// Size in 1/s to which the initial distances between approximate roots are relative if all are zero.
 const LEAST: f64 = 1e-12;
 
-/// Discs whose distance is larger than their radii by this part are apart.
+/// Relative tolerance for rounding errors of distances and radii.
 const SLACK: f64 = 1e-9;
 
-/// A part of the plane of eigenvalues.
+/// The position of a disc relative to the imaginary axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
     Left,
-    /// On the imaginary axis, exactly.
+    /// The eigenvalue is proved to be on the imaginary axis.
     Axis,
     Right,
-    /// The disc touches the axis.
+    /// The disc touches the imaginary axis.
     Undecided,
 }
 
-/// A disc that holds so many eigenvalues, and no others.
+/// A disc in the complex plane that contains exactly `count` eigenvalues; centre (real and imaginary part) and radius in 1/s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EigenvalueDisc {
     pub centre: [f64; 2],
@@ -70,7 +70,7 @@ impl<S: Scalar> Complex<S> {
         Complex { re: product.re / square, im: product.im / square }
     }
 
-    /// p, with its coefficients from the highest, and p'.
+    /// The values of p and p'; the highest coefficient comes first.
     fn polynomial(self, coefficients: &[S]) -> [Self; 2] {
         let zero = Complex { re: S::zero(), im: S::zero() };
         coefficients.iter().fold([zero; 2], |[value, slope], &c| {
@@ -87,8 +87,8 @@ fn size([re, im]: [f64; 2]) -> f64 {
     re.hypot(im)
 }
 
-/// Discs for the roots of a polynomial, from numbers near the roots; its coefficients begin with the highest. The caller says whether roots come
-/// in pairs of opposite sign. None if the discs are unbounded.
+/// Discs for the roots of a polynomial, highest coefficient first, from the approximate roots `begin`. `is_even` says that roots come in pairs of
+/// opposite sign. `None` if a disc is unbounded.
 pub(super) fn discs(coefficients: &[Ball], begin: &[[f64; 2]], is_even: bool) -> Option<Vec<EigenvalueDisc>> {
     let n = begin.len();
     if coefficients.len() != n + 1 {
@@ -114,7 +114,7 @@ pub(super) fn discs(coefficients: &[Ball], begin: &[[f64; 2]], is_even: bool) ->
     for own in 0..n {
         let members: Vec<usize> = (0..n).filter(|&k| group[k] == own).collect();
         let alone = |image: &dyn Fn([f64; 2]) -> [f64; 2]| match members[..] {
-            // its image meets this disc, and no other
+            // the mirror image meets this disc and no other
             [k] => (0..n).all(|j| meet(image(places[k]), places[j], radii[k] + radii[j]) == (j == k)),
             _ => false,
         };
@@ -138,9 +138,9 @@ pub(super) fn discs(coefficients: &[Ball], begin: &[[f64; 2]], is_even: bool) ->
             () if is_beyond(1.0) => Side::Right,
             () => Side::Undecided,
         };
-        // the centre is a float
+        // the centre is rounded to double precision
         let radius = (radius + f64::EPSILON * size(centre)) * (1.0 + SLACK);
-        // a cluster about zero
+        // the centre of a cluster about zero becomes exactly zero
         let (centre, radius) =
             if count > 1 && size(centre) <= radius { ([0.0; 2], 2.0 * radius) } else { (centre, radius) };
         all.push(EigenvalueDisc { centre, radius, count, side });
@@ -149,12 +149,12 @@ pub(super) fn discs(coefficients: &[Ball], begin: &[[f64; 2]], is_even: bool) ->
     Some(all)
 }
 
-/// A step that improves all approximate roots at once (Ehrlich, Aberth).
+/// Better approximate roots, by the method of Ehrlich and Aberth for all roots together.
 fn improved(coefficients: &[Ball], begin: &[[f64; 2]]) -> Vec<Complex<DoubleDouble>> {
     let middle: Vec<DoubleDouble> = coefficients.iter().map(Ball::middle).collect();
     let largest = begin.iter().map(|z| size(*z)).fold(0.0, f64::max);
     let lift = |value: f64| DoubleDouble::lift(value);
-    // all different
+    // makes the starting values distinct
     let aside = |k: usize| (k + 1) as f64 * 1e-13;
     let apart = |(k, &[re, im]): (usize, &[f64; 2])| {
         let by = aside(k) * (size([re, im]) + 1e-6 * largest + LEAST);
@@ -186,7 +186,7 @@ fn improved(coefficients: &[Ball], begin: &[[f64; 2]]) -> Vec<Complex<DoubleDoub
     all
 }
 
-/// n |W_i|, rounded up.
+/// The radii n |W_i|, rounded up; `None` if one is infinite.
 fn radii(coefficients: &[Ball], centres: &[Complex<DoubleDouble>]) -> Option<Vec<f64>> {
     let n = centres.len();
     let exact: Vec<Complex<Ball>> =

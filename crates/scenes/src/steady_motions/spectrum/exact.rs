@@ -1,4 +1,4 @@
-//! Exact Routh criterion at a motion whose values are decimals, and at which every derivative is rational.
+//! Routh's criterion in exact arithmetic, at a motion whose values are decimals and at which all derivatives are rational.
 
 use super::reduction::{Layout, Pivot, Reduced, solved, whole};
 use crate::linearisation::{AllSlopes, VariedEquations};
@@ -7,22 +7,22 @@ use mechanics::linear_stability::{HalfPlanes, characteristic};
 use model::Model;
 use symbolic::Sym;
 
-/// Larger systems have fractions of too many digits.
+/// Largest number of speeds; fractions of larger systems have too many digits.
 pub(super) const MOST_SPEEDS: usize = 8;
 
-/// Exact numbers of eigenvalues other than zero, and of zeros.
+/// Exact numbers of eigenvalues left of, on and right of the imaginary axis, without zeros; and of zeros.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Routh {
     pub left: usize,
-    /// On the imaginary axis without zero.
+    /// The number of imaginary eigenvalues other than zero.
     pub axis: usize,
     pub right: usize,
-    /// Zeros for which no reason is known.
+    /// The number of zero eigenvalues without a known reason.
     pub unexplained: usize,
 }
 
-/// The exact count at a state, with the cases of conditions, where a number of zeros of the reduced equations have known reasons. None if some
-/// number is not a fraction, or if the state is not exactly a steady motion.
+/// The exact counts at a state, with the cases of conditions, if `reasons` zero eigenvalues of the reduced equations have known reasons. `None` if a
+/// number is irrational, or the state is not exactly a steady motion.
 pub(super) fn routh(
     model: &Model,
     with_numbers: &VariedEquations,
@@ -58,7 +58,7 @@ pub(super) fn routh(
     counted(coefficients, unexplained)
 }
 
-/// Whether every derivative at zero accelerations is a fraction: none contains a sine of a number.
+/// Whether all derivatives at zero accelerations are rational; a sine of a number is not.
 fn are_fractions(varied: &VariedEquations, (state, switches): (&[f64], &[f64])) -> bool {
     let [n, m, ..] = varied.counts();
     symbolic::apart(|| {
@@ -69,13 +69,13 @@ fn are_fractions(varied: &VariedEquations, (state, switches): (&[f64], &[f64])) 
     })
 }
 
-/// Routh's count for a polynomial without roots at zero.
+/// The counts by Routh's criterion for a polynomial without zero roots.
 pub(super) fn counted(coefficients: Vec<Rational>, unexplained: usize) -> Option<Routh> {
     let HalfPlanes { left, axis, right, .. } = HalfPlanes::of(&coefficients)?;
     Some(Routh { left, axis, right, unexplained })
 }
 
-/// The equations at the motion, with the exact speeds, accelerations and multipliers. None if the state is not a steady motion.
+/// The derivatives of the equations at the motion, with exact speeds, accelerations and multipliers. `None` if the state is not a steady motion.
 pub(super) fn at_motion<R: Pivot>(
     varied: &VariedEquations,
     layout: &Layout,
@@ -90,7 +90,7 @@ pub(super) fn at_motion<R: Pivot>(
     layout.cyclic.iter().for_each(|&k| point[k] = zero.clone());
     point.resize(2 * n + n + m, zero.clone());
     let negative = |value: &R| vec![zero.minus(value)];
-    // speeds that constraints determine
+    // corrects the dependent speeds so that constraints of speeds hold exactly
     let at = exactly(&point)?;
     let rows = &at.acceleration.by_accelerations[layout.positions..];
     let own = rows.iter().map(|row| layout.determined.iter().map(|&k| row[k].clone()).collect()).collect();

@@ -1,7 +1,8 @@
-//! Enclosed eigenvalues of the linear equations at a steady motion: zeros with known reasons are split off, every other one lies in a disc.
+//! Enclosed eigenvalues of the linear equations at a steady motion: zero eigenvalues with known reasons are separated, and each other one lies
+//! in a disc.
 //!
-//! Krawczyk's operator encloses the motion to thirty digits. From it follow the linear equations without cyclic coordinates and their
-//! characteristic polynomial, to the same precision. As many of its last coefficients are zero as zero eigenvalues have reasons.
+//! Krawczyk's operator encloses the motion to thirty digits. The linear equations without cyclic coordinates and their characteristic
+//! polynomial follow with similar precision. As many of its last coefficients are zero as zero eigenvalues have known reasons.
 
 mod along;
 mod crossings;
@@ -33,49 +34,49 @@ use reduction::{Layout, Reduced};
 use std::fmt;
 use zeros::{Kept, reasons};
 
-/// For larger systems the characteristic polynomial loses its thirty digits.
+/// Largest number of states; for more, the characteristic polynomial is not precise enough.
 const MOST_STATES: usize = 24;
 
-/// The largest number of digits of trial decimals.
+/// Number of digits of the decimals that are tried as exact values of the motion.
 const DIGITS: usize = 10;
 
-/// Discs that exceed a bound of all eigenvalues by this factor are useless and count as none.
+/// A disc with a radius above this multiple of a bound of all eigenvalues is replaced by an unbounded one.
 const BEYOND: f64 = 1e3;
 
-/// Smaller values are tried as zero.
+/// Unknowns below this size are tried as zero.
 const NOTHING: f64 = 1e-12;
 
-/// All eigenvalues at a steady motion.
+/// Enclosures of all eigenvalues at a steady motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EnclosedSpectrum {
-    /// Zeros, each with its reason.
+    /// The reasons of the zero eigenvalues, one for each.
     pub zeros: Vec<ZeroReason>,
-    /// All others, by falling real parts.
+    /// Discs of all others, with decreasing real parts.
     pub discs: Vec<EigenvalueDisc>,
-    /// The count by Routh's criterion with exact fractions, where the data and the motion are decimals.
+    /// The exact counts by Routh's criterion, if the data and the motion are decimals with rational derivatives.
     pub exact: Option<Routh>,
 }
 
-/// The reason for which eigenvalues are not enclosed.
+/// The reason for which eigenvalues could not be enclosed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NotEnclosed {
-    /// More states than are enclosed.
+    /// The system has more states than are supported.
     Large { states: usize, most: usize },
-    /// Accelerations, or speeds by constraints, are not determined within the enclosure of the motion, or an expression has no bounds.
+    /// Accelerations or dependent speeds are not determined within the enclosure of the motion, or an expression is unbounded.
     Undetermined,
-    /// There are no numerical linear equations.
+    /// The linear equations cannot be evaluated.
     NoEquations,
-    /// Steady motions are not searched for in such a model.
+    /// The search for steady motions does not support the model, for the given reason.
     NotSought(&'static str),
-    /// The search does not prove a steady motion at the point.
+    /// No steady motion is proved at the point.
     NoMotion,
-    /// A condition of the law is zero there, and its derivatives jump.
+    /// A condition of the law is zero at the motion, and derivatives jump there.
     AtCondition,
-    /// Inputs depend on the state, but the linear equations keep them constant.
+    /// Inputs depend on the state, which the linear equations ignore.
     Feedback,
-    /// The motion changes with the parameter, or some number is not a fraction.
+    /// The motion changes with the parameter, or a number is irrational.
     NotExact,
-    /// The negative of every eigenvalue is an eigenvalue, for each value of a parameter.
+    /// For all values of the parameter, the negative of every eigenvalue is an eigenvalue, too.
     Opposite,
 }
 
@@ -101,22 +102,22 @@ impl fmt::Display for NotEnclosed {
     }
 }
 
-/// The meaning of enclosed eigenvalues.
+/// The conclusion on stability from enclosed eigenvalues.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EnclosedVerdict {
-    /// All but zeros that have reasons lie left of the imaginary axis.
+    /// All eigenvalues except zeros with known reasons are left of the imaginary axis.
     Asymptotic,
-    /// At least this number of eigenvalues has a positive real part.
+    /// At least this number of eigenvalues has positive real parts.
     Unstable(usize),
-    /// No eigenvalue is known to lie right of the axis: `on_axis` of them lie on it, `touching` in discs that touch it.
+    /// No eigenvalue is proved right of the axis: `on_axis` are proved on it, `touching` are in discs that touch it.
     Undecided { on_axis: usize, touching: usize },
 }
 
 impl EnclosedSpectrum {
-    /// The eigenvalues at an enclosed motion; `state` is a state within the enclosure.
+    /// The eigenvalues at an enclosed motion; `state` is a state in the enclosure.
     ///
     /// # Errors
-    /// The reason for which eigenvalues are not enclosed.
+    /// If there are too many states, or the linear equations are not determined in the enclosure.
     pub(super) fn of(
         model: &Model,
         equations: &SteadyEquations,
@@ -136,7 +137,7 @@ impl EnclosedSpectrum {
             Kept { momenta: equations.kept_momenta.clone(), energy: keeps_energy, free: equations.free_speeds.len() };
         let mut zeros: Vec<ZeroReason> = equations.cyclic.iter().cloned().map(ZeroReason::Cyclic).collect();
         let own = reasons(&at, &speeds, &reduced, &kept);
-        // the zeros of the reduced matrix, which has no cyclic coordinates
+        // cyclic coordinates do not count: the reduced matrix does not contain them
         let forced = own.len();
         zeros.extend(own);
         let is_even = keeps_energy && m == layout.positions;
@@ -146,7 +147,7 @@ impl EnclosedSpectrum {
         Ok(EnclosedSpectrum { exact, ..found })
     }
 
-    /// Encloses the eigenvalues of a matrix, `forced` of which are zero; `None` where no discs are found.
+    /// Encloses the eigenvalues of a matrix, `forced` of which are zero; `None` if no discs are found.
     fn of_matrix(matrix: &[Vec<Ball>], zeros: Vec<ZeroReason>, forced: usize, is_even: bool) -> Option<Self> {
         let size = matrix.len();
         let mut coefficients = characteristic(matrix, &Ball::constant(1.0));
@@ -164,21 +165,21 @@ impl EnclosedSpectrum {
         };
         begin.sort_by(|a, b| a[0].hypot(a[1]).total_cmp(&b[0].hypot(b[1])));
         if is_even {
-            // odd powers vanish: eigenvalues come with their negatives
+            // odd coefficients vanish, since the negative of every eigenvalue is an eigenvalue
             if !coefficients.iter().skip(1).step_by(2).all(is_none) {
                 return None;
             }
             coefficients.iter_mut().skip(1).step_by(2).for_each(|c| *c = Ball::constant(0.0));
         }
         let mut discs = discs::discs(&coefficients, &begin[forced..], is_even)?;
-        // no eigenvalue exceeds the largest sum of a row: a disc far beyond it is useless
+        // by Gershgorin no eigenvalue exceeds the largest row sum
         let sums = matrix.iter().map(|row| row.iter().map(|entry| entry.size()).sum::<f64>());
         let beyond = BEYOND * (1.0 + sums.fold(0.0, f64::max));
         discs.iter_mut().filter(|disc| disc.radius > beyond).for_each(|disc| disc.radius = f64::INFINITY);
         Some(EnclosedSpectrum { zeros, discs, exact: None })
     }
 
-    /// The meaning for stability.
+    /// The conclusion on stability; exact counts take precedence.
     pub fn verdict(&self) -> EnclosedVerdict {
         let count = |side: Side| self.discs.iter().filter(|disc| disc.side == side).map(|disc| disc.count).sum();
         let counts = match self.exact {
@@ -192,8 +193,7 @@ impl EnclosedSpectrum {
         }
     }
 
-    /// The stability by the centres of the discs, where these have bounds: zeros with reasons, which rounding splits in numerical eigenvalues,
-    /// are not among them.
+    /// The stability by the centres of the discs, without the zeros that have reasons and that rounding would move; `None` if a disc is unbounded.
     pub fn by_centres(&self) -> Option<Stability> {
         let centres = || self.discs.iter().flat_map(|disc| std::iter::repeat_n(disc.centre, disc.count));
         let values = centres().map(|[re, im]| Complex::new(re, im)).collect();
@@ -202,7 +202,7 @@ impl EnclosedSpectrum {
     }
 }
 
-/// The state with unknowns as short decimals, where these lie in the enclosure.
+/// The state with the unknowns rounded to short decimals, as far as these lie in the enclosure.
 fn decimals(equations: &SteadyEquations, enclosure: &[Interval], state: &[f64]) -> Option<Vec<f64>> {
     let mut state = state.to_vec();
     for (unknown, within) in equations.unknowns.iter().zip(enclosure) {
@@ -213,7 +213,7 @@ fn decimals(equations: &SteadyEquations, enclosure: &[Interval], state: &[f64]) 
     Some(state)
 }
 
-/// Constraints, and the parts of coordinates in the equations.
+/// The numbers of position constraints, the dependent speeds and the cyclic coordinates, for the reduction of the equations.
 fn layout(equations: &SteadyEquations, varied: &VariedEquations) -> Layout {
     let [n, ..] = varied.counts();
     let determined = equations.determined.0.iter().map(|place| place - n).collect();

@@ -1,4 +1,4 @@
-//! A steady motion enclosed to thirty digits: all values on which the varied equations depend.
+//! Enclosure of a steady motion to thirty digits, with the linear equations there.
 
 use super::reduction::{solved, whole};
 use crate::linearisation::{AllSlopes, VariedEquations};
@@ -8,11 +8,11 @@ use field::{Interval, Rational};
 use nalgebra::DMatrix;
 use num_traits::Zero;
 
-/// Steps of Newton's method over enclosures.
+/// Largest number of iterations of Krawczyk's operator.
 const STEPS: usize = 6;
 
-/// The varied equations at a motion whose unknowns and reactions are enclosed, all other numbers being the decimals of a state; and its
-/// speeds. None where accelerations and reactions are not determined.
+/// The derivatives of the equations at a motion with enclosed unknowns and reactions, and its speeds; other values are the exact decimals of
+/// `state`. `None` if accelerations and reactions are not determined.
 pub(super) fn slopes_at(
     equations: &SteadyEquations,
     varied: &VariedEquations,
@@ -42,7 +42,7 @@ pub(super) fn slopes_at(
     Some((varied.over(&point, Ball::zero()), speeds))
 }
 
-/// The zero in an enclosure that contains one, by Krawczyk's operator with thirty digits: K(X) contains every zero of X.
+/// A narrow enclosure of the zero in `enclosure`, by Krawczyk's operator K with thirty digits; K(X) contains every zero in X.
 fn refined(equations: &SteadyEquations, enclosure: &[Interval]) -> Vec<Ball> {
     let size = enclosure.len();
     let mut at: Vec<Ball> = enclosure.iter().map(|part| Ball::over_range(part.low(), part.high())).collect();

@@ -1,4 +1,4 @@
-//! Enclosed eigenvalues at the steady motion near a state.
+//! Enclosed eigenvalues at the steady motion near a given state.
 
 use super::along::{ExactAlong, along};
 use super::{EnclosedSpectrum, MOST_STATES, NotEnclosed, layout};
@@ -15,14 +15,15 @@ use algebra::boxes::{Limits, zeros};
 use field::Interval;
 use model::Model;
 
-/// The number of boxes examined near the state.
+/// Number of boxes of the search near the state.
 const BOXES: usize = 200;
 
 impl EnclosedSpectrum {
-    /// The eigenvalues at the steady motion near a state, which is proved to be the only one there with the state's speeds of cyclic coordinates.
+    /// The eigenvalues at the steady motion near a state; it is proved to be the only one there with the cyclic speeds of the state. The search ends when
+    /// `goes_on` returns false.
     ///
     /// # Errors
-    /// The reason for which eigenvalues are not enclosed.
+    /// If no such motion is proved, the model is not supported, or the eigenvalues cannot be enclosed.
     pub fn near(model: &Model, state: &[f64], goes_on: impl FnMut() -> bool) -> Result<Self, NotEnclosed> {
         let states = 2 * model.speeds();
         if states > 2 * MOST_STATES {
@@ -54,13 +55,13 @@ impl EnclosedSpectrum {
     }
 }
 
-/// The cases of the conditions of a law at a state. A condition that is zero belongs to both sides, or there is a kink.
+/// The cases of the conditions of a law at a state, by their signs; zero counts as `Case::Fails`.
 pub(super) fn cases_at(varied: &VariedEquations, state: &[f64]) -> Vec<Case> {
     let case = |holds: &f64| if *holds > 0.0 { Case::Holds } else { Case::Fails };
     varied.point(0.0, state).switches.iter().map(case).collect()
 }
 
-/// Whether a steady motion has the speeds of a state: coordinates that are not cyclic rest, and constraints determine speeds.
+/// Whether a steady motion has the speeds of a state, which the equations may determine otherwise.
 fn moves_as(equations: &SteadyEquations, enclosure: &[Interval], state: &[f64]) -> bool {
     let unknowns: Vec<f64> = equations.unknowns.iter().zip(enclosure).map(|(_, at)| at.middle()).collect();
     let moving = equations.state_at(unknowns.into_iter());
@@ -72,11 +73,11 @@ fn moves_as(equations: &SteadyEquations, enclosure: &[Interval], state: &[f64]) 
 }
 
 impl ExactAlong {
-    /// Exact boundaries along a parameter, by its name, for the steady motion at a state. The state must be a steady motion for every
-    /// value of the parameter, and all numbers rational.
+    /// Exact stability boundaries along the parameter with this name. The state must be a steady motion for every value of the parameter, and
+    /// all numbers must be rational.
     ///
     /// # Errors
-    /// Why there are no exact boundaries.
+    /// If the name is unknown, these conditions do not hold, or the law changes at conditions.
     pub fn of(model: &Model, state: &[f64], parameter: &str) -> Result<Self, NotEnclosed> {
         let place = model.parameters.iter().position(|own| own.name == parameter);
         let place = place.ok_or(NotEnclosed::NotSought("no parameter is called so"))?;
@@ -87,7 +88,7 @@ impl ExactAlong {
         }
         let equations =
             SteadyEquations::near(model, state, &[]).map_err(|why| NotEnclosed::NotSought(why_not(&why)))?;
-        // zeros are counted exactly: those with reasons are found at the value of the file
+        // the number of zero eigenvalues with reasons is that at the value of the file
         let found = EnclosedSpectrum::near(model, state, || true)?;
         let reasons = found.zeros.len() - equations.cyclic.len();
         along(model, &layout(&equations, &varied), (state, place), reasons)

@@ -1,4 +1,4 @@
-//! The steady motion that Newton's method finds from a state: along a parameter or a speed the motion moves with it.
+//! The steady motion to which Newton's method converges from a state; along a parameter, the motion changes with it.
 
 use super::nearby::cases_at;
 use super::{EnclosedSpectrum, NotEnclosed};
@@ -8,21 +8,21 @@ use crate::steady_motions::quasi_velocities::Extended;
 use model::Model;
 use nalgebra::{DMatrix, DVector};
 
-/// The largest number of steps.
+/// Largest number of Newton's iterations.
 const STEPS: usize = 60;
 
-/// No step is longer than this, relative to one in SI units and to the value.
+/// Longest step, in SI units and relative to the value.
 const LONGEST: f64 = 0.5;
 
-/// A step that is shorter, relative to one in SI units and to the value, ends the iteration.
+/// The iteration has converged if a step is shorter, in SI units and relative to the value.
 const SHORT: f64 = 1e-14;
 
 impl EnclosedSpectrum {
-    /// The eigenvalues at the steady motion at a state, or at the one that Newton's method finds from there with the same speeds of cyclic
-    /// coordinates; the motion is proved to be the only one near its own state.
+    /// The eigenvalues at the steady motion at a state, or at that to which Newton's method converges with the same cyclic speeds. The motion is proved
+    /// to be the only one in a neighbourhood.
     ///
     /// # Errors
-    /// The reason for which eigenvalues are not enclosed.
+    /// As for [`EnclosedSpectrum::near`].
     pub fn following(model: &Model, state: &[f64], mut goes_on: impl FnMut() -> bool) -> Result<Self, NotEnclosed> {
         match Self::near(model, state, &mut goes_on) {
             Err(NotEnclosed::NoMotion) => {
@@ -35,7 +35,7 @@ impl EnclosedSpectrum {
     }
 }
 
-/// The state of the steady motion, to rounding; none where the iteration does not end.
+/// The state of the steady motion, up to rounding; `None` if the iteration does not converge.
 fn steady_from(model: &Model, state: &[f64]) -> Option<Vec<f64>> {
     let varied = VariedEquations::with_inputs(model, &[], &[]).ok()?;
     let equations = SteadyEquations::near(model, state, &cases_at(&varied, state)).ok()?;
@@ -44,7 +44,7 @@ fn steady_from(model: &Model, state: &[f64]) -> Option<Vec<f64>> {
     if equations.rows != size || equations.tapes.surplus.outputs() > 0 {
         return None;
     }
-    // equations are linear in reactions: one step finds them
+    // reactions start from zero: the equations are linear in them
     let mut at: Vec<f64> = equations.unknowns.iter().map(|unknown| state[unknown.place]).collect();
     at.resize(size, 0.0);
     let (mut value, mut slope) = (vec![0.0; size], vec![0.0; size * size]);

@@ -1,14 +1,14 @@
-//! Fractions of polynomials in one letter, with fractions as coefficients: a field.
+//! The field of rational functions of one letter, with rational coefficients.
 
 use super::reduction::Pivot;
 use algebra::real::Ordered;
 use field::{Rational, Scalar};
 use symbolic::{Hypotheses, Sym, normal, univariate};
 
-/// Coefficients from the constant upwards, without zeros at the end: empty for zero.
+/// The coefficients of a polynomial from the constant term on, without trailing zeros; empty for zero.
 type Coefficients = Vec<Rational>;
 
-/// A fraction in lowest terms; below it begins with one.
+/// A rational function in lowest terms; the highest coefficient of the denominator `below` is one.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Quotient {
     pub above: Coefficients,
@@ -25,7 +25,7 @@ impl Quotient {
         Quotient { above: vec![Rational::int(0), Rational::int(1)], below: vec![Rational::int(1)] }
     }
 
-    /// The fraction that equals an expression in the letter alone; `None` where it is no fraction of polynomials.
+    /// An expression as a rational function of the letter; `None` if it is not one.
     pub fn of(expression: Sym, letter: Sym) -> Option<Self> {
         if let Some(value) = expression.as_constant() {
             return value.is_defined().then(|| Self::constant(value));
@@ -36,7 +36,7 @@ impl Quotient {
         (!below.is_empty()).then(|| Self::reduced(above, below))
     }
 
-    /// At a value; none at a pole.
+    /// The value at a point; `None` at a pole.
     pub fn at(&self, value: Rational) -> Option<Rational> {
         let horner = |all: &Coefficients| all.iter().rev().fold(Rational::int(0), |sum, c| sum * value + *c);
         Some(horner(&self.above) / horner(&self.below)).filter(|value| value.is_defined())
@@ -87,7 +87,7 @@ impl Ordered for Quotient {
         None
     }
 
-    /// The sign of a constant; `None` where the letter occurs.
+    /// The sign of a constant; `None` if the letter occurs.
     fn sign(&self) -> Option<i32> {
         match (&self.above[..], &self.below[..]) {
             ([], _) => Some(0),
@@ -98,7 +98,7 @@ impl Ordered for Quotient {
 }
 
 impl Pivot for Quotient {
-    /// Short ones first.
+    /// The preference as a pivot: simpler functions have a larger weight.
     fn weight(&self) -> f64 {
         if self.above.is_empty() { 0.0 } else { 1.0 / (self.above.len() + self.below.len()) as f64 }
     }
@@ -124,7 +124,7 @@ pub(super) fn product(a: &Coefficients, b: &Coefficients) -> Coefficients {
     all
 }
 
-/// The quotient and the rest.
+/// The quotient and the remainder of a polynomial division.
 fn divided(mut rest: Coefficients, by: &Coefficients) -> (Coefficients, Coefficients) {
     let Some(&lead) = by.last() else { return (rest, Vec::new()) };
     let mut quotient = vec![Rational::int(0); (rest.len() + 1).saturating_sub(by.len())];
@@ -136,11 +136,11 @@ fn divided(mut rest: Coefficients, by: &Coefficients) -> (Coefficients, Coeffici
     (trimmed(quotient), trimmed(rest))
 }
 
-/// The greatest common divisor, beginning with one.
+/// The greatest common divisor with leading coefficient one.
 fn gcd(mut a: Coefficients, mut b: Coefficients) -> Coefficients {
     while !b.is_empty() {
         let rest = divided(a, &b).1;
-        // small numbers stay small
+        // scaling keeps the coefficients small
         let lead = rest.last().copied().unwrap_or(Rational::int(1));
         (a, b) = (b, rest.into_iter().map(|c| c / lead).collect());
     }
