@@ -1,14 +1,16 @@
-//! The structural index of a coordinate without inertia whose law does not hold it.
+//! The structural index of the equations of motion for a coordinate without inertia whose law does not contain it.
 //!
-//! Its law 0 = f(q, u, t) is differentiated until the coordinate appears: a rate of a coordinate is a speed, and a rate of a speed contains
-//! all letters of the equations of motion with which it is coupled. After r differentiations the equations are a DAE of index r + 1.
+//! The law 0 = f(q, u, t) is differentiated until the coordinate appears: the derivative of a coordinate is a speed, and that of a speed contains
+//! all letters of the equations of motion that the mass matrix couples with it. After r differentiations the equations are a DAE of index
+//! r + 1.
 
 use model::equations::Equations;
 use model::{Model, Trace};
 use std::collections::HashSet;
 use symbolic::{Sym, apart};
 
-/// The number of differentiations after which a coordinate appears in its law; `None` where it appears at once or never.
+/// The number r of differentiations of its law after which the coordinate with index `place`, or its speed, appears; `None` if it appears at
+/// once or never.
 pub(crate) fn differentiations(model: &Model, place: usize) -> Option<usize> {
     if model.positions() != model.speeds() || place >= model.coordinates.len() {
         return None;
@@ -22,7 +24,7 @@ pub(crate) fn differentiations(model: &Model, place: usize) -> Option<usize> {
             expression.symbols_of().into_iter().filter(|symbol| letters.contains(symbol)).collect()
         };
         let own = [trace.coordinates[place], trace.speeds[place]];
-        // speeds whose accelerations the mass matrix couples
+        // groups of speeds whose accelerations are coupled by the mass matrix
         let mut group: Vec<usize> = (0..n).collect();
         for i in 0..n {
             for j in 0..i {

@@ -1,4 +1,4 @@
-//! A text with a system, for commands and programs that work on texts.
+//! The text of a system, for commands and programs that need a model without a run.
 
 use crate::admissible::impossible;
 use crate::branch::{on_branch, without_implied};
@@ -16,37 +16,37 @@ use simulation::models::{has_model, holds_model};
 use simulation::run;
 use std::path::Path;
 
-/// A text with `[coordinates]`, and its name in messages.
+/// A text with the table `[coordinates]`, and its name in messages.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SystemText {
     pub name: String,
     pub text: String,
-    /// Values of parameters, and of coordinates and speeds at the start, in SI units, which replace those of the text.
+    /// Values, in SI units, that replace those of the text: of parameters, and of coordinates and speeds at the start.
     pub values: Vec<(String, f64)>,
 }
 
 impl SystemText {
-    /// The text of a file.
+    /// Reads the text of a file.
     ///
     /// # Errors
-    /// It cannot be read.
+    /// If the file cannot be read.
     pub fn read(path: &Path) -> Result<Self, SceneError> {
         Ok(SystemText { name: path.display().to_string(), text: read_text(path)?, values: Vec::new() })
     }
 
-    /// The system, without its run.
+    /// The model of the text, with the replaced values.
     ///
     /// # Errors
-    /// All that is wrong with the system, each at its place.
+    /// All faults of the system, each with its place; also a system that is too large for the task.
     pub fn model(&self, task: Task) -> Result<Model, SceneError> {
         let (_, model) = parse_titled(&self.name, &self.text, task)?;
         self.with_its_values(model)
     }
 
-    /// A model with the replaced values.
+    /// A model with the replaced values of this text.
     ///
     /// # Errors
-    /// A name that it does not know, and bodies that cannot exist with these values.
+    /// If a name is unknown, or masses and moments of inertia are impossible with these values.
     pub fn with_its_values(&self, mut model: Model) -> Result<Model, SceneError> {
         if self.values.is_empty() {
             return Ok(model);
@@ -59,18 +59,18 @@ impl SystemText {
         Err(SceneError { path: self.name.clone(), text: self.text.clone(), issues })
     }
 
-    /// A fault of the system, at its place in this text.
+    /// A fault of the system, as an error that refers to this text.
     pub fn with_issue(&self, issue: Issue) -> SceneError {
         SceneError { path: self.name.clone(), text: self.text.clone(), issues: vec![issue] }
     }
 
-    /// Checks the table [run], where the text has one, for tasks that need no run.
+    /// Checks the table `[run]` of the text, for tasks that do not run it.
     ///
     /// # Errors
-    /// All that is wrong with it, each at its place.
+    /// All faults of the table, each with its place.
     pub fn check_run(&self, model: &Model) -> Result<(), SceneError> {
         let names = columns(model);
-        // outputs of a scene with a law of its own have the names of that
+        // `[run]` of a scene with a built-in law refers to the outputs of that law, which are not known here
         let known = (holds_model(&self.text) || !has_model(&self.text)).then_some(names.as_slice());
         tables(&self.name, &self.text, |top, issues| {
             top.known_all();
@@ -79,34 +79,33 @@ impl SystemText {
         })
     }
 
-    /// The system for printing equations: without the equations of redundant constraints.
+    /// The model for printing equations, without the equations of redundant constraints.
     ///
     /// # Errors
-    /// All that is wrong with the system, and constraints that contradict each other.
+    /// All faults of the system, and contradictory constraints.
     pub fn for_equations(&self) -> Result<Model, SceneError> {
         let mut model = self.model(Task::Write)?;
         without_implied((&self.name, &self.text), &mut model)?;
         Ok(model)
     }
 
-    /// The system for judging statements: on the branch of its start.
+    /// The model for judging statements, on the branch of its start.
     ///
     /// # Errors
-    /// All that is wrong with the system, and constraints that contradict each other: then there is no motion of which anything could be
-    /// said.
+    /// All faults of the system, and contradictory constraints: there is no motion then, and every statement would be true.
     pub fn for_judgement(&self) -> Result<Model, SceneError> {
         self.for_judgement_with(Vec::new())
     }
 
-    /// The system for judging statements, with further outputs: the quantities of the statements.
+    /// The model for judging statements, with the quantities of the statements as additional outputs.
     ///
     /// # Errors
-    /// All faults of the system and of these outputs, and constraints that contradict each other.
+    /// All faults of the system and of these outputs, and contradictory constraints.
     pub fn for_judgement_with(&self, outputs: Vec<Entry>) -> Result<Model, SceneError> {
         let (_, model, _) = parse_with(&self.name, &self.text, Task::Write, outputs)?;
         let mut model = self.with_its_values(model)?;
         without_implied((&self.name, &self.text), &mut model.clone())?;
-        // off the branch the constraints leave other motions
+        // on another branch, constraints may allow other motions
         on_branch(&mut model);
         Ok(match start_of(&model) {
             Ok(state) => starting(&model, &state),
@@ -115,45 +114,45 @@ impl SystemText {
     }
 }
 
-/// Reads the system of a file without its run, for tasks that need neither values nor a run.
+/// The model of a file, without its run.
 ///
 /// # Errors
-/// All that is wrong with the system, each at its place.
+/// All faults of the system, each with its place; also a system that is too large for the task.
 pub fn read_model(path: &Path, task: Task) -> Result<Model, SceneError> {
     read_titled(path, task).map(|(_, model)| model)
 }
 
-/// Reads the system of a file without its run, with the title, which may be empty.
+/// The title of a file, which may be empty, and its model.
 ///
 /// # Errors
-/// All that is wrong with the system, each at its place.
+/// As for [`read_model`].
 pub fn read_titled(path: &Path, task: Task) -> Result<(String, Model), SceneError> {
     parse_titled(&path.display().to_string(), &read_text(path)?, task)
 }
 
-/// The same of a text; `name` is what messages call it.
+/// The title of a text, which may be empty, and its model; messages refer to the text as `name`.
 ///
 /// # Errors
-/// All that is wrong with the system, each at its place.
+/// As for [`read_model`].
 pub fn parse_titled(name: &str, text: &str, task: Task) -> Result<(String, Model), SceneError> {
     parse_with(name, text, task, Vec::new()).map(|(title, model, _)| (title, model))
 }
 
-/// The title, the model and the source of a system.
+/// Title, model and source of a system.
 type Read = (String, Model, Source);
 
-/// Reads the title, the model and the source of a file.
+/// The title, the model and the source of a file.
 ///
 /// # Errors
-/// All that is wrong with the system, each at its place.
+/// As for [`read_model`].
 pub fn read_with_source(path: &Path, task: Task) -> Result<Read, SceneError> {
     parse_with_source(&path.display().to_string(), &read_text(path)?, task)
 }
 
-/// The same of a text; `name` is what messages call it.
+/// The title, the model and the source of a text; messages refer to it as `name`.
 ///
 /// # Errors
-/// All that is wrong with the system, each at its place.
+/// As for [`read_model`].
 pub fn parse_with_source(name: &str, text: &str, task: Task) -> Result<Read, SceneError> {
     parse_with(name, text, task, Vec::new())
 }
@@ -183,22 +182,22 @@ fn parse_with(name: &str, text: &str, task: Task, outputs: Vec<Entry>) -> Result
     Ok((title, model, source))
 }
 
-/// Gives parameters, coordinates and speeds at the start other values, in SI units.
+/// Changes values of parameters, and of coordinates and speeds at the start, by name and in SI units.
 ///
 /// # Errors
-/// The name of nothing that has such a value, or why there is no such system.
+/// If a name is unknown, or masses and moments of inertia are impossible with these values; as a text.
 pub fn set_values(model: &mut Model, values: &[(String, f64)]) -> Result<(), String> {
     model.set_values(values)?;
     impossible(model).into_iter().next().map_or(Ok(()), |issue| Err(issue.title))
 }
 
-/// Coordinates and speeds at the start of a file that were left out or guessed, and that constraints or an equilibrium have moved, with
-/// their values in SI units; none of a file that holds no such system.
+/// The components of a file's start that were left out or guessed and were changed to satisfy constraints or an equilibrium: names and values in
+/// SI units. Empty for a file without a system, or without a valid start.
 pub fn completed_start(path: &Path) -> Vec<(String, f64)> {
     read_text(path).map_or_else(|_| Vec::new(), |text| completed_start_of(&text))
 }
 
-/// The values of a text's start that were left out or guessed, and that constraints or an equilibrium have moved.
+/// The components of a text's start that were changed in this way, as [`completed_start`].
 pub fn completed_start_of(text: &str) -> Vec<(String, f64)> {
     if !holds_model(text) {
         return Vec::new();
@@ -210,7 +209,7 @@ pub fn completed_start_of(text: &str) -> Vec<(String, f64)> {
     let largest = |parts: &[f64]| parts.iter().fold(0.0, |largest: f64, part| largest.max(part.abs()));
     let rounding = [&start[..positions], &start[positions..]].map(|parts| f64::EPSILON * largest(parts));
     let moved = names.zip(start.iter().zip(model.start_state())).enumerate();
-    // a component below the rounding of others of its kind is zero
+    // a component below the rounding errors of the others counts as zero
     let shown = |(place, (name, (&now, written))): (usize, (String, (&f64, f64)))| {
         let rounding = rounding[usize::from(place >= positions)];
         let now = if now.abs() <= rounding { 0.0 } else { now };

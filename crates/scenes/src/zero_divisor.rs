@@ -1,14 +1,14 @@
-//! Parameters that are zero and stand below a fraction.
+//! Detection of parameters that are zero and occur in a divisor.
 
 use crate::letters::Letters;
 use model::{Model, Trace};
 use reader::Issue;
 use symbolic::apart;
 
-/// Characters of the longest divisor that may stand in a file.
+/// Largest number of characters of a divisor that a user may have written.
 const MOST_READ: usize = 40;
 
-/// A parameter whose value makes a divisor zero, as the reason for which something has no value.
+/// The fault of a parameter whose value makes a divisor zero; `None` if there is none.
 pub(crate) fn found(model: &Model) -> Option<Issue> {
     let (divisor, place) = apart(|| {
         let trace = Trace::of(model);
@@ -23,7 +23,7 @@ pub(crate) fn found(model: &Model) -> Option<Issue> {
         let first = parameters.clone().next();
         let zero = parameters.find(|&place| model.parameters[place].value == Some(0.0));
         let text = divisor.to_string();
-        // a long one is made by an elimination, and nobody has written it
+        // a longer divisor results from an elimination, and would mean nothing to the user
         let is_written = zero.is_some() || text.chars().count() <= MOST_READ;
         Some((text, zero.or(first)?)).filter(|_| is_written)
     })?;

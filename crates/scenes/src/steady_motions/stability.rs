@@ -1,4 +1,4 @@
-//! Stability of a steady motion: by the energy where it is conserved, else by the linear equations.
+//! Stability of a steady motion: by the energy where it is conserved, otherwise by the linear equations.
 
 use super::conditions::Case;
 use super::definiteness::signs;
@@ -18,49 +18,49 @@ use algebra::boxes::Equations;
 use field::Interval;
 use model::{Model, Sides};
 
-/// The stability of a steady motion, as far as it is known.
+/// The stability of a steady motion, as far as it is decided.
 #[derive(Clone, Debug)]
 pub enum SteadyStability {
-    /// The potential energy, in frames that turn at a given rate less the kinetic energy at rest in them (Jacobi), and amended by the kinetic energy of cyclic coordinates at the momenta that they have there, has a strict minimum in
-    /// every direction that constraints leave: stable in all but cyclic coordinates (Lagrange and Dirichlet, Routh).
+    /// The amended potential has a strict minimum in all directions that constraints allow: stable, except for drift of cyclic coordinates (Lagrange
+    /// and Dirichlet, Routh). This potential is V minus the kinetic energy at rest in frames that turn at a given rate (Jacobi), plus the
+    /// kinetic energy of cyclic coordinates at constant momenta.
     Minimum,
-    /// The potential energy has a strict minimum, and dampers lessen the energy: stable (Lagrange and Dirichlet).
+    /// The potential energy has a strict minimum, and dampers dissipate energy: stable (Lagrange and Dirichlet).
     MinimumWithLoss,
-    /// At rest without gyroscopic forces, and the potential energy falls in so many directions: unstable, since frequencies there are
-    /// imaginary.
+    /// The potential energy decreases in this number of directions, at rest and without gyroscopic forces: unstable.
     Falls(usize),
-    /// The amended potential energy decreases in an odd number of directions: unstable with any gyroscopic forces (Thomson and Tait).
+    /// The amended potential decreases in an odd number of directions: unstable for any gyroscopic forces (Thomson and Tait).
     FallsOdd(usize),
-    /// A condition of the law is zero there, and so much is known of the side of it that was searched.
+    /// A condition of the law is zero at the motion; the contents are what is known of the searched side.
     AtCondition(Option<OnSide>),
-    /// The law has a kink there, and the potential energy has a strict minimum on each of its sides: a strict minimum, since its slope does
-    /// not jump (Lagrange and Dirichlet).
+    /// The law has a kink at the motion, and the potential energy has a strict minimum on each side: stable, since the minimum is strict in all
+    /// directions (Lagrange and Dirichlet).
     MinimumOnSides,
-    /// The law has a kink there, at rest, and on one of its two sides the potential energy falls in so many directions: unstable. With one
-    /// coordinate it is that of the force at rest, and dampers may act.
+    /// The law has a kink at a position of rest, and on one of its two sides the potential energy decreases in this number of directions:
+    /// unstable. With one coordinate, dampers may act, and the force at rest takes the place of the energy.
     ///
-    /// An eigenvector v of M^-1 V'' of that side with a negative eigenvalue, along which energy falls, or -v, leads into the side, unless it
-    /// is tangent to the kink; motions that leave the equilibrium along it (its unstable manifold) stay on the side, whose law alone acts.
-    /// If all of them are tangent, V'' of the other side, which differs by a multiple of n n^T with the normal n, has the same ones, so that
+    /// Proof: let v be an eigenvector of M^-1 V'' of this side with a negative eigenvalue. Unless v is tangent to the kink, v or -v points into the
+    /// side, and motions that leave the equilibrium in this direction (its unstable manifold) stay there. If all such v are tangent, V'' of
+    /// the other side, which differs by a multiple of n n^T with the normal n, has them as eigenvectors, too, so that motions grow along them.
     /// motions grow along them on both.
     FallsOnSide(usize),
-    /// Dry friction resists every motion, and no share of it is used up: after a small push the system comes to rest nearby.
+    /// Dry friction resists every motion and is strictly below its limits: after a small push the system comes to rest nearby.
     HeldByFriction,
-    /// Dry friction with negative coefficients feeds every motion.
+    /// Dry friction with negative coefficients supplies energy to every motion: unstable.
     FedByFriction,
-    /// The mass matrix is singular there, so that these coordinates do not describe the position: the equations hold without force, and
-    /// neither equilibrium nor stability follows.
+    /// The mass matrix is singular, so that the named coordinates do not describe the position; neither equilibrium nor stability follows from the
+    /// equations.
     Singular(Vec<String>),
-    /// By eigenvalues of the linear equations.
+    /// Decided, if at all, by eigenvalues of the linear equations.
     Linear(Box<Eigenvalues>),
-    /// A contact without friction presses there. A small push may open it, of which the linear equations of motions in touch, with these
-    /// eigenvalues, know nothing: none of them grows.
+    /// A contact without friction presses. A small push may open it, which the linear equations of the closed contact ignore; none of their
+    /// eigenvalues has a positive real part.
     InTouch(Box<Eigenvalues>),
-    /// There are no linear equations.
+    /// The linear equations do not exist, for the given reason.
     Unknown(String),
 }
 
-/// Eigenvalues at a motion, as numbers and in discs.
+/// Eigenvalues at a motion: numerical ones, and enclosures.
 #[derive(Clone, Debug)]
 pub struct Eigenvalues {
     pub linear: Linear,
@@ -68,23 +68,23 @@ pub struct Eigenvalues {
 }
 
 impl Eigenvalues {
-    /// The stability by numbers: by the centres of discs, where there are some.
+    /// The stability by numerical eigenvalues: the centres of the discs, if there are any.
     pub fn by_numbers(&self) -> Stability {
         let centres = self.enclosed.as_ref().ok().and_then(EnclosedSpectrum::by_centres);
         centres.unwrap_or(self.linear.stability)
     }
 }
 
-/// The potential energy of one side of a kink.
+/// The potential energy on one side of a kink.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OnSide {
-    /// The number of directions in which it falls at rest.
+    /// The number of directions in which it decreases from the position of rest.
     pub falls: usize,
     /// Whether the condition is zero on a smooth surface through the motion.
     pub is_regular: bool,
 }
 
-/// The stability at an enclosure of unknowns and reactions; `state` is a state within it.
+/// The stability at an enclosure of unknowns and reactions; `state` is a state in it, `degenerate` the order of a zero of higher order.
 pub(super) fn judged(
     model: &Model,
     equations: &SteadyEquations,
@@ -109,14 +109,14 @@ pub(super) fn judged(
         let decided = if jumps { at_jump(model, equations, boxes, (enclosure, n)) } else { None };
         return decided.unwrap_or(SteadyStability::AtCondition(None));
     }
-    // the first derivatives say nothing at a degenerate motion: each side is judged alone
+    // first derivatives do not decide a degenerate motion: each side is judged alone
     let is_open = boxes.lies_aside(enclosure) != Some(true)
         && (degenerate.is_some() || !is_smooth(model, equations, boxes, enclosure));
-    // a coordinate held fixed by the user may move: then the energy test decides nothing
+    // coordinates fixed by the user may change: the energy then decides nothing
     let is_whole =
         equations.coordinates == equations.unknowns.len() && equations.coordinates + equations.cyclic.len() == n;
     let keeps_energy = equations.energy_integral.is_some() || keeps_energy(model);
-    // the amended potential is taken at the momenta of cyclic coordinates: these must be kept
+    // the amended potential presumes constant momenta of cyclic coordinates
     let keeps_momenta =
         equations.cyclic_places.iter().all(|place| equations.kept_momenta.iter().any(|(kept, _)| kept == place));
     if is_whole && keeps_energy && keeps_momenta && inertia.is_positive() {
@@ -160,7 +160,7 @@ pub(super) fn judged(
     };
     let kept = without_outputs(&kept);
     let kept = law_at_rest(&kept, state);
-    // inputs have their values, with all derivatives of these
+    // values of inputs are kept as expressions, so that their derivatives count
     let varied = match VariedEquations::with_inputs(&kept, &[], &[]) {
         Ok(varied) => varied,
         Err(why) => return SteadyStability::Unknown(why.to_string()),
@@ -175,7 +175,7 @@ pub(super) fn judged(
                 return SteadyStability::MinimumWithLoss;
             }
             let found = Box::new(Eigenvalues { linear, enclosed });
-            // motions in touch that grow are motions of the system: near the motion the contact presses
+            // instability of the closed contact is instability of the system, since the contact presses in a neighbourhood
             if presses(model, equations) && !grows {
                 SteadyStability::InTouch(found)
             } else {
@@ -186,17 +186,17 @@ pub(super) fn judged(
     }
 }
 
-/// The reason for which the motion of a contact that slides is not judged.
+/// The reason for which a sliding contact is not judged.
 const OF_CONTACTS: &str = "friction depends on normal forces, which may change when contacts slide";
 
-/// The places of speeds as names.
+/// The names of the coordinates with the given indices.
 pub(super) fn names(model: &Model, places: &[usize]) -> Vec<String> {
     let all = state_names(model);
     places.iter().map(|&place| all[place].clone()).collect()
 }
 
-/// The side of a kink of a system with one coordinate, damped or fed, where the force at rest drives away: M p^2 + d p - dR/dq = 0 has one
-/// positive root p then, whatever d is.
+/// For a system with one coordinate and any damping: the result `OnSide` with one unstable direction, if the force at rest drives away on the
+/// searched side. M p^2 + d p - dR/dq = 0 then has one positive root p for every d.
 fn drives_away(equations: &SteadyEquations, boxes: &mut Boxes<'_>, enclosure: &[Interval], n: usize) -> Option<OnSide> {
     let is_one = n == 1 && equations.coordinates == 1 && enclosure.len() == 1;
     if !is_one {
@@ -208,12 +208,12 @@ fn drives_away(equations: &SteadyEquations, boxes: &mut Boxes<'_>, enclosure: &[
     (slope[0].low() > 0.0).then_some(OnSide { falls: 1, is_regular })
 }
 
-/// The conditions and contacts that are held at zero, by their places.
+/// The indices of conditions and contacts with `Case::Between`.
 fn held(equations: &SteadyEquations) -> impl Iterator<Item = usize> {
     equations.cases.iter().enumerate().filter(|(_, case)| **case == Case::Between).map(|(place, _)| place)
 }
 
-/// Whether a contact is in touch that may open.
+/// Whether a contact that can open is closed.
 fn presses(model: &Model, equations: &SteadyEquations) -> bool {
     let may_open = |place: usize| {
         let contact = place.checked_sub(model.switches.len()).and_then(|own| model.contacts.get(own));
@@ -222,8 +222,8 @@ fn presses(model: &Model, equations: &SteadyEquations) -> bool {
     held(equations).any(may_open)
 }
 
-/// Whether the law has no kink at any condition that is held at zero, as that of dry friction without force, and contacts in touch are smooth.
-/// Where such a contact presses, V - V0 >= N gap + (a positive definite form) about a minimum on its surface, and impacts add no energy.
+/// Whether the law is continuously differentiable at all conditions that are zero, and closed contacts are smooth. If such a contact presses,
+/// V - V0 >= N gap + (a positive definite form) about a minimum on its surface, and impacts add no energy.
 fn is_without_jumps(model: &Model, equations: &SteadyEquations) -> bool {
     let (conditions, contacts): (Vec<usize>, Vec<usize>) =
         held(equations).partition(|place| *place < model.switches.len());
@@ -231,7 +231,7 @@ fn is_without_jumps(model: &Model, equations: &SteadyEquations) -> bool {
         && joins_smoothly(model, &equations.cases, &conditions)
 }
 
-/// Whether the law is once continuously differentiable at the conditions that may be zero in an enclosure, and everything else lies aside.
+/// Whether the law is continuously differentiable at the conditions that may be zero in an enclosure, and all others have their required signs.
 pub(super) fn is_smooth(
     model: &Model,
     equations: &SteadyEquations,
@@ -245,17 +245,17 @@ pub(super) fn is_smooth(
         && joins_smoothly(model, &equations.cases, &places)
 }
 
-/// The number of directions in which the amended potential energy decreases; none if this is not decided. The matrix
+/// The number of directions in which the amended potential decreases; `None` if undecided. The matrix
 ///
 ///   | V'' - lambda f'' - T''   f'^T   p'^T |
 ///   | f'                        0     0    |
 ///   | p'                        0    -M_c  |
 ///
-/// where a contact presses along the unit vector n = f'/|f'| with the force N = lambda |f'|. The derivative of N n differs from lambda f'' by
-/// a product of f' with another vector, whose symmetric part is zero in every direction along the surface. The matrix
+/// with the momenta p of cyclic coordinates and their masses M_c has one positive eigenvalue for each constraint and each direction in which
+/// this potential increases. It has one negative eigenvalue for each constraint, each cyclic coordinate and each direction of decrease.
 ///
-/// with the momenta p of cyclic coordinates and their masses M_c has a positive eigenvalue for each constraint and each direction in
-/// which that energy increases, and a negative one for each constraint, each cyclic coordinate and each direction in which it decreases.
+/// A contact presses along the unit vector n = f'/|f'| with the force N = lambda |f'|. The derivative of N n differs from lambda f'' by a
+/// product of f' with another vector, whose symmetric part is zero in every direction along the surface.
 fn falls(equations: &SteadyEquations, boxes: &mut Boxes<'_>, enclosure: &[Interval]) -> Option<usize> {
     let (own, positions, cyclic) = (enclosure.len(), equations.unknowns.len(), equations.cyclic.len());
     let mut slopes = vec![Interval::EVERYTHING; own * own];
@@ -268,7 +268,7 @@ fn falls(equations: &SteadyEquations, boxes: &mut Boxes<'_>, enclosure: &[Interv
     let zero = Interval::point(0.0);
     let half = Interval::point(0.5);
     let entry = |row: usize, column: usize| match (row < own, column < own) {
-        // residuals are forces: less the derivatives of the energy
+        // residuals are forces: minus the derivatives of the energy
         (true, true) if row < positions && column < positions => {
             -(slopes[row * own + column] + slopes[column * own + row]) * half
         }

@@ -1,23 +1,23 @@
-//! Overdetermined equations: as many independent ones as there are unknowns are solved, and the others are tested at the solutions.
+//! Overdetermined equations: as many independent ones as unknowns are solved, and the others are tested at the solutions.
 
 use super::search::independent;
 use super::{Range, Unknown};
 use symbolic::{Sym, Tape};
 
-/// Points of a range, as fractions of it, at which independent equations are selected; none of them is a point of symmetry.
+/// Points, as fractions of the ranges, at which independent equations are chosen; they avoid points of symmetry.
 const ASIDE: [f64; 3] = [0.43, 0.71, 0.29];
 
-/// The value of reactions at these points.
+/// The value of all reactions at these points.
 const REACTION: f64 = 0.83;
 
-/// Equations that are solved, and the others.
+/// A choice of equations to be solved; `surplus` are the others.
 pub(super) struct Selection {
     pub solved: Vec<Sym>,
     pub surplus: Vec<Sym>,
 }
 
 impl Selection {
-    /// As many solved equations as letters; the letters are the unknowns, then the reactions.
+    /// Chooses as many equations as letters; `letters` are those of the unknowns, then of the reactions.
     pub fn of(equations: Vec<Sym>, letters: &[Sym], unknowns: &[Unknown]) -> Self {
         let wanted = letters.len();
         if equations.len() <= wanted {
@@ -32,7 +32,7 @@ impl Selection {
     }
 }
 
-/// Rows that are independent at a point of the ranges.
+/// The indices of equations that are independent at a point of the ranges.
 fn chosen(equations: &[Sym], letters: &[Sym], unknowns: &[Unknown]) -> Option<Vec<usize>> {
     let slopes: Vec<Sym> = equations.iter().flat_map(|row| letters.iter().map(|&by| row.diff(by))).collect();
     let tape = Tape::record(letters, &slopes).ok()?;

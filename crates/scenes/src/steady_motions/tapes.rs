@@ -1,65 +1,65 @@
-//! The compiled functions of a search, of its unknowns and then of reactions.
+//! Compiled functions for a search, of the unknowns and then the reactions.
 
 use super::angle_sums::AngleSums;
 use super::{NoSteadyMotions, Unknown};
 use symbolic::{Sym, Tape, substitute_in_angles, with_sums_of_angles};
 
-/// The largest order of a derivative.
+/// Largest order of a derivative of the single equation.
 const MOST_ORDER: usize = 8;
 
-/// Longer expressions have no derivatives of such orders.
+/// Largest number of operations for such derivatives; longer expressions have none.
 const MOST_OPERATIONS: usize = 2_000;
 
-/// Equations as expressions.
+/// The equations of a search as expressions.
 #[derive(Clone)]
 pub(super) struct Expressions {
-    /// As many as are solved.
+    /// The equations that are solved, as many as unknowns and reactions.
     pub values: Vec<Sym>,
-    /// J^T, row after row, then -h.
+    /// J^T, row by row, then -h.
     pub loads: Vec<Sym>,
     pub surplus: Vec<Sym>,
     pub implied: Vec<Sym>,
     pub sides: Vec<Sym>,
 }
 
-/// The equations as compiled functions.
+/// The equations of a search as compiled functions.
 #[derive(Debug)]
 pub(super) struct Tapes {
-    /// Residuals by unknowns, then multipliers.
+    /// Residuals of the solved equations.
     pub values: Tape,
-    /// Derivatives of the side conditions by the unknowns, row after row.
+    /// Their derivatives by unknowns and reactions, row by row.
     pub slopes: Tape,
-    /// J^T, row after row, then -h, by unknowns alone.
+    /// J^T, row by row, then -h, as functions of the unknowns alone.
     pub loads: Tape,
-    /// Equations beyond the number of unknowns.
+    /// Residuals of surplus equations.
     pub surplus: Tape,
-    /// Constraints that were left out, since they follow from others near the start: elsewhere they may not.
+    /// Residuals of redundant constraints that were removed; away from the start they may not follow from the others.
     pub implied: Tape,
-    /// Conditions.
+    /// Expressions with required signs.
     pub sides: Tape,
-    /// Derivatives of the side conditions by the unknowns, row after row.
+    /// Their derivatives by unknowns and reactions, row by row.
     pub side_slopes: Tape,
-    /// Conditions less their margins, which are further inputs.
+    /// The expressions with required signs minus margins; the margins are further inputs.
     pub margins: Tape,
 }
 
 impl Expressions {
-    /// The same by sums of angles, where these occur more simply.
+    /// The equations in terms of sums of angles; `None` if they do not become simpler.
     ///
     /// # Errors
-    /// An expression without values.
+    /// An expression that cannot be evaluated.
     pub fn by_sums(
         &self,
         (letters, multipliers): (&[Sym], &[Sym]),
         unknowns: &[Unknown],
     ) -> Result<Option<(AngleSums, Tapes)>, NoSteadyMotions> {
-        // one angle has no sums
+        // a single angle has no sums
         if unknowns.iter().filter(|unknown| unknown.is_circle).count() < 2 {
             return Ok(None);
         }
         let in_sums = self.rewritten(with_sums_of_angles);
         let sums = AngleSums::of(&in_sums.values, letters, unknowns);
-        // written out, equations may be shorter without any sum
+        // the expansion of sums of angles alone may shorten the equations
         let is_shorter = || Sym::operations_of(&in_sums.values) < Sym::operations_of(&self.values);
         let Some(sums) = sums.or_else(|| is_shorter().then(|| AngleSums::none(letters.len()))) else { return Ok(None) };
         let replacements = sums.replacements(letters);
@@ -67,7 +67,7 @@ impl Expressions {
         Ok(Some((sums, own.recorded(letters, multipliers)?)))
     }
 
-    /// Each list rewritten.
+    /// Applies `put` to each list of expressions.
     fn rewritten(&self, put: impl Fn(&[Sym]) -> Vec<Sym>) -> Self {
         Expressions {
             values: put(&self.values),
@@ -78,10 +78,10 @@ impl Expressions {
         }
     }
 
-    /// By letters of unknowns, and of reactions.
+    /// Compiles the equations with the letters of unknowns, then of reactions.
     ///
     /// # Errors
-    /// An expression without values.
+    /// An expression that cannot be evaluated.
     pub fn recorded(&self, letters: &[Sym], multipliers: &[Sym]) -> Result<Tapes, NoSteadyMotions> {
         let inputs = [letters, multipliers].concat();
         let slopes_of =
@@ -101,15 +101,15 @@ impl Expressions {
     }
 }
 
-/// A program of expressions.
+/// Compiles expressions.
 ///
 /// # Errors
-/// An expression without values.
+/// An expression that cannot be evaluated.
 pub(super) fn recorded(inputs: &[Sym], outputs: &[Sym]) -> Result<Tape, NoSteadyMotions> {
     Tape::record(inputs, outputs).map_err(|why| NoSteadyMotions::Undefined { why: why.to_string() })
 }
 
-/// The one equation of one unknown with its derivatives, up to the largest order of zeros that is tried.
+/// The single equation of a single unknown with its derivatives up to order `MOST_ORDER`; `None` for other systems and long expressions.
 pub(super) fn derivatives(letters: &[Sym], values: &[Sym]) -> Option<Tape> {
     let ([letter], [value]) = (letters, values) else { return None };
     let mut all = vec![*value];

@@ -1,12 +1,12 @@
-//! Expressions that have no value anywhere at the given data, such as the root of a negative parameter: every statement on them would be empty.
+//! Test for expressions that are undefined everywhere for the given data, such as the root of a negative parameter.
 
 use crate::spread_values::spread;
 use symbolic::Sym;
 
-/// Points that are tried beside the start.
+/// Number of points that are tried besides the start.
 const POINTS: u32 = 24;
 
-/// Whether an expression has a value at a state of some letters, or at one of many points of all sizes.
+/// Whether an expression has a value at a state (names and values of letters), or at one of many points of different magnitudes.
 pub(super) fn has_value(expression: Sym, state: &[(String, f64)]) -> bool {
     let at_state = |name: &str| state.iter().find(|(known, _)| known == name).map_or(ANYWHERE, |(_, value)| *value);
     let is_finite = |at: &dyn Fn(&str) -> f64| {
@@ -15,7 +15,7 @@ pub(super) fn has_value(expression: Sym, state: &[(String, f64)]) -> bool {
     is_finite(&at_state) || (1..=POINTS).any(|point| is_finite(&|name| spread(name, point)))
 }
 
-/// A value for letters that are no part of a state.
+/// The value of letters that are not in the state.
 const ANYWHERE: f64 = 0.377;
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Interactions between bodies: forces, torques, contacts, diodes, freewheels and drives.
+//! The tables of interactions between bodies: forces, torques, contacts, diodes, freewheels and drives.
 
 use super::machines::machine;
 use super::{placed, text_of};
@@ -25,7 +25,7 @@ pub(super) fn loads(top: &mut Table<'_>, name: &str) -> Vec<LoadSource> {
     loads
 }
 
-/// `between = ["a", "b"]`
+/// The key `between = ["a", "b"]` of a table; `None` if it is missing or has a fault.
 fn pair(table: &mut Table<'_>, example: &str) -> Option<[Text; 2]> {
     let pair = table.texts("between", example);
     match pair.as_slice() {
@@ -39,7 +39,7 @@ fn pair(table: &mut Table<'_>, example: &str) -> Option<[Text; 2]> {
     }
 }
 
-/// The drives, and the data of motors with laws of their own, which become parameters.
+/// The drives of a file, and the data of their motors as additional parameters.
 pub(super) fn drives(top: &mut Table<'_>) -> (Vec<DriveSource>, Vec<Entry>) {
     let (mut drives, mut parameters) = (Vec::new(), Vec::new());
     for mut table in top.tables("drive", "[[drive]] in double brackets is accepted, since a system may have several") {
@@ -123,7 +123,7 @@ pub(super) fn contacts(top: &mut Table<'_>) -> Vec<ContactSource> {
     contacts
 }
 
-/// Diodes, then freewheels.
+/// The diodes of a file, then its freewheels.
 pub(super) fn one_ways(top: &mut Table<'_>) -> Vec<OneWaySource> {
     let mut one_ways = Vec::new();
     for (is, key, needed) in [

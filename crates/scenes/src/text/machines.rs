@@ -1,9 +1,10 @@
-//! Motors with their own laws in a drive: those of the program by their names, and `model = "text"` in the letters of a motor.
+//! The table `[drive.machine]`: a motor model of the program by its name, or with `model = "text"` a law in the letters of a motor.
 //!
-//! The laws of a machine depend on the angle g = p - W t from the field to its rotor, with the angle p of the motor. They are evaluated once
-//! over the quantities of the drive as letters, which gives expressions such as a file can contain:
+//! The laws of a motor depend on the angle g = p - W t from its field to its rotor, with the angle p of the rotor and the speed W of the field.
+//! They are evaluated once with the quantities of the drive as letters, which gives expressions as in a file: the torque and, for each winding,
+//! the equation of its circuit,
 //!
-//!   torque m(g', p') - dU/dg,    for each winding  L i' = v + W psi' - R i - (psi' + c) p' .
+//!   torque m(g', p') - dU/dg ,    L i' = v + W psi' - R i - (psi' + c) p' .
 
 use field::Analytic;
 use model::{DriveSource, Entry, Text, WindingSource};
@@ -12,7 +13,7 @@ use motor::{Machine, Motor, catalogue, machine_table};
 use reader::{Issue, Quantity, Table};
 use symbolic::{Sym, apart};
 
-/// The laws of `[drive.machine]`; its data become parameters of the system, `motor_voltage` of the drive `motor`.
+/// Reads `[drive.machine]` and adds its laws to the drive. Returns its data as parameters, such as `motor_voltage` for the drive `motor`.
 pub(super) fn machine(table: &mut Table<'_>, drive: &mut DriveSource) -> Vec<Entry> {
     table.known(&["machine"]);
     let Some(at) = table.place_of("machine").map(|at| at.start) else { return Vec::new() };
@@ -26,8 +27,8 @@ pub(super) fn machine(table: &mut Table<'_>, drive: &mut DriveSource) -> Vec<Ent
     found.map_or_else(Vec::new, |motor| driven_by(drive, &motor, at))
 }
 
-/// Gives a drive the laws of a motor; its data become parameters of the system, `motor_voltage` of the drive `motor`. Texts have
-/// this place in their file.
+/// Adds the laws of a motor to a drive. Returns its data as parameters, such as `motor_voltage` for the drive `motor`; all texts have the place
+/// `at` in the file.
 pub fn driven_by(drive: &mut DriveSource, motor: &Motor, at: usize) -> Vec<Entry> {
     let name = drive.name.as_ref().map_or("drive", |name| name.text.as_str()).to_owned();
     let written = |text: String| Text::at(text, at);
@@ -54,7 +55,7 @@ pub fn driven_by(drive: &mut DriveSource, motor: &Motor, at: usize) -> Vec<Entry
     motor.data().map(datum).collect()
 }
 
-/// The fault of a motor that a drive cannot have, or of an unknown name; the reader of the table reports a missing name.
+/// The fault of an unknown name, or of a motor that prescribes the speed; the reader of the table reports a missing name.
 fn unknown(table: &mut Table<'_>) -> Option<Issue> {
     if !table.is_table("machine") {
         return None;
@@ -82,12 +83,12 @@ fn unknown(table: &mut Table<'_>) -> Option<Issue> {
     Some(Issue::at(model.span, format!("unknown machine `{name}`"), "not known").accepted(accepted))
 }
 
-/// The letter of a datum.
+/// The name of the parameter for a datum of a motor.
 fn letter(drive: &str, datum: &str) -> String {
     format!("{drive}_{datum}")
 }
 
-/// Laws as texts.
+/// The laws of a motor as texts.
 struct Texts {
     torque: String,
     windings: Vec<Circuit>,
@@ -101,7 +102,7 @@ struct Circuit {
     motional: Option<String>,
 }
 
-/// The laws of a motor in a drive.
+/// The laws of a motor in the drive of this name, as texts.
 fn texts(drive: &str, motor: &Motor) -> Texts {
     let machine = motor.over(|quantity, _| Sym::symbol(&letter(drive, &quantity.name)));
     let of_drive = |part: &str| Sym::symbol(&format!("{}.{part}", drive));

@@ -1,4 +1,4 @@
-//! The tables of a file as a system: keys, texts and their places.
+//! The tables of a file as the source of a model: keys and texts with their places.
 
 mod interactions;
 mod machines;
@@ -13,9 +13,9 @@ use model::{
 use reader::{At, Issue, Table};
 use std::ops::Range;
 
-/// Reads every table of the system.
+/// Reads all tables of a system; faults are reported in `top`.
 pub fn source(top: &mut Table<'_>) -> Source {
-    // there is one version
+    // only version 1 of the language exists
     top.optional_count("language", "version of the language", 1, 1);
     other_words::report(top);
     let (start, equilibrium) = start(top);
@@ -48,7 +48,7 @@ pub fn source(top: &mut Table<'_>) -> Source {
     }
 }
 
-/// The criterion of an optimal regulator.
+/// The table `[regulator]`.
 fn regulator(top: &mut Table<'_>) -> Option<RegulatorSource> {
     let mut table = top.optional_table("regulator")?;
     let inputs = table.texts("inputs", "names of inputs, [\"u\"]");
@@ -64,7 +64,7 @@ fn regulator(top: &mut Table<'_>) -> Option<RegulatorSource> {
     sound.then_some(RegulatorSource { inputs, cost, last, horizon, displaced, at })
 }
 
-/// Coordinates and rates at time zero; with the key `equilibrium` they are initial guesses of an equilibrium.
+/// The entries of `[start]`, and the place of its key `equilibrium` if that is true; the entries are then guesses.
 fn start(top: &mut Table<'_>) -> (Vec<Entry>, Option<Range<usize>>) {
     let Some(mut table) = top.optional_table("start") else { return (Vec::new(), None) };
     let place = table.place_of("equilibrium");
@@ -75,7 +75,7 @@ fn start(top: &mut Table<'_>) -> (Vec<Entry>, Option<Range<usize>>) {
     (entries, place.filter(|_| is_asked))
 }
 
-/// Tables and keys at the top of a file.
+/// The keys and tables at the top level of a file with a system.
 const TOP: [&str; 25] = [
     "title",
     "description",
@@ -104,10 +104,10 @@ const TOP: [&str; 25] = [
     "start",
 ];
 
-/// Keys at the top of a paper's file, which may also contain its system.
+/// The additional keys at the top level of a paper's file, which may also contain a system.
 pub const OF_PAPERS: [&str; 5] = ["citation", "model", "letters", "claim", "summary"];
 
-/// Whether a table at the top has an unknown name; the missing table may explain other faults.
+/// Whether a table or key at the top level has an unknown name; then the missing table may explain other faults.
 pub fn has_unknown_tables(top: &Table<'_>) -> bool {
     let is_paper = top.has("letters") || top.has("claim");
     let is_known = |key: &str| {
@@ -118,25 +118,25 @@ pub fn has_unknown_tables(top: &Table<'_>) -> bool {
         .any(|key| !is_known(&key.value) && (top.is_table(&key.value) || units::nearest(&key.value, TOP).is_some()))
 }
 
-/// Whether a table at the top of a file belongs to a system, and is not common to all files.
+/// Whether a key at the top level occurs only in files with a system.
 pub(crate) fn is_of_system(key: &str) -> bool {
     TOP.contains(&key) && !matches!(key, "title" | "description" | "known_as" | "parameters")
 }
 
-/// A fault of the model at its place in the file.
+/// A fault of the model as an issue of the file.
 pub fn issue(fault: Fault) -> Issue {
     let Fault { span, title, label, accepted } = fault;
     Issue::at(span, title, label).accepted(accepted)
 }
 
-/// A text with its place in the file, which begins after the quote.
+/// A text with the place of its first character in the file, behind the quote.
 fn placed(table: &Table<'_>, text: &At<String>) -> Text {
     let start = table.part(text, &(0..0)).start;
     Text::at(text.value.clone(), start)
 }
 
 fn key_text(key: &At<String>) -> Text {
-    // the place of a quoted key includes its quotes
+    // the span of a quoted key includes its quotes
     let quote = usize::from(key.span.len() > key.value.len());
     Text::at(key.value.clone(), key.span.start + quote)
 }
@@ -164,7 +164,7 @@ fn entries_of(table: &mut Table<'_>, name: &str, keys: Vec<At<String>>) -> Vec<E
     entries
 }
 
-/// Whether a key has a list or a table as value, as some keys of bodies, forces, constraints and events do.
+/// Whether the value of a key is a list or a table, as for some keys of bodies, forces, constraints and events.
 fn holds_more(table: &mut Table<'_>, key: &str) -> bool {
     match key {
         "between" | "zero" => is_list(table, key),
@@ -172,7 +172,7 @@ fn holds_more(table: &mut Table<'_>, key: &str) -> bool {
     }
 }
 
-/// Whether a key has a list of texts as value.
+/// Whether the value of a key is a list of texts.
 fn is_list(table: &mut Table<'_>, key: &str) -> bool {
     let Some(place) = table.place_of(key) else { return false };
     table.text_or_texts(key, "text").first().is_some_and(|text| text.span != place)
@@ -185,7 +185,7 @@ fn bodies(top: &mut Table<'_>) -> Vec<BodySource> {
         if !table.is_table(&key.value)
             && let Some(fault) = model::misplaced(&key_text(&key), "bodies")
         {
-            // once: the keys below share the heading
+            // reported once, since the keys below belong to the same mistake
             table.report(issue(Fault {
                 accepted: "[bodies.NAME]: each body has a name of its own".to_owned(),
                 ..fault
@@ -231,7 +231,7 @@ fn text_of(table: &mut Table<'_>, key: &str, needed: &str) -> Option<Text> {
     Some(placed(table, &found))
 }
 
-/// `{ axes = "C", principal = [...] }` or `{ xx = ..., xy = ... }`.
+/// The table `inertia = { axes = "C", principal = [...] }` or `{ xx = ..., xy = ... }` of a body.
 fn tensor(body: &mut Table<'_>) -> InertiaSource {
     let mut table = body.table("inertia", "moments of inertia");
     let axes = text_of(&mut table, "axes", "frame that is fixed in the body");
@@ -273,7 +273,7 @@ fn constraints(top: &mut Table<'_>) -> Vec<ConstraintSource> {
     constraints
 }
 
-/// `programmed = { gains = ["2*a", "b^2"] }`
+/// The gains of `programmed = { gains = ["2*a", "b^2"] }`.
 fn programmed(constraint: &mut Table<'_>) -> Option<Vec<Text>> {
     let mut table = constraint.optional_table("programmed")?;
     let gains = table.texts("gains", "[\"2*a\", \"b^2\"]");
@@ -286,7 +286,7 @@ fn programmed(constraint: &mut Table<'_>) -> Option<Vec<Text>> {
     Some(gains)
 }
 
-/// `u = { unit = "N", value = "F*sin(w*t)" }`, or `u = "N"`: an input without a value.
+/// The table `[inputs]`: `u = { unit = "N", value = "F*sin(w*t)" }`, or `u = "N"` for an input without a value.
 fn inputs(top: &mut Table<'_>) -> Vec<InputSource> {
     let Some(mut table) = top.optional_table("inputs") else { return Vec::new() };
     let mut inputs = Vec::new();

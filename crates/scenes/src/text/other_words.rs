@@ -1,4 +1,4 @@
-//! Tables that other programs and books have, and where their content stands in a file.
+//! Names of tables that other programs and textbooks use, with the names in this language.
 
 use reader::{Issue, Table};
 
@@ -32,7 +32,7 @@ const WORDS: [(&[&str], &str); 9] = [
     (&["simulation", "sim", "solver", "settings", "integrator"], "[run]"),
 ];
 
-/// Reports each of these tables with its place in the file, unless a named system has read it as its own.
+/// Reports each such table with its place in the file, unless a named system reads it.
 pub(super) fn report(top: &mut Table<'_>) {
     for (words, accepted) in WORDS {
         for word in words {

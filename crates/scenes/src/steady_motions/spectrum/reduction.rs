@@ -1,12 +1,12 @@
-//! The linear equations at a steady motion, without coordinates on which nothing depends, over numbers whose signs are known.
+//! Reduction of the linear equations at a steady motion to independent variations without cyclic coordinates, over exact or enclosed numbers.
 
 use crate::linearisation::AllSlopes;
 use algebra::real::{Ball, Ordered};
 use field::Rational;
 
-/// A number by which one may divide.
+/// A number type with division and signs, for eliminations.
 pub(super) trait Pivot: Ordered {
-    /// About its size; zero where it may be zero.
+    /// A measure of the size, for the choice of pivots; zero if the number may be zero.
     fn weight(&self) -> f64;
 }
 
@@ -25,32 +25,32 @@ impl Pivot for Rational {
     }
 }
 
-/// Rows of numbers.
+/// A matrix as a list of rows.
 pub(super) type Matrix<R> = Vec<Vec<R>>;
 
-/// Coordinates and speeds by their part in the equations.
+/// The part of each coordinate and speed in the equations.
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
-    /// Constraints of positions, which stand before those of speeds.
+    /// The number of position constraints, which come before constraints of speeds.
     pub positions: usize,
-    /// Speeds that constraints of speeds determine.
+    /// Indices of speeds that constraints of speeds determine.
     pub determined: Vec<usize>,
-    /// Coordinates on which nothing depends.
+    /// Indices of cyclic coordinates.
     pub cyclic: Vec<usize>,
 }
 
-/// x' = A x for independent displacements, without cyclic ones, then independent speeds.
+/// The linear equations x' = A x; x has the independent displacements without cyclic ones, then the independent speeds.
 #[derive(Clone, Debug)]
 pub(super) struct Reduced<R> {
     pub matrix: Matrix<R>,
-    /// Displacements in x.
+    /// The number of displacements in x.
     pub displacements: usize,
-    /// All speeds by those in x.
+    /// All speeds in terms of the independent ones.
     pub by_speeds: Matrix<R>,
 }
 
 impl<R: Pivot> Reduced<R> {
-    /// None where a matrix is singular, or may be.
+    /// The reduced equations; `None` if a matrix is, or may be, singular.
     pub fn of(at: &AllSlopes<R>, layout: &Layout, one: &R) -> Option<Self> {
         let (n, m) = (at.motion.values.len(), at.rate.values.len());
         let zero = one.integer(0);
@@ -65,7 +65,7 @@ impl<R: Pivot> Reduced<R> {
         let free_speeds: Vec<usize> = (0..n).filter(|k| !fixed.contains(k)).collect();
         let size = free.len() + free_speeds.len();
 
-        // displacements by x, then speeds by x
+        // all displacements and all speeds in terms of x
         let unit = |k: usize, among: &[usize], shift: usize| -> Vec<R> {
             (0..size).map(|column| one.integer(i64::from(among.get(column.wrapping_sub(shift)) == Some(&k)))).collect()
         };
@@ -76,7 +76,7 @@ impl<R: Pivot> Reduced<R> {
         let carried = times(&at.rate.by_coordinates, &moved, &zero);
         settle(rows, &fixed, &mut speeds, |row, column| carried[row][column].clone())?;
 
-        // accelerations and multipliers by x
+        // accelerations and multipliers in terms of x
         let by_state = |coordinates: &[Vec<R>], by_speeds: &[Vec<R>]| -> Matrix<R> {
             let (a, b) = (times(coordinates, &moved, &zero), times(by_speeds, &speeds, &zero));
             let sum = |(a, b): (&Vec<R>, &Vec<R>)| a.iter().zip(b).map(|(a, b)| negative(&a.plus(b))).collect();
@@ -95,7 +95,7 @@ impl<R: Pivot> Reduced<R> {
     }
 }
 
-/// [M, -J^T; J, 0].
+/// The matrix [M, -J^T; J, 0].
 pub(super) fn whole<R: Pivot>(at: &AllSlopes<R>, zero: &R) -> Matrix<R> {
     let joined = |(a, b): (&Vec<R>, &Vec<R>)| [&a[..], b].concat();
     let mut all: Matrix<R> = at.motion.by_accelerations.iter().zip(&at.motion.by_multipliers).map(joined).collect();
@@ -104,7 +104,7 @@ pub(super) fn whole<R: Pivot>(at: &AllSlopes<R>, zero: &R) -> Matrix<R> {
     all
 }
 
-/// Fixed rows by the others: rows x + more = 0.
+/// Solves `rows` x + `more` = 0 for the components `fixed` of x and replaces these rows of `all`; `None` if they are not determined.
 fn settle<R: Pivot>(
     rows: &[Vec<R>],
     fixed: &[usize],
@@ -134,7 +134,7 @@ fn times<R: Pivot>(left: &[Vec<R>], right: &[Vec<R>], zero: &R) -> Matrix<R> {
     left.iter().map(|row| (0..wide).map(|column| entry(row, column)).collect()).collect()
 }
 
-/// One column for each row, all but some being allowed, on which the rows are independent.
+/// One column for each row, none in `but`, such that the rows are linearly independent on these columns; `None` if there is no such choice.
 fn dependent<R: Pivot>(mut rows: Matrix<R>, but: &[usize]) -> Option<Vec<usize>> {
     let mut taken: Vec<usize> = Vec::new();
     for row in 0..rows.len() {
@@ -153,7 +153,8 @@ fn dependent<R: Pivot>(mut rows: Matrix<R>, but: &[usize]) -> Option<Vec<usize>>
     Some(taken)
 }
 
-/// The solution of linear equations, by elimination with the largest pivots; none where one may be zero.
+/// The solution of linear equations with several right sides, by Gauss-Jordan elimination with scaled partial pivoting; `None` if a pivot
+/// may be zero.
 pub(super) fn solved<R: Pivot>(mut matrix: Matrix<R>, mut right: Matrix<R>) -> Option<Matrix<R>> {
     let n = matrix.len();
     let sizes: Vec<f64> = matrix.iter().map(|row| row.iter().map(Pivot::weight).fold(0.0, f64::max)).collect();
@@ -185,7 +186,7 @@ pub(super) fn solved<R: Pivot>(mut matrix: Matrix<R>, mut right: Matrix<R>) -> O
     Some(all)
 }
 
-/// The numbers of rows that are independent of those before them, in their order; of those only that are certainly so.
+/// The indices of rows that are certainly linearly independent of all rows before them.
 pub(super) fn independent<R: Pivot>(rows: &[Vec<R>]) -> Vec<usize> {
     let mut known: Vec<(usize, Vec<R>)> = Vec::new();
     let mut all = Vec::new();

@@ -1,40 +1,40 @@
-//! Zero eigenvalues and their reasons: cyclic coordinates, conserved quantities, families, constraints of speeds.
+//! Zero eigenvalues and their reasons: cyclic coordinates, conserved quantities, families of motions, constraints of speeds.
 //!
-//! The linear equations conserve the differential of every first integral: each conserved momentum of a cyclic coordinate, and the energy,
-//! gives a left null vector where its differential does not vanish. At an equilibrium with constraints of speeds the rates of displacements
-//! depend on fewer speeds than there are displacements: equilibria form a family.
+//! The linear equations conserve the differential of every first integral. Each conserved momentum of a cyclic coordinate, and the energy,
+//! gives a left null vector, unless its differential vanishes. At an equilibrium with constraints of speeds there are fewer independent speeds
+//! than displacements, so that some rates of displacements are dependent: equilibria form a family.
 
 use super::reduction::{Matrix, Reduced, independent};
 use crate::linearisation::AllSlopes;
 use algebra::real::{Ball, Ordered};
 use num_traits::Zero;
 
-/// The reason of a zero.
+/// The reason of a zero eigenvalue.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ZeroReason {
-    /// Nothing depends on this coordinate.
+    /// The named coordinate is cyclic.
     Cyclic(String),
-    /// The momentum of this cyclic coordinate is kept.
+    /// The momentum of the named cyclic coordinate is conserved.
     Momentum(String),
-    /// The energy is kept, where momenta do not say so already.
+    /// The energy is conserved, and its differential is independent of those of momenta.
     Energy,
-    /// There are steady motions at every other value of a speed too.
+    /// There are steady motions for every value of a speed.
     Family,
-    /// Constraints of speeds leave fewer speeds than displacements: positions of rest stand side by side.
+    /// Constraints of speeds leave fewer speeds than displacements, and equilibria form a family.
     SpeedConstraints,
 }
 
-/// The conserved quantities of a model.
+/// The conserved quantities of a model at a motion.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Kept {
-    /// Coordinates whose momenta are kept, with their names.
+    /// Indices and names of coordinates with conserved momenta.
     pub momenta: Vec<(usize, String)>,
     pub energy: bool,
-    /// The number of speeds for every value of which there are steady motions: each gives a null vector of the linear equations.
+    /// The number of speeds for all values of which there are steady motions; each gives a right null vector of the linear equations.
     pub free: usize,
 }
 
-/// Reasons of zeros of a reduced matrix, each of one zero.
+/// The reasons of zero eigenvalues of a reduced matrix, one for each.
 pub(super) fn reasons(at: &AllSlopes<Ball>, speeds: &[Ball], reduced: &Reduced<Ball>, kept: &Kept) -> Vec<ZeroReason> {
     let mass = &at.motion.by_accelerations;
     let product = |row: &[Ball], column: usize| {
@@ -55,13 +55,13 @@ pub(super) fn reasons(at: &AllSlopes<Ball>, speeds: &[Ball], reduced: &Reduced<B
     };
     let own = independent(&rows).into_iter().map(named);
     let side_by_side = (0..beyond_speeds(reduced)).map(|_| ZeroReason::SpeedConstraints);
-    // as many right null vectors as free speeds, as many left ones as quantities are kept: the larger number of both
+    // free speeds give right null vectors, conserved quantities left ones: the larger number is that of zeros
     let known: Vec<ZeroReason> = own.chain(side_by_side).collect();
     let more = kept.free.saturating_sub(known.len());
     known.into_iter().chain((0..more).map(|_| ZeroReason::Family)).collect()
 }
 
-/// Rows of displacements that are zero but for fewer columns.
+/// The number of dependent rates of displacements: displacements minus speeds on which the rates depend; zero if the rates depend on displacements.
 fn beyond_speeds(reduced: &Reduced<Ball>) -> usize {
     let first = reduced.displacements;
     let is_zero = |value: &Ball| value.sign() == Some(0);
