@@ -1,7 +1,7 @@
-//! Every file in the book is read and runs to its end; so does every fragment of one, inserted into the file before it, or into the
-//! crane model in chapters without a file.
+//! Every file printed in the book is read and runs to its end. Fragments of files are inserted into the file before them, or in chapters without
+//! a file into the model of the crane.
 
-// the motors that scenes name
+// registers the motors of the catalogue
 use dalembert_scenes::{ModelScene, parse_ensemble};
 use machines as _;
 use model::Fault;
@@ -10,14 +10,14 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// Chapters whose pieces are no systems, or belong to files of the repository: papers, and entries of the catalogue of failures.
+/// Chapters without systems, or whose files are in the repository: papers, and entries of the catalogue of failures.
 const OTHERS: [&str; 3] = ["judging.md", "failures.md", "adding.md"];
 
 fn book() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src")
 }
 
-/// The chapters in the order of the book, each with its name.
+/// Names and texts of the chapters, in the order of the book.
 fn chapters() -> Vec<(String, String)> {
     let read =
         |name: &str| std::fs::read_to_string(book().join(name)).unwrap_or_else(|error| panic!("{name}: {error}"));
@@ -26,14 +26,14 @@ fn chapters() -> Vec<(String, String)> {
     names.filter(|name| !OTHERS.contains(name)).map(|name| (name.to_owned(), read(name))).collect()
 }
 
-/// The blocks of a language in a chapter.
+/// The code blocks of a language in a chapter.
 fn blocks<'a>(chapter: &'a str, language: &str) -> Vec<&'a str> {
-    // outside and inside in turn
+    // text between fences is outside and inside a block in turn
     let inside = chapter.split("\n```").skip(1).step_by(2);
     inside.filter_map(|block| block.strip_prefix(language)?.strip_prefix('\n')).collect()
 }
 
-/// A file in pieces, each from its heading on; the first one has none.
+/// The sections of a file, each from its heading on; the first section has no heading.
 fn pieces(text: &str) -> Vec<String> {
     let mut pieces = vec![String::new()];
     for line in text.lines() {
@@ -50,7 +50,7 @@ fn heading(piece: &str) -> &str {
     piece.split(']').next().filter(|heading| heading.starts_with('[')).unwrap_or("")
 }
 
-/// A file with a piece: its tables take the place of those with the same heading.
+/// A file with a fragment, whose sections replace those with equal headings.
 fn with(file: &str, piece: &str) -> String {
     let added = pieces(piece);
     let replaced = |old: &&String| !heading(old).is_empty() && added.iter().any(|new| heading(new) == heading(old));
@@ -58,7 +58,7 @@ fn with(file: &str, piece: &str) -> String {
     format!("{kept}\n{piece}\n")
 }
 
-/// A block as a file runs to its end; the parameters that nothing in it uses.
+/// Runs a block as a file to its end; returns the warnings about unused parameters.
 fn unused_in(text: &str, block: &str) -> BTreeSet<String> {
     let scene = ModelScene::parse("book", text).unwrap_or_else(|error| panic!("{error}"));
     let (unused, others): (Vec<&Fault>, Vec<&Fault>) =
@@ -80,7 +80,7 @@ fn every_file_and_piece_of_the_book_runs() {
     let is_file = |block: &&str| block.contains("coordinates]") || block.contains("\ncoordinates = ");
     let crane = chapters.iter().flat_map(|(_, text)| blocks(text, "toml")).find(|block| block.contains("A crane"));
     let crane = crane.expect("the book has the crane");
-    // parameters of the crane are used by it, or by a piece that is put into it
+    // each parameter of the crane is used by the crane or by a fragment inserted into it
     let (mut open, mut count) = (unused_in(crane, crane), 0);
     for (_, chapter) in &chapters {
         let mut file = crane;

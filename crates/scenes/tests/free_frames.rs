@@ -1,4 +1,4 @@
-//! Freely turning frames (quaternions), compared with frames by successive rotations.
+//! Free frames (quaternions), compared with frames by successive rotations.
 
 use dalembert_scenes::ModelScene;
 use integrators::Method;
@@ -22,7 +22,7 @@ fn last(trajectory: &Trajectory, name: &str) -> f64 {
     trajectory.last[trajectory.column(name).unwrap_or_else(|| panic!("{name}: {:?}", trajectory.names))]
 }
 
-/// A heavy top about a fixed point, dragged by the air, in a frame that FRAMES says.
+/// A heavy top about a fixed point with air drag; the marker FRAMES stands for the definition of its frame.
 const TOP: &str = r#"
 title = "A heavy top"
 gravity = "-g*N.z"
@@ -104,12 +104,12 @@ fn a_free_body_keeps_its_energy_and_its_moment_of_momentum() {
     assert!(trajectory.rows.iter().all(|row| (row[column] - first).abs() < 1e-10));
     let [energy] = trajectory.outcome.deviations.as_slice() else { panic!("the energy is watched") };
     assert!(energy.largest < 1e-10, "{energy:?}");
-    // about the middle axis it turns over
+    // rotation about the middle principal axis is unstable: the body turns over
     let along = trajectory.column("F.wy").expect("a speed");
     assert!(trajectory.rows.iter().any(|row| row[along] < -0.9));
 }
 
-/// A plate whose corner is pinned: three constraints move a free frame and a point.
+/// A plate with a pinned corner: three constraints determine a free frame and a point at the start.
 #[test]
 fn a_start_of_a_free_frame_is_completed_by_turns() {
     let text = r#"

@@ -1,4 +1,4 @@
-//! Places, links and elements that are found in models, compared with known geometry.
+//! Points, links and force elements found in models, compared with the known geometry.
 
 use dalembert_scenes::ModelScene;
 use dalembert_scenes::geometry::{Figure, Geometry, Joint};
@@ -14,7 +14,7 @@ fn geometry(scene: &ModelScene) -> Geometry {
     Geometry::of(&scene.model, &scene.start).unwrap_or_else(|why| panic!("{why}"))
 }
 
-/// The names of a link's places, in order of the alphabet.
+/// For each link the names of its points, sorted.
 fn links(geometry: &Geometry) -> Vec<Vec<&str>> {
     let names = |places: &[usize]| {
         let mut names: Vec<&str> = places.iter().map(|place| geometry.names[*place].as_str()).collect();
@@ -115,13 +115,13 @@ run = { span = "1 s" }
     assert_eq!(found.elements.iter().map(|one| one.action).collect::<Vec<_>>(), [Action::Elastic]);
     assert!(found.links.is_empty() && found.telescopes.is_empty());
     let axle = geometry(&scene(include_str!("../../../scenes/foreign/car_axis.toml")));
-    // the axle, and the line between the wheels, which the road moves and keeps as long
+    // the axle, and the distance of the wheels on the road, which is constant in time
     assert_eq!((axle.elements.len(), axle.rods.len()), (2, 2));
     let chain = geometry(&scene(include_str!("../../../scenes/foreign/five_links.toml")));
     assert_eq!(chain.rods.len(), 5);
     let circle = geometry(&scene(include_str!("../../../scenes/foreign/cartesian_pendulum.toml")));
     assert_eq!(circle.rods.len(), 1);
-    // by the sine and the cosine of an angle, without a frame
+    // the pendulum is given by sine and cosine of an angle, without a frame
     let cart = geometry(&scene(include_str!("../../../scenes/models/stiff_spring.toml")));
     assert_eq!((cart.rods.len(), cart.elements.len()), (1, 2));
 }
@@ -176,7 +176,7 @@ fn torques_linear_in_an_angle_are_springs_at_its_joint_and_others_are_torques() 
     let figure = geometry.figure(0.0, &scene.start);
     let torques: Vec<f64> = figure.torques.iter().map(|torque| torque.z).collect();
     assert_eq!(torques, [-1.0, 0.0, 1.0]);
-    // the angle of the lower bar counts from the ground, with which it has no joint
+    // the angle of the lower bar is relative to the ground, with which the bar has no joint
     assert_eq!(geometry.couples.iter().map(at).collect::<Vec<_>>(), ["O", "O", ""]);
 }
 
@@ -291,7 +291,7 @@ fn friction_that_sticks_points_against_the_load() {
     }
 }
 
-/// A block of 2 kg on a rough floor under a constant push: friction equals the push up to its limit 0.5 m g = 9.81 N.
+/// A block of 2 kg on a rough floor under a constant force: friction balances the force up to its limit 0.5 m g = 9.81 N.
 #[test]
 fn friction_of_a_contact_sticks_up_to_its_limit_and_slides_against_the_motion_beyond() {
     let text = |push: f64| {

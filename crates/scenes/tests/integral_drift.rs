@@ -1,4 +1,4 @@
-//! Drift of energies and momenta under constant steps, beside closed forms and by two routes.
+//! Drift of energies and momenta with constant steps, compared with closed forms and computed in two ways.
 
 use dalembert_scenes::{ModelScene, SceneWithIntegrals};
 use integrators::Method;
@@ -70,7 +70,7 @@ a = "60 deg"
 span = "10 s"
 "#;
 
-/// A scene with its period and the sizes of its integrals.
+/// A periodic motion with its period and the sizes of its integrals.
 struct Periodic {
     kept: SceneWithIntegrals,
     window: Window,
@@ -121,7 +121,7 @@ fn an_oscillator_loses_the_energy_of_the_stability_function() {
     let oscillator = Periodic::of(OSCILLATOR);
     assert_eq!(oscillator.names(), ["energy"]);
     assert!((oscillator.window.length() - PI).abs() < 1e-9);
-    // kinetic and potential energy, the latter from the start, each as large as k x^2/2
+    // kinetic energy, and potential energy relative to the start; each is as large as k x^2/2
     let energy = 0.36;
     assert!((oscillator.sizes[0] - 2.0 * energy).abs() < 1e-2, "{:?}", oscillator.sizes);
     let z = TAU / 40.0;
@@ -156,13 +156,13 @@ fn a_symmetric_method_lets_the_energy_swing_and_not_drift() {
     assert!((run.swing / found.swing - 1.0).abs() < 0.05, "{} beside {}", run.swing, found.swing);
 }
 
-/// sum over a period of the square of the angular acceleration, with the energy of the moving pendulum, by elementary differentials:
-/// Euler's step changes H by h^2/2 f^T H'' f, and over a period the integral of V'' q'^2 is that of q''^2.
+/// Euler's step changes H by h^2/2 f^T H'' f to leading order. Over a period the integral of V'' q'^2 equals that of M q''^2, so that the drift
+/// follows from the integral of the squared acceleration.
 #[test]
 fn eulers_drift_is_that_of_its_elementary_differential() {
     let pendulum = Periodic::of(PENDULUM);
     let (inertia, g, l) = (2.0 * 0.25, 9.81, 0.5);
-    // Simpson's rule over the quarter in the angle s with sin(a/2) = sin(a0/2) sin s: dt = ds / sqrt(g/l (1 - k^2 sin^2 s))
+    // Simpson's rule over a quarter period in the variable s with sin(a/2) = sin(a0/2) sin s: dt = ds / sqrt(g/l (1 - k^2 sin^2 s))
     let k = (PI / 6.0).sin();
     let points = 2000;
     let of = |s: f64| {

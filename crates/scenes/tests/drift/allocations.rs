@@ -1,4 +1,4 @@
-//! The projection onto constraints does not allocate: twice the steps need no further allocations.
+//! Projection onto constraints allocates no memory: twice as many steps need equally many allocations.
 
 use super::scene;
 use integrators::{Method, Span, Tolerance, integrate};
@@ -6,23 +6,23 @@ use simulation::{Axes, IvpScene};
 use std::alloc::{GlobalAlloc, Layout, System as Heap};
 use std::cell::Cell;
 
-/// Counts what the heap is asked for, thread by thread.
+/// An allocator that counts the allocations of each thread.
 struct Counting;
 
 thread_local! {
     static COUNT: Cell<u64> = const { Cell::new(0) };
 }
 
-// SAFETY: every call is handed to the system's allocator unchanged; the counter itself does not allocate.
+// SAFETY: every call is passed to the system's allocator unchanged; the counter does not allocate.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         COUNT.set(COUNT.get() + 1);
-        // SAFETY: the caller's promises are those that `alloc` asks for.
+        // SAFETY: the caller guarantees the requirements of `alloc`.
         unsafe { Heap.alloc(layout) }
     }
 
     unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {
-        // SAFETY: the block came from `alloc` above, with this layout.
+        // SAFETY: the block was allocated by `alloc` above with this layout.
         unsafe { Heap.dealloc(block, layout) }
     }
 }
@@ -42,7 +42,7 @@ fn steps_that_are_brought_back_allocate_nothing() {
             (COUNT.get() - before, steps)
         };
         for method in [Method::Taylor, Method::DormandPrince8, Method::RadauIIA { stages: 3 }] {
-            // programs and room are made by the first
+            // the first run compiles programs and allocates buffers
             run(method, 0.1);
             let ((short, few), (long, many)) = (run(method, 0.5), run(method, 1.0));
             assert!(many > few, "{name}, {method}: {few}, {many}");

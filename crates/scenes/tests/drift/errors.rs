@@ -1,10 +1,10 @@
-//! Errors and energies of runs with projection onto the constraints, compared with runs without it.
+//! Errors and energies of runs with projection onto the constraints, compared with runs without projection.
 
 use super::{path, plain, scene};
 use integrators::{Method, Observer, Span, System, Tolerance, integrate};
 use simulation::{Axes, IvpScene, Stored};
 
-/// The largest error at the instants of a reference, each component relative to its size, or to one.
+/// The largest error at the times of a reference, relative to each component or to one.
 struct Errors<'a> {
     exact: std::slice::Iter<'a, Vec<f64>>,
     largest: f64,
@@ -29,7 +29,7 @@ const SCENES: [&str; 8] = [
     "bodies/crank_slider",
 ];
 
-/// Means over methods and tolerances, as logarithms: single errors change their sign, and are as small as they like.
+/// Compares means of logarithms over methods and tolerances, since single errors may be small by chance.
 #[test]
 fn errors_beside_references_do_not_grow() {
     let mut all = 0.0;

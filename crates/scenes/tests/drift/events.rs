@@ -4,7 +4,7 @@ use super::parsed;
 use integrators::Method;
 use simulation::{Axes, Choice, IvpScene};
 
-/// A mass on a rod that hits a wall below it: its places are on the circle at every event.
+/// A pendulum that hits a wall at its lowest position; at every event the bob must be on the circle.
 const PENDULUM_AT_A_WALL: &str = "title = \"t\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
      [points]\nP = \"O + x*N.x + y*N.y\"\n[bodies]\nbob = { centre = \"P\", mass = \"(1 kg)\" }\n\
      [[constraint]]\nzero = \"x^2 + y^2 - (1 m)^2\"\n\

@@ -5,7 +5,7 @@ mod errors;
 mod events;
 mod residuals;
 
-// the motors that scenes name
+// registers the motors of the catalogue
 use dalembert_scenes::ModelScene;
 use integrators::Method;
 use machines as _;
@@ -27,7 +27,7 @@ fn scene(name: &str) -> ModelScene {
     parsed(&std::fs::read_to_string(path(name)).expect("it is there"))
 }
 
-/// The law of a scene without any way back onto its constraints.
+/// The law of a scene without projection onto its constraints.
 fn plain(scene: &ModelScene) -> Arc<dyn Law> {
     let ways = scene.ways().into_iter();
     let found = ways.filter(|way| way.formulation == Formulation::IndexReduced).find_map(|way| match way.law {
@@ -37,7 +37,7 @@ fn plain(scene: &ModelScene) -> Arc<dyn Law> {
     found.expect("it is offered")
 }
 
-/// The equations that a motion of a scene keeps: constraints of positions, and the rates of all.
+/// The constraints that a run of a scene enforces: those of positions, and the rates of all.
 fn kept(scene: &ModelScene) -> Arc<dyn SharedIndex2Dae> {
     let found = scene.ways().into_iter().find_map(|way| match way.law {
         Treated::Held(law) => Some(law),

@@ -1,11 +1,11 @@
-//! Constraints and their rates along runs.
+//! Residuals of constraints and of their rates along runs.
 
 use super::{METHODS, kept, parsed, scene};
 use dalembert_scenes::ModelScene;
 use integrators::{Index2Dae, Index2DaeSystem, Method, Observer, Span, Tolerance, integrate};
 use simulation::{Axes, IvpScene};
 
-/// Residuals in roundings of the largest component of the state, at steps and at outputs.
+/// Residuals at steps and outputs, in rounding errors of the largest component of the state.
 struct Residuals<'a> {
     law: &'a dyn Index2DaeSystem,
     values: Vec<f64>,
@@ -32,7 +32,7 @@ impl Observer<f64> for Residuals<'_> {
     }
 }
 
-/// The largest residual of a run over so many times the span of a scene, in parts of the state.
+/// The largest relative residual of a run over `times` spans of a scene.
 fn residual(scene: &ModelScene, method: Method, tolerance: f64, times: f64) -> f64 {
     let (problem, law) = (scene.problem(Axes::First), kept(scene));
     let span = Span::new(0.0, times * problem.span, &problem.state).with_even_outputs(50);
@@ -66,7 +66,7 @@ fn residuals_stay_at_rounding_over_ten_spans_whatever_the_tolerance() {
         let scene = scene(name);
         for method in [Method::Taylor, Method::DormandPrince8] {
             for tolerance in [1e-6, 1e-9] {
-                // a bicycle falls over; angles that grow with the time have coarser roundings
+                // the bicycle falls over; growing angles have larger rounding errors
                 let growing = ["foreign/flexible_slider_crank", "foreign/car_axis", "foreign/andrews_mechanism"];
                 let is_short = name == "foreign/bicycle" || growing.contains(&name);
                 let times = if is_short { 1.0 } else { 10.0 };
@@ -77,7 +77,7 @@ fn residuals_stay_at_rounding_over_ten_spans_whatever_the_tolerance() {
     }
 }
 
-/// A body on a frame that turns freely, held at a point of its own, on a carriage without inertia that a damper drags.
+/// A body on a free frame, fixed at a point of a carriage without inertia that a damper drags.
 const FREE_AND_WITHOUT_INERTIA: &str = "title = \"t\"\ngravity = \"-(9.81 m/s^2)*N.z\"\n\
      [coordinates]\nx = \"m\"\ny = \"m\"\nz = \"m\"\ns = \"m\"\n[frames]\nF = \"N free\"\n\
      [points]\nA = \"O + s*N.x\"\nG = \"O + x*N.x + y*N.y + z*N.z\"\nP = \"G - (0.3 m)*F.x\"\n\
@@ -100,7 +100,7 @@ fn free_frames_and_coordinates_without_inertia_stay_on_constraints() {
     }
 }
 
-/// A constraint that is led to zero from elsewhere is on its way, and is left on it.
+/// A stabilised constraint that is violated at the start decays by its own law and is not projected.
 #[test]
 fn programmed_constraints_keep_their_own_law() {
     let text = "title = \"t\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n[points]\nP = \"O + x*N.x + y*N.y\"\n\

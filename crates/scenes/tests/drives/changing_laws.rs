@@ -1,5 +1,5 @@
-//! Changing laws without inertia: switched circuits without inductances, and massless points with dry friction, compared with closed
-//! forms.
+//! Systems without inertia whose law changes: switched circuits without inductances, and massless points with dry friction, compared with
+//! closed forms.
 
 use super::one_ways::root;
 use super::{close, last, runs, stored};
@@ -10,12 +10,12 @@ const RC: &str = "title = \"RC\"\n[parameters]\nV = \"10 V\"\nR = \"1 ohm\"\nC =
     [coordinates]\nq = \"C\"\n[energies]\npotential = \"q^2/(2*C)\"\ndissipation = \"R/2*q'^2\"\n[[force]]\nalong = \"q\"\n\
     is = \"if(sin(w*t) > 0, V, 0*V)\"\n[outputs]\nu = \"q/C\"\n[run]\nspan = \"9.5 ms\"\n";
 
-/// Times of the events of a run after its start.
+/// The times of all events after the start.
 fn times(trajectory: &Trajectory) -> Vec<f64> {
     trajectory.passages[1..].iter().map(|passage| passage.time).collect()
 }
 
-/// In each half period u goes to V or to 0 by the same factor.
+/// In each half period the voltage u approaches V or 0 by an equal factor.
 #[test]
 fn a_square_wave_charges_and_discharges_a_capacitor() {
     let trajectory = runs(RC);
@@ -29,7 +29,7 @@ fn a_square_wave_charges_and_discharges_a_capacitor() {
     }
 }
 
-/// The current falls from 10 A to 5 A in RC ln 2, and jumps up over 5 A again where the source comes back at 2 ms.
+/// The current falls from 10 A to 5 A in R C ln 2, and jumps above 5 A when the source is switched on again at 2 ms.
 #[test]
 fn an_event_happens_where_a_current_jumps_over_its_bound() {
     for (direction, time) in [("down", 1e-3 * 2.0_f64.ln()), ("up", 2e-3)] {
@@ -43,7 +43,7 @@ fn an_event_happens_where_a_current_jumps_over_its_bound() {
     assert_eq!(passed, 3, "{:?}", trajectory.passages);
 }
 
-/// |U sin wt| on a resistor and a capacitor in parallel behind nothing: the charge that passes the resistor.
+/// |U sin wt| across a resistor: the charge that flows through it.
 #[test]
 fn a_rectified_sine_passes_its_mean() {
     let text = RC.replace("potential = \"q^2/(2*C)\"\n", "").replace("u = \"q/C\"", "u = \"R*q'\"");
@@ -52,7 +52,7 @@ fn a_rectified_sine_passes_its_mean() {
     close(last(&trajectory, "q"), 10.0 * 2.0 * 10.0 / 3_141.592_653_589_793, 1e-13);
 }
 
-/// A capacitor and a resistor at a node: its reaction is the voltage there, whether the source has a condition or not.
+/// Capacitor and resistor at a node: the reaction of the node is its voltage, with a source that changes at a condition and with a constant one.
 #[test]
 fn the_reaction_of_a_node_is_its_voltage() {
     let text = RC.replace("q = \"C\"\n", "q = \"C\"\nc = \"C\"\nr = \"C\"\n").replace("q^2/(2*C)", "c^2/(2*C)");
@@ -68,7 +68,7 @@ fn the_reaction_of_a_node_is_its_voltage() {
     }
 }
 
-/// The source is on below 4 V: the capacitor comes there and stays, and the mean of the source with it.
+/// The source is on below 4 V: the capacitor reaches this voltage and stays there, and the mean of the source is 4 V.
 #[test]
 fn a_relay_that_chatters_holds_its_voltage() {
     let text = RC.replace("if(sin(w*t) > 0, V, 0*V)", "if(q/C < (4 V), V, 0*V)");
@@ -81,7 +81,7 @@ fn a_relay_that_chatters_holds_its_voltage() {
     close(last(&trajectory, "q'"), 0.0, 1e-13);
 }
 
-/// Off, the source would take charge back, which a diode does not let through: it blocks this voltage, and nothing chatters.
+/// The negative source would discharge through the diode, which blocks its voltage; no chattering occurs.
 #[test]
 fn a_relay_behind_a_diode_comes_to_rest() {
     let text =
@@ -98,7 +98,7 @@ const RECTIFIER: &str = "title = \"rectifier\"\n[parameters]\nR = \"10 ohm\"\nU 
     [coordinates]\nq = \"C\"\n[energies]\ndissipation = \"R/2*q'^2\"\n[[force]]\nalong = \"q\"\nis = \"U*sin(w*t)\"\n\
     [[diode]]\nname = \"D\"\ncurrent = \"q'\"\n[outputs]\nblocked = \"reaction(D)\"\n[run]\nspan = \"0.095 s\"\n";
 
-/// i = max(0, U sin wt)/R: each positive half wave passes 2 U/(R w).
+/// i = max(0, U sin wt)/R: each positive half wave carries the charge 2 U/(R w).
 #[test]
 fn a_diode_with_a_resistor_cuts_off_half_waves() {
     let trajectory = runs(RECTIFIER);
@@ -112,8 +112,8 @@ fn a_diode_with_a_resistor_cuts_off_half_waves() {
     close(last(&trajectory, "q'"), (325.0 * (314.159_265_358_979_3 * 6e-3_f64).sin() - 100.0) / 10.0, 1e-11);
 }
 
-/// Without a resistance the capacitor has the voltage of the source while D conducts, which ends with C U w cos wt + U/R sin wt = 0; then
-/// it decays by its load until the source has come up again.
+/// While the diode D conducts, the capacitor has the voltage of the source, until C U w cos wt + U/R sin wt = 0. Then its voltage decays
+/// through the load until the voltage of the source is higher again.
 #[test]
 fn a_smoothing_capacitor_decays_between_the_tops_of_its_source() {
     let text = RECTIFIER.replace("q = \"C\"\n", "q = \"C\"\nc = \"C\"\n");
@@ -128,14 +128,14 @@ fn a_smoothing_capacitor_decays_between_the_tops_of_its_source() {
     close(again, end + 0.02, 1e-15);
     let voltage = 325.0 * (w * end).sin() * (-(0.03 - again) / 10e-3).exp();
     close(last(&trajectory, "c"), 1e-3 * voltage, 1e-11);
-    // a resistance of the source: the same decay between two events
+    // with a resistance of the source the voltage decays in the same way between two events
     let text = text.replace("R/2*(q' - c')^2", "R/2*(q' - c')^2 + R/20*q'^2").replace("0.03 s", "0.015 s");
     let trajectory = runs(&text);
     let [end] = times(&trajectory)[..] else { panic!("{:?}", trajectory.passages) };
     close(last(&trajectory, "c"), 1e-3 * 325.0 * (w * end).sin() * (-(0.015 - end) / 10e-3).exp(), 1e-11);
 }
 
-/// Four diodes a, b, c, d: a and d conduct in one direction of the source, b and c in the other.
+/// A bridge of four diodes a, b, c, d: a and d conduct in one direction of the source, b and c in the other.
 fn bridge(coordinate: &str, energies: &str, constraints: &str, supplied: &[&str], span: &str) -> String {
     let diodes =
         ["a", "b", "c", "d"].map(|name| format!("[[diode]]\nname = \"{name}{name}\"\ncurrent = \"{name}'\"\n"));
@@ -163,7 +163,7 @@ fn a_bridge_with_a_resistor_gives_the_size_of_its_voltage() {
     assert_eq!(times(&trajectory).len(), 3);
 }
 
-/// C u' = i - u/R with Rs i = U sin wt - u from u = 0 on, until i is zero; the voltages that the diodes share are no events.
+/// C u' = i - u/R with Rs i = U sin wt - u, from u = 0 until i = 0; the distribution of voltages among the diodes causes no events.
 #[test]
 fn a_bridge_charges_a_capacitor_until_its_current_is_spent() {
     let trajectory = runs(&stored("bridge_rectifier"));
@@ -180,7 +180,7 @@ fn a_bridge_charges_a_capacitor_until_its_current_is_spent() {
     assert_eq!(times(&trajectory).len(), 9, "{:?}", trajectory.passages);
 }
 
-/// The line's inductance ends each conduction interval where its current is spent; the voltage is that of one diode behind |U sin wt|.
+/// The inductance of the line ends each conduction interval where its current is zero. The voltage is that of one diode fed by |U sin wt|.
 #[test]
 fn a_bridge_between_an_inductance_and_a_capacitor_is_one_diode_behind_a_rectified_source() {
     let energies = "coenergy = \"L/2*s'^2\"\npotential = \"p^2/(2*C0)\"\ndissipation = \"R/2*(a' + c' - p')^2\"\n";
@@ -200,7 +200,7 @@ fn a_bridge_between_an_inductance_and_a_capacitor_is_one_diode_behind_a_rectifie
     }
 }
 
-/// Both diodes of a leg conduct while the current of the line turns round, by the source alone: L s' = U/w (cos wt1 - cos wt).
+/// During commutation both diodes of a leg conduct, and the source alone changes the current of the line: L s' = U/w (cos wt1 - cos wt).
 #[test]
 fn diodes_between_two_inductances_take_over_from_each_other() {
     let energies = "coenergy = \"L/2*s'^2 + 2*L*l'^2\"\ndissipation = \"R/2*l'^2\"\n";
@@ -216,12 +216,12 @@ fn diodes_between_two_inductances_take_over_from_each_other() {
         let [(before, from), (now, to)] = [pair[0], pair[1]];
         let change = 325.0 / 314.159_265_358_979_3 / 5e-3 * (angle(*before) - angle(*now));
         close(to[line] - from[line], change, 1e-8);
-        // the load decays by L and R
+        // the current of the load decays with the time constant L/R
         close(to[load], from[load] * (-(now - before) * 10.0 / 20e-3).exp(), 1e-8);
     }
 }
 
-/// A mass on a spring whose other end is held by dry friction alone: it sticks, slips at the constant force, and sticks on.
+/// A mass on a spring whose other end is held by dry friction only: it sticks, slips at a constant force, and sticks again.
 #[test]
 fn a_spring_slips_where_dry_friction_holds_it_no_more() {
     let text = "title = \"Jenkin\"\n[parameters]\nm = \"1 kg\"\nk = \"100 N/m\"\nF = \"5 N\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
@@ -240,7 +240,7 @@ fn a_spring_slips_where_dry_friction_holds_it_no_more() {
     close(last(&trajectory, "friction"), 5.0 * angle.cos(), 1e-9);
 }
 
-/// A spring that is drawn at a constant speed, and a damper beside dry friction at its end: c y' = k (v t - y) - F beyond the bound.
+/// A spring pulled at constant speed, with a damper and dry friction at its end: beyond the limit of friction c y' = k (v t - y) - F.
 #[test]
 fn a_damper_beside_dry_friction_begins_to_move_at_its_bound() {
     let text = "title = \"creep\"\n[parameters]\nk = \"100 N/m\"\nF = \"5 N\"\nc = \"20 N s/m\"\nv = \"1 m/s\"\n[coordinates]\ny = \"m\"\n\
@@ -253,7 +253,7 @@ fn a_damper_beside_dry_friction_begins_to_move_at_its_bound() {
     close(last(&trajectory, "y'"), 1.0 - (-time / rest).exp(), 1e-11);
 }
 
-/// Where the force is spent, the slip dies away as an exponential, down to rounding, and nothing moves the other way.
+/// The slip decays exponentially, down to rounding errors, and the speed does not reverse.
 #[test]
 fn a_slip_that_dies_away_does_not_turn_round() {
     let text = "title = \"rest\"\n[parameters]\nk = \"100 N/m\"\nF = \"2 N\"\nc = \"2 N s/m\"\n[coordinates]\ny = \"m\"\n\
@@ -267,8 +267,8 @@ fn a_slip_that_dies_away_does_not_turn_round() {
     }
 }
 
-/// J w' = k i with i = (U s - k w)/R: w goes to U/k or to zero by one factor in each half period of the chopper; and a current above
-/// 10 A meets a resistance more.
+/// J w' = k i with i = (U - k w)/R: w approaches U/k or zero by an equal factor in each half period of the chopper. In the second system
+/// an additional resistance acts on currents above 10 A.
 #[test]
 fn a_motor_without_an_inductance_is_fed_by_a_chopper_and_by_a_limiter() {
     let text = "title = \"motor\"\n[parameters]\nJ = \"1e-3 kg m^2\"\nR = \"0.5 ohm\"\nk = \"0.05 V s\"\nU = \"12 V\"\nw = \"628.3185307179587 rad/s\"\n\

@@ -1,8 +1,8 @@
-//! Circuits by their co-energy.
+//! Circuits whose magnetic energies are given as co-energies.
 
 use super::{close, last, motor, runs, stored};
 
-/// i^2/2 dL/dtheta turns the rotor of an inductance L0 + L2 cos(2 theta) that carries a current.
+/// The torque i^2/2 dL/dtheta turns the rotor of an inductance L0 + L2 cos(2 theta) with a current.
 #[test]
 fn an_inductance_that_depends_on_the_angle_turns_its_rotor() {
     let text = motor(
@@ -10,17 +10,17 @@ fn an_inductance_that_depends_on_the_angle_turns_its_rotor() {
         "[[drive.winding]]\ninductance = \"L0 + L2*cos(2*theta)\"\n[start]\ntheta = \"0.4 rad\"\n\"motor.i\" = \"3 A\"\n",
     );
     let short = runs(&text.replace("0.05 s", "1e-4 s"));
-    // without a voltage the flux stays
+    // without a voltage the flux is constant
     let inductance = |angle: f64| 20e-3 + 8e-3 * (2.0 * angle).cos();
     let (angle, flux) = (last(&short, "theta"), 3.0 * inductance(0.4));
     close(last(&short, "motor.q'"), flux / inductance(angle), 1e-12);
-    // W = flux^2/(2 L) turns into that of the rotor
+    // the magnetic energy flux^2/(2 L) becomes kinetic energy
     let kinetic = 0.5 * 1e-4 * last(&short, "theta'").powi(2);
     close(kinetic, flux * flux / 2.0 * (1.0 / inductance(0.4) - 1.0 / inductance(angle)), 1e-15);
     assert!(last(&short, "theta'") < -0.01);
 }
 
-/// psi = psi0 tanh(i/i0) grows by the voltage: U t = psi0 tanh(i/i0).
+/// The flux psi = psi0 tanh(i/i0) is the integral of the voltage: U t = psi0 tanh(i/i0).
 #[test]
 fn an_iron_core_saturates_by_its_co_energy() {
     let text = "title = \"core\"\n[parameters]\npsi = \"0.1 Wb\"\ni0 = \"2 A\"\nU = \"5 V\"\n[coordinates]\nq = \"C\"\n\
@@ -29,14 +29,14 @@ fn an_iron_core_saturates_by_its_co_energy() {
     close(last(&trajectory, "q'"), 2.0 * (5.0 * 0.015 / 0.1_f64).atanh(), 1e-10);
 }
 
-/// The circuit of one phase: Z = Rs + i w Ls + (w Lm)^2/(Rr/s + i w Lr); the torque is p/w times the power in Rr/s.
+/// The equivalent circuit of one phase: Z = Rs + i w Ls + (w Lm)^2/(Rr/s + i w Lr); the torque is p/w times the power in Rr/s.
 #[test]
 fn an_induction_machine_settles_where_its_circuit_says() {
     let trajectory = runs(&stored("induction_machine").replace("span = \"0.5 s\"", "span = \"2 s\""));
     let (ls, lr, lm, rs, rr, u, w) = (80e-3, 80e-3, 76e-3, 1.2, 1.0, 325.0, 314.159_26_f64);
     let speed = last(&trajectory, "theta'");
     let slip = 1.0 - 2.0 * speed / w;
-    // |rr/s + i w lr|^2, and Z from it
+    // |rr/s + i w lr|^2, from which Z follows
     let rotor = (rr / slip).powi(2) + (w * lr).powi(2);
     let real = rs + (w * lm).powi(2) * (rr / slip) / rotor;
     let imaginary = w * ls - (w * lm).powi(2) * w * lr / rotor;

@@ -1,8 +1,8 @@
-//! Motors between bodies, with gears.
+//! Motors with gears between bodies.
 
 use super::{close, last, motor, runs, stored};
 
-/// L i' = U - R i - k w, J w' = k i: with w' at the start zero, two exponentials.
+/// L i' = U - R i - k w and J w' = k i from rest: two exponentials.
 #[test]
 fn a_brushed_motor_starts_as_its_two_equations_say() {
     let text = motor(
@@ -21,12 +21,12 @@ fn a_brushed_motor_starts_as_its_two_equations_say() {
     close(last(&trajectory, "T"), j * rate, 1e-11);
 }
 
-/// The rotor spins by alpha' + n theta', and n times its torque turns the wheel beside the carriage.
+/// The rotor turns at alpha' + n theta'; n times its torque acts on the wheel and, in the opposite direction, on the carriage.
 #[test]
 fn a_gear_passes_the_torque_and_its_reaction_on() {
     let geared = runs(&stored("geared_motor"));
     close(last(&geared, "momentum"), 0.0, 1e-15);
-    // without a drive: the rotor as a body, the torque as a pair, the current as the rate of a charge
+    // the same system without a drive: the rotor as a body, a pair of torques, and the current as the rate of a charge
     let text = stored("geared_motor");
     let (system, drive) = text.split_once("[[drive]]").expect("it has a drive");
     let (_, run) = drive.split_once("[run]").expect("it has a run");
@@ -43,7 +43,7 @@ fn a_gear_passes_the_torque_and_its_reaction_on() {
     close(last(&geared, "current"), last(&by_hand, "q'"), 1e-9);
 }
 
-/// A shunt motor runs where U = R i_a + m i_f w and m i_f i_a = c w, with i_f = U/R_f.
+/// Steady state of a shunt motor: U = R i_a + m i_f w and m i_f i_a = c w, with i_f = U/R_f.
 #[test]
 fn windings_know_each_others_currents() {
     let text = motor(
@@ -59,7 +59,7 @@ fn windings_know_each_others_currents() {
     close(last(&trajectory, "i_a"), c * speed / (m * field), 1e-8);
 }
 
-/// Constant losses, and losses that grow with the transmitted torque, stop the wheel once the supply is off, and hold it there.
+/// Constant losses and losses proportional to the transmitted torque stop the wheel after the supply is switched off, and keep it at rest.
 #[test]
 fn a_gear_with_losses_comes_to_rest_and_stays() {
     let text = stored("geared_motor")
@@ -74,7 +74,7 @@ fn a_gear_with_losses_comes_to_rest_and_stays() {
     close(last(&trajectory, "theta'"), 0.0, 1e-12);
     close(last(&trajectory, "current"), 0.0, 1e-9);
     assert!(last(&trajectory, "theta") > 3.0);
-    // U = R i + k w, and what is left of k i carries the friction
+    // U = R i + k w, and k i minus the losses balances friction
     let driven = runs(&text.replace("span = \"1 s\"", "span = \"0.14 s\""));
     let (current, speed) = (last(&driven, "current"), 10.0 * last(&driven, "theta'"));
     close(0.5 * current + 0.05 * speed, 12.0, 1e-4);

@@ -1,11 +1,11 @@
-//! Point masses on a knife edge: the rotation has no inertia and is determined by the constraint.
+//! Point masses on a knife edge: the rotation has no inertia, and the constraint determines it.
 
 use super::{last, runs};
 use dalembert_scenes::ModelScene;
 use integrators::Method;
 use simulation::{Choice, IvpScene};
 
-/// A point mass ahead of a knife edge by b; `more` in its tables.
+/// A point mass at the distance b ahead of a knife edge; `body` are further keys of the body.
 fn trolley(body: &str, damping: &str, heading: f64) -> String {
     format!(
         "title = \"trolley\"\n[parameters]\nm = \"30 kg\"\nb = \"0.4 m\"\nJ = \"0 kg m^2\"\nd = \"{damping} N m s\"\n\
@@ -16,7 +16,7 @@ fn trolley(body: &str, damping: &str, heading: f64) -> String {
     )
 }
 
-/// With the speed v of the edge and w = psi' the mass has m (v' - b w^2) = 0 and m b (b w' + v w) = 0: v^2 + (b w)^2 stays.
+/// With the speed v of the edge and w = psi', m (v' - b w^2) = 0 and m b (b w' + v w) = 0: v^2 + (b w)^2 is constant.
 #[test]
 fn a_point_mass_ahead_of_a_knife_edge_keeps_its_speed() {
     for (body, heading) in [("", 0.0), ("", 0.3), ("frame = \"B\"\ninertia = \"J\"\n", 0.0)] {
@@ -53,7 +53,7 @@ fn a_small_inertia_leads_to_the_motion_without_one() {
     }
 }
 
-/// Its turn moves no mass, breaks no constraint and has no force: it would be anything.
+/// The rotation moves no mass, violates no constraint and is not acted on by a force: it is undetermined.
 #[test]
 fn a_turn_that_no_equation_determines_is_refused() {
     let text = trolley("frame = \"B\"\ninertia = \"J\"\n", "0", 0.0).replace("A + b*B.x", "A");

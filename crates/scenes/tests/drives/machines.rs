@@ -1,9 +1,9 @@
-//! Machines from their co-energies and windings: steady states compared with closed forms.
+//! Machines given by their co-energies and windings: steady states compared with closed forms.
 
 use super::{close, last, runs, stored};
 use std::f64::consts::PI;
 
-/// 50 turns of the voltages in a second.
+/// Angular frequency of the voltages, 50 Hz, in rad/s.
 const W: f64 = 100.0 * PI;
 
 /// U cos lag = R id - w psi_q, U sin lag = R iq + w psi_d, p (psi_d iq - psi_q id) = load, with psi_d = psi0 tanh(id/i0) + Ls id.
@@ -19,7 +19,7 @@ fn a_reluctance_machine_settles_where_its_saturated_flux_carries_the_load() {
     close(speed, W / 2.0, 1e-6);
 }
 
-/// The same with psi_d = Ld id + psi_m, psi_q = Lq iq.
+/// The same equations with psi_d = Ld id + psi_m and psi_q = Lq iq.
 #[test]
 fn a_machine_with_magnets_inside_has_the_torque_of_its_shape_too() {
     let trajectory = runs(&stored("interior_magnet").replace("span = \"2 s\"", "span = \"4 s\""));
@@ -32,7 +32,7 @@ fn a_machine_with_magnets_inside_has_the_torque_of_its_shape_too() {
     assert!(shape > 0.2 * magnets, "{shape} {magnets}");
 }
 
-/// The torque is dW'/dtheta: of a phase L' (psi i tanh(x)/L - psi^2 ln cosh(x)/L^2) with x = L i/psi.
+/// The torque is dW'/dtheta; for each phase it is L' (psi i tanh(x)/L - psi^2 ln cosh(x)/L^2) with x = L i/psi.
 #[test]
 fn a_switched_machine_is_turned_by_its_co_energy() {
     let trajectory = runs(&stored("switched_reluctance"));
@@ -45,11 +45,11 @@ fn a_switched_machine_is_turned_by_its_co_energy() {
         slope * (0.35 * i * x.tanh() / inductance - 0.35 * 0.35 * x.cosh().ln() / inductance.powi(2))
     });
     close(last(&trajectory, "torque"), torque.iter().sum(), 1e-12);
-    // an integration of its own that begins anew at each switch
+    // reference: a separate integration that restarts at each switch
     close(last(&trajectory, "theta'"), 82.153_249_029, 1e-6);
 }
 
-/// w M i_f/sqrt(R^2 + (w L)^2), with the field U_f/R_f.
+/// The amplitude of the current is w M i_f/sqrt(R^2 + (w L)^2), with the field current i_f = U_f/R_f.
 #[test]
 fn a_generator_has_the_current_of_its_steady_short_circuit() {
     let trajectory = runs(&stored("wound_field"));
@@ -57,11 +57,11 @@ fn a_generator_has_the_current_of_its_steady_short_circuit() {
     close(last(&trajectory, "f'"), field, 1e-6);
     let current = w * 0.18 * field / 0.8_f64.hypot(w * 40e-3);
     close(last(&trajectory, "current"), current, 1e-6);
-    // the drive's power is burnt in the phases
+    // the mechanical power is dissipated in the phases
     close(last(&trajectory, "torque") * w / 2.0, 0.8 * current * current, 1e-4);
 }
 
-/// U = (R + m w) i and m i^2 = c w^2.
+/// Steady state: U = (R + m w) i and m i^2 = c w^2.
 #[test]
 fn a_series_motor_settles_where_its_fan_takes_the_torque() {
     let trajectory = runs(&stored("series_motor"));
@@ -70,7 +70,7 @@ fn a_series_motor_settles_where_its_fan_takes_the_torque() {
     close(0.1 * current * current, 2e-4 * speed * speed, 1e-8);
 }
 
-/// U = R_a i_a + m i_f w and m i_f i_a = c w, with i_f = U/R_f.
+/// Steady state: U = R_a i_a + m i_f w and m i_f i_a = c w, with i_f = U/R_f.
 #[test]
 fn a_shunt_motor_settles_after_its_resistor_is_bridged() {
     let trajectory = runs(&stored("shunt_motor"));
@@ -80,7 +80,7 @@ fn a_shunt_motor_settles_after_its_resistor_is_bridged() {
     close(1.3 * field * armature, 0.08 * speed, 1e-6);
 }
 
-/// L i' + (R + m W) i = U cos w t: one phasor; the torque m i^2 goes with it.
+/// L i' + (R + m W) i = U cos w t gives one phasor; the torque is m i^2.
 #[test]
 fn a_universal_motor_turns_the_same_way_on_alternating_voltage() {
     let trajectory = runs(&stored("universal_motor"));

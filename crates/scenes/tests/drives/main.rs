@@ -36,7 +36,7 @@ fn close(found: f64, known: f64, within: f64) {
     assert!((found - known).abs() <= within, "{found} and {known}");
 }
 
-/// A motor on a disc of the inertia 1e-4 kg m^2.
+/// A motor that turns a disc with the moment of inertia 1e-4 kg m^2.
 fn motor(parameters: &str, drive: &str) -> String {
     format!(
         "title = \"motor\"\n[parameters]\nJ = \"1e-4 kg m^2\"\nU = \"12 V\"\n{parameters}[coordinates]\ntheta = \"rad\"\n\

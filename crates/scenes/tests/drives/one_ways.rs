@@ -8,7 +8,7 @@ const HALF_WAVE: &str = "title = \"half wave\"\n[parameters]\nL = \"0.1 H\"\nR =
                          [[force]]\nalong = \"q\"\nis = \"U*sin(w*t)\"\n[[diode]]\nname = \"D\"\ncurrent = \"q'\"\n\
                          [outputs]\nblocked = \"reaction(D)\"\n[run]\nspan = \"0.02 s\"\n";
 
-/// The root of a function that changes its sign once.
+/// The root of a function with one change of sign, by bisection.
 pub(super) fn root(mut low: f64, mut high: f64, of: impl Fn(f64) -> f64) -> f64 {
     for _ in 0..200 {
         let middle = 0.5 * (low + high);
@@ -17,14 +17,14 @@ pub(super) fn root(mut low: f64, mut high: f64, of: impl Fn(f64) -> f64) -> f64 
     low
 }
 
-/// L i' + R i = U sin wt until i returns to zero; then D blocks -U sin wt.
+/// L i' + R i = U sin wt until i is zero; then the diode D blocks -U sin wt.
 #[test]
 fn a_diode_stops_the_current_that_would_turn_round() {
     let (l, r, u, w) = (0.1_f64, 10.0_f64, 325.0, 314.0_f64);
     let (z, phi, decay) = (r.hypot(w * l), (w * l / r).atan(), r / l);
     let current = |t: f64| u / z * ((w * t - phi).sin() + phi.sin() * (-decay * t).exp());
     let end = root(3.3 / w, 6.2 / w, current);
-    // R q = the voltage's integral, since i is zero at both ends
+    // R q is the integral of the voltage, since i is zero at both ends
     let charge = u / w * (1.0 - (w * end).cos()) / r;
     let trajectory = runs(HALF_WAVE);
     close(last(&trajectory, "q"), charge, 1e-10);
@@ -32,7 +32,7 @@ fn a_diode_stops_the_current_that_would_turn_round() {
     close(last(&trajectory, "blocked"), -u * (w * 0.02).sin(), 1e-9);
 }
 
-/// A drop in the direction of the current shifts the voltage: nothing flows before U sin wt exceeds it.
+/// A forward voltage: no current flows before U sin wt exceeds it.
 #[test]
 fn a_drop_is_what_the_voltage_must_exceed() {
     let text =
@@ -44,7 +44,7 @@ fn a_drop_is_what_the_voltage_must_exceed() {
     assert!(last(&runs(&text), "q'") > 0.0);
 }
 
-/// T cos wt drives a wheel by a freewheel: both turn alike until the torque is spent, then the wheel runs on.
+/// T cos wt drives a wheel through a freewheel: both turn together until the torque is zero, then the wheel runs free.
 #[test]
 fn a_freewheel_lets_its_wheel_run_on() {
     let text = "title = \"freewheel\"\n[parameters]\nJ1 = \"0.01 kg m^2\"\nJ2 = \"0.1 kg m^2\"\nT = \"1 N m\"\nw = \"3 rad/s\"\n\
@@ -62,7 +62,7 @@ fn a_freewheel_lets_its_wheel_run_on() {
     close(last(&free, "load"), 0.0, 0.0);
 }
 
-/// Flux of the primary and momentum of the rotor are integrals whatever conducts, and no current turns round.
+/// The balances of the primary's flux and of the rotor's momentum hold in every conducting state, and no current is negative.
 #[test]
 fn a_rectifier_keeps_the_balances_of_flux_and_momentum() {
     let trajectory = runs(&stored("rectifier_drive"));
@@ -104,7 +104,7 @@ fn diodes_that_mean_nothing_are_refused_at_their_place() {
     }
 }
 
-/// Two diodes in one branch block and conduct together; the voltage across one that blocks is without its drop.
+/// Two diodes in series block and conduct together; the blocked voltage does not contain the forward voltage.
 #[test]
 fn diodes_of_one_current_change_together() {
     let second = "[[diode]]\nname = \"E\"\ncurrent = \"q'\"\n[outputs]";

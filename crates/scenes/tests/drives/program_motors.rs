@@ -1,4 +1,4 @@
-//! Motors with their own laws in a drive: each motor of the program compared with its compiled law, and laws as text.
+//! Motors of the catalogue, and motors with laws as text, in a drive: each is compared with its compiled law.
 
 use super::{close, last, runs};
 use dalembert_scenes::ModelScene;
@@ -9,7 +9,7 @@ use reader::Quantity;
 
 const INERTIA: f64 = 0.01;
 
-/// A rotor with the data of a machine as a scene would give them.
+/// A scene of a rotor with the data of a motor.
 fn scene(motor: &Motor) -> String {
     let unit = |quantity: &Quantity| if quantity.unit == "1" { String::new() } else { format!(" {}", quantity.unit) };
     let number = |(quantity, value): (&Quantity, f64)| format!("{} = \"{value:?}{}\"\n", quantity.name, unit(quantity));
@@ -18,7 +18,7 @@ fn scene(motor: &Motor) -> String {
     with_data(motor.name(), &data)
 }
 
-/// The same with data as a file writes them.
+/// A scene of a rotor with motor data as text.
 fn with_data(model: &str, data: &str) -> String {
     format!(
         "title = \"rotor\"\n[coordinates]\ntheta = \"rad\"\n[[drive]]\nname = \"motor\"\nturns = \"theta\"\ninertia = \"({INERTIA} kg m^2)\"\n\
@@ -38,7 +38,7 @@ fn sampled(model: &str) -> Motor {
     catalogue::sampled(model, value, 3).unwrap_or_else(|| panic!("{model}"))
 }
 
-/// Torque and rates of currents at an angle to the field and a slip.
+/// The torque and the rates of currents by the compiled law, at an angle to the field and a slip.
 fn own_law(motor: &Motor, angle: f64, slip: f64, currents: &[f64]) -> (f64, Vec<f64>) {
     let mut rates = vec![0.0; motor.windings()];
     let (sin, cos) = angle.sin_cos();
@@ -74,7 +74,7 @@ fn every_motor_of_the_program_has_its_own_law_in_a_drive() {
     }
 }
 
-/// A brushed motor at its last speed: U k/(R f + k^2).
+/// Final speed of a brushed motor: U k/(R f + k^2).
 #[test]
 fn a_motor_in_its_own_letters_runs_in_a_gear() {
     let data = "[drive.machine]\nmodel = \"text\"\nfield_speed = \"0 rad/s\"\ntorque_law = \"-f*phi'\"\n[drive.machine.parameters]\n\
@@ -91,7 +91,7 @@ fn a_motor_in_its_own_letters_runs_in_a_gear() {
     close(last(&trajectory, "i"), 1e-4 * speed / 0.045, 1e-6);
 }
 
-/// The motor sits on a carriage that is free to turn: what the rotor gets the carriage gives.
+/// The motor is fixed to a carriage that can turn: the torques on rotor and carriage are opposite.
 #[test]
 fn a_motor_of_the_program_turns_one_body_against_another() {
     let text = scene(&sampled("multi_current"))
@@ -107,7 +107,7 @@ fn a_motor_of_the_program_turns_one_body_against_another() {
     assert!(last(&trajectory, "housing'").abs() > 1e-3);
 }
 
-/// A wheel in a body that turns freely, about each of its axes and from either side: the angular momentum of both is kept.
+/// A reaction wheel in a free body, about each axis and in either order of the bodies: the total angular momentum is conserved.
 #[test]
 fn a_reaction_wheel_turns_a_satellite_and_keeps_the_angular_momentum() {
     for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
@@ -143,7 +143,7 @@ fn a_reaction_wheel_turns_a_satellite_and_keeps_the_angular_momentum() {
     }
 }
 
-/// The motor sits in the wheel and turns the satellite: its speed is that of the satellite beside the wheel.
+/// The motor is fixed to the wheel and turns the satellite: its speed is that of the satellite relative to the wheel.
 #[test]
 fn a_motor_may_sit_on_what_turns() {
     let turned = |between: &str| {
@@ -155,7 +155,7 @@ fn a_motor_may_sit_on_what_turns() {
              [outputs]\nw = \"motor.speed\"\n[run]\nspan = \"1 s\"\n"
         ))
     };
-    // two bodies of 1 and 0.1 kg m^2 from rest by 0.2 N m
+    // two bodies of 1 and 0.1 kg m^2, accelerated from rest by 0.2 N m
     let relative = 0.2 + 2.0;
     let (from_satellite, from_wheel) = (turned("[\"satellite\", \"wheel\"]"), turned("[\"wheel\", \"satellite\"]"));
     for trajectory in [&from_satellite, &from_wheel] {
@@ -197,7 +197,7 @@ fn a_drive_has_one_motor() {
     assert!(said.contains("is `brushed` meant?"), "{said}");
 }
 
-/// One message, which lists motors that a drive may have alone.
+/// There is one message, which lists only motors that a drive can have.
 #[test]
 fn a_machine_that_no_drive_has_is_refused_by_name() {
     for (model, messages) in [

@@ -1,4 +1,4 @@
-//! Invalid drives, each with one message at its place.
+//! Faults of drives: one message each, with its place.
 
 use super::stored;
 use dalembert_scenes::ModelScene;
@@ -43,7 +43,7 @@ fn a_drive_that_means_nothing_is_refused_at_its_place() {
     }
 }
 
-/// Inductances that no windings have: negative, mutual beyond sqrt(L1 L2), or three that bend downwards together.
+/// Impossible inductances: negative ones, mutual ones above sqrt(L1 L2), and an indefinite matrix of three windings.
 #[test]
 fn inductances_that_nothing_has_are_refused() {
     let text = |coenergy: &str| {

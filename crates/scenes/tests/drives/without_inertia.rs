@@ -18,7 +18,7 @@ fn a_capacitor_is_charged_through_a_resistor() {
     close(last(&driven, "q"), exact, 1e-11);
 }
 
-/// Kirchhoff's law of the node leaves two loops, each with a law of its own.
+/// Kirchhoff's current law at the node leaves two independent loops.
 #[test]
 fn branches_at_a_node_have_the_laws_of_their_loops() {
     let text = "title = \"node\"\n[parameters]\nU = \"10 V\"\nR1 = \"1 kohm\"\nR2 = \"2 kohm\"\nC = \"1 mF\"\n\
@@ -31,7 +31,7 @@ fn branches_at_a_node_have_the_laws_of_their_loops() {
     close(last(&trajectory, "q2'"), voltage / 2e3 * (1.0 - (-2.0_f64 / time).exp()), 1e-11);
 }
 
-/// J w' = k i with i = (U - k w)/R; the rotor starts at rest, and the current follows.
+/// J w' = k i with i = (U - k w)/R; the rotor starts at rest, and the current is completed.
 #[test]
 fn a_motor_without_an_inductance_starts_at_rest() {
     let text = "title = \"motor\"\n[parameters]\nJ = \"1e-3 kg m^2\"\nR = \"0.5 ohm\"\nk = \"0.05 V s\"\nU = \"12 V\"\n\
@@ -42,7 +42,7 @@ fn a_motor_without_an_inductance_starts_at_rest() {
     assert_eq!(scene.start[2..], [0.0, 24.0]);
     let trajectory = runs(text);
     close(last(&trajectory, "theta'"), 240.0 * (1.0 - (-2.5_f64).exp()), 1e-9);
-    // its voltage as an input: the current at once, the acceleration by the current
+    // with the voltage as an input: the current follows at once, the acceleration through the current
     let text = text
         .replace("\"U - k*theta'\"", "\"u - k*theta'\"")
         .replace("[run]", "[inputs]\nu = { unit = \"V\", value = \"U\" }\n[run]");
@@ -56,7 +56,7 @@ fn a_motor_without_an_inductance_starts_at_rest() {
     close(found.b[(2, 0)], 100.0, 1e-12);
 }
 
-/// A constant force on a mass behind a spring and a damper in series, m x'' = F - k (x - y), c y' = k (x - y); and behind two springs.
+/// A constant force on a mass with a spring and a damper in series, m x'' = F - k (x - y), c y' = k (x - y); and with two springs in series.
 #[test]
 fn a_spring_and_a_damper_in_series_hold_a_mass() {
     let element = |potential: &str, dissipation: &str, force: &str, start: &str| {
@@ -67,7 +67,7 @@ fn a_spring_and_a_damper_in_series_hold_a_mass() {
         ))
     };
     let maxwell = element("k/2*(x - y)^2", "dissipation = \"c/2*y'^2\"\n", "(1 N)", "");
-    // the stretch e = x - y follows e'' + (k/c) e' + (k/m) e = F/m, a double root of -10/s
+    // the stretch e = x - y satisfies e'' + (k/c) e' + (k/m) e = F/m, with the double root -10/s
     let stretch = |t: f64| 0.01 * (1.0 - (-10.0 * t).exp() * (1.0 + 10.0 * t));
     close(last(&maxwell, "x") - last(&maxwell, "y"), stretch(3.0), 1e-11);
     let springs = element("k/2*(x - y)^2 + 3*k/2*y^2", "", "(0 N)", "[start]\nx = \"0.1 m\"\n");
@@ -75,7 +75,7 @@ fn a_spring_and_a_damper_in_series_hold_a_mass() {
     close(last(&springs, "y"), last(&springs, "x") / 4.0, 1e-12);
 }
 
-/// A diode, a switch by a condition and a capacitor: a step-down converter gives its part of the voltage.
+/// A step-down converter of a switch, a diode and a capacitor: the mean voltage is the duty ratio times the supply.
 #[test]
 fn a_step_down_converter_gives_the_part_of_the_voltage_in_which_its_switch_is_closed() {
     let text = "title = \"converter\"\n[parameters]\nV = \"24 V\"\nL = \"1 mH\"\nLs = \"1 uH\"\nR = \"5 ohm\"\nC = \"100 uF\"\n\
@@ -91,7 +91,7 @@ fn a_step_down_converter_gives_the_part_of_the_voltage_in_which_its_switch_is_cl
     close(last(&trajectory, "u"), 12.0, 0.1);
 }
 
-/// A controller with an integral: J e'' + kp e' + ki e = 0 for the error e, a double root of -10/s; what has inertia starts at rest.
+/// An integral controller: J e'' + kp e' + ki e = 0 for the error e, with the double root -10/s; the disc starts at rest.
 #[test]
 fn an_integral_of_an_error_is_a_coordinate_without_a_reaction() {
     let text = "title = \"PI\"\n[parameters]\nJ = \"1e-3 kg m^2\"\nkp = \"0.02 N m s\"\nki = \"0.1 N m\"\nw0 = \"100 rad/s\"\n\
@@ -105,7 +105,7 @@ fn an_integral_of_an_error_is_a_coordinate_without_a_reaction() {
     close(last(&trajectory, "back"), 0.0, 1e-12);
 }
 
-/// Two capacitors in parallel behind a resistor: their laws have no speed between them, a/C1 = b/C2.
+/// Two capacitors in parallel behind a resistor: their laws contain no speed, a/C1 = b/C2.
 #[test]
 fn capacitors_in_parallel_share_a_charge() {
     let text = RC
@@ -113,7 +113,7 @@ fn capacitors_in_parallel_share_a_charge() {
         .replace("q^2/(2*C)", "a^2/(2*C) + b^2/(6*C)")
         .replace("[run]", "[[constraint]]\nzero = \"q' - a' - b'\"\n[run]");
     let trajectory = runs(&text);
-    // 4 C behind R
+    // the sum of capacitances is 4 C
     let voltage = 10.0 * (1.0 - (-0.75_f64).exp());
     close(last(&trajectory, "a"), 1e-3 * voltage, 1e-11);
     close(last(&trajectory, "b"), 3e-3 * voltage, 1e-11);

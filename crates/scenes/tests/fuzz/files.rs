@@ -25,14 +25,14 @@ const TEXTS: [&str; 14] = [
     include_str!("../../../../scenes/models/chaplygin_sleigh.toml"),
 ];
 
-/// Pages of the process that are in memory, in MB; none where nobody counts them.
+/// The resident memory of the process in MB; `None` on systems that do not report it.
 fn resident() -> Option<f64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find(|line| line.starts_with("VmRSS"))?;
     line.split_whitespace().nth(1)?.parse::<f64>().ok().map(|kilobytes| kilobytes / 1024.0)
 }
 
-/// The longest that one file may take, from text to the end of a run that is given a tenth of a second.
+/// The longest time for one file, from text to the end of a run that is limited to a tenth of a second.
 const LONGEST: Duration = Duration::from_secs(5);
 
 #[test]
@@ -75,8 +75,8 @@ fn whatever_stands_in_a_file_it_is_read_or_refused_with_reasons() {
     assert!(read > 200 && refused > 200, "{read} {refused}");
 }
 
-/// Each model has decimals of its own with seventeen digits, in powers and products of hundreds of digits. Exact, their constants would
-/// take 6 KB a model and stay.
+/// Each model has different decimals with seventeen digits, in powers and products of hundreds of digits. Stored exactly, their constants would
+/// take 6 KB for each model and never be freed.
 #[test]
 fn long_constants_leave_memory_flat() {
     let text = |k: usize| {

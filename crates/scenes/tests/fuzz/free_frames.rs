@@ -1,9 +1,9 @@
-//! Files with a free frame, by every command.
+//! Fuzz tests of files with a free frame, with every command.
 
 use super::{Drawn, changed};
 use dalembert_scenes::{ModelScene, parse_ensemble};
 
-/// A free body on a spring with members; every command reads it.
+/// A free body on a spring, with an ensemble; every command accepts it.
 const FREE: &str = r#"
 title = "A free body"
 gravity = "-g*N.z"
@@ -68,7 +68,7 @@ start.q = { from = "-1 rad/s", to = "1 rad/s" }
 parameters.l = { from = "0.4 m", to = "0.6 m" }
 "#;
 
-/// Linear equations, rest, code and members of files with a free frame, whatever stands in them.
+/// Linear equations, equilibria, code and members of files with a free frame and random changes.
 #[test]
 fn free_frames_are_taken_by_every_command_or_refused() {
     use dalembert_scenes::linearisation::VariedEquations;

@@ -1,14 +1,14 @@
-//! Fuzz tests of scene files: any file is read or refused with a message at a place, an accepted scene runs or gives the reason of its
-//! stop, and nothing panics or takes long.
+//! Fuzz tests of scene files. Each file is read, or refused with a message and its place; each accepted scene runs, or gives the reason why it
+//! stopped. Nothing panics or takes long.
 //!
-//! `FUZZ_ROUNDS=100000 cargo test --test fuzz -- --nocapture` tries more of them, and prints the resident memory every 10,000.
+//! `FUZZ_ROUNDS=100000 cargo test --test fuzz -- --nocapture` runs more rounds and prints the resident memory every 10,000 rounds.
 
 mod files;
 mod free_frames;
 mod members;
 mod texts;
 
-/// Pieces that take the place of a part of a text.
+/// Texts that replace a part of a file.
 const PIECES: [&str; 94] = [
     "v",
     "w'",
@@ -106,7 +106,7 @@ const PIECES: [&str; 94] = [
     "touching = true\n",
 ];
 
-/// Numbers that are drawn the same way each time.
+/// A deterministic generator of pseudo-random numbers (linear congruential).
 struct Drawn(u64);
 
 impl Drawn {

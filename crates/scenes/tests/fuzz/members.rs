@@ -36,7 +36,7 @@ fn whatever_varies_a_member_starts_or_says_why() {
     assert!(started > 100 && stopped > 50 && refused > 100, "{started} {stopped} {refused}");
 }
 
-/// The slider where the loop puts it.
+/// The text with the slider's position as a guess, so that the closed loop determines it.
 fn with_guess(text: &str) -> String {
     text.replace("s = \"0.4 m\"", "s = \"guess 0.4 m\"")
 }

@@ -1,4 +1,4 @@
-//! Random texts and random changes of texts.
+//! Texts of systems that are changed at random.
 
 /// A ball on a rough slope in space, beside a rough wall.
 pub const BALL: &str = r#"
@@ -60,7 +60,7 @@ z = "30 mm"
 span = "0.3 s"
 "#;
 
-/// Windings, diodes, a freewheel, a contact, a regulator.
+/// A system with windings, diodes, a freewheel, a contact and a regulator.
 pub const MACHINE: &str = r#"
 title = "A machine"
 gravity = "-g*N.y"
@@ -153,7 +153,7 @@ span = "0.2 s"
 samples = 5
 "#;
 
-/// Motors of the program and in their own letters, a shaft in space, charges without inductances.
+/// Motors of the catalogue and with laws as text, a shaft in space, and charges without inductances.
 pub const MOTORS: &str = r#"
 title = "Motors"
 
@@ -244,7 +244,7 @@ span = "0.05 s"
 samples = 5
 "#;
 
-/// A little of everything that the language has.
+/// A system with every construct of the language.
 pub const EVERYTHING: &str = r#"
 title = "Everything"
 gravity = "-g*N.y"

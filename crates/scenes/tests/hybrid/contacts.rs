@@ -4,7 +4,7 @@ use super::draws::{DRAWS, Draw, ends_at, on_a_line};
 use super::runs;
 use integrators::Method;
 
-/// A polynomial motion: place and speed at a time, and the acceleration c + r t from then on.
+/// A polynomial motion: position and speed at the time `since`, and the acceleration c + r t from then on.
 #[derive(Clone, Copy)]
 struct Piece {
     since: f64,
@@ -20,7 +20,7 @@ impl Piece {
     }
 }
 
-/// Three blocks on each other, the lowest pulled with r t: they move together, until friction can no longer take the upper ones along.
+/// Three stacked blocks, the lowest pulled by the force r t: they move together until friction cannot accelerate the upper ones.
 #[test]
 fn a_stack_that_is_pulled_comes_apart_where_its_weakest_contact_says() {
     for number in 0..DRAWS {
@@ -28,7 +28,7 @@ fn a_stack_that_is_pulled_comes_apart_where_its_weakest_contact_says() {
         let [ground, middle, top] = [draw.between(2.0, 8.0), draw.between(1.0, 4.0), draw.between(0.3, 3.0)];
         let [a, b, c] = draw.array(0.5, 3.0);
         let rate = draw.between(1.0, 6.0);
-        // acceleration of all, and its value where a contact slips
+        // the acceleration of the blocks that move together, and its value where a contact slips
         let together = |mass: f64, against: f64| [-against / mass, rate / mass];
         let when = |[c, r]: [f64; 2], acceleration: f64| (acceleration - c) / r;
         let begin = Piece { since: ground / rate, x: 0.0, v: 0.0 };
@@ -56,7 +56,7 @@ fn a_stack_that_is_pulled_comes_apart_where_its_weakest_contact_says() {
         let text = on_a_line(
             &[
                 ("x", a, &format!("-({ground} N)*sign(x') - {low} + ({rate} N/s)*t")),
-                // the same pairs from their other sides, one by a multiple of its speed
+                // the same contacts with exchanged bodies, one with a multiple of its sliding speed
                 ("y", b, &format!("-({middle} N)*sign(2*(y' - x')) - {high}")),
                 ("z", c, &format!("-({top} N)*sign((z' - y')/(3 m/s))")),
             ],
@@ -67,8 +67,8 @@ fn a_stack_that_is_pulled_comes_apart_where_its_weakest_contact_says() {
     }
 }
 
-/// Two equal blocks side by side on a belt, with friction between them: three contacts with two speeds, so that what each carries while
-/// all stick is not determined. The blocks move as one does alone.
+/// Two equal blocks side by side on a belt, with friction between them: three contacts and two speeds, so that the forces of friction are not
+/// unique while all stick. Each block moves as a single block.
 #[test]
 fn equal_blocks_on_a_belt_do_not_feel_the_contact_between_them() {
     for number in 0..DRAWS {
@@ -90,7 +90,7 @@ fn equal_blocks_on_a_belt_do_not_feel_the_contact_between_them() {
     }
 }
 
-/// Blocks with the same data start, stop and turn at the same instants, each as one alone: x'' = -x - sgn x' by half circles.
+/// Blocks with equal data start, stop and turn at equal times, each as a single block: x'' = -x - sgn x', by half circles in the phase plane.
 #[test]
 fn equal_blocks_stop_together() {
     for number in 0..DRAWS {
@@ -113,7 +113,7 @@ fn equal_blocks_stop_together() {
     }
 }
 
-/// Nine blocks stop at one instant: they have more cases than the search enumerates.
+/// Nine blocks stop at one instant: they have more combinations of cases than the search enumerates.
 #[test]
 fn many_blocks_stop_together() {
     let names = ["a", "b", "c", "d", "e", "f", "i", "j", "k"];
@@ -122,11 +122,11 @@ fn many_blocks_stop_together() {
         names.iter().zip(&forces).map(|(name, force)| (*name, 1.0, force.as_str())).collect();
     let starts: String = names.iter().map(|name| format!("{name} = \"3.4 m\"\n")).collect();
     let text = on_a_line(&bodies, &format!("[start]\n{starts}[run]\nspan = \"8 s\"\n"));
-    // 3.4, -1.4, -0.6
+    // turning points 3.4, -1.4, -0.6
     ends_at(&text, &names.map(|name| (name, -0.6)), 1e3);
 }
 
-/// Three links that hang from each other, with dry friction in each joint.
+/// A chain of three links with dry friction in each joint.
 #[test]
 fn friction_in_three_joints_brings_an_arm_to_rest() {
     let mut text = "title = \"arm\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[coordinates]\n".to_owned();
@@ -149,12 +149,12 @@ fn friction_in_three_joints_brings_an_arm_to_rest() {
     for (taylor, other) in ends[0].iter().zip(&ends[1]) {
         assert!((taylor - other).abs() < 1e-6, "{ends:?}");
     }
-    // it hangs still, not quite upright
+    // the chain is at rest, not exactly vertical
     assert!(ends[0][3..6].iter().all(|speed| speed.abs() < 1e-9), "{ends:?}");
 }
 
-/// Four links with dry friction in each joint, and between the first and the third: four conditions, of which three imply one. Rounding
-/// errors of the accelerations have a bound that is wider than what a contact carries.
+/// Four links with dry friction in each joint and between the first and the third: four conditions, any three of which imply the fourth. The
+/// bound of rounding errors of the accelerations is wider than the friction of a contact.
 #[test]
 fn links_with_friction_in_a_loop_move_alike_by_every_method() {
     let mut text = "title = \"links\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[coordinates]\n".to_owned();
@@ -187,8 +187,8 @@ fn links_with_friction_in_a_loop_move_alike_by_every_method() {
     }
 }
 
-/// Six links that hang from each other with dry friction in their joints move as with smooth friction; the bound of rounding errors is wider
-/// there than a switch, and nothing sticks for that.
+/// A chain of six links with dry friction in the joints, compared with smooth friction. The bound of rounding errors exceeds a jump of
+/// friction; nothing may stick for this reason.
 #[test]
 fn an_arm_of_six_links_moves_as_with_smooth_friction() {
     let arm = |friction: fn(usize) -> String| {
@@ -217,6 +217,6 @@ fn an_arm_of_six_links_moves_as_with_smooth_friction() {
         dry.last,
         smooth.last
     );
-    // it is moving still
+    // the chain is still moving
     assert!(dry.last[6].abs() > 0.1, "{:?}", dry.last);
 }

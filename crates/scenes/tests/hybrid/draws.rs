@@ -1,4 +1,4 @@
-//! Systems with random parameters, each by four methods at three tolerances.
+//! Systems with random parameters, each run with four methods at three tolerances.
 
 use dalembert_scenes::ModelScene;
 use integrators::Method;
@@ -8,7 +8,7 @@ pub const DRAWS: u64 = 200;
 const METHODS: [Method; 4] = [Method::Taylor, Method::DormandPrince8, Method::DormandPrince5, Method::Radau5];
 const TOLERANCES: [f64; 3] = [1e-6, 1e-9, 1e-12];
 
-/// Numbers that look random (splitmix64), the same in every run.
+/// A deterministic generator of pseudo-random numbers (splitmix64).
 pub struct Draw(u64);
 
 impl Draw {
@@ -16,7 +16,7 @@ impl Draw {
         Draw(seed.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ number)
     }
 
-    /// Even between two bounds.
+    /// A uniformly distributed number between two bounds.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -29,8 +29,8 @@ impl Draw {
     }
 }
 
-/// Runs a system by every method at every tolerance: each reaches its end, and ends where the closed form says, within so many
-/// tolerances and a rounding.
+/// Runs a system with every method at every tolerance. Each run must reach its end and agree with the closed form within `within` tolerances and
+/// a rounding error.
 pub fn ends_at(text: &str, known: &[(&str, f64)], within: f64) {
     let scene = ModelScene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"));
     let problem = scene.problem(scene.run().choice().axes);
@@ -51,7 +51,7 @@ pub fn ends_at(text: &str, known: &[(&str, f64)], within: f64) {
     }
 }
 
-/// Bodies on one line: for each coordinate the mass and the force along it, and the tables that follow.
+/// The text of bodies on a line: coordinate, mass (kg) and force of each, and further tables.
 pub fn on_a_line(bodies: &[(&str, f64, &str)], rest: &str) -> String {
     let coordinates: String = bodies.iter().map(|(name, ..)| format!("{name} = \"m\"\n")).collect();
     let bodies: String = bodies
@@ -66,7 +66,7 @@ pub fn on_a_line(bodies: &[(&str, f64, &str)], rest: &str) -> String {
     format!("title = \"Bodies on a line\"\n[coordinates]\n{coordinates}{bodies}{rest}")
 }
 
-/// The first zero of a function after a time, by steps and then by halving.
+/// The first zero of a function after a time, by steps and then by bisection.
 pub fn first_zero(function: impl Fn(f64) -> f64, after: f64, step: f64) -> f64 {
     let mut low = after + step;
     while function(low) * function(low + step) > 0.0 {

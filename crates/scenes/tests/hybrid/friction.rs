@@ -6,7 +6,7 @@ use integrators::Method;
 use simulation::{Axes, Choice, IvpScene};
 use std::f64::consts::{PI, TAU};
 
-/// A force r t moves a block from t = F/r on: m x = r (t - F/r)^3/6.
+/// A force r t moves a block from the time F/r on: m x = r (t - F/r)^3/6.
 #[test]
 fn a_growing_force_breaks_a_block_away_when_it_equals_friction() {
     for number in 0..DRAWS {
@@ -21,7 +21,7 @@ fn a_growing_force_breaks_a_block_away_when_it_equals_friction() {
     }
 }
 
-/// A force whose greatest value is the friction, or a little less, moves nothing, however often it comes back.
+/// A periodic force whose maximum equals the limit of friction does not move a block.
 #[test]
 fn a_force_that_rises_up_to_friction_moves_nothing() {
     for number in 0..DRAWS {
@@ -33,7 +33,7 @@ fn a_force_that_rises_up_to_friction_moves_nothing() {
     }
 }
 
-/// (p + q t) sin w t exceeds F first after some periods: no step of the block at rest misses it.
+/// The force (p + q t) sin w t exceeds the limit F only after some periods; no step of the resting block may miss this.
 #[test]
 fn a_growing_oscillation_breaks_a_block_away_at_its_first_peak_beyond_friction() {
     for number in 0..DRAWS {
@@ -43,10 +43,10 @@ fn a_growing_oscillation_breaks_a_block_away_at_its_first_peak_beyond_friction()
         let force = |t: f64| (p + q * t) * (w * t).sin();
         let breaks = first_zero(|t| force(t).abs() - friction, 0.0, 1e-3 / w);
         let side = force(breaks).signum();
-        // sliding goes on while the force is beyond friction, and longer
+        // sliding lasts longer than the force exceeds friction
         let back = first_zero(|t| force(t).abs() - friction, breaks, 1e-3 / w);
         let pushed = |t: f64| (force(t) - side * friction) / mass;
-        // Simpson's rule for the speed, and for the place as the integral of (end - t) x''
+        // Simpson's rule for the speed, and for the position as the integral of (end - t) x''
         let cells = 2000;
         let h = (back - breaks) / f64::from(cells);
         let integral = |f: &dyn Fn(f64) -> f64| -> f64 {
@@ -67,16 +67,16 @@ fn a_block_on_a_shaken_table_slides_and_sticks() {
         let mut draw = Draw::new(4, number);
         let [mass, w] = [draw.between(0.5, 3.0), draw.between(2.0, 8.0)];
         let amplitude = draw.between(0.02, 0.1);
-        // from often sticking to always sliding
+        // covers frequent sticking to permanent sliding
         let grip = draw.between(0.2, 0.95) * amplitude * w * w;
         let span = 4.3 * TAU / w;
         let table = |t: f64| amplitude * w * (w * t).cos();
         let (mut t, mut x, mut v, mut sticks) = (0.0, 0.0, 0.0, false);
-        // the side on which the speed of the table is
+        // sign of the table's speed relative to the block
         let mut side = 1.0;
         while t < span {
             if sticks {
-                // |sin w t| is less than what grips
+                // friction holds the block while |sin w t| is small
                 let (bound, phase) = ((grip / (amplitude * w * w)).asin(), (w * t).rem_euclid(PI));
                 let rest = if phase < bound { bound - phase } else { PI + bound - phase };
                 let leaves = (t + rest / w).min(span);
@@ -97,8 +97,8 @@ fn a_block_on_a_shaken_table_slides_and_sticks() {
     }
 }
 
-/// A belt carries a block until its spring pulls with F; then it oscillates about F/k, and its speed grazes that of the belt in
-/// every period.
+/// A belt carries a block until its spring pulls with F. The block then oscillates about F/k, and in every period its speed touches that of
+/// the belt.
 #[test]
 fn a_block_on_a_belt_grazes_the_speed_of_the_belt() {
     for number in 0..DRAWS {
@@ -115,8 +115,8 @@ fn a_block_on_a_belt_grazes_the_speed_of_the_belt() {
     }
 }
 
-/// Friction that falls with the speed, F (1 - c |x' - v|): while it slips x'' - (F c/m) x' + (k/m) x = F (1 - c v)/m; a cycle of
-/// sticking and slipping follows.
+/// Friction that decreases with the speed, F (1 - c |x' - v|). While slipping, x'' - (F c/m) x' + (k/m) x = F (1 - c v)/m; a stick-slip cycle
+/// follows.
 #[test]
 fn a_block_on_a_belt_sticks_and_slips() {
     for number in 0..DRAWS {
@@ -125,13 +125,13 @@ fn a_block_on_a_belt_sticks_and_slips() {
         let k = draw.between(20.0, 80.0);
         let w = (k / mass).sqrt();
         let belt = draw.between(0.1, 0.4) * friction * w / k;
-        // a small decrease: the block is to stick before it passes the speed of the belt
+        // a small decrease, so that the block sticks before it is faster than the belt
         let fall = draw.between(0.02, 0.15) * mass * w / friction;
         let grows = 0.5 * friction * fall / mass;
         let turns = (w * w - grows * grows).sqrt();
         let rest = friction * (1.0 - fall * belt) / k;
         let slipping = |t: f64| -> [f64; 2] {
-            // from F/k with the speed of the belt
+            // from x = F/k with the speed of the belt
             let (a, b) = (friction / k - rest, (belt - grows * (friction / k - rest)) / turns);
             let (sin, cos) = (turns * t).sin_cos();
             let x = (grows * t).exp() * (a * cos + b * sin);
@@ -142,7 +142,7 @@ fn a_block_on_a_belt_sticks_and_slips() {
         let sticks = (friction / k - slipping(slips)[0]) / belt;
         assert!(sticks > 0.0 && sticks * belt < 2.0 * friction / k);
         let first = friction / (k * belt);
-        // two cycles, and a part of the third slip
+        // two cycles, and a part of the third slip phase
         let part = draw.between(0.2, 0.8) * slips;
         let span = first + 2.0 * (slips + sticks) + part;
         let force =
@@ -154,8 +154,8 @@ fn a_block_on_a_belt_sticks_and_slips() {
     }
 }
 
-/// Friction F (1 + c e^(-v/d)) with v = 20 to 500 d at the start: w = e^(v/d) has w' = -(F/m d)(w + c). A step that does not see the
-/// exponential far from rest would pass over it.
+/// Friction F (1 + c e^(-v/d)) with v = 20 d to 500 d at the start: w = e^(v/d) satisfies w' = -(F/m d)(w + c). Steps that do not resolve the
+/// exponential would miss its effect.
 #[test]
 fn friction_that_rises_next_to_rest_is_seen_from_afar() {
     for number in 0..DRAWS / 4 {
@@ -177,7 +177,7 @@ fn friction_that_rises_next_to_rest_is_seen_from_afar() {
     }
 }
 
-/// Smooth friction F tanh(v/d): sinh(v/d) falls as e^(-F t/(m d)).
+/// Smooth friction F tanh(v/d): sinh(v/d) decays as e^(-F t/(m d)).
 #[test]
 fn smooth_friction_brings_a_fast_block_to_rest() {
     for number in 0..DRAWS / 4 {
@@ -194,7 +194,7 @@ fn smooth_friction_brings_a_fast_block_to_rest() {
     }
 }
 
-/// A block that friction holds from 0.3 s on, beside a mass whose spring has a root.
+/// A block that friction holds from 0.3 s on, beside a mass whose spring force contains a root.
 const HELD: &str = r#"
 title = "A block that friction holds beside a mass on an oblique spring"
 [coordinates]
@@ -219,7 +219,7 @@ y = "0.3 m"
 span = "10 s"
 "#;
 
-/// The rates of the block are then rounding, and no sign of another branch of the root.
+/// The rates of the resting block are rounding errors, and must not be taken for another branch of the root.
 #[test]
 fn taylor_goes_on_while_friction_holds_a_block() {
     let scene = ModelScene::parse("held.toml", HELD).unwrap_or_else(|error| panic!("{error}"));

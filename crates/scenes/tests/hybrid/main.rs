@@ -29,7 +29,7 @@ fn close(found: f64, known: f64, within: f64) {
     assert!((found - known).abs() <= within, "{found} and {known}");
 }
 
-/// x'' = -x - sgn x' from (12, 6): half circles about -1 and 1 in turn, until one ends between the two.
+/// x'' = -x - sgn x' from (12, 6): half circles about -1 and 1 in turn in the phase plane, until one ends between these points.
 #[test]
 fn a_block_with_dry_friction_sticks_where_the_closed_form_says() {
     for method in METHODS {
@@ -38,7 +38,7 @@ fn a_block_with_dry_friction_sticks_where_the_closed_form_says() {
         let at = |name: &str| trajectory.last[trajectory.column(name).unwrap()];
         close(at("x"), 15.0 - 205f64.sqrt(), 1e-10);
         close(at("x'"), 0.0, 1e-13);
-        // friction holds the spring
+        // friction balances the spring
         close(at("friction"), at("x"), 1e-10);
         let moving = |time: f64| trajectory.times.iter().position(|known| *known >= time).unwrap();
         let speed = trajectory.column("x'").unwrap();
@@ -47,7 +47,7 @@ fn a_block_with_dry_friction_sticks_where_the_closed_form_says() {
     }
 }
 
-/// Heights after each bounce shrink by e^2: the times of flight are a geometric series.
+/// Each bounce reduces the height by the factor e^2, so that the times of flight are a geometric series.
 #[test]
 fn a_ball_bounces_as_often_as_the_closed_form_says() {
     let (g, e) = (9.81f64, 0.8);
@@ -93,7 +93,7 @@ is = "u*N.x"
 span = "5 s"
 "#;
 
-/// Twice the integral of the force over the mass.
+/// Position and speed after five seconds under a force.
 fn pushed(force: &str) -> [f64; 2] {
     let trajectory = runs(&PUSHED.replace("FORCE", force), Method::DormandPrince8);
     assert_eq!(trajectory.stopped(), None, "{force}");
@@ -107,10 +107,10 @@ fn an_input_of_pieces_gives_the_impulse_of_its_pieces() {
         close(v, known[1], 1e-11);
     };
     both(pushed("if(t < (2 s), (4 N), 0)"), [4.0 + 4.0 * 3.0, 4.0]);
-    // up to 2 N in one second, then 2 N
+    // rises to 2 N in one second, then stays 2 N
     both(pushed("min(t*(2 N/s), (2 N))"), [1.0 / 6.0 + 0.5 * 4.0 + 8.0, 4.5]);
     both(pushed("max(t - (2 s), 0)*(2 N/s)"), [4.5, 4.5]);
-    // a hat over four seconds, then nothing
+    // a triangular pulse over four seconds, then zero
     both(pushed("(1 N)*table(t, (0 s), 0, (2 s), 2, (4 s), 0)"), [4.0 + 2.0, 2.0]);
     both(pushed("(2 N)*abs(t - (1 s))/(1 s)"), [1.0 / 3.0 + 0.5 * 4.0 + 64.0 / 6.0, 8.5]);
     both(pushed("(2 N)*sign(t - (1 s))"), [-0.5 - 4.0 + 8.0, 3.0]);
@@ -125,7 +125,7 @@ fn an_event_ends_a_run_or_stops_a_motion_that_breaks_a_constraint() {
     let held = format!("{}\n[[constraint]]\nzero = \"x - (1 m/s)*t\"\n", event("set = { x = \"0\" }"));
     let broken = runs(&held, Method::Taylor);
     assert!(broken.stopped().unwrap().contains("violates a constraint"), "{:?}", broken.stopped());
-    // the state before the event is the last good one
+    // the run ends with the state before the event
     close(broken.last[0], 4.0, 1e-9);
     close(broken.last[1], 1.0, 1e-9);
     let scene = ModelScene::parse("scene.toml", &held).unwrap_or_else(|error| panic!("{error}"));
@@ -139,7 +139,7 @@ fn an_event_ends_a_run_or_stops_a_motion_that_breaks_a_constraint() {
     );
 }
 
-/// It has one law, whose energy is kept, whose end depends on its start, and whose reference needs no events.
+/// Such a system has one law: its energy is conserved, its end depends on its start, and its reference needs no events.
 #[test]
 fn an_event_that_only_ends_a_run_changes_no_law() {
     let fall = |keys: &str| {
@@ -162,7 +162,7 @@ fn an_event_that_only_ends_a_run_changes_no_law() {
     close(run.outcome.time, 2.0, 1e-9);
 }
 
-/// The message names the event that ended the run, one of two that could: by its name, else by its line.
+/// The message names the event that ended the run, one of two, by its name or its line.
 #[test]
 fn the_event_that_ends_a_run_is_told() {
     let ends = |when: &str, name: &str| {
@@ -181,7 +181,7 @@ fn the_event_that_ends_a_run_is_told() {
     let (_, diagnosis) = told(&(text.clone() + &ends("4 m", "")));
     let line = text.lines().count() + 1;
     assert_eq!(diagnosis, Some(format!("the event in line {line} ends the run")));
-    // one that is not reached ends nothing
+    // an event that does not occur does not end the run
     assert_eq!(told(&(PUSHED.replace("FORCE", "(2 N)") + &ends("90 m", ""))).1, None);
 }
 
@@ -217,7 +217,7 @@ fn elementary_functions_run_by_every_method() {
     all.iter().for_each(|x| close(*x, all[0], 1e-9));
 }
 
-/// A start at which a condition and its rate are zero: the next rate decides, or two motions go on.
+/// At the start a condition and its rate are zero: its second derivative decides, or two motions are possible.
 #[test]
 fn a_condition_at_rest_at_zero_is_decided_by_its_next_rate() {
     let spring = PUSHED.replace("FORCE", "-(2 N)*x/(1 m)*if(x > (1 m), 1, 2)") + "[start]\nx = \"1 m\"\n";

@@ -4,7 +4,7 @@ use dalembert_scenes::ModelScene;
 use integrators::Method;
 use simulation::{Choice, IvpScene};
 
-/// A ball rolls on a plane with a constant angular velocity, so that the angle theta of Euler's goes through zero at 0.45 s.
+/// A ball rolls on a plane with a constant angular velocity; its Euler angle theta passes through zero at 0.45 s.
 fn ball() -> String {
     "title = \"ball\"\ngravity = \"-(9.81 m/s^2)*N.z\"\n[parameters]\nm = \"2 kg\"\nr = \"0.4 m\"\n\
      [coordinates]\nx = \"m\"\ny = \"m\"\npsi = \"rad\"\ntheta = \"rad\"\nphi = \"rad\"\n\
@@ -20,7 +20,7 @@ fn ball() -> String {
         .to_owned()
 }
 
-/// A method that steps over the pole finds other states behind it: it comes to the event, or ends before it, and tells no other time.
+/// A method that steps over the pole continues on another motion. It must find the event, or stop before it, and report no other time.
 #[test]
 fn an_event_at_a_pole_is_where_its_expression_is_zero() {
     let scene = ModelScene::parse("ball.toml", &ball()).unwrap_or_else(|error| panic!("{error}"));

@@ -1,11 +1,11 @@
-//! Relays that are written as two events with one expression: one sets back what the other sets.
+//! Relays as two events of one expression, each of which reverses the effect of the other.
 
 use super::{METHODS, close, runs};
 use dalembert_scenes::ModelScene;
 use integrators::Method;
 use simulation::{Choice, IvpScene};
 
-/// A mass under the force -s, with s set by the sign of an expression as it passes zero; the events in the order of the file.
+/// A mass under the force -s, with s set to the sign of an expression when that passes zero; `order` is the order of the events in the file.
 fn relay(when: &str, order: [&str; 2], start: [&str; 3]) -> String {
     let event = |direction: &str| {
         let sign = if direction == "up" { "1" } else { "-1" };
@@ -21,7 +21,7 @@ fn relay(when: &str, order: [&str; 2], start: [&str; 3]) -> String {
     )
 }
 
-/// The speed comes to zero after 0.3 s, and each event turns the force against it: no motion goes on by these events.
+/// The speed is zero after 0.3 s, where each event reverses the force, so that infinitely many events follow in a finite time.
 #[test]
 fn events_that_set_back_each_other_at_once_are_told_from_either_side_and_in_either_order() {
     for (speed, s) in [("-0.3", "-1"), ("0.3", "1")] {
@@ -39,7 +39,7 @@ fn events_that_set_back_each_other_at_once_are_told_from_either_side_and_in_eith
     }
 }
 
-/// x'' = -s with s set by x alone: circles of parabolas, each event passes once.
+/// x'' = -s with s = sign(x): the motion consists of parabolas, and each event occurs once for each passage.
 #[test]
 fn a_relay_that_passes_through_zero_has_each_event_once() {
     for order in [["up", "down"], ["down", "up"]] {
@@ -54,7 +54,7 @@ fn a_relay_that_passes_through_zero_has_each_event_once() {
     }
 }
 
-/// cos(200 x) along x = t from its largest value on: the first step of an extrapolation is a whole period, at whose ends the signal is the same.
+/// The signal cos(200 x) along x = t: the first step of extrapolation would span a whole period, with equal values at both ends.
 #[test]
 fn a_guard_that_swings_within_the_first_step_is_seen() {
     let text = "title = \"Marks\"\n[parameters]\nm = \"1 kg\"\n[coordinates]\nx = \"m\"\nc = \"1\"\n[bodies.a]\ncentre = \"O + x*N.x\"\nmass = \"m\"\n\

@@ -1,13 +1,13 @@
-//! More frictional contacts than speeds: the motion is determined, and the contacts share the forces.
+//! More frictional contacts than speeds: the motion is unique, but the distribution of friction among the contacts is not.
 
 use super::draws::{Draw, ends_at, on_a_line};
 use std::fmt::Write;
 
-/// Each by four methods at three tolerances.
+/// Number of random systems, each run by four methods at three tolerances.
 const FEW: u64 = 12;
 
-/// A rope ties two blocks; a force r t pulls one: both stick until r t is the sum of both frictions. Until then the rope does not say
-/// which of them holds, and a s + b u = r t has s = r t a/(a^2 + b^2) and u = r t b/(a^2 + b^2) for its least squares, while both are
+/// A rope connects two blocks with the friction limits a and b, and a force r t pulls one; both stick until r t = a + b. Before, the fractions
+/// s, u with a s + b u = r t are not unique; least squares give s = r t a/(a^2 + b^2) and u = r t b/(a^2 + b^2), while both are
 /// below 1.
 #[test]
 fn blocks_on_a_rope_share_their_friction_and_break_away_together() {
@@ -29,7 +29,7 @@ fn blocks_on_a_rope_share_their_friction_and_break_away_together() {
         let early = draw.between(0.2, 0.9) * full;
         let [s, u] = [a, b].map(|own| rate * early * own / squares);
         ends_at(&text(early), &[("x", 0.0), ("y", 1.0), ("s", s), ("u", u)], 10.0);
-        // the stronger contact is at its bound, the other one takes the rest
+        // the stronger contact is at its limit, the other one carries the rest
         let late = full + draw.between(0.2, 0.9) * (breaks - full);
         let rest = (rate * late - a.max(b)) / a.min(b);
         let [s, u] = if a > b { [1.0, rest] } else { [rest, 1.0] };
@@ -40,8 +40,8 @@ fn blocks_on_a_rope_share_their_friction_and_break_away_together() {
     }
 }
 
-/// Blocks in a row, each on the ground and in contact with the next: nine contacts with five speeds. A force r t moves the first one
-/// alone once it exceeds the friction of its two contacts.
+/// Five blocks in a row, each in contact with the ground and the next: nine contacts and five speeds. A force r t moves the first block alone when
+/// it exceeds the friction of its two contacts.
 #[test]
 fn the_first_block_of_a_row_breaks_away_alone() {
     let names = ["a", "b", "c", "d", "e"];
@@ -68,8 +68,8 @@ fn the_first_block_of_a_row_breaks_away_alone() {
     }
 }
 
-/// Each of four blocks touches every other and the ground with the same friction: ten contacts. A force below the friction moves
-/// nothing; contacts between the blocks that are not pushed carry nothing.
+/// Each of four blocks touches every other and the ground with equal friction: ten contacts. A force below friction moves no block, and the
+/// contacts between the other blocks carry nothing.
 #[test]
 fn blocks_that_all_touch_each_other_rest() {
     let names = ["a", "b", "c", "d"];
@@ -85,14 +85,14 @@ fn blocks_that_all_touch_each_other_rest() {
         names.iter().zip(&forces).map(|(name, force)| (*name, 1.0, force.as_str())).collect();
     let rest =
         "[outputs]\nidle = \"sign(b' - c')\"\nown = \"sign(a')\"\nother = \"sign(a' - d')\"\n[run]\nspan = \"1 s\"\n";
-    // by least squares: f = 2 own + 3 (2 other), and 2 other = 2 ground of each of the three
+    // least squares: f = 2 own + 3 (2 other), and for each other block 2 other = 2 ground
     let force = 3f64.sin();
     let [own, other] = [force / 5.0, force / 10.0];
     let known = [("a", 0.0), ("d", 0.0), ("idle", 0.0), ("own", own), ("other", other)];
     ends_at(&on_a_line(&bodies, rest), &known, 10.0);
 }
 
-/// An event sets a block to rest on a wall; its friction keeps it there, and the event happens once.
+/// An event sets a block to rest at a wall; friction holds the block there, and the event occurs once.
 #[test]
 fn a_block_that_an_event_sets_to_rest_sticks_there() {
     for number in 0..FEW {
@@ -101,14 +101,14 @@ fn a_block_that_an_event_sets_to_rest_sticks_there() {
         let wall = draw.between(0.02, 0.09);
         let event = format!("[[event]]\nwhen = \"x - ({wall} m)\"\ndirection = \"up\"\nset = {{ \"x'\" = \"0\" }}\n");
         let start = format!("[start]\n\"x'\" = \"{speed} m/s\"\ny = \"0.2 m\"\n[run]\nspan = \"2 s\"\n");
-        // a second body lets the events of the first one fall within steps
+        // because of a second body, the events of the first one fall within steps
         let bodies = [("x", 1.0, &*format!("-({friction} N)*sign(x')")), ("y", 1.0, &*format!("-({k} N/m)*y"))];
         let y = 0.2 * (2.0 * k.sqrt()).cos();
         ends_at(&on_a_line(&bodies, &(event + &start)), &[("x", wall), ("x'", 0.0), ("y", y)], 1e3);
     }
 }
 
-/// A force F + r t^2 on a block with the friction F: the speed leaves zero as t^3, which rounding hides at first.
+/// A force F + r t^2 on a block with the friction F: the speed grows as t^3, at first below rounding errors.
 #[test]
 fn a_block_leaves_rest_slower_than_rounding() {
     for number in 0..FEW {

@@ -1,8 +1,8 @@
-//! Events whose expression is zero at the start: none of them counts before it passes zero again.
+//! Events whose expression is zero at the start: an event occurs only when its expression passes zero again.
 
 use super::{METHODS, close, runs};
 
-/// A body on the y axis with a force of time, an event of y, and a start.
+/// A body on the y axis with a force of time, an event at y = 0, and a start.
 fn moved(force: &str, direction: &str, start: &str) -> String {
     let direction = if direction.is_empty() { String::new() } else { format!("direction = \"{direction}\"\n") };
     format!(
@@ -12,7 +12,7 @@ fn moved(force: &str, direction: &str, start: &str) -> String {
     )
 }
 
-/// The time at which each direction ends a run, none where the span does.
+/// For each direction of the event, the time at which it ends the run; `None` if the run reaches its span.
 fn ends(force: &str, start: &str, known: [(&str, Option<f64>); 3]) {
     for (direction, time) in known {
         for method in METHODS {
@@ -44,7 +44,7 @@ fn a_body_that_comes_back_ends_its_run_in_the_direction_in_which_it_passes() {
     ends("-(2 N)", "\"y'\" = \"2 m/s\"", [("", Some(2.0)), ("up", None), ("down", Some(2.0))]);
 }
 
-/// The turning points of a pendulum that starts at one of them.
+/// A pendulum that starts at one of its turning points ends at the turning point of the given direction.
 #[test]
 fn a_pendulum_from_rest_ends_at_the_turning_point_that_is_asked_for() {
     let pendulum = |direction: &str| {
@@ -64,7 +64,7 @@ fn a_pendulum_from_rest_ends_at_the_turning_point_that_is_asked_for() {
     }
 }
 
-/// A wheel that turns evenly has no acceleration that would bound a step: its event is found in the first turn.
+/// A wheel with constant speed has no acceleration that limits the step; the event is found in the first turn.
 #[test]
 fn an_event_that_bends_more_than_the_motion_is_not_stepped_over() {
     let wheel = "title = \"A wheel\"\n[coordinates]\na = \"rad\"\n[bodies.wheel]\nturns = \"a\"\ncentre = \"O\"\n\
@@ -76,7 +76,7 @@ fn an_event_that_bends_more_than_the_motion_is_not_stepped_over() {
     }
 }
 
-/// At x = 0 the law without a force holds: an average of both cases would push the body away.
+/// At x = 0 there is no force; an average of both cases would accelerate the body.
 #[test]
 fn a_body_that_rests_where_a_force_ends_stays_there() {
     for law in ["if(x >= (0 m), (0 N), (3 N))", "if(x < (0 m), (3 N), (0 N))", "if(x >= (0 m), (-1 N), (0 N))"] {

@@ -1,4 +1,4 @@
-//! Every example of the reference is read, in one of a few systems.
+//! Every example in the reference of the language is read as a part of one of a few systems.
 
 use super::expressions::{CONSTANTS, OPERATORS};
 use super::schema::{refused, schema};
@@ -11,14 +11,14 @@ use std::collections::BTreeMap;
 
 pub const CRANE: &str = include_str!("crane.toml");
 const CIRCUIT: &str = include_str!("circuit.toml");
-/// A system with a free frame, one of which more is known, and one that fails.
+/// Systems with a free frame, with additional knowledge (`known_as`), and with a failure.
 const OTHERS: [&str; 3] = [
     include_str!("../../../../scenes/models/tumbling_body.toml"),
     include_str!("../../../../scenes/drive/stiff_diode.toml"),
     include_str!("../../../../scenes/failures/bounces.toml"),
 ];
 
-/// The error with which the reader for the file's tables refuses it; `None` where it is read.
+/// The error with which the reader of a file refuses it; `None` if it is read.
 fn wrong(text: &str, tables: &Value) -> Option<String> {
     let failed = |error: reader::SceneError| error.to_string();
     let is_valued = !text.contains("[N/m]") && tables["inputs"]["u"] != "N";
@@ -31,7 +31,7 @@ fn wrong(text: &str, tables: &Value) -> Option<String> {
     .err()
 }
 
-/// The tables of a system with these entries in a table of its own, or behind those that it has of a list.
+/// A system with additional entries in one of its tables, or appended to its list of such tables.
 fn with(system: &str, table: &str, entries: &Value, several: bool) -> Value {
     let mut tables = of_text(system);
     let own = &mut tables[table];
@@ -79,8 +79,7 @@ fn every_example_of_the_schema_is_read() {
     }
 }
 
-/// An example of a table once for each of its keys that have a default, with the default in the place of the key's value; each with
-/// the way to the key.
+/// For each key with a default, the example of a table with this default as the value of the key; each with the path of the key.
 fn with_defaults(root: &Value, schema: &Value, example: &Value) -> Vec<(String, Value)> {
     let (Some((keys, _)), Some(entries)) = (table(root, schema), example.as_object()) else { return Vec::new() };
     let mut all = Vec::new();
@@ -124,7 +123,7 @@ fn every_default_of_the_schema_can_be_written() {
     assert!(ways.len() > 20, "{:?}", ways.keys());
 }
 
-/// The crane, also with a constraint, or with a contact, of the schema's own examples, and a free body.
+/// The crane, the crane with a constraint and with a contact from the examples of the schema, and a free body.
 fn systems_of_expressions() -> [Value; 4] {
     let schema = schema();
     let first = |table: &str| schema["properties"][table]["items"]["examples"][0].clone();

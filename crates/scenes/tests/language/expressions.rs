@@ -1,10 +1,10 @@
-//! Operators, names and units of expressions, as the reference shows them.
+//! Operators, names, functions and units of expressions, as tables of the reference.
 
 use model::expression::FUNCTIONS;
 use std::fmt::Write;
 use units::{Dimension, Unit};
 
-/// A row of a table on expressions: the spelling, the meaning, a scalar of the crane with it.
+/// A row of a table: spelling, meaning, and an example with quantities of the crane.
 pub struct Written {
     pub name: &'static str,
     pub meaning: &'static str,
@@ -77,14 +77,14 @@ fn table(page: &mut String, head: [&str; 3], rows: &[Written]) {
     }
 }
 
-/// The chapter's part on expressions.
+/// Writes the section on operators and names.
 pub fn operators(page: &mut String) {
     table(page, ["spelling", "meaning", "example"], OPERATORS);
     page.push_str("\n### Names with a meaning of their own\n\n");
     table(page, ["name", "meaning", "example"], CONSTANTS);
 }
 
-/// The chapter's part on functions.
+/// Writes the section on functions.
 pub fn functions(page: &mut String) {
     page.push_str("| function | arguments | value | example |\n|---|---|---|---|\n");
     for function in &FUNCTIONS {
@@ -93,7 +93,7 @@ pub fn functions(page: &mut String) {
     }
 }
 
-/// The chapter's part on units.
+/// Writes the section on units.
 pub fn units(page: &mut String) {
     let factor = |unit: &str| Unit::parse(unit).expect("a unit of the table").to_si(1.0);
     let dimension = |unit: &str| Some(Dimension::of(unit)).filter(|dimension| !dimension.is_number());

@@ -1,4 +1,4 @@
-//! The schema of scenes with a built-in gyrostat or bench: their own keys, and those of runs and ensembles from the schema of systems.
+//! The JSON schema of scenes with a built-in gyrostat or bench; keys of runs and ensembles come from the schema of systems.
 
 use super::schema::{refused, schema};
 use super::values::{file, of_text};
@@ -14,7 +14,7 @@ fn key(unit: &str, description: &str) -> Value {
     optional(unit, description, "needed")
 }
 
-/// A key of gyrostats alone.
+/// A key that only gyrostats have.
 fn of_gyrostat(unit: &str, description: &str) -> Value {
     optional(unit, description, "needed; a bench has none")
 }
@@ -27,7 +27,7 @@ fn table(description: &str, keys: &Value, example: &Value) -> Value {
     json!({ "type": "object", "description": description, "properties": keys, "additionalProperties": false, "examples": [example] })
 }
 
-/// The tables that these scenes alone have.
+/// The tables that only these scenes have.
 fn own() -> Value {
     let carrier = json!({
         "mass": of_gyrostat("number, kg", "Mass of the carrier."),
@@ -78,7 +78,7 @@ fn own() -> Value {
     })
 }
 
-/// The tables that they share with systems as text.
+/// The keys in common with systems as text.
 const SHARED: [&str; 2] = ["title", "description"];
 
 fn made() -> Value {
@@ -116,7 +116,7 @@ fn path() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../schema/gyrostat.schema.json")
 }
 
-/// The schema as it is stored.
+/// The stored schema.
 pub fn stored() -> Value {
     let text = std::fs::read_to_string(path()).unwrap_or_else(|error| panic!("{}: {error}", path().display()));
     serde_json::from_str(&text).expect("it is JSON")
@@ -151,7 +151,7 @@ fn every_scene_of_a_gyrostat_has_keys_of_the_schema() {
     assert!(count >= 20, "{count}");
 }
 
-/// The keys that the reader says it knows in a table of a scene.
+/// The keys that the reader lists as known in a table, in its message about an unknown key.
 fn known(heading: &str) -> BTreeSet<String> {
     let key = "unheard_of_key = 1\n";
     let text = match heading {

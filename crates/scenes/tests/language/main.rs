@@ -1,4 +1,4 @@
-//! The language of scene files: its schema for editors and its reference in the book have the keys that the reader knows, and every
+//! The language of scene files: the JSON schema for editors and the reference in the book have exactly the keys of the reader, and every
 //! example in them is read.
 
 mod examples;
@@ -10,5 +10,5 @@ mod schema;
 mod sections;
 mod values;
 
-// motors that drives name, and systems of which more is known
+// registers the motors of the catalogue and the systems with additional knowledge
 use machines as _;

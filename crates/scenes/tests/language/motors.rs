@@ -1,4 +1,4 @@
-//! The motors that a drive may name, with the data that each one needs.
+//! The motors that a drive may name, with the data that each needs.
 
 use super::examples::CRANE;
 use dalembert_scenes::ModelScene;
@@ -6,7 +6,7 @@ use motor::catalogue::{Entry, entries, sampled};
 use reader::Bound;
 use std::fmt::Write;
 
-/// The motors of the catalogue whose rotor moves by the laws of a drive.
+/// The motors of the catalogue without those that prescribe the speed of the rotor.
 fn of_drives() -> impl Iterator<Item = &'static Entry> {
     let keeps_speed =
         |entry: &Entry| sampled(entry.name, |_| 1.0, 1).is_some_and(|motor| motor.prescribed_speed().is_some());
@@ -22,7 +22,7 @@ fn accepted(bound: Bound) -> &'static str {
     }
 }
 
-/// The chapter's part on motors.
+/// Writes the section on motors.
 pub fn motors(page: &mut String) {
     // writing to a string cannot fail
     for entry in of_drives() {

@@ -1,4 +1,4 @@
-//! The chapter `language.md` of the book, made of the schema, of the functions of expressions, of the units and of the motors.
+//! The chapter `language.md` of the book, generated from the schemas and from the tables of functions, units and motors.
 
 use super::examples::CRANE;
 use super::expressions::{functions, operators, units};
@@ -30,7 +30,7 @@ The column \"kind, unit\" says what a key holds. Scalars, vectors and points are
 
 ";
 
-/// The page as the schemas, the functions, the units and the motors have it.
+/// The generated page.
 fn page() -> String {
     let (model, paper) = (schema(), paper());
     let all = [
@@ -64,11 +64,11 @@ fn paper() -> Value {
     serde_json::from_str(&text).expect("it is JSON")
 }
 
-/// Behind the headings of files that are no systems as text.
+/// Additions to the headings of files that are not systems as text.
 const OF_GYROSTATS: &str = " of a gyrostat or a bench";
 const OF_PAPERS: &str = " of a paper";
 
-/// Tables of gyrostats that stand among those of systems.
+/// The tables of gyrostats that are described among those of systems.
 fn shared() -> Value {
     json!({ "properties": { "title": {}, "description": {}, "run": {}, "ensemble": {} } })
 }
@@ -82,7 +82,7 @@ impl Section {
     }
 }
 
-/// The anchor of a heading, as Markdown makes it.
+/// The anchor of a heading in Markdown.
 fn anchor(heading: &str) -> String {
     let kept = heading.chars().filter(|letter| letter.is_alphanumeric() || matches!(letter, ' ' | '-' | '_'));
     kept.collect::<String>().to_lowercase().replace(' ', "-")

@@ -1,4 +1,4 @@
-//! The JSON schema for editors has the keys that the reader knows, and accepts every file that the project holds.
+//! The JSON schema for editors has exactly the keys of the reader, and accepts every system in the repository.
 
 use super::values::of_text;
 use dalembert_scenes::ModelScene;
@@ -11,7 +11,7 @@ pub fn schema() -> Value {
     serde_json::from_str(SCHEMA).expect("it is JSON")
 }
 
-/// Whether a value is of a type of JSON schemas.
+/// Whether a value has a type of JSON schemas.
 fn is_of(kind: &str, value: &Value) -> bool {
     match kind {
         "object" => value.is_object(),
@@ -24,7 +24,7 @@ fn is_of(kind: &str, value: &Value) -> bool {
     }
 }
 
-/// Parts of a value that a schema refuses, with the way to it. A keyword that is not known here fails, so that none goes unchecked.
+/// The parts of a value that a schema refuses, with their paths. Unknown keywords of the schema panic, so that all are checked.
 pub fn refused(schema: &Value, value: &Value, way: &str) -> Vec<String> {
     let mut all = Vec::new();
     let number = |limit: &Value| limit.as_f64().expect("a limit");
@@ -98,7 +98,7 @@ fn every_file_of_the_project_is_accepted() {
             if path.extension().is_some_and(|end| end == "toml") {
                 let text = std::fs::read_to_string(&path).expect("it is text");
                 if !text.contains("[coordinates]") {
-                    // a named system
+                    // a file with a named system
                     continue;
                 }
                 assert_eq!(refused(&schema(), &of_text(&text), ""), Vec::<String>::new(), "{}", path.display());
@@ -139,7 +139,7 @@ const READ: &str = "title = \"t\"\nTOP\n[parameters]\nm = \"1 kg\"\n[coordinates
                     [[force]]\non = \"b\"\nis = \"0\"\nFORCE\n[[torque]]\non = \"N\"\nis = \"0\"\nTORQUE\n[[constraint]]\nzero = \"x\"\nCONSTRAINT\n[[contact]]\nof = \"b\"\nthrough = \"O\"\nnormal = \"N.x\"\nCONTACT\n[[drive]]\nturns = \"x/(1 m)\"\nDRIVE\n[[drive.winding]]\ninductance = \"(1 H)\"\nWINDING\n\
                     [[event]]\nwhen = \"x\"\nend = true\nEVENT\n[inputs]\nu = { unit = \"N\"INPUT }\n[run]\nspan = \"1 s\"\nRUN\n";
 
-/// The file with something at one of its places.
+/// The file with a text inserted at one of its markers.
 fn with(place: &str, written: &str) -> String {
     let places =
         ["TOP", "BODY", "FORCE", "TORQUE", "CONSTRAINT", "CONTACT", "DRIVE", "WINDING", "EVENT", "INPUT", "RUN"];
@@ -148,7 +148,7 @@ fn with(place: &str, written: &str) -> String {
         .fold(READ.to_owned(), |text, other| text.replacen(other, if *other == place { written } else { "" }, 1))
 }
 
-/// The keys that the reader says it knows where a key stands that it does not know.
+/// The keys that the reader lists as known, in its message about an unknown key at a marker.
 fn known(place: &str, written: &str) -> BTreeSet<String> {
     let text = with(place, written);
     let error = ModelScene::parse("scene.toml", &text).expect_err("a key is not known");

@@ -1,35 +1,35 @@
-//! The schema as sections of a reference: one for each table, with a row for each of its keys.
+//! The schema as sections of the reference: one for each table, with a row for each key.
 
 use super::values::entry;
 use serde_json::Value;
 
-/// A step from the top of a file to a key.
+/// A step in the path of a key from the top level of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Step {
     Key(String),
-    /// A name that the file chooses.
+    /// A name that the author of a file chooses.
     Name,
 }
 
-/// A table of the language.
+/// A table of the language, as a section of the reference.
 pub struct Section {
-    /// As TOML writes it, `[run]` or `[[force]]`; none of the keys above all tables.
+    /// The heading in TOML, `[run]` or `[[force]]`; `None` for the keys above all tables.
     pub heading: Option<String>,
-    /// The kind of file that has the table, in words behind the heading; empty for systems as text.
+    /// The kind of file with this table, as an addition to the heading; empty for systems as text.
     pub of: &'static str,
     pub description: String,
-    /// The keys that must stand in it, in words.
+    /// The required keys, as text.
     pub needed: Option<String>,
     pub rows: Vec<Row>,
 }
 
-/// A key of a table.
+/// A key of a table, as a row of the reference.
 pub struct Row {
-    /// None of a name that the file chooses.
+    /// The key; `None` for a name that the author chooses.
     pub key: Option<String>,
     pub meaning: String,
     pub unit: String,
-    /// The value of a key that is left out, in words.
+    /// The meaning of leaving the key out.
     pub absent: String,
     pub example: Cell,
 }
@@ -38,11 +38,11 @@ pub struct Row {
 pub enum Cell {
     /// Lines of TOML.
     Lines(Vec<String>),
-    /// A table with a section of its own, by its heading.
+    /// The heading of a table with a section of its own.
     Table(String),
 }
 
-/// Every section of a schema but those whose keys at the top are known already.
+/// The sections of a schema, without the top-level keys of the schema `known`.
 pub fn sections(schema: &Value, known: &Value, of: &'static str) -> Vec<Section> {
     let is_new = |key: &str| known["properties"].get(key).is_none();
     let all = schema["properties"].as_object().expect("keys");
@@ -58,13 +58,13 @@ pub fn sections(schema: &Value, known: &Value, of: &'static str) -> Vec<Section>
     found
 }
 
-/// The schema that a reference stands for.
+/// The schema that a `$ref` points to; other schemas are returned unchanged.
 fn resolved<'a>(root: &'a Value, schema: &'a Value) -> &'a Value {
     let place = schema["$ref"].as_str().and_then(|place| place.strip_prefix('#'));
     place.and_then(|place| root.pointer(place)).unwrap_or(schema)
 }
 
-/// The table that a value is, or may be; whether there are several of it.
+/// The schema of a table, if a value is or may be one, and whether it is a list of tables.
 pub fn table<'a>(root: &'a Value, schema: &'a Value) -> Option<(&'a Value, bool)> {
     let schema = resolved(root, schema);
     let holds_keys = |schema: &Value| schema["properties"].is_object() || schema["additionalProperties"].is_object();
@@ -103,7 +103,7 @@ fn push(found: &mut Vec<Section>, root: &Value, path: &[Step], schema: &Value) {
     if table(root, free).is_some() {
         inner.push(([path, &[Step::Name]].concat(), free));
     }
-    // a table that holds tables alone is told by them
+    // a table that contains only tables is described by their sections
     if !rows.is_empty() {
         let text = |schema: &Value| schema["description"].as_str().unwrap_or_default().to_owned();
         let (outer, own) = (text(schema), text(keys));
@@ -136,7 +136,7 @@ fn heading(path: &[Step], several: bool) -> String {
     if several { format!("[[{name}]]") } else { format!("[{name}]") }
 }
 
-/// The keys that must stand in a table.
+/// The required keys of a table as text; each of `choices` is an alternative set.
 fn in_words(needed: &[&str], choices: &[Vec<&str>]) -> Option<String> {
     let quoted =
         |names: &[&str], between: &str| names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(between);
@@ -166,7 +166,7 @@ fn row(root: &Value, key: &str, schema: &Value, path: &[Step], needed: &[&str], 
     described(schema, absent(schema, otherwise), Some(key.to_owned()), example)
 }
 
-/// The value of a key that is left out, in words.
+/// The meaning of leaving a key out, as text: the default, or `absent` of the schema.
 fn absent(schema: &Value, otherwise: &str) -> String {
     match (&schema["default"], schema["absent"].as_str()) {
         (_, Some(words)) => words.to_owned(),
@@ -188,7 +188,7 @@ fn described(schema: &Value, absent: String, key: Option<String>, example: Cell)
     Row { key, meaning: schema["description"].as_str().unwrap_or_default().to_owned(), unit, absent, example }
 }
 
-/// The lines of the first example that holds a key; for a table with free names, the lines of all examples.
+/// The line of the first example with a key; for a table with free names, the lines of all examples.
 fn lines(root: &Value, path: &[Step], key: Option<&str>) -> Vec<String> {
     let tables = examples(root, path);
     let entries = tables.iter().filter_map(|table| table.as_object());
@@ -205,13 +205,13 @@ fn lines(root: &Value, path: &[Step], key: Option<&str>) -> Vec<String> {
     }
 }
 
-/// The schema of a key that a table with chosen names has all the same.
+/// The schema of a fixed key in a table with otherwise free names.
 fn table_key<'a>(root: &'a Value, path: &[Step], name: &str) -> Option<&'a Value> {
     let [Step::Key(top)] = path else { return None };
     root["properties"][top]["properties"].get(name)
 }
 
-/// Every table at a place, over all examples of the schema.
+/// All tables at a path, from all examples of the schema.
 pub fn examples<'a>(root: &'a Value, path: &[Step]) -> Vec<&'a Value> {
     let Some((Step::Key(top), rest)) = path.split_first() else {
         return root["examples"].as_array().into_iter().flatten().collect();
@@ -233,14 +233,14 @@ pub fn examples<'a>(root: &'a Value, path: &[Step]) -> Vec<&'a Value> {
 }
 
 impl Row {
-    /// The key as the reference shows it.
+    /// The key as it is shown in the reference.
     pub fn name(&self) -> &str {
         self.key.as_deref().unwrap_or("NAME")
     }
 }
 
 impl Cell {
-    /// Whether there is something to show.
+    /// Whether the cell is empty.
     pub fn is_empty(&self) -> bool {
         matches!(self, Cell::Lines(lines) if lines.is_empty())
     }

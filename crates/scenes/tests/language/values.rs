@@ -1,4 +1,4 @@
-//! Values of TOML as JSON, and of JSON as TOML writes them.
+//! Conversion of TOML values to JSON, and of JSON values to TOML texts.
 
 use serde_json::{Map, Value, json};
 use toml::de::{DeTable, DeValue};
@@ -20,18 +20,18 @@ fn of_value(value: &DeValue<'_>) -> Value {
     }
 }
 
-/// The tables of a text as JSON has them.
+/// The tables of a TOML text as JSON.
 pub fn of_text(text: &str) -> Value {
     of_table(DeTable::parse(text).unwrap_or_else(|error| panic!("{error}\n{text}")).get_ref())
 }
 
-/// A key as TOML writes it: in quotes where it holds more than letters, digits, `_` and `-`.
+/// A key of TOML, in quotes if it contains other characters than letters, digits, `_` and `-`.
 pub fn key(name: &str) -> String {
     let is_bare = name.chars().all(|letter| letter.is_ascii_alphanumeric() || matches!(letter, '_' | '-'));
     if is_bare { name.to_owned() } else { written(&json!(name)) }
 }
 
-/// A value on one line of TOML.
+/// A value as one line of TOML.
 pub fn written(value: &Value) -> String {
     let list = |items: Vec<String>| items.join(", ");
     match value {
@@ -44,12 +44,12 @@ pub fn written(value: &Value) -> String {
     }
 }
 
-/// `key = value`
+/// A line `key = value`.
 pub fn entry(name: &str, value: &Value) -> String {
     format!("{} = {}", key(name), written(value))
 }
 
-/// A file with these tables.
+/// A TOML file with these tables.
 pub fn file(tables: &Value) -> String {
     let entries = tables.as_object().expect("tables");
     entries.iter().map(|(name, value)| entry(name, value) + "\n").collect()

@@ -44,7 +44,7 @@ fn a_hanging_double_pendulum_has_its_two_frequencies() {
     assert_eq!(Stability::of(&all, true), Stability::Undecided(4));
 }
 
-/// The bicycle upright at a speed, with torques along lean and steer as inputs: M, v C1 and g K0 + v^2 K2 of lean and steer.
+/// The matrices M, v C1 and g K0 + v^2 K2 for lean and steer of the upright bicycle at a speed (m/s), with torques along lean and steer as inputs.
 fn bicycle(speed: f64) -> [DMatrix<f64>; 3] {
     let text = std::fs::read_to_string(stored("foreign/bicycle")).expect("it is there");
     let text = text
@@ -69,7 +69,7 @@ fn bicycle(speed: f64) -> [DMatrix<f64>; 3] {
     [mass, damping, stiffness]
 }
 
-/// The matrices of the benchmark, and the speeds at which weave and capsize change their stability, out of the nonlinear text.
+/// The nonlinear model of the file has the matrices of the benchmark (Meijaard et al. 2007) and its critical speeds of weave and capsize.
 #[test]
 fn whipples_bicycle_has_the_published_matrices_and_critical_speeds() {
     let ([mass, damping, at_5], [_, _, at_3]) = (bicycle(5.0), bicycle(3.0));
@@ -86,7 +86,7 @@ fn whipples_bicycle_has_the_published_matrices_and_critical_speeds() {
             assert!((value - known).abs() < 1e-9, "{value} and {known}");
         }
     }
-    // between them the upright motion is stable
+    // between the critical speeds the upright motion is stable
     for (speed, stable) in [(4.29238, false), (4.29239, true), (6.02426, true), (6.02427, false)] {
         let [mass, damping, stiffness] = bicycle(speed);
         let inverse = mass.try_inverse().expect("a mass matrix");
@@ -99,7 +99,7 @@ fn whipples_bicycle_has_the_published_matrices_and_critical_speeds() {
     }
 }
 
-/// Figures of Meijaard et al. at 5 m/s, checked at forty digits: weave and capsize of the nonlinear text, linearised.
+/// Eigenvalues of Meijaard et al. (2007) at 5 m/s, checked with forty digits, and those of the linearised nonlinear model.
 #[test]
 fn whipples_bicycle_has_the_published_eigenvalues() {
     let text = std::fs::read_to_string(stored("foreign/bicycle")).expect("it is there");
@@ -120,7 +120,7 @@ fn whipples_bicycle_has_the_published_eigenvalues() {
     }
 }
 
-/// An input with a gain feeds back what A does not hold; one with the gain zero feeds back nothing.
+/// An input with a gain is a feedback that A does not contain; with the gain zero it is none.
 #[test]
 fn an_input_whose_gain_is_zero_is_no_feedback() {
     let with = |gain: &str| {
@@ -135,7 +135,7 @@ fn an_input_whose_gain_is_zero_is_no_feedback() {
     assert_eq!(with("F"), [""; 0]);
 }
 
-/// A pendulum in the middle of a play, where the sign of the angle is zero and makes no difference, and beside a spring that begins there.
+/// A pendulum in the middle of a backlash, where the sign of the angle is zero without effect; and with a spring that begins there.
 #[test]
 fn a_point_at_a_condition_has_linear_equations_where_both_sides_have_the_same() {
     let pendulum = |spring: &str| {
@@ -149,7 +149,7 @@ fn a_point_at_a_condition_has_linear_equations_where_both_sides_have_the_same() 
         let equations = VariedEquations::of(&pendulum(spring).model, &[]).unwrap_or_else(|why| panic!("{why}"));
         equations.about(0.0, &[0.0, 0.0]).map(|found| found.linear.a[(1, 0)])
     };
-    // of the third order the force has a derivative, on both sides the same
+    // the derivative of the force is equal on both sides
     for spring in ["k*max(abs(a) - e, 0)^2/2", "k*abs(a)^3"] {
         let stiffness = about(spring).unwrap_or_else(|why| panic!("{spring}: {why}"));
         assert!((stiffness + 9.81 / 0.5).abs() < 1e-13, "{spring}: {stiffness}");

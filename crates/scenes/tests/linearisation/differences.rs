@@ -1,4 +1,4 @@
-//! Linear equations compared with differences of the law and of states on the constraints.
+//! Linear equations compared with difference quotients of the law and of states on the constraints.
 
 use super::{CART, linear, scene, stored};
 use dalembert_scenes::linearisation::{Linearisation, Point, Standing, VariedEquations};
@@ -6,7 +6,7 @@ use integrators::{Dual8, Jacobian, Ode};
 use nalgebra::{DMatrix, DVector};
 use simulation::{Axes, IvpScene};
 
-/// Without constraints A is the Jacobian of the law that runs, along the motion too, by dual numbers.
+/// Without constraints, A is the Jacobian of the integrated law (by dual numbers), at moving points, too.
 #[test]
 fn a_moving_point_has_the_jacobian_of_the_law_that_runs() {
     let moving = CART.replace("[run]", "[start]\na = \"0.4 rad\"\n\"a'\" = \"1.7 rad/s\"\n\"x'\" = \"0.3 m/s\"\n[run]");
@@ -24,7 +24,7 @@ fn a_moving_point_has_the_jacobian_of_the_law_that_runs() {
     }
 }
 
-/// A state on the constraints whose independent parts have these values.
+/// The state on the constraints with given values of the independent components.
 fn completed(equations: &VariedEquations, about: &Linearisation, independent: &DVector<f64>) -> Point {
     let mut point = about.point.clone();
     let n = point.coordinates.len();
@@ -49,7 +49,7 @@ fn completed(equations: &VariedEquations, about: &Linearisation, independent: &D
     equations.with_accelerations(point).expect("it is determined")
 }
 
-/// With constraints A is what the equations make of two states on the constraints, closer and closer: loops, rolling.
+/// With constraints (a closed loop, rolling), A agrees with difference quotients between states on the constraints.
 #[test]
 fn constrained_systems_have_the_linear_equations_of_states_on_their_constraints() {
     let crank = std::fs::read_to_string(stored("models/slider_crank")).expect("it is there");
@@ -75,7 +75,7 @@ fn constrained_systems_have_the_linear_equations_of_states_on_their_constraints(
                 values(&point, &point.speeds, &point.accelerations)
             };
             let step = 1e-4;
-            // central differences, the error of second order taken out
+            // central differences with Richardson extrapolation
             let [near, far] = [step, 2.0 * step].map(|step| (rates(step) - rates(-step)) / (2.0 * step));
             let expected = (near * 4.0 - far) / 3.0;
             let gap = (found.a.column(column) - &expected).amax();
@@ -84,7 +84,7 @@ fn constrained_systems_have_the_linear_equations_of_states_on_their_constraints(
     }
 }
 
-/// A cart against a wall of spring, pushed by an input; a path that is led to zero ties nothing down.
+/// A cart at a wall with a spring, pushed by an input; a stabilised constraint removes no degree of freedom.
 #[test]
 fn inputs_conditions_and_programmed_constraints_are_varied() {
     let text = "title = \"A cart\"\n[parameters]\nm = \"2 kg\"\nk = \"50 N/m\"\na = \"2 rad/s\"\nc = \"5 rad/s\"\n[inputs]\nu = { unit = \"N\", value = \"(3 N)*cos(t/(1 s))\" }\n\
@@ -109,8 +109,7 @@ fn inputs_conditions_and_programmed_constraints_are_varied() {
     assert!(refused.to_string().contains("is zero: the equations have no derivative"), "{refused}");
 }
 
-/// Where the forces' derivatives vanish Newton's method has no way: points around it do.
-/// m x'' = min(k (sin t - x), F), of which the second input holds the first.
+/// m x'' = min(k (sin t - x), F): the second input depends on the first.
 #[test]
 fn an_input_may_ask_for_another_one_at_a_condition() {
     let text = "title = \"Two inputs\"\n[parameters]\nk = \"20 N/m\"\n[coordinates]\nx = \"m\"\n[bodies.b]\n\

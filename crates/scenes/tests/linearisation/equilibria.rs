@@ -1,4 +1,4 @@
-//! Equilibria.
+//! Equilibria compared with closed forms.
 
 use super::{CART, scene, stored};
 use dalembert_scenes::linearisation::VariedEquations;
@@ -36,7 +36,7 @@ fn an_equilibrium_is_found_near_a_guess_or_refused_with_what_is_left() {
     assert!(refused.contains("`equilibrium` has the wrong type"), "{refused}");
 }
 
-/// A crank on a slider that rests on its guide under its own weight: the reaction and the torque of the spring balance.
+/// A slider-crank under gravity with a torsion spring: the torques balance, and the constraints and the given coordinates hold.
 #[test]
 fn an_equilibrium_keeps_constraints_and_given_coordinates() {
     let text = std::fs::read_to_string(stored("models/slider_crank")).expect("it is there");
@@ -47,7 +47,7 @@ fn an_equilibrium_keeps_constraints_and_given_coordinates() {
     let equations = VariedEquations::of(&scene.model, &[]).unwrap_or_else(|why| panic!("{why}"));
     let point = equations.with_accelerations(equations.point(0.0, &scene.start)).expect("it is determined");
     assert!(point.accelerations.amax() < 1e-8 && point.speeds.amax() == 0.0, "{point:?}");
-    // virtual work: T - K theta = mrod g/2 d(height of the rod's middle)/d theta, by the crank's angle
+    // virtual work: T - K theta = mrod g/2 d(height of the rod's middle)/d theta
     let [theta, phi] = [scene.start[0], scene.start[1]];
     let torque = 0.4 * 9.81 * 0.1 / 2.0 * theta.cos();
     assert!((0.2 - theta - torque).abs() < 1e-9, "{theta} {phi}");
@@ -72,7 +72,7 @@ const BOWL: &str = "title = \"A ball in a bowl\"\ngravity = \"-g*N.z\"\n[paramet
     [[constraint]]\nname = \"roll\"\nzero = \"velocity(ball at K)\"\n\
     [start]\nx = \"0.3 m\"\nz = \"-0.4 m\"\n\"y'\" = \"0.5 m/s\"\n\"F.wx\" = \"guess 0 rad/s\"\n[run]\nspan = \"1 s\"\n";
 
-/// The wheel turns back by as much as it rolls; the ball stays in its bowl, and has turned by the length of its way over its radius.
+/// The wheel turns back by the rolled distance. The ball stays in its bowl and has turned by the length of its path divided by its radius.
 #[test]
 fn an_equilibrium_is_one_that_motions_along_constraints_of_speeds_reach() {
     let found = equilibrium_of(&scene(WHEEL).model).unwrap_or_else(|why| panic!("{}", why.title));
@@ -85,7 +85,7 @@ fn an_equilibrium_is_one_that_motions_along_constraints_of_speeds_reach() {
     let half = 0.6_f64.asin() * 0.5 / 0.05 / 2.0;
     assert!((q0.abs() - half.cos().abs()).abs() < 1e-9, "{found:?}");
     assert_eq!((found.family, found.is_reached), (1, true));
-    // a guess is where the ball begins, too
+    // with a guess the ball stays in the bowl, too
     let resting = BOWL.replace(
         "x = \"0.3 m\"\nz = \"-0.4 m\"\n\"y'\" = \"0.5 m/s\"",
         "equilibrium = true\nx = \"guess 0.3 m\"\nz = \"guess -0.4 m\"",
@@ -94,7 +94,7 @@ fn an_equilibrium_is_one_that_motions_along_constraints_of_speeds_reach() {
     assert!((start[2] + 0.5).abs() < 1e-10, "{start:?}");
 }
 
-/// The angle is given and stays: the wheel stands where none rolls to from its guess.
+/// The given angle stays fixed: the equilibrium is not reached by rolling from the guess.
 #[test]
 fn a_start_at_rest_is_sought_beside_the_ways_that_motions_have() {
     let text =
@@ -106,8 +106,8 @@ fn a_start_at_rest_is_sought_beside_the_ways_that_motions_have() {
     assert!(refused.contains("an equilibrium has no speeds") && refused.contains("w is not zero"), "{refused}");
 }
 
-/// A bead between two springs of their natural length: the force across them is of third order, and Newton's method comes near its zero
-/// in equal shares. With stretched springs the place is exact.
+/// A bead between two springs of natural length: the transverse force is of third order, so that Newton's method converges linearly. With
+/// stretched springs the position is precise.
 #[test]
 fn a_place_that_terms_of_higher_order_hold_is_told_to_be_known_roughly() {
     let bead = |rest: &str| {
@@ -127,7 +127,7 @@ fn a_place_that_terms_of_higher_order_hold_is_told_to_be_known_roughly() {
     assert!(held.flat.is_empty() && held.choice().is_none() && held.state[1].abs() < 1e-12, "{held:?}");
 }
 
-/// A spring that is slack below its length, and a controller: x = 1 m + 2 N/(20 N/m) where the spring holds, 2/5 m where the controller does.
+/// A spring that is slack below its length, and a controller: x = 1 m + 2 N/(20 N/m) if the spring acts, 2/5 m if only the controller does.
 #[test]
 fn an_equilibrium_has_the_law_of_its_conditions_and_of_its_controller() {
     let pulled = |force: &str, start: &str| {
@@ -146,7 +146,7 @@ fn an_equilibrium_has_the_law_of_its_conditions_and_of_its_controller() {
     assert!(rough.contains("an equilibrium at which a condition changes"), "{rough}");
 }
 
-/// A capacitor behind a resistor has a law of its charge and its current: no displacement that the law leaves leads to q = U C.
+/// A capacitor behind a resistor has one law with charge and current; no displacement is admissible, and q = U C is found nevertheless.
 #[test]
 fn an_equilibrium_is_not_sought_along_laws_of_places() {
     let found = scene(

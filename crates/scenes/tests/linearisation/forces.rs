@@ -1,4 +1,4 @@
-//! Inverse dynamics: forces for a prescribed motion.
+//! Inverse dynamics: the forces for a prescribed motion.
 
 use super::stored;
 use dalembert_scenes::inverse::inverse;
@@ -40,7 +40,7 @@ fn inverse_dynamics_gives_the_torque_that_runs_the_motion() {
     let zero = [("theta".to_owned(), "(0 deg)".to_owned())];
     let (model, prescribed) = read_prescribed(&path, &zero).unwrap_or_else(|error| panic!("{error}"));
     let resting = inverse(&model, &prescribed, &["T".to_owned()], &[0.0]).unwrap_or_else(|why| panic!("{why}"));
-    // level, the rod's weight on the crank's end: half of it, a tenth of a metre out
+    // horizontal crank: half the weight of the rod acts at its end, at a distance of 0.1 m
     assert!((resting.forces[0].unknowns[0] - 0.4 * 9.81 * 0.1 / 2.0).abs() < 1e-12, "{resting:?}");
 }
 
@@ -75,8 +75,8 @@ fn an_instant_at_which_no_equation_holds_an_unknown_is_told() {
     );
 }
 
-/// A rod on three parallel cranks does not turn: its weight and its inertia act on the first crank as those of a mass at its end,
-/// T = m r^2 a'' + m g r cos(a), though the third crank holds what the second does.
+/// A rod on three parallel cranks does not turn: weight and inertia act on the first crank as those of a mass at its end,
+/// T = m r^2 a'' + m g r cos(a). The constraint of the third crank is redundant.
 #[test]
 fn equations_that_follow_from_others_are_left_out_of_forces_for_a_motion() {
     let text = "title = \"A rod on three cranks\"\ngravity = \"-g*N.y\"\n[parameters]\ng = \"9.81 m/s^2\"\nr = \"0.3 m\"\n[coordinates]\n\
@@ -104,7 +104,7 @@ fn equations_that_follow_from_others_are_left_out_of_forces_for_a_motion() {
     }
 }
 
-/// A body on a slide, pushed and turned by forces that are sought; its frame is FRAMES.
+/// A body on a slide with unknown force and torques; the markers COORDINATES and FRAMES stand for the definition of its frame.
 const TURNED: &str = "title = \"A body\"\ngravity = \"-g*N.z\"\n[parameters]\nm = \"2 kg\"\nA = \"0.3 kg m^2\"\nB = \"0.4 kg m^2\"\nC = \"0.6 kg m^2\"\n\
     g = \"9.81 m/s^2\"\nP = \"0 N\"\nT1 = \"0 N m\"\nT2 = \"0 N m\"\nT3 = \"0 N m\"\n[coordinates]\nx = \"m\"\nCOORDINATES\n[frames]\nFRAMES\n\
     [bodies.stone]\nframe = \"F\"\ncentre = \"O + x*N.x + (0.1 m)*F.z\"\nmass = \"m\"\ninertia = { principal = [\"A\", \"B\", \"C\"] }\n\
@@ -121,7 +121,7 @@ fn forces_of(name: &str, text: &str, motions: &[(&str, &str)]) -> Vec<dalembert_
     inverse(&model, &prescribed, &unknowns, &[0.0, 0.3, 1.1]).unwrap_or_else(|why| panic!("{why}")).forces
 }
 
-/// A free frame that is turned one turn after the other needs the torques that three angles need.
+/// A free frame with a prescribed sequence of rotations needs the torques of a frame with three angles.
 #[test]
 fn forces_for_turns_of_a_free_frame_are_those_for_three_angles() {
     let slide = ("x", "(0.2 m)*sin(t*(3 rad/s))");
@@ -139,13 +139,13 @@ fn forces_for_turns_of_a_free_frame_are_those_for_three_angles() {
         for (one, other) in free.unknowns.iter().zip(&turned.unknowns) {
             assert!((one - other).abs() < 1e-9 * (1.0 + other.abs()), "{free:?} {turned:?}");
         }
-        // at the start one of them is zero
+        // at the start one of the torques is zero
         let act = free.unknowns.iter().filter(|force| force.abs() > 1e-3).count();
         assert_eq!(act, if free.time > 0.0 { 4 } else { 3 }, "{free:?}");
     }
 }
 
-/// About one axis alone the torque is C theta''; coordinates that a constraint ties to a free frame follow it.
+/// For rotation about one axis, the torque is C theta''; coordinates coupled to the free frame by a constraint follow.
 #[test]
 fn a_free_frame_that_turns_about_one_axis_needs_the_torque_of_its_moment() {
     let held = TURNED
@@ -181,8 +181,8 @@ fn a_motion_of_a_free_frame_that_is_no_turn_is_refused() {
     assert!(refused(&[("x", "(1 m)")]).contains("do not determine `F.wx`, `F.wy`, `F.wz`"));
 }
 
-/// Three constraints turn a free frame about N.z by 0.5 t^2, which nobody prescribes: it follows from them, and the third one acts with
-/// C theta'' = lambda cos(theta), since it holds sin(theta).
+/// Three constraints rotate a free frame by 0.5 t^2 about N.z without a prescribed motion. The third constraint contains sin(theta), so that
+/// C theta'' = lambda cos(theta).
 #[test]
 fn a_free_frame_that_constraints_turn_is_found_from_them() {
     let held = TURNED.replace("COORDINATES", "").replace("FRAMES", "F = \"N free\"").replace("(0.1 m)*F.z", "0*x*F.z").replace(
@@ -208,7 +208,7 @@ fn a_free_frame_that_constraints_turn_is_found_from_them() {
     }
 }
 
-/// The value of a sought quantity is not known before the forces are.
+/// A prescribed motion that contains an unknown quantity is refused, since its value is not known before.
 #[test]
 fn a_motion_by_a_quantity_that_is_sought_is_refused() {
     let text = "title = \"two carts\"\n[parameters]\nk = \"4 N/m\"\n[coordinates]\nx = \"m\"\n[bodies.a]\ncentre = \"O + x*N.x\"\nmass = \"(1 kg)\"\n\

@@ -1,4 +1,4 @@
-//! Linearisation with freely turning frames.
+//! Linear equations of systems with free frames.
 
 use super::{linear, scene};
 use dalembert_scenes::ModelScene;
@@ -7,13 +7,13 @@ use integrators::Ode;
 use nalgebra::{DMatrix, DVector};
 use simulation::{Axes, IvpScene};
 
-/// A symmetric top about a fixed point, in a freely turning frame; A and C are its moments of inertia about that point.
+/// A symmetric top about a fixed point, in a free frame; A and C are its moments of inertia about that point.
 const FREE_TOP: &str = "title = \"A top\"\ngravity = \"-g*N.z\"\n[parameters]\nm = \"1.5 kg\"\nl = \"0.2 m\"\nA = \"0.09 kg m^2\"\nC = \"0.01 kg m^2\"\n\
     g = \"9.81 m/s^2\"\nk = \"0 N m s\"\n[coordinates]\n[frames]\nF = \"N free\"\n[bodies.top]\nframe = \"F\"\ncentre = \"O + l*F.z\"\nmass = \"m\"\n\
     inertia = { principal = [\"A - m*l^2\", \"A - m*l^2\", \"C\"] }\n[[torque]]\non = \"top\"\nis = \"-k*angular_velocity(top)\"\n\
     [outputs]\nnorth = \"l*F.z . N.y\"\n[start]\nSTART\n[run]\nspan = \"1 s\"\n";
 
-/// A w'' - i C s w' - m g l w = 0 of the tilt w = x + i y, seen from axes that turn with s.
+/// A w'' - i C s w' - m g l w = 0 for the tilt w = x + i y, in axes that rotate with the spin s.
 #[test]
 fn a_sleeping_top_has_its_closed_form_with_a_row_for_each_turn() {
     let (a, c, torque, l) = (0.09, 0.01, 1.5 * 9.81 * 0.2, 0.2);
@@ -50,7 +50,7 @@ fn a_sleeping_top_has_its_closed_form_with_a_row_for_each_turn() {
     }
 }
 
-/// conj(q0) q1: the quaternion of the way from one orientation to another.
+/// conj(q0) q1: the quaternion of the rotation from one orientation to another.
 fn way(from: &[f64], to: &[f64]) -> [f64; 4] {
     let ([a, b, c, d], [e, f, g, h]) = ([from[0], -from[1], -from[2], -from[3]], [to[0], to[1], to[2], to[3]]);
     [
@@ -61,8 +61,8 @@ fn way(from: &[f64], to: &[f64]) -> [f64; 4] {
     ]
 }
 
-/// Along a motion A is what the law that runs makes of states near it: coordinates apart, and twice the vector of the quaternion between
-/// two orientations, whose rate follows from the rates of both.
+/// Along a motion, A agrees with difference quotients of the integrated law. Variations of orientations are twice the vector part of the quaternion
+/// between two orientations; their rates follow from the rates of both.
 #[test]
 fn a_free_frame_that_moves_has_the_linear_equations_of_the_law_that_runs() {
     let top = FREE_TOP.replace("k = \"0 N m s\"", "k = \"0.02 N m s\"").replace(
@@ -133,7 +133,7 @@ fn a_free_frame_that_moves_has_the_linear_equations_of_the_law_that_runs() {
     }
 }
 
-/// A plate that hangs on a pin at its edge, three constraints beside six directions: it swings by m g a/(J + m a^2) in two planes.
+/// A plate on a pin at its edge, with three constraints for six degrees of freedom: it swings in two planes with w^2 = m g a/(J + m a^2).
 #[test]
 fn a_hanging_plate_with_a_free_frame_is_found_at_rest_and_swings_as_a_pendulum() {
     let text = "title = \"A plate on a pin\"\ngravity = \"-g*N.z\"\n[parameters]\nm = \"1 kg\"\na = \"0.3 m\"\nJ = \"0.01 kg m^2\"\ng = \"9.81 m/s^2\"\n\

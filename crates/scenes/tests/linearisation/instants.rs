@@ -1,4 +1,4 @@
-//! Linearisation at instants of a run: across its events, and up to its end.
+//! Linear equations at times of a run: behind events, and up to the end of the run.
 
 use super::{scene, stored};
 use dalembert_scenes::linearisation::points::{NoInstance, along};
@@ -37,7 +37,7 @@ fn an_instant_at_which_friction_holds_has_no_linear_equations() {
     assert!(at(&text("dry_friction"), 2.0).is_ok());
 }
 
-/// Two equal cranks under a rod as long as their distance stretch into one line.
+/// Two equal cranks under a rod as long as the distance of their pivots; all links become collinear.
 #[test]
 fn an_instant_behind_a_singular_position_is_none_of_the_run() {
     let text = "title = \"parallelogram\"\n[parameters]\nl = \"0.1 m\"\nd = \"0.3 m\"\nJ = \"0.01 kg m^2\"\n\

@@ -11,7 +11,7 @@ mod reactions;
 mod steady_currents;
 mod voltages;
 
-// the motors that scenes name
+// registers the motors of the catalogue
 use dalembert_scenes::ModelScene;
 use dalembert_scenes::linearisation::{Linearisation, VariedEquations};
 use machines as _;
@@ -32,7 +32,7 @@ fn linear(model: &Model, state: &[f64], inputs: &[usize]) -> (VariedEquations, L
     (equations, found)
 }
 
-/// Up from a cart that a force pushes: x'' = (F - m g a)/M, a'' = ((M + m) g a - F)/(M l).
+/// An inverted pendulum on a cart with a force: x'' = (F - m g a)/M, a'' = ((M + m) g a - F)/(M l).
 const CART: &str = "title = \"A cart with a pole\"\ngravity = \"-g*N.y\"\n[parameters]\nM = \"1.5 kg\"\nm = \"0.25 kg\"\nl = \"0.5 m\"\ng = \"9.8 m/s^2\"\n\
     F = \"0 N\"\n[coordinates]\nx = \"m\"\na = \"rad\"\n[points]\nC = \"O + x*N.x\"\nP = \"C + l*(sin(a)*N.x + cos(a)*N.y)\"\n\
     [bodies.cart]\ncentre = \"C\"\nmass = \"M\"\n[bodies.bob]\ncentre = \"P\"\nmass = \"m\"\n[[force]]\non = \"cart\"\nis = \"F*N.x\"\n\

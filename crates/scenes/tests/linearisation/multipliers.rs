@@ -12,8 +12,8 @@ fn scene(force: &str, start: &str) -> ModelScene {
     ModelScene::parse("scene.toml", &text).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// x'' + (a - 2 q cos 2t) x = 0 with q = 1: the trace of M is 2 at a_0 = -0.4551386041 and b_2 = 3.9170247730, and -2 at a_1 = 1.8591080725
-/// (Abramowitz, Stegun, chapter 20).
+/// Mathieu's equation x'' + (a - 2 q cos 2t) x = 0 with q = 1: the trace of the monodromy matrix is 2 at a_0 = -0.4551386041 and
+/// b_2 = 3.9170247730, and -2 at a_1 = 1.8591080725 (Abramowitz, Stegun 1964, chapter 20).
 #[test]
 fn mathieus_equation_has_its_characteristic_values() {
     let mathieu = |a: f64| {
@@ -25,14 +25,14 @@ fn mathieus_equation_has_its_characteristic_values() {
         assert!((found.monodromy.trace() - trace).abs() < 1e-8, "{a}: {}", found.monodromy);
         assert!((found.monodromy.determinant() - 1.0).abs() < 1e-11);
     }
-    // between a_0 and b_1 it swings, between b_1 and a_1 it grows
+    // oscillation between a_0 and b_1, growth between b_1 and a_1
     assert_eq!(mathieu(-0.3).orbit(), Orbit::Undecided(2));
     assert_eq!(mathieu(1.0).orbit(), Orbit::Unstable(1));
     let ones = mathieu(1.0).ones;
     assert_eq!((ones.cyclic, ones.shift, ones.energy), (0, false, false));
 }
 
-/// det M = exp of the integral of the trace, here -c T; the multipliers of x'' + c x' + x = 0 are exp(mu T).
+/// The determinant of the monodromy matrix is exp(-c T); the multipliers of x'' + c x' + x = 0 are exp(mu T).
 #[test]
 fn the_determinant_is_the_exponential_of_the_damping() {
     let found = Multipliers::of(&scene("-x - (0.2 s)*x'", "x = \"0\""), 3.0).unwrap_or_else(|why| panic!("{why}"));
@@ -41,7 +41,7 @@ fn the_determinant_is_the_exponential_of_the_damping() {
     assert_eq!(found.orbit(), Orbit::Asymptotic);
 }
 
-/// Van der Pol's cycle of period 6.6632868593231 for mu = 1.
+/// The limit cycle of Van der Pol's equation with mu = 1 has the period 6.6632868593231.
 #[test]
 fn a_limit_cycle_has_one_multiplier_that_is_one() {
     let law = "(1 s)*(1 - x^2)*x' - x";
@@ -54,14 +54,14 @@ fn a_limit_cycle_has_one_multiplier_that_is_one() {
     assert!(matches!(open, Err(NoMultipliers::Open { distance, .. }) if distance > 1e-3), "{open:?}");
 }
 
-/// A turn of a pendulum that rotates: the state returns modulo a full turn, and the energy and the time give two ones.
+/// One turn of a rotor: the state returns modulo a full turn, and the cyclic angle gives the multiplier one.
 #[test]
 fn a_full_turn_is_a_return() {
-    // x'' = 0 but for a force that has the period of a turn and does no work on the whole
+    // x'' = -x' (x' - 1)/10: the speed 1 rad/s is attracting
     let turning = scene("-x'*(1 s)/10*(x'*(1 s) - 1)", "\"x'\" = \"1 rad/s\"");
     let found = Multipliers::of(&turning, TAU).unwrap_or_else(|why| panic!("{why}"));
     assert_eq!((found.ones.cyclic, found.ones.shift), (1, false));
-    // the speed comes back at the rate 1/10
+    // deviations of the speed decay at the rate 1/10
     assert!((found.others()[0][0] - (-TAU / 10.0).exp()).abs() < 1e-10, "{:?}", found.values);
     assert_eq!(found.orbit(), Orbit::Asymptotic);
 }
@@ -72,13 +72,13 @@ fn a_time_within_which_nothing_returns_is_no_period() {
     let over = |scene: &ModelScene, period: f64| Multipliers::of(scene, period).map(|found| found.orbit());
     assert!(matches!(over(&law, 1e-5), Err(NoMultipliers::OtherLaw)), "{:?}", over(&law, 1e-5));
     assert!(matches!(over(&law, 1e-11), Err(NoMultipliers::Short)), "{:?}", over(&law, 1e-11));
-    // periods are given to seven digits
+    // the period is given with seven digits
     assert!(over(&law, (PI * 1e7).round() / 1e7).is_ok());
     let swing = scene("-x", "x = \"1\"");
     assert!(matches!(over(&swing, 1e-8), Err(NoMultipliers::Short)) && over(&swing, TAU).is_ok());
 }
 
-/// A disc that rolls in a circle, its lean given to ten digits: the ones of its family are several, and an error splits them by its root.
+/// A disc that rolls in a circle, with ten digits of its lean: its family has several multipliers one, which an error splits by its square root.
 #[test]
 fn several_ones_that_an_error_splits_lie_on_the_circle() {
     let text = "title = \"Disc\"\ngravity = \"-g*N.z\"\n[parameters]\nm = \"1 kg\"\nr = \"0.3 m\"\ng = \"9 m/s^2\"\n\

@@ -1,10 +1,10 @@
-//! Outputs that depend on reactions: their derivatives along the constraints.
+//! Linear equations of outputs that depend on reactions: derivatives along the constraints.
 
 use super::{linear, scene};
 use dalembert_scenes::start_of;
 
-/// A bob on a circle, x^2 + y^2 = l^2, at rest at its lowest point: the tension m g at rest, 2 m g cos(a) - 2 m g cos(a0) more aside,
-/// has no slope there; at 60 degrees it has that of m g cos(a).
+/// A bob on a circle x^2 + y^2 = l^2, released at rest at 60 degrees from the vertical: the tension at rest is m g cos(a), and its derivative along
+/// the circle is compared.
 #[test]
 fn the_slope_of_a_tension_is_that_of_its_closed_form() {
     let text = "title = \"pendulum\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"2 kg\"\nl = \"1 m\"\ng = \"9.81 m/s^2\"\n\

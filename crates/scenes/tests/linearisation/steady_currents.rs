@@ -4,7 +4,7 @@ use super::scene;
 use dalembert_scenes::linearisation::{Stability, Standing, VariedEquations, eigenvalues};
 use dalembert_scenes::{ModelScene, equilibrium_of};
 
-/// A DC motor under a constant voltage holds a pendulum up.
+/// A pendulum held by a DC motor at constant voltage.
 const HELD: &str = "title = \"held\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"0.5 kg\"\nl = \"0.2 m\"\ng = \"9.81 m/s^2\"\nk = \"0.05 V s\"\n\
     R = \"2 ohm\"\nL = \"3 mH\"\nU = \"12 V\"\n[coordinates]\ntheta = \"rad\"\n[frames]\nA = \"N turned theta about z\"\n[points]\nP = \"O - l*A.y\"\n\
     [bodies.bob]\nframe = \"A\"\ncentre = \"P\"\nmass = \"m\"\ninertia = \"(1e-4 kg m^2)\"\n[[drive]]\nname = \"motor\"\nturns = \"theta\"\n\
@@ -26,14 +26,14 @@ fn a_motor_holds_a_load_with_a_steady_current() {
     let equations = VariedEquations::of(&scene.model, &[]).unwrap_or_else(|why| panic!("{why}"));
     let linear = equations.linearised(equations.point(0.0, &scene.start)).unwrap_or_else(|why| panic!("{why}"));
     assert_eq!(equations.standing(&linear), Ok(Standing::SteadyCurrents));
-    // the charge alone stays where it is put
+    // the only neutral direction is the charge
     assert_eq!(Stability::of(&eigenvalues(&linear.a), true), Stability::Asymptotic { idle: 1 });
     let moving = started("\"theta'\" = \"1 rad/s\"");
     let refused = ModelScene::parse("scene.toml", &moving).expect_err("it moves").to_string();
     assert!(refused.contains("an equilibrium has no speeds") && refused.contains("theta' is not zero"), "{refused}");
 }
 
-/// Nothing holds the rotor: a steady rotation is no equilibrium, and no other guess leads to one.
+/// No force holds the rotor: a steady rotation is not an equilibrium, and no other guess leads to one.
 #[test]
 fn a_motor_without_a_load_that_holds_it_has_no_equilibrium() {
     let refused =
@@ -44,7 +44,7 @@ fn a_motor_without_a_load_that_holds_it_has_no_equilibrium() {
     );
 }
 
-/// Through both meshes of a circuit, beside a capacitor between them, flows U/(R1 + R2); the charges grow together.
+/// The current U/(R1 + R2) flows through both meshes of a circuit with a capacitor between them; both charges grow at an equal rate.
 #[test]
 fn a_current_flows_past_a_capacitor() {
     let found = scene(
@@ -57,7 +57,7 @@ fn a_current_flows_past_a_capacitor() {
     assert!((p - q - 1e-3 * 3.0 * 2.0).abs() < 1e-14, "{:?}", found.start);
 }
 
-/// Kirchhoff's law of a node, of charges or of currents; the third branch has no inductance.
+/// Kirchhoff's current law at a node, for charges or for currents; the third branch has no inductance.
 #[test]
 fn currents_of_a_node_are_steady_whether_its_law_holds_charges_or_currents() {
     for law in ["a' - b' - c'", "a - b - c"] {
@@ -77,7 +77,7 @@ fn currents_of_a_node_are_steady_whether_its_law_holds_charges_or_currents() {
     }
 }
 
-/// A machine with magnets, fed with a direct voltage, turns until the torque of its currents along and across its rotor carries the load.
+/// A permanent-magnet machine at direct voltage turns until the torque of its direct and quadrature currents balances the load.
 #[test]
 fn a_synchronous_machine_at_standstill_has_steady_currents() {
     let text = std::fs::read_to_string(super::stored("models/interior_magnet")).expect("it is there");

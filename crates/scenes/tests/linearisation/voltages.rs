@@ -1,17 +1,17 @@
-//! Voltages for a prescribed motion: currents follow from their torques, compared with closed forms and runs.
+//! Voltages for a prescribed motion: currents follow from torques; compared with closed forms and with runs.
 
 use dalembert_scenes::inverse::{Forces, inverse};
 use dalembert_scenes::linearisation::VariedEquations;
 use dalembert_scenes::read_prescribed;
 use model::Model;
 
-/// An arm that a DC motor turns by a gear.
+/// An arm driven by a DC motor through a gear.
 const ARM: &str = "title = \"arm\"\ngravity = \"-g*N.y\"\n[parameters]\ng = \"9.81 m/s^2\"\n[coordinates]\ntheta = \"rad\"\n[frames]\nA = \"N turned theta about z\"\n\
     [bodies.arm]\nframe = \"A\"\ncentre = \"O - (0.3 m)*A.y\"\nmass = \"(2 kg)\"\ninertia = \"(0.02 kg m^2)\"\n[inputs]\nu = \"V\"\n\
     [[drive]]\nname = \"motor\"\nturns = \"theta\"\nratio = \"20\"\ninertia = \"(1e-4 kg m^2)\"\ntorque = \"-(1e-4 N m s)*motor.speed\"\n\
     [[drive.winding]]\ninductance = \"(2 mH)\"\nresistance = \"(0.5 ohm)\"\nsupply = \"u\"\nmotional = \"(0.05 V s)\"\n[run]\nspan = \"1 s\"\n";
 
-/// Instants of a motion.
+/// Times of a motion in seconds.
 const INSTANTS: [f64; 4] = [0.0, 0.1, 0.7, 1.3];
 
 type Found = Result<(Model, Vec<Forces>), String>;
@@ -45,7 +45,7 @@ fn the_voltage_of_a_motor_for_a_motion_has_its_closed_form() {
     }
 }
 
-/// A stored system with other texts in the place of some.
+/// A stored system with some texts replaced.
 fn changed(name: &str, changes: &[(&str, &str)]) -> String {
     let text = std::fs::read_to_string(super::stored(&format!("models/{name}"))).expect("it is there");
     changes.iter().fold(text, |text, (from, to)| {
@@ -54,7 +54,7 @@ fn changed(name: &str, changes: &[(&str, &str)]) -> String {
     })
 }
 
-/// The voltages of both phases of a machine whose iron saturates are sought.
+/// A synchronous reluctance machine with saturation; the voltages of both phases are unknown.
 fn saturated() -> String {
     changed(
         "synchronous_reluctance",
@@ -67,14 +67,14 @@ fn saturated() -> String {
     )
 }
 
-/// The slider-crank turned by a motor: the law of its shaft holds the reactions of the loop.
+/// The slider-crank driven by a motor: the equation of its shaft contains the reactions of the closed loop.
 fn crank() -> String {
     let motor = "[inputs]\nu = \"V\"\n[[drive]]\nname = \"motor\"\nturns = \"theta\"\n[[drive.winding]]\ninductance = \"(5 mH)\"\n\
         resistance = \"(0.8 ohm)\"\nsupply = \"u\"\nmotional = \"(0.2 V s)\"\n[start]\n";
     changed("slider_crank", &[("[start]\n", motor)])
 }
 
-/// Two links, each with a motor, the second one between the links.
+/// Two links with a motor each; the second motor acts between the links.
 const TWO: &str = "title = \"two\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[coordinates]\na = \"rad\"\nb = \"rad\"\n[frames]\nA = \"N turned a about z\"\n\
     B = \"A turned b about z\"\n[points]\nP = \"O - (0.4 m)*A.y\"\nQ = \"P - (0.3 m)*B.y\"\n[bodies.upper]\nframe = \"A\"\ncentre = \"P\"\nmass = \"(1 kg)\"\n\
     inertia = \"(0.01 kg m^2)\"\n[bodies.lower]\nframe = \"B\"\ncentre = \"Q\"\nmass = \"(0.5 kg)\"\ninertia = \"(0.01 kg m^2)\"\n[inputs]\nu1 = \"V\"\nu2 = \"V\"\n\
@@ -82,7 +82,7 @@ const TWO: &str = "title = \"two\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[coordinate
     motional = \"(0.05 V s)\"\n[[drive]]\nname = \"second\"\nbetween = [\"upper\", \"lower\"]\nratio = \"8\"\n[[drive.winding]]\ninductance = \"(8 mH)\"\n\
     resistance = \"(2 ohm)\"\nsupply = \"u2\"\nmotional = \"(0.04 V s)\"\n[run]\nspan = \"1 s\"\n";
 
-/// A satellite that turns as prescribed by torques along its axes, while the motor of a wheel in it follows a prescribed angle.
+/// A satellite with prescribed rotation by torques along its axes, and with a wheel whose angle is prescribed.
 fn satellite() -> String {
     let text = changed("reaction_wheel", &[("[drive.machine]", "[machine]")]);
     let (before, behind) = text.split_once("[machine]").expect("it has one");
@@ -92,7 +92,7 @@ fn satellite() -> String {
     format!("{before}{driven}{behind}")
 }
 
-/// Runge and Kutta's classical method from the first instant, with the voltages of each instant.
+/// Integrates from the first instant by the classical Runge-Kutta method, with the voltages of each instant; returns the final state.
 fn run(model: &Model, found: &[Forces], unknowns: &[&str], step: f64) -> Vec<f64> {
     let mut closed = model.clone();
     closed.close_inputs();
@@ -157,7 +157,7 @@ fn a_run_with_the_voltages_that_are_found_follows_the_motion() {
     }
 }
 
-/// A motor whose inductance is neglected: the law of its charge gives the voltage.
+/// A motor without inductance: the law of its charge gives the voltage.
 #[test]
 fn a_winding_without_an_inductance_needs_the_voltage_of_its_resistance() {
     let text = "title = \"disc\"\n[coordinates]\ntheta = \"rad\"\nq = \"C\"\n[bodies.disc]\nturns = \"theta\"\ninertia = \"(0.01 kg m^2)\"\n[energies]\n\
@@ -186,14 +186,14 @@ fn currents_that_a_motion_does_not_determine_are_refused_by_name() {
         more.contains("no currents are found that give this motion: the equation of forces along `theta` leaves"),
         "{more}"
     );
-    // the load is sought, and the voltage given
+    // unknown load, given voltage
     let loaded = ARM
         .replace("u = \"V\"", "T = \"N m\"")
         .replace("\"u\"", "\"(3 V)\"")
         .replace("[[drive]]", "[[torque]]\non = \"arm\"\nis = \"T*N.z\"\n[[drive]]");
     let start = refused("start", &loaded, &[("theta", "sin(t*(3 rad/s))")], &["T"]);
     assert!(start.contains("the law of `motor.q'` contains its rate and no unknown"), "{start}");
-    // a torque that goes with the square of a current does not brake
+    // the torque is proportional to the square of the current and cannot brake
     let series = changed(
         "series_motor",
         &[("supply = \"U\"", "supply = \"u\""), ("[outputs]", "[inputs]\nu = \"V\"\n[outputs]")],
