@@ -1,4 +1,4 @@
-//! Optimal regulators: Riccati's equation beside Bellman's, the cost of the nonlinear run beside its value, and what is refused.
+//! Optimal regulators: Riccati's equation compared with Bellman's, the cost of the nonlinear run with the predicted cost, and refusals.
 
 use dalembert_scenes::ModelScene;
 use dalembert_scenes::regulator::{Controllability, Regulated, regulated};
@@ -12,7 +12,7 @@ fn cart_pole(from: &str, to: &str) -> String {
     text.replace(from, to)
 }
 
-/// A pendulum that swings with a torque about its pin, led back to its swing.
+/// A pendulum with a torque about its pivot, regulated to its free swing.
 const SWING: &str = "title = \"swing\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"1 kg\"\nl = \"1 m\"\ng = \"9.81 m/s^2\"\n[coordinates]\na = \"rad\"\n\
                      [frames]\nA = \"N turned a about z\"\n[points]\nP = \"O - l*A.y\"\n[bodies]\nbob = { centre = \"P\", mass = \"m\" }\n\
                      [inputs]\nu = \"N m\"\n[[force]]\nalong = \"a\"\nis = \"u\"\n[start]\na = \"100 deg\"\n[regulator]\n\
@@ -33,7 +33,7 @@ fn cost(found: &Regulated) -> f64 {
     found.run.costs.last().expect("it runs") + found.left
 }
 
-/// The cost of the nonlinear run and x^T P x part by terms beyond the second degree of the deviation.
+/// The cost of the nonlinear run and x^T P x differ by terms of higher than second degree in the deviation.
 #[test]
 fn the_cost_of_the_run_is_riccatis_value_but_for_higher_degrees() {
     let last = "horizon = \"2 s\"\nlast = \"(theta/(0.01 rad))^2 + (theta'/(0.1 rad/s))^2\"\ndisplaced = { theta = \"0.05 deg\" }";
@@ -48,7 +48,7 @@ fn the_cost_of_the_run_is_riccatis_value_but_for_higher_degrees() {
         assert!(predicted > 0.0 && (cost / predicted - 1.0).abs() < 1e-4, "{cost} {predicted}");
         assert!(found.residual < 1e-9, "{}", found.residual);
     }
-    // at ten times the deviation of a symmetric system a hundred times the difference
+    // for ten times the deviation of a symmetric system the relative difference is a hundred times as large
     let [small, large] = ["0.5 deg", "5 deg"].map(|angle| {
         let found = one(&cart_pole("5 deg", angle));
         cost(&found) / found.predicted - 1.0
@@ -56,12 +56,12 @@ fn the_cost_of_the_run_is_riccatis_value_but_for_higher_degrees() {
     assert!((large / small / 100.0 - 1.0).abs() < 0.05, "{small} {large}");
 }
 
-/// Any other gains cost more.
+/// Any other gains have a higher cost.
 #[test]
 fn no_other_gains_cost_less() {
     let text = cart_pole("5 deg", "0.05 deg");
     let best = cost(&one(&text));
-    // gains of another criterion, the cost of this one: the weights of the state alone differ
+    // cost of this criterion with multiples of the optimal gains
     let closed = |change: f64| {
         let gains = one(&text).gains * change;
         let terms = ["x/(1 m)", "theta/(1 rad)", "x'/(1 m/s)", "theta'/(1 rad/s)"];
@@ -75,7 +75,7 @@ fn no_other_gains_cost_less() {
         let run = simulation::IvpScene::run(&scene).choice();
         let trajectory = simulation::IvpScene::problem(&scene, run.axes).simulate(&run, |_| {});
         let column = trajectory.column("w").expect("it is shown");
-        // the trapezoidal rule over equal steps
+        // trapezoidal rule over equal steps
         let sum: f64 = trajectory.rows.iter().map(|row| row[column]).sum();
         (sum - 0.5 * trajectory.rows[0][column]) * 10.0 / 20_000.0
     };
@@ -83,7 +83,7 @@ fn no_other_gains_cost_less() {
     assert!(closed(1.1) > best * 1.0005 && closed(0.95) > best * 1.0005, "{} {} {best}", closed(1.1), closed(0.95));
 }
 
-/// P leaves no rest in the equation that follows from Bellman's by derivatives alone.
+/// P satisfies the equation that follows from Bellman's equation, with matrices written by hand.
 #[test]
 fn riccatis_solution_obeys_the_equation_that_bellmans_gives() {
     let found = one(&cart_pole("5 deg", "5 deg"));
@@ -106,7 +106,7 @@ fn riccatis_solution_obeys_the_equation_that_bellmans_gives() {
     }
 }
 
-/// A pendulum on a wheel that a DC motor turns; the voltage is chosen, and no equation holds the charge of the winding.
+/// A pendulum on a wheel driven by a DC motor; the voltage is the input, and no equation depends on the charge of the winding.
 const MOTOR: &str = "title = \"wheel\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"0.3 kg\"\nl = \"0.4 m\"\nr = \"0.1 m\"\ng = \"9.81 m/s^2\"\n\
                      [coordinates]\ntheta = \"rad\"\nphi = \"rad\"\n[points]\nA = \"O + r*theta*N.x\"\nP = \"A + l*(sin(phi)*N.x + cos(phi)*N.y)\"\n\
                      [bodies.wheel]\ncentre = \"A\"\nmass = \"(1 kg)\"\nturns = \"theta\"\ninertia = \"(0.01 kg m^2)\"\n\
@@ -115,7 +115,7 @@ const MOTOR: &str = "title = \"wheel\"\ngravity = \"-g*N.y\"\n[parameters]\nm = 
                      [regulator]\ncost = \"(phi/(0.1 rad))^2 + (theta/(1 rad))^2 + (u/(1 V))^2\"\ndisplaced = { phi = \"0.02 deg\" }\n\
                      [run]\nspan = \"10 s\"\n";
 
-/// The states are theta, phi, their rates and the current; the matrices are those of the system without a charge, by hand.
+/// The states are theta, phi, their rates and the current; the matrices are derived by hand for the system without charge.
 #[test]
 fn the_charge_of_a_motor_is_no_state_of_a_regulator() {
     let found = one(MOTOR);
@@ -147,13 +147,13 @@ fn the_charge_of_a_motor_is_no_state_of_a_regulator() {
         let (cost, predicted) = (cost(&found), found.predicted);
         assert!(predicted > 0.0 && (cost / predicted - 1.0).abs() < 1e-6, "{cost} {predicted}");
         assert!(found.states.left_out == [2] && found.residual < 1e-9, "{found:?}");
-        // the current settles within a small part of a step
+        // the current settles within a small fraction of a step
         let all = [Controllability::Modes(Vec::new()), Controllability::Directions { rank: 5, of: 5 }];
         assert!(all.contains(&found.controllability), "{:?}", found.controllability);
     }
 }
 
-/// Two carts with a damper on the first: equations and cost ask for their distance alone.
+/// Two carts with a damper on the first: equations and cost depend on their distance only.
 #[test]
 fn a_regulator_of_a_distance_leaves_the_place_of_both_out() {
     let text = "title = \"carts\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n[bodies]\na = { centre = \"O + x*N.x\", mass = \"(1 kg)\" }\n\
@@ -170,12 +170,12 @@ fn a_regulator_of_a_distance_leaves_the_place_of_both_out() {
         assert!(rate.abs() < 1e-12, "{rate}");
     }
     assert!((cost(&found) / found.predicted - 1.0).abs() < 1e-8, "{} {}", cost(&found), found.predicted);
-    // no force between the carts changes x + x' + y': with a place in the cost it is a variation that does not die away
+    // no internal force changes x + x' + y'; with a position in the cost, this variation is a state that does not decay
     let placed = self::found(&text.replace("(x'/(1 m/s))^2", "(x'/(1 m/s))^2 + (y/(1 m))^2"));
     assert!(placed.is_err_and(|why| why.contains("and no input influences it")));
 }
 
-/// Inside its bounds the loop of a law that changes is that of the law without them; beyond them it costs more, and an event ends it.
+/// Inside the limits of the force, the loop equals that without limits; beyond them the cost is higher, and an event ends the run.
 #[test]
 fn a_loop_runs_across_the_bounds_of_its_force_and_across_events() {
     let fine = |text: String| one(&text.replace("span = \"10 s\"", "span = \"10 s\"\ntolerance = 1e-13"));
@@ -208,7 +208,7 @@ fn a_loop_runs_across_the_bounds_of_its_force_and_across_events() {
     assert!((end[0] - 0.05).abs() < 1e-9 && stopped.run.outcome.time < 1.0, "{end:?} {}", stopped.run.outcome.time);
 }
 
-/// A mass that slides steadily: the loop brings it back to the moving place, whether its force has bounds or not.
+/// A mass in uniform motion: the loop returns it to the moving position, with and without limits of the force.
 #[test]
 fn a_loop_that_changes_brings_back_to_a_steady_motion() {
     let text = |force: &str| {
@@ -227,7 +227,7 @@ fn a_loop_that_changes_brings_back_to_a_steady_motion() {
     }
 }
 
-/// A second bob that nothing moves; with a damper on a spring its variation dies away.
+/// A second bob that no input moves; with a spring and a damper its variation decays.
 #[test]
 fn what_inputs_do_not_reach_is_told() {
     let beside = |force: &str| {
@@ -245,7 +245,7 @@ fn what_inputs_do_not_reach_is_told() {
     let Controllability::Modes(modes) = damped.controllability else { panic!("{:?}", damped.controllability) };
     assert_eq!(modes.len(), 2);
     let over = one(&beside("").replace("displaced", "horizon = \"1 s\"\ndisplaced"));
-    // the place of the other bob is no state
+    // the position of the other bob is not a state
     assert_eq!(over.controllability, Controllability::Directions { rank: 4, of: 5 });
     assert_eq!(one(SWING).controllability, Controllability::Directions { rank: 2, of: 2 });
 }
@@ -288,7 +288,7 @@ fn criteria_that_mean_nothing_are_refused_at_their_place() {
     }
 }
 
-/// An upright rod whose angle has no exact digits: the loop brings back to it, and not to what rounding makes of it in twenty seconds.
+/// A rod held at an angle that is not representable: the reference stays at this equilibrium and does not drift away by rounding errors.
 #[test]
 fn an_unstable_equilibrium_stays_where_it_is() {
     let text = "title = \"rod\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[coordinates]\na = \"rad\"\n[frames]\nA = \"N turned a about z\"\n[bodies.rod]\n\
@@ -300,7 +300,7 @@ fn an_unstable_equilibrium_stays_where_it_is() {
     assert!((end[0] - 60.0_f64.to_radians()).abs() < 1e-9 && end[1].abs() < 1e-9, "{end:?}");
 }
 
-/// x'' = u with x^2 + u^2: P = (sqrt 2, 1; 1, sqrt 2), also far before the end of a long horizon, whatever the end costs.
+/// For x'' = u with the cost x^2 + u^2, P = (sqrt 2, 1; 1, sqrt 2), also far from the end of a long horizon, for any terminal cost.
 #[test]
 fn a_long_horizon_has_the_value_of_none() {
     let text = |more: &str| {

@@ -1,4 +1,4 @@
-//! Systems of the second paper (Mukharlyamov 2007) as text, beside closed forms and beside the paper's own equations.
+//! Systems of the second paper (Mukharlyamov 2007) as text, compared with closed forms and with the paper's own equations.
 
 use dalembert_scenes::ModelScene;
 use integrators::{Method, Ode, Span, System, Tolerance, integrate};
@@ -20,7 +20,7 @@ fn runs(name: &str, edits: &[(&str, &str)]) -> Trajectory {
     trajectory
 }
 
-/// Every row of a run beside a function of the time.
+/// Compares every row of a run with a function of the time.
 fn follows(trajectory: &Trajectory, column: &str, known: impl Fn(f64) -> f64) {
     let at = trajectory.column(column).unwrap_or_else(|| panic!("{column}: {:?}", trajectory.names));
     for (time, row) in trajectory.times.iter().zip(&trajectory.rows) {
@@ -35,14 +35,14 @@ fn funds_go_to_the_supply_over_the_wear() {
     follows(&runs("production", &[]), "funds", |t| 1.5 / 0.3 * (1.0 - (-0.3 * t).exp()));
 }
 
-/// Without denial and with I = 0 as the start, v = I' obeys L/2 d(v^2)/dI = M - I/G + b v^2: v^2 is an exponential of I and a line.
+/// Without denial and from I = 0, v = I' satisfies L/2 d(v^2)/dI = M - I/G + b v^2: v^2 is the sum of an exponential and a linear function of I.
 #[test]
 fn learning_without_denial_has_its_first_integral() {
     let trajectory =
         runs("learning", &[("tau = \"1.2 kg/s\"", "tau = \"0 kg/s\""), ("span = \"10 s\"", "span = \"1.5 s\"")]);
     let (inertia, bend, leak, potential) = (2.0, 0.4, 0.5, 1.0);
     let growth = 2.0 * bend / inertia;
-    // v^2 = a + c I + e exp(growth I), from the line's balance and v(0) = 0
+    // v^2 = a + c I + e exp(growth I), with the linear part from the equation and v(0) = 0
     let c = 1.0 / (leak * bend);
     let a = (c * inertia / 2.0 - potential) / bend;
     for row in &trajectory.rows {
@@ -52,7 +52,7 @@ fn learning_without_denial_has_its_first_integral() {
     }
 }
 
-/// Without weight the angular momentum is M t.
+/// Without gravity the angular momentum is M t.
 #[test]
 fn a_loaded_link_without_weight_has_the_moment_of_momentum_of_its_motor() {
     let trajectory = runs("loaded_link", &[("g = \"9.81 m/s^2\"", "g = \"0 m/s^2\"")]);
@@ -71,7 +71,7 @@ fn a_point_of_variable_mass_slows_down_as_its_closed_form() {
     });
 }
 
-/// The paper's equations of the body with the gyroscope, coded there for its claims.
+/// The paper's equations of the body with a gyroscope, compiled into the program for the claims.
 struct Paper;
 
 impl Paper {

@@ -1,4 +1,4 @@
-//! Systems whose accelerations are solved for at each evaluation.
+//! Systems whose accelerations are solved for numerically at each evaluation.
 
 use dalembert_scenes::{ModelScene, parse_ensemble};
 use field::DoubleDouble;
@@ -12,7 +12,7 @@ fn runs(text: &str, method: Method, tolerance: f64) -> Trajectory {
     scene.problem(choice.axes).simulate(&choice, |_| {})
 }
 
-/// Links of one metre with point masses at their ends, hanging from the origin, the first one raised.
+/// A chain of links of one metre with point masses at their ends, hanging from the origin, the first link raised.
 fn chain(links: usize) -> String {
     let mut text =
         "title = \"chain\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[parameters]\nm = \"1 kg\"\nl = \"1 m\"\n".to_owned();
@@ -51,7 +51,7 @@ fn series_and_single_steps_of_a_long_chain_have_one_end() {
     }
 }
 
-/// Differences of other states, along each component and along time.
+/// Difference quotients of the rates by the components of the state, and by time.
 fn differences(law: &dyn System, t: f64, y: &[f64]) -> (Vec<f64>, Vec<f64>) {
     let (n, h) = (y.len(), DoubleDouble::from(1e-10));
     let rates = |t: DoubleDouble, y: &[DoubleDouble]| {
@@ -98,7 +98,7 @@ fn the_jacobian_with_one_factorisation_is_that_of_differences() {
     }
 }
 
-/// A slider that is moved by a massless arm: theta carries nothing, the constraint ties it to x.
+/// A slider moved by a massless arm: theta has no inertia, and the constraint couples it with x.
 const MASSLESS: &str = r#"
 title = "A massless arm"
 [parameters]
@@ -167,7 +167,7 @@ fn members_of_an_ensemble_are_solved_for_too() {
         let (k, last) = (row.drawn[0], row.last.as_ref().unwrap_or_else(|| panic!("{row:?}")));
         let x = (3.0 * (k / 2.0).sqrt()).cos();
         assert!((last.state[1] - x).abs() < 1e-7, "{k}: {:?}", last.state);
-        // the force on the slider is an output that needs the acceleration
+        // this output, the force on the slider, contains the acceleration
         assert!((last.derived[0].unwrap() + k * x).abs() < 1e-6, "{k}: {:?}", last.derived);
     }
     assert_eq!(rows.len(), 11);
@@ -184,7 +184,7 @@ fn a_long_chain_has_members_of_its_own() {
         ends.push(row.last.unwrap_or_else(|| panic!("it arrives")).state);
         ControlFlow::Continue(())
     });
-    // equal masses fall alike, whatever they are
+    // the motion does not depend on the common mass
     for end in &ends[1..] {
         assert!(end.iter().zip(&ends[0]).all(|(own, first)| (own - first).abs() < 1e-9));
     }

@@ -1,4 +1,4 @@
-//! Enclosed eigenvalues at steady motions, and Routh's criterion with exact fractions, beside closed forms and published figures.
+//! Enclosed eigenvalues at steady motions, and Routh's criterion in exact arithmetic, compared with closed forms and published values.
 
 use dalembert_scenes::ModelScene;
 use dalembert_scenes::steady_motions::{EnclosedSpectrum, EnclosedVerdict, ExactAlong, NotEnclosed, Side, ZeroReason};
@@ -14,7 +14,7 @@ fn spectrum(text: &str) -> EnclosedSpectrum {
 
 const BICYCLE: &str = include_str!("../../../scenes/foreign/bicycle.toml");
 
-/// Upright at a speed in m/s.
+/// The eigenvalues of the upright bicycle at a speed in m/s.
 fn bicycle(speed: f64) -> EnclosedSpectrum {
     let upright = BICYCLE.replace("lean = \"0.05 rad\"", "lean = \"0 rad\"");
     spectrum(&upright.replace("\"-16.6 rad/s\"", &format!("\"{:?} rad/s\"", -speed / 0.3)))
@@ -24,7 +24,7 @@ fn cyclic(names: &[&str]) -> Vec<ZeroReason> {
     names.iter().map(|name| ZeroReason::Cyclic((*name).to_owned())).collect()
 }
 
-/// Meijaard et al. 2007: weave ends at 4.29238253634111 m/s, capsize begins at 6.02426201538837 m/s.
+/// Meijaard et al. 2007: weave becomes stable at 4.29238253634111 m/s, capsize unstable at 6.02426201538837 m/s.
 #[test]
 fn whipples_bicycle_weaves_and_capsizes_at_the_published_speeds() {
     let verdicts = [4.29238253634110, 4.29238253634112, 6.02426201538834, 6.02426201538840].map(|speed| {
@@ -53,7 +53,7 @@ fn plane(energies: &str, forces: &str) -> String {
     )
 }
 
-/// A damped plane with a circulatory force (s y, -s x): stable for s < d sqrt(c/m).
+/// A damped plane oscillator with a circulatory force (s y, -s x): stable for s < d sqrt(c/m).
 #[test]
 fn a_circulatory_force_is_judged_exactly_beside_its_closed_form() {
     // m x'' = -c x - d x' + s y, m y'' = -c y - d y' - s x: unstable for s > d sqrt(c/m), here with c = 1, d = 1/10
@@ -69,7 +69,7 @@ fn a_circulatory_force_is_judged_exactly_beside_its_closed_form() {
     assert_eq!(verdict("0.1000000000000001"), ([2, 0, 2], EnclosedVerdict::Unstable(2)));
 }
 
-/// An inverted pendulum under a torque -p theta - d theta': stable for p > m g l.
+/// An inverted pendulum with a torque -p theta - d theta': stable for p > m g l.
 #[test]
 fn an_inverted_pendulum_stands_by_a_torque_above_its_weight() {
     let verdict = |p: &str, d: &str| {
@@ -84,11 +84,11 @@ fn an_inverted_pendulum_stands_by_a_torque_above_its_weight() {
     assert_eq!(verdict("5.8860001", "0.1"), EnclosedVerdict::Asymptotic);
     assert_eq!(verdict("5.8859999", "0.1"), EnclosedVerdict::Unstable(1));
     assert_eq!(verdict("7", "0"), EnclosedVerdict::Undecided { on_axis: 2, touching: 0 });
-    // m g l = 5.886: a zero that no symmetry explains
+    // m g l = 5.886: a zero eigenvalue without a known reason
     assert_eq!(verdict("5.886", "0.1"), EnclosedVerdict::Undecided { on_axis: 0, touching: 1 });
 }
 
-/// A wheel that turns, a body on a spring: momentum kept where nothing brakes, and lost where something does.
+/// A cyclic coordinate y beside an oscillator x: its momentum is conserved without a brake and not with one.
 #[test]
 fn zeros_of_cyclic_coordinates_have_their_reasons() {
     let with = |brake: &str| {
@@ -104,14 +104,14 @@ fn zeros_of_cyclic_coordinates_have_their_reasons() {
     assert_eq!((braked.zeros, braked.discs.len()), (cyclic(&["y"]), 3));
 }
 
-/// Where a knife edge rests, its place and heading are a family: as many zeros as constraints that cannot be integrated, and more by symmetry.
+/// Positions of rest of a knife edge form a family: one zero eigenvalue for each nonintegrable constraint, and more by symmetry.
 #[test]
 fn constraints_of_speeds_leave_zeros_where_a_system_rests() {
     let sledge = "title = \"Edge\"\n[parameters]\nm = \"1 kg\"\nI = \"1 kg m^2\"\nk = \"1 N/m\"\nd = \"1 N s/m\"\nb = \"1 N m s\"\n\
         [coordinates]\nx = \"m\"\ny = \"m\"\na = \"rad\"\n[energies]\nkinetic = \"m/2*(x'^2 + y'^2) + I/2*a'^2\"\npotential = \"k/2*(x^2 + y^2)\"\n\
         [[force]]\nalong = \"x\"\nis = \"-d*x'\"\n[[force]]\nalong = \"a\"\nis = \"-b*a' - (1 N m)*a\"\n\
         [[constraint]]\nname = \"edge\"\nzero = \"y'*cos(a) - x'*sin(a)\"\n[run]\nspan = \"1 s\"\n";
-    // place y of rest is free along the edge's normal
+    // the position at rest may change along the normal of the edge
     match near(sledge) {
         Ok(found) => {
             assert_eq!(found.zeros, [ZeroReason::SpeedConstraints], "{found:?}");
@@ -121,7 +121,7 @@ fn constraints_of_speeds_leave_zeros_where_a_system_rests() {
     }
 }
 
-/// A spherical pendulum that turns about the vertical has imaginary pairs alone beside its zeros.
+/// A conical pendulum has only imaginary pairs besides its zero eigenvalues.
 #[test]
 fn conservative_systems_have_pairs_on_the_axis() {
     let text = "title = \"Cone\"\n[parameters]\nm = \"1 kg\"\nl = \"1 m\"\ng = \"9.81 m/s^2\"\n[coordinates]\nphi = \"rad\"\ntheta = \"rad\"\n\
@@ -159,7 +159,7 @@ fn a_governor_is_stable_by_vyshnegradskys_condition() {
     assert_eq!(spectrum(text).verdict(), EnclosedVerdict::Unstable(2));
 }
 
-/// A damped plane with stiffness 2 and a circulatory force: unstable beyond d sqrt(c/m), no fraction.
+/// A damped plane oscillator with the stiffness 2 N/m and a circulatory force: unstable beyond d sqrt(c/m), which is irrational.
 #[test]
 fn boundaries_that_are_no_fractions_are_roots_of_polynomials() {
     let force = |along: &str, is: &str| format!("[[force]]\nalong = \"{along}\"\nis = \"{is}\"\n");

@@ -2,7 +2,7 @@
 
 use crate::{ensemble, rows};
 
-/// Smooth friction F tanh(v/d) from a speed where its slope is nothing: sinh(v/d) falls as e^(-F t/(m d)), and v does not turn.
+/// Smooth friction F tanh(v/d) from a speed at which its slope is zero: sinh(v/d) decays as e^(-F t/(m d)), and v does not change its sign.
 #[test]
 fn a_member_does_not_step_over_an_exponential() {
     let text = "title = \"t\"\n[parameters]\nF = \"1 N\"\nd = \"0.01 m/s\"\n[coordinates]\nx = \"m\"\n\

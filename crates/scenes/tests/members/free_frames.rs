@@ -1,8 +1,8 @@
-//! Ensemble members with freely turning frames.
+//! Members of ensembles with free frames.
 
 use crate::{ensemble, rows, rows_are_runs, with};
 
-/// A heavy top whose frame FRAMES says.
+/// A heavy top; the marker FRAMES stands for the definition of its frame.
 const TOP: &str = r#"
 title = "A heavy top"
 gravity = "-g*N.z"
@@ -46,7 +46,7 @@ fn turned_top() -> String {
         .replace("START", "yaw = \"10 deg\"\ntilt = \"40 deg\"\n\"spin'\" = \"30 rad/s\"\n\"tilt'\" = \"0.5 rad/s\"")
 }
 
-/// The turns of a free frame and its angular velocity vary: each member is the run of a file that says the same.
+/// Rotations of a free frame and its angular velocity vary: each member equals the run of a file with its values.
 #[test]
 fn every_member_with_a_free_frame_is_the_run_of_a_file_with_its_numbers() {
     let varied = free_top()
@@ -61,14 +61,14 @@ fn every_member_with_a_free_frame_is_the_run_of_a_file_with_its_numbers() {
     });
 }
 
-/// A turn about the free frame's own axis z is the third of three turns, one about its axis x at zero spin the second.
+/// Rotation about the frame's own axis z is the third of the three rotations; at zero spin, rotation about its axis x is the second.
 #[test]
 fn members_with_a_free_frame_move_as_those_of_three_turns() {
     for (free, turned) in [
         ("\"0 0 0; 0 0 10; 0 0 -35; 0 0 80 deg\"", "start.spin = { values = \"0 10 -35 80 deg\" }\n"),
         ("\"0 0 0; 10 0 0; -25 0 0; 5 0 0 deg\"", "start.tilt = { values = \"40 50 15 45 deg\" }\n"),
     ] {
-        // the angular velocity of the turned top stands along axes that turn with its spin
+        // "F.wx" is a component in the frame, whereas tilt' does not rotate with the spin
         let slow = |text: String| {
             text.replace("\"F.wx\" = \"0.5 rad/s\"\n", "")
                 .replace("\"tilt'\" = \"0.5 rad/s\"", "\"tilt'\" = \"0 rad/s\"")
@@ -89,7 +89,7 @@ fn members_with_a_free_frame_move_as_those_of_three_turns() {
     }
 }
 
-/// A guess of the orientation stays one: every member turns its plate until the pin holds.
+/// A guess of the orientation is completed for every member, so that the pin holds.
 #[test]
 fn the_orientation_of_a_free_frame_is_completed_for_every_member() {
     let plate = r#"

@@ -4,7 +4,7 @@ use super::{ensemble, rows, text, with};
 use dalembert_scenes::ModelScene;
 use simulation::IvpScene;
 
-/// The last row of the run of one file, by its own method.
+/// Final time and last row of the run of one file with its own method.
 fn run_of(text: &str) -> (f64, Vec<f64>) {
     let scene = ModelScene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}"));
     let choice = scene.run().choice();
@@ -47,7 +47,7 @@ fn sliders_stick_and_rectifiers_conduct_each_with_its_own_numbers() {
     rows_are_runs(&short, |text, drawn| with(text, "c = \"0.01 N m s\"", &format!("c = \"{:?} N m s\"", drawn[0])));
 }
 
-/// Currents without inertia follow from the numbers of each member.
+/// Currents without inertia are completed from the values of each member.
 #[test]
 fn bridges_charge_capacitors_each_with_its_own_load() {
     let load = "members = 3\n[ensemble.vary]\nparameters.R = { from = \"50 ohm\", to = \"200 ohm\" }\n";
@@ -55,7 +55,7 @@ fn bridges_charge_capacitors_each_with_its_own_load() {
     rows_are_runs(&short, |text, drawn| with(text, "R = \"100 ohm\"", &format!("R = \"{:?} ohm\"", drawn[0])));
 }
 
-/// A negative coefficient of friction is the reason of its member, and of no other.
+/// A negative coefficient of friction stops its own member only, with a reason.
 #[test]
 fn a_member_that_cannot_start_says_why() {
     let friction = "members = 2\n[ensemble.vary]\nparameters.mu = { values = \"0.1 -0.1\" }\n";

@@ -11,7 +11,7 @@ use simulation::{Axes, IvpScene};
 use std::ops::ControlFlow;
 use std::path::Path;
 
-/// A scene of the folder with another `[ensemble]`, and without the one that it has.
+/// A stored scene whose `[ensemble]` is replaced.
 fn text(name: &str, ensemble: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/models").join(name).with_extension("toml");
     let text = std::fs::read_to_string(path).expect("it is there");
@@ -32,13 +32,13 @@ fn rows(scene: &EnsembleScene, threads: usize) -> Vec<Row> {
     rows
 }
 
-/// The scene with one of its texts replaced.
+/// The text with one part replaced, which must occur once.
 fn with(text: &str, from: &str, to: &str) -> String {
     assert_eq!(text.matches(from).count(), 1, "`{from}` must stand once");
     text.replace(from, to)
 }
 
-/// A series whose steps end on the constraints.
+/// A Taylor series with projection onto the constraints after each step.
 struct OnConstraints<'a> {
     series: Box<dyn TaylorSeries<f64> + 'a>,
     projection: Option<&'a dyn Projection<f64>>,
@@ -67,7 +67,7 @@ impl TaylorSeries<f64> for OnConstraints<'_> {
     }
 }
 
-/// The end of the run of one file, by the steps of an ensemble.
+/// Number of steps and last row of the run of one file with the method of ensembles.
 fn single(text: &str) -> (u64, Vec<f64>) {
     let scene = ModelScene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}"));
     let problem = scene.problem(Axes::First);
@@ -80,7 +80,7 @@ fn single(text: &str) -> (u64, Vec<f64>) {
     (steps, (problem.row)(scene.run.span, &state))
 }
 
-/// Each row beside the run of a file with its numbers; `edit` puts them there.
+/// Compares each row of an ensemble with the run of a file that has its values; `edit` inserts the values into the text.
 fn rows_are_runs(text: &str, least: f64, edit: impl Fn(&str, &[f64]) -> String) {
     for row in rows(&ensemble(text), 2) {
         let last = row.last.as_ref().unwrap_or_else(|| panic!("{row:?}"));
@@ -98,7 +98,7 @@ const PENDULA: &str = "members = 11\n[ensemble.vary]\nparameters.m2 = { from = \
                        parameters.l1 = { mean = \"1 m\", deviation = \"5 cm\" }\nstart.a = { from = \"30 deg\", to = \"60 deg\" }\n\
                        start.\"b'\" = { mean = \"0 rad/s\", deviation = \"0.1 rad/s\" }\n";
 
-/// Short, since the motion is chaotic: rounding grows by a factor of about e each second.
+/// The span is short, since the motion is chaotic: rounding errors grow by a factor of about e each second.
 fn pendula() -> String {
     with(&text("double_pendulum", PENDULA), "span = \"10 s\"", "span = \"2 s\"")
 }
@@ -127,7 +127,7 @@ fn results_are_the_same_to_the_last_bit_with_any_number_of_threads() {
     assert_eq!(tail[..], one[29..]);
 }
 
-/// The constraints hold velocities: the speeds of the point of contact are completed for every member.
+/// The constraints are nonholonomic: the speeds at the point of contact are completed for every member.
 #[test]
 fn starts_of_a_rolling_disc_are_completed_for_every_member() {
     let vary = "members = 9\n[ensemble.vary]\nparameters.r = { from = \"20 cm\", to = \"50 cm\" }\n\
@@ -139,7 +139,7 @@ fn starts_of_a_rolling_disc_are_completed_for_every_member() {
         let text = with(&text, "lean = \"10 deg\"", &format!("lean = \"{lean} rad\""));
         with(&text, "\"spin'\" = \"6 rad/s\"", &format!("\"spin'\" = \"{spin} rad/s\""))
     });
-    // x' as the file gives it, and a spin of its own: rolling holds for no member
+    // with x' given by the file, the varied spin violates the rolling constraint for every member
     for row in rows(&ensemble(&text("rolling_disc", vary)), 1) {
         let why = row.stopped.as_deref().unwrap_or_default();
         assert!(
@@ -149,7 +149,7 @@ fn starts_of_a_rolling_disc_are_completed_for_every_member() {
     }
 }
 
-/// A loop that is closed by Newton's method, over the positions and then the speeds.
+/// The loop is closed by Newton's method for positions, then for speeds.
 #[test]
 fn loops_of_a_slider_crank_are_closed_for_every_member() {
     let vary = "members = 9\n[ensemble.vary]\nparameters.l = { from = \"0.25 m\", to = \"0.5 m\" }\n\
@@ -161,7 +161,7 @@ fn loops_of_a_slider_crank_are_closed_for_every_member() {
         let start = format!("s = \"guess 0.4 m\"\ntheta = \"{theta} rad\"\n\"theta'\" = \"{rate} rad/s\"");
         with(&text, "s = \"guess 0.4 m\"", &start)
     });
-    // a rod that is shorter than the crank reaches no slider at a right angle
+    // with a rod shorter than the crank, the loop cannot be closed at a right angle
     let short = guessed.replace("from = \"-60 deg\", to = \"60 deg\"", "values = \"60 90 85 rad\"").replace(
         "parameters.l = { from = \"0.25 m\", to = \"0.5 m\" }",
         "parameters.l = { from = \"1 mm\", to = \"2 mm\" }",
@@ -174,7 +174,7 @@ fn loops_of_a_slider_crank_are_closed_for_every_member() {
     }
 }
 
-/// A current varies by its name, which is the rate of its charge.
+/// A varied current has its own name, or that of the rate of its charge.
 #[test]
 fn a_current_at_the_start_varies() {
     let of = |name: &str| {
@@ -184,7 +184,7 @@ fn a_current_at_the_start_varies() {
     };
     let ends = of("motor.i");
     assert_eq!(ends, of("motor.q'"));
-    // the energy of the winding at the start turns the carriage and the wheel
+    // the initial energy of the winding accelerates the carriage and the wheel
     assert!(ends[0] != ends[1] && ends[1] != ends[2], "{ends:?}");
 }
 
@@ -223,7 +223,7 @@ fn the_energy_of_every_member_stays_and_is_a_column_where_it_is_kept() {
     assert!(!viscous.columns().contains(&"energy_change".to_owned()));
 }
 
-/// Numbers are in coherent units, whatever unit names the dimension of a coordinate.
+/// Results are in coherent units, also if the file names another unit for a coordinate.
 #[test]
 fn a_coordinate_that_is_named_in_degrees_is_shown_in_radians() {
     let scene = ensemble(&with(&pendula(), "[coordinates]\na = \"rad\"", "[coordinates]\na = \"deg\""));
@@ -245,7 +245,7 @@ fn members_that_cannot_exist_are_rows_with_a_reason() {
             "{why}"
         );
     }
-    // a rod of no length: nothing resists its turning
+    // a rod of zero length: the rotation has no inertia
     let still = with(
         &pendula(),
         "parameters.l1 = { mean = \"1 m\", deviation = \"5 cm\" }",
@@ -258,7 +258,7 @@ fn members_that_cannot_exist_are_rows_with_a_reason() {
     }
 }
 
-/// One message, which has all of these parts and marks its place.
+/// Requires one message that contains all parts and marks its place in the text.
 fn refused(text: &str, parts: &[&str]) {
     let error = parse_ensemble("ensemble.toml", text).expect_err(text);
     let message = error.to_string();
@@ -300,7 +300,7 @@ fn faults_of_an_ensemble_are_told_at_their_place() {
     refused(without, &["the table [ensemble] is missing"]);
 }
 
-/// A law that knows the time and has an angle, a root and a quotient of parameters.
+/// The law depends on time; parameters occur in an angle, a root and a quotient.
 #[test]
 fn parameters_stand_anywhere_in_a_law_that_knows_the_time() {
     let text = "title = \"A bead on a wire that is turned and shaken\"\ngravity = \"-g*N.z\"\n[parameters]\nm = \"0.1 kg\"\nR = \"20 cm\"\n\

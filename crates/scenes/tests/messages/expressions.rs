@@ -1,4 +1,4 @@
-//! Expressions and definitions.
+//! Messages about expressions and definitions.
 
 use super::{messages, one};
 use dalembert_scenes::ModelScene;
@@ -43,7 +43,7 @@ fn a_circle_of_definitions_is_told_once() {
     one(&[("P = \"O - l*A.y\"", "P = \"P - l*A.y\"")], &["`P` is defined by itself"]);
 }
 
-/// A number with a unit alone needs no parentheses; within an expression it does.
+/// A quantity with a unit needs no parentheses if it is the whole expression; inside an expression it does.
 #[test]
 fn a_quantity_that_is_the_whole_expression_stands_as_it_is() {
     let text = "title = \"t\"\n[coordinates]\nx = \"m\"\n[bodies.b]\ncentre = \"O + x*N.x\"\nmass = \"2 kg\"\n\
@@ -87,7 +87,7 @@ fn slips_of_the_pen_in_expressions_are_told_with_the_way_out() {
 
 #[test]
 fn one_slip_is_told_once_and_with_what_was_meant() {
-    // a name that is reserved, and what stands for it elsewhere
+    // a reserved name, and the messages where it is used elsewhere
     one(
         &[("theta = \"rad\"", "theta = \"rad\"\nt = \"m\""), ("\"O - l*A.y\"", "\"O - l*A.y + t*N.x\"")],
         &["`t` has a meaning of its own"],

@@ -1,4 +1,4 @@
-//! Messages on faulty files: one for each cause, at its place, with the accepted values.
+//! Messages about faulty files: one for each cause, at its place, with the accepted values.
 
 mod expressions;
 mod speeds;
@@ -6,7 +6,7 @@ mod starts;
 mod tables;
 mod warnings;
 
-// the motors that scenes name
+// registers the motors of the catalogue
 use dalembert_scenes::ModelScene;
 use machines as _;
 use studies as _;
@@ -49,7 +49,7 @@ theta = "0.3 rad"
 span = "1 s"
 "#;
 
-/// The messages of the sound text with each of some parts replaced.
+/// The messages about the sound text after some replacements.
 fn messages(edits: &[(&str, &str)]) -> Vec<String> {
     let text = edits.iter().fold(SOUND.to_owned(), |text, (from, to)| {
         assert_eq!(text.matches(from).count(), 1, "`{from}` must stand once");
@@ -64,7 +64,7 @@ fn messages(edits: &[(&str, &str)]) -> Vec<String> {
     }
 }
 
-/// One message, which has all of these parts.
+/// Requires exactly one message, with all of the parts.
 fn one(edits: &[(&str, &str)], parts: &[&str]) {
     let found = messages(edits);
     assert_eq!(found.len(), 1, "{found:#?}");

@@ -1,8 +1,8 @@
-//! Quasi-velocities: their number, their starts, their names.
+//! Messages about quasi-velocities: their number, their starts, their names.
 
 use super::{messages, one};
 
-/// The pendulum as a body that three turns place, with components of its angular velocity as quasi-velocities.
+/// Replacements that turn the pendulum into a body with three successive rotations; components of its angular velocity are quasi-velocities.
 fn gimbal(start: &str) -> Vec<(&'static str, String)> {
     let inertia =
         "frame = \"A\"\ninertia = { principal = [\"(1 kg m^2)\", \"(2 kg m^2)\", \"(2.5 kg m^2)\"] }\nmass = \"m\"";
@@ -50,7 +50,7 @@ fn a_rate_that_stands_beside_a_quasi_velocity_is_named() {
     );
 }
 
-/// Where a constraint holds the only coordinate, no value of a quasi-velocity but one belongs to the start.
+/// If a constraint determines the only coordinate, a quasi-velocity of the start can have one value only.
 #[test]
 fn speeds_that_leave_no_motion_are_named() {
     let with = |slope: &str, start: &str, parts: &[&str]| {

@@ -1,4 +1,4 @@
-//! Messages on starts, constraints, and laws that cannot run.
+//! Messages about starts, constraints, and laws that cannot run.
 
 use super::{messages, one};
 
@@ -81,7 +81,7 @@ fn a_start_without_its_unit_is_shown_one_of_its_own() {
     one(&[metres, (start, "\"x'\" = 100")], &["such as \"0.3 m/s\" or \"guess 0.3 m/s\""]);
 }
 
-/// At a dead point a constraint has no gradient, and it is no square.
+/// At a dead point the gradient of a constraint is zero, although the constraint is not a square.
 #[test]
 fn a_constraint_without_a_gradient_is_told_with_both_causes() {
     let level = "[[constraint]]\nname = \"top\"\nzero = \"(P - O) . N.y + l\"\n\n[outputs]";
@@ -94,7 +94,7 @@ fn a_constraint_without_a_gradient_is_told_with_both_causes() {
     one(&[("[outputs]", level), ("theta = \"0.3 rad\"", "theta = \"0 rad\"")], &parts);
 }
 
-/// Newton's method meets a square up to rounding, where its gradient is small and not zero; a sum of squares and a square of a speed too.
+/// Newton's method satisfies a square up to rounding, with a small gradient that is not zero. Sums of squares and squares of speeds are similar.
 #[test]
 fn a_constraint_whose_gradient_vanishes_wherever_it_holds_is_refused() {
     let cart = [
@@ -124,7 +124,7 @@ fn a_constraint_whose_gradient_vanishes_wherever_it_holds_is_refused() {
         messages(&[cart[0], cart[1], ("[outputs]", &constraint), ("theta = \"0.3 rad\"", &start)])
     };
     assert_eq!(found("x - l*sin(theta)", ""), Vec::<String>::new());
-    // a simple root whose gradient is a hundred thousandth of that beside it
+    // a simple root, whose gradient is 1e-5 of that at displaced positions
     assert_eq!(found("x + (1e5 1/m^2)*x^3", ""), Vec::<String>::new());
     assert_eq!(found("x*y", "y = \"1e-5 m\""), Vec::<String>::new());
 }
@@ -156,7 +156,7 @@ fn constraints_that_contradict_each_other_are_both_named() {
         ["constraint 2 contradicts constraint 1 `low`", "its value is -0.1, not zero", "zero = \"2*theta - 0.1\""];
     found("theta", "2*theta - 0.1", &both);
     found("sin(theta)", "3*sin(theta) + 1", &["constraint 2 contradicts constraint 1 `low`"]);
-    // out of reach of each other, by no identity
+    // both constraints cannot hold together, but are not linearly related
     found("sin(theta)", "cos(theta)", &["was not met from this start"]);
 }
 
@@ -189,7 +189,7 @@ fn speeds_that_no_inertia_resists_together_are_named() {
     assert!(alone.contains("nothing with a mass or an inertia moves with `b`"), "{alone}");
 }
 
-/// A belt that moves and a crank that is driven have no position of rest; with V = 0 there is one.
+/// A moving belt and a driven crank have no position of rest; with V = 0 there is one.
 #[test]
 fn a_constraint_that_moves_the_system_at_rest_is_told_where_an_equilibrium_is_asked_for() {
     let driven = |zero: &str| {
@@ -209,7 +209,7 @@ fn a_constraint_that_moves_the_system_at_rest_is_told_where_an_equilibrium_is_as
     assert_eq!(driven("theta - 0.1"), Vec::<String>::new());
 }
 
-/// The orientation of a free frame is given by turns, and not by the parts of its quaternion.
+/// The message shows a guess for a free frame as rotations, not as components of a quaternion.
 #[test]
 fn a_guess_of_a_free_frame_is_shown_as_turns() {
     let edits = [

@@ -1,4 +1,4 @@
-//! Keys and tables.
+//! Messages about keys and tables.
 
 use super::{messages, one};
 
@@ -111,7 +111,7 @@ fn reactions_and_conditions_are_refused_where_they_cannot_be() {
     let spaced = output("reaction(\\\"left wheel\\\")").replace("name = \"rod\"", "name = \"left wheel\"");
     let still = ("theta = \"0.3 rad\"", "theta = \"0.3 rad\"");
     assert_eq!(messages(&[("[outputs]", &spaced), still]), Vec::<String>::new());
-    // an output alone chooses nothing in the law
+    // a condition in an output does not change the law
     assert_eq!(messages(&[("[outputs]", &output("abs(reaction(rod))"))]), Vec::<String>::new());
     told("joint_force(bob)", &["the output `load` is a scalar", "this is a vector"]);
     told("joint_force(P) . N.x", &["a body has a joint"]);

@@ -3,7 +3,7 @@
 use super::SOUND;
 use dalembert_scenes::ModelScene;
 
-/// The warnings of the sound text with each of some parts replaced: the marked text, and the message.
+/// For each warning about the sound text after some replacements: the marked text and the message.
 fn warnings(edits: &[(&str, &str)]) -> Vec<(String, String)> {
     let text = edits.iter().fold(SOUND.to_owned(), |text, (from, to)| text.replace(from, to));
     let scene = ModelScene::parse("scene.toml", &text).unwrap_or_else(|error| panic!("{error}"));
@@ -109,7 +109,7 @@ fn an_inertia_about_a_moving_centre_without_a_mass_is_a_warning() {
     }
 }
 
-/// A ball rolls on a fixed ball: coordinates hold it there, the constraint does not, and its reaction has no part across the surface.
+/// A ball rolls on a fixed ball. The contact is maintained by the coordinates, not by the constraint, so that its reaction has no normal component.
 #[test]
 fn an_output_of_a_reaction_where_its_component_vanishes_is_a_warning() {
     const BALL: &str = "title = \"A ball on a ball\"\n[parameters]\nR = \"0.3 m\"\nr = \"0.1 m\"\n[coordinates]\naz = \"rad\"\npol = \"rad\"\n\
@@ -132,7 +132,7 @@ fn an_output_of_a_reaction_where_its_component_vanishes_is_a_warning() {
     }
 }
 
-/// -c w^2 drives a fan that turns backwards; abs(w)*w brakes it both ways, and so does w^3.
+/// A torque -c w^2 drives a fan that turns backwards; -c abs(w)*w and -c w^3 brake it in both directions.
 #[test]
 fn a_load_with_even_powers_of_its_speed_is_warned_of() {
     let warned = |table: &str, law: &str| {
@@ -150,7 +150,7 @@ fn a_load_with_even_powers_of_its_speed_is_warned_of() {
     }
     assert!(warned("[[force]]\nalong = \"th\"", "is = \"-c*th'^2\""));
     assert!(warned("[[drive]]\nname = \"m\"\nturns = \"th\"", "torque = \"-c*m.speed^2\""));
-    // a motor's torque goes with the square of its current
+    // the torque of a motor may be proportional to the square of its current
     let motor =
         "[[drive]]\nname = \"m\"\nturns = \"th\"\n[[drive.winding]]\ninductance = \"(1 mH)\"\nresistance = \"(1 ohm)\"";
     assert!(!warned(motor, "supply = \"(3 V)\"\nmotional = \"(0.1 H)*m.i\""));

@@ -1,4 +1,4 @@
-//! Bodies that roll, by every method.
+//! Rolling bodies, run with every method.
 
 use super::{folder, open};
 use dalembert_scenes::ModelScene;
@@ -13,13 +13,13 @@ fn run(scene: &ModelScene, choice: Choice) -> Trajectory {
     scene.problem(choice.axes).simulate(&choice, |_| ())
 }
 
-/// Adaptive methods, and one with a constant step that is fine enough.
+/// The adaptive methods, and one with a sufficiently small constant step.
 fn accurate_methods() -> impl Iterator<Item = Method> {
     let named = methods::list().filter_map(|(written, _)| methods::method(&written).ok());
     named.chain([Method::RungeKutta4 { steps: 5000 }])
 }
 
-/// The angle goes through zero as smoothly as through any other value, but the law has no numbers where Euler's angles are none.
+/// The angle passes zero smoothly, but the law is undefined at singular positions of Euler's angles.
 #[test]
 fn the_disc_lies_flat_at_one_time_by_every_method_at_every_tolerance() {
     let scene = body("falling_disc");

@@ -1,4 +1,4 @@
-//! `conform` on scene files: sound systems pass, and each mistake is found by its check.
+//! The checks of `conform` on scene files: sound systems pass, and each mistake is found by its check.
 
 use super::{all, path};
 use claims::finding::{Finding, PropertyVerdict};
@@ -15,7 +15,8 @@ fn verdict<'f>(findings: &'f [Finding], check: &str) -> &'f PropertyVerdict {
     &finding.unwrap_or_else(|| panic!("no {check}")).verdict
 }
 
-/// Learning is supplied by its own rate. Wheels have creep forces where they touch their rails, and no drawn state lies there.
+/// Systems with undecided or failing checks: `learning` is supplied with energy, and wheels of `wheelset` have creep forces only in contact with
+/// their rails, where no random state lies.
 const ACTIVE: [&str; 2] = ["learning", "wheelset"];
 
 #[test]
@@ -31,7 +32,7 @@ fn every_model_conforms_but_for_one_whose_force_gives_energy() {
     }
 }
 
-/// Two blocks on a line with a damper between them.
+/// Two blocks on a line with a force between them.
 fn blocks(force: &str) -> Vec<Finding> {
     found(&format!(
         "title = \"blocks\"\n[parameters]\nc = \"3 N s/m\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n[points]\nP = \"O + x*N.x\"\nQ = \"O + y*N.x + (1 m)*N.x\"\n\
@@ -53,10 +54,10 @@ fn a_damper_between_bodies_takes_energy_whoever_looks() {
     }
     let wrong_sign = blocks("between = [\"a\", \"b\"]\nis = \"c*rate(distance(P, Q))\"");
     assert!(matches!(verdict(&wrong_sign, "passivity"), PropertyVerdict::Fails(says) if says.contains(" W at ")));
-    // where the blocks have passed each other, y' - x' is no rate of their distance
+    // behind each other, y' - x' is not the rate of their distance
     let passed = blocks("between = [\"a\", \"b\"]\nis = \"-c*(y' - x')\"");
     assert!(matches!(verdict(&passed, "passivity"), PropertyVerdict::Tested(says) if says.contains("away from it")));
-    // drag by the velocity relative to the ground is no force between two bodies
+    // drag by the velocity relative to the ground is not an internal force of two bodies
     let of_ground = blocks("between = [\"a\", \"b\"]\nis = \"-c*(velocity(Q) . N.x)\"");
     assert!(matches!(verdict(&of_ground, "frame"), PropertyVerdict::Fails(says) if says.contains("`a` and `b`")));
     let relative = blocks("between = [\"a\", \"b\"]\nis = \"-c*((velocity(Q) - velocity(P)) . N.x)\"");
@@ -79,7 +80,7 @@ fn a_damper_between_bodies_takes_energy_whoever_looks() {
     );
 }
 
-/// D = c/2 (x'^2 + y'^2) + b x' y' gives energy where b exceeds c: its diagonal alone does not tell.
+/// D = c/2 (x'^2 + y'^2) + b x' y' is indefinite for b > c, although its diagonal is positive.
 #[test]
 fn a_dissipation_that_is_indefinite_gives_energy() {
     let with = |b: &str| {

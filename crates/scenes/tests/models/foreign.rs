@@ -1,4 +1,4 @@
-//! Problems of public collections and reports, compared with the published values.
+//! Problems from public collections and reports, compared with the published values.
 
 use super::{folder, open};
 use dalembert_scenes::ModelScene;
@@ -17,7 +17,7 @@ fn run(name: &str, method: Method) -> Trajectory {
     run
 }
 
-/// The end of a run beside published figures, each within so much of its size, and of one.
+/// Compares the end of a run with published values, with a relative tolerance.
 fn ends(name: &str, figures: &[(&str, f64)], within: f64) {
     for method in [Method::DormandPrince8, Method::Taylor] {
         let run = run(name, method);
@@ -29,7 +29,7 @@ fn ends(name: &str, figures: &[(&str, f64)], within: f64) {
     }
 }
 
-/// The first row beside figures.
+/// Compares the first row of a run with published values.
 fn begins(name: &str, figures: &[(&str, f64)], within: f64) {
     let run = run(name, Method::DormandPrince8);
     for (column, known) in figures {
@@ -38,7 +38,7 @@ fn begins(name: &str, figures: &[(&str, f64)], within: f64) {
     }
 }
 
-/// The published solution at 0.03 s holds ten digits in the angles; the energy, with that of the spring and of the torque, is known.
+/// The published solution at 0.03 s has ten digits in the angles; the energy, with that of the spring and the torque, is known exactly.
 #[test]
 fn andrews_mechanism_has_the_published_solution() {
     let figures = [
@@ -72,12 +72,12 @@ fn the_car_axis_has_the_published_solution_and_multipliers() {
         ("lambda_square", -0.00473688659084893),
         ("lambda_axle", -0.00110468033125734),
     ];
-    // the least certain are the small speeds
+    // the small speeds have the fewest digits
     ends("car_axis", &figures, 5e-9);
 }
 
-/// The published solution carries the errors of its start, which meets the constraints to nine digits: x3 is off by 2.0e-10 m throughout, as at
-/// the start; the angle has no such share.
+/// The published solution contains the errors of its start, which satisfies the constraints to nine digits: x3 deviates by 2.0e-10 m at the start
+/// and at the end. The angle does not depend on this error.
 #[test]
 fn the_flexible_slider_crank_has_the_published_solution_to_the_digits_of_its_start() {
     ends("flexible_slider_crank", &[("phi2", -0.331173498825626)], 1e-12);
@@ -109,14 +109,14 @@ fn a_cart_pole_has_the_accelerations_of_its_equations() {
     begins("pushed_cart_pole", &figures, 1e-8);
 }
 
-/// The distances of the joints grow at no rate: every link hangs without load, and the first falls as a mass about the pivot.
+/// The lengths of the links do not change: without tension at the start, the first link falls as a mass about the pivot.
 #[test]
 fn a_level_triple_pendulum_starts_without_tension() {
     let figures = [("upper_force", 0.0), ("middle_force", 0.0), ("lower_force", 0.0), ("turning", -19.62)];
     begins("triple_pendulum", &figures, 1e-12);
 }
 
-/// A mass that hangs at rest: M q'' = F + lambda grad f with f = x^2 + y^2 - l^2, so that -m g + lambda 2 y = 0 at y = -l.
+/// A hanging mass at rest: M q'' = F + lambda grad f with f = x^2 + y^2 - l^2, so that -m g + lambda 2 y = 0 at y = -l.
 #[test]
 fn a_pendulum_that_hangs_has_a_negative_multiplier() {
     let text = std::fs::read_to_string(folder().join("foreign/cartesian_pendulum.toml")).expect("it is there");
@@ -163,7 +163,7 @@ fn five_links_go_on_for_half_a_minute_with_their_energy() {
     }
 }
 
-/// The published equations, written down apart and integrated by SciPy with the normal forces solved for at each instant, at 0.2 s; across
+/// Reference at 0.2 s: a separate program of the published equations, integrated by SciPy with the normal forces computed at each instant, across
 /// two ends of saturated creep.
 #[test]
 fn the_wheelset_moves_as_the_published_equations_say() {
@@ -186,7 +186,7 @@ fn the_wheelset_moves_as_the_published_equations_say() {
     }
 }
 
-/// The creep of the right wheel falls below its bound for 49 microseconds: its distance from the bound rises with 0.5575 N/s, and bends by
+/// The creep of the right wheel is below its limit for 49 microseconds: the distance from the limit rises at 0.5575 N/s, with the second derivative
 /// -22612 N/s^2.
 #[test]
 fn the_wheelset_passes_a_bound_for_an_instant_and_comes_back() {

@@ -1,4 +1,4 @@
-//! Every formulation of a model's constraints, compared with its own motion.
+//! Every formulation of a model's constraints, compared with the run of the model.
 
 use super::open;
 use dalembert_scenes::ModelScene;
@@ -6,7 +6,7 @@ use integrators::{Index2Method, Method, Record, Span, Tolerance, integrate, inte
 use simulation::work_precision::{Formulation, Treated};
 use simulation::{Axes, IvpScene};
 
-/// A body on a frame that turns freely, held at a point of its own: constraints of positions with a quaternion in them.
+/// A body on a free frame, fixed at one of its points: position constraints that contain a quaternion.
 const HELD_AT_A_POINT: &str = "title = \"A body held at a point\"\ngravity = \"-(9.81 m/s^2)*N.z\"\n\
      [coordinates]\nx = \"m\"\ny = \"m\"\nz = \"m\"\n[frames]\nF = \"N free\"\n\
      [points]\nG = \"O + x*N.x + y*N.y + z*N.z\"\nP = \"G - (0.3 m)*F.x\"\n\
@@ -18,7 +18,7 @@ fn parsed(text: &str) -> ModelScene {
     ModelScene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// The last state by a formulation.
+/// The last state of a run with a formulation.
 fn end(law: &Treated, span: &Span<'_, f64>) -> Vec<f64> {
     let (gauss, mut record) = (Index2Method::ProjectedGauss { stages: 3, steps: 400 }, Record::new());
     let outcome = match law {
@@ -51,7 +51,7 @@ fn every_formulation_of_a_model_tends_to_one_motion() {
     }
 }
 
-/// The multipliers of the levels bring a state that is off them back.
+/// The multipliers of the position and velocity levels remove violations of the constraints.
 #[test]
 fn what_is_held_stays_on_its_constraints() {
     let scene = parsed(HELD_AT_A_POINT);

@@ -1,4 +1,4 @@
-//! Knowledge of a system beyond its equations: theory, a closed form, an end of the law, and its name.
+//! Additional knowledge about a system: theory, a closed form, an end of the law, and a name.
 
 use dalembert_scenes::ModelScene;
 use simulation::knowledge::{ClosedForm, Diagnosis, Knowledge, submit};

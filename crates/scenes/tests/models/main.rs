@@ -15,7 +15,7 @@ mod singular;
 mod smooth_branches;
 mod trees;
 
-// the motors that scenes name
+// registers the motors of the catalogue
 use dalembert_scenes::{ModelScene, Task, read_model};
 use integrators::Method;
 use machines as _;
@@ -35,7 +35,7 @@ fn path(name: &str) -> PathBuf {
     folder().join("models").join(name).with_extension("toml")
 }
 
-/// The files of a folder, and of those in it, that hold a system as text.
+/// The files with a system as text in a folder and in its subfolders.
 fn within(folder: &Path) -> Vec<PathBuf> {
     let files = std::fs::read_dir(folder).expect("it is there");
     let mut all: Vec<PathBuf> = files.map(|file| file.expect("it can be listed").path()).collect();
@@ -52,10 +52,10 @@ fn all() -> Vec<PathBuf> {
     all
 }
 
-/// Scenes whose motion ends before their span: after it there is none.
+/// Scenes whose motion ends before their span.
 const ENDING: [&str; 3] = ["blow_up.toml", "between_discs_blow_up.toml", "nodding_top.toml"];
 
-/// Those that go on to the end of their span: rough contacts may end a motion, which `tests/rough` follows.
+/// The scenes that reach their span. Rough contacts may end a motion; `tests/rough` runs these.
 fn going_on() -> Vec<PathBuf> {
     let ends = |path: &PathBuf| ENDING.iter().any(|name| path.ends_with(name));
     let is_rough = |path: &PathBuf| path.components().any(|part| part.as_os_str() == "friction");
@@ -70,7 +70,7 @@ fn open(path: &Path) -> ModelScene {
     parsed(&std::fs::read_to_string(path).expect("it is there"))
 }
 
-/// The last row of a run, and how far every invariant went.
+/// The last row of a run, and the largest change of each invariant.
 fn end(scene: &ModelScene, method: Method, tolerance: f64) -> (Vec<f64>, Vec<f64>) {
     let problem = scene.problem(Axes::First);
     let choice = Choice {
@@ -104,7 +104,7 @@ fn every_principle_gives_every_model_the_same_equations() {
             let trace = Trace::of(&model);
             for other in Principle::ALL {
                 let Ok(found) = agreement(&trace, Principle::Lagrange, other) else {
-                    // momenta do not determine speeds without inertia
+                    // without inertia, momenta do not determine speeds
                     let is_massless = model.bodies.is_empty() && model.energies.kinetic.is_none();
                     let is_open = other == Principle::Hamilton && (is_massless || !model.algebraic_speeds.is_empty());
                     assert!(model.energies.kinetic.is_some() || is_open, "{}, {}", path.display(), other.name());
@@ -116,7 +116,7 @@ fn every_principle_gives_every_model_the_same_equations() {
     }
 }
 
-/// Motions on which methods agree for a while alone: near motions part from each other by a factor of e every second or so.
+/// Chaotic motions, for which methods agree for a short time only: neighbouring motions diverge by a factor of e about every second.
 const CHAOTIC: [&str; 2] = ["double_pendulum.toml", "five_links.toml"];
 
 #[test]
@@ -168,7 +168,7 @@ fn a_start_is_completed_so_that_the_constraints_hold() {
     );
 }
 
-/// A bead on a hoop that turns at a constant speed: its energy changes, and is not said to be kept.
+/// A bead on a hoop that turns at constant speed: its energy is not constant, and is not listed as an invariant.
 #[test]
 fn a_driven_system_is_not_said_to_keep_its_energy() {
     let hoop = |turned: &str| {
@@ -186,8 +186,8 @@ fn a_driven_system_is_not_said_to_keep_its_energy() {
     assert!(!kept("w*t") && kept("0*w*t") && kept("0.3"));
 }
 
-/// Down a plane inclined by 20 degrees a cylinder runs with 2/3 g sin(20 deg), its constraint a vector whose second component vanishes by
-/// cos^2 + sin^2 = 1 alone.
+/// A cylinder rolls down a plane of 20 degrees with the acceleration 2/3 g sin(20 deg). The second component of its constraint vanishes
+/// identically by cos^2 + sin^2 = 1.
 #[test]
 fn components_of_a_constraint_that_vanish_identically_drop_out() {
     let text = "title = \"A cylinder\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"2 kg\"\nR = \"0.1 m\"\ng = \"9.81 m/s^2\"\n\
@@ -200,9 +200,9 @@ fn components_of_a_constraint_that_vanish_identically_drop_out() {
     assert!((row[0] - exact).abs() < 1e-11, "{} {exact}", row[0]);
 }
 
-/// Models whose references have fewer digits: swings after a load has come and a wheel that spins up in milliseconds lose two, and the co-energy of saturated iron, a logarithm of sums of
-/// exponentials, loses so many that there is none. The creep forces of the wheelset change their law at saturation too often for one. At the singular positions
-/// of the four-bar mechanisms the equations determine no motion.
+/// Models whose references have fewer digits, or none. A load step and a wheel that spins up within milliseconds cost two digits. The co-energy
+/// of saturated iron, a logarithm of sums of exponentials, and the frequent saturation of the wheelset's creep forces prevent a reference.
+/// The four-bar mechanisms have no unique motion at their singular positions.
 const FEWER: [(&str, Option<f64>); 5] = [
     ("four_bars", None),
     ("interior_magnet", Some(23.0)),
@@ -250,7 +250,7 @@ fn every_model_has_a_reference_of_25_digits_that_is_its_own() {
     }
 }
 
-/// Twenty links, each turned in the one before, level at the start.
+/// A chain of links, each turned relative to the one before, horizontal at the start.
 fn chain(links: usize) -> String {
     let numbered = |line: &dyn Fn(usize) -> String| (1..=links).map(|k| line(k) + "\n").collect::<String>();
     let before = |name: &str, first: &str, k: usize| if k == 1 { first.to_owned() } else { format!("{name}{}", k - 1) };
@@ -282,7 +282,7 @@ fn a_chain_of_twenty_links_is_proved_and_runs() {
     assert!(!kept.is_empty() && kept.iter().all(|moved| moved.abs() < 1e-7), "{kept:?}");
 }
 
-/// A rod of a pendulum carries m (l a'^2 + g cos(a)); the reaction of a hoop in its place, given as a constraint, is the same.
+/// The rod of a pendulum carries m (l a'^2 + g cos(a)); the reaction of a hoop, given as a constraint in its place, is equal.
 #[test]
 fn loads_of_joints_and_reactions_are_outputs_of_a_run() {
     let text = "title = \"A bob\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"2 kg\"\nl = \"0.5 m\"\ng = \"9.81 m/s^2\"\n\

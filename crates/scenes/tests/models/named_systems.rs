@@ -1,4 +1,4 @@
-//! Systems that a program registers under a name, and the tables that are their own.
+//! Named systems that a program registers, with tables of their own.
 
 use dalembert_scenes::{ModelScene, NamedSystem, submit, with_tables};
 use model::{BodySource, Source};
@@ -10,7 +10,7 @@ submit! {
         summary: "beads on parallel wires",
         runs: true,
         source: |top, issues| {
-            // a word that stands for [parameters] elsewhere
+            // `data` would be reported as another word for [parameters] in other systems
             let mut data = top.table("data", "the number of beads");
             let beads = data.count("beads", "number of beads", 1, 9).value;
             issues.extend(data.finish());

@@ -1,4 +1,4 @@
-//! Outputs with their own conditions, which do not split the law into modes.
+//! Outputs with conditions, which do not divide the law into modes.
 
 use dalembert_scenes::ModelScene;
 use integrators::Method;
@@ -42,7 +42,7 @@ fn conditions_of_outputs_are_decided_at_equality() {
     assert_eq!(names.map(first), [1.0, 1.0, 2.0, 2.0, 0.0]);
 }
 
-/// The friction that sticks is shown by the value that holds it.
+/// While friction sticks, the output shows the factor of the condition at which the forces balance.
 #[test]
 fn a_condition_of_the_law_stays_one_in_outputs() {
     let text = SPRING.replace("-k*x*N.x", "(-k*x - (1 N)*sign(x'))*N.x");
@@ -50,7 +50,7 @@ fn a_condition_of_the_law_stays_one_in_outputs() {
     assert_eq!(scene.model.switches.len(), 1);
 }
 
-/// A heavy top with an oblique tensor of inertia about its fixed point, in a free frame.
+/// A heavy top with an oblique inertia tensor about its fixed point, in a free frame.
 const TOP: &str = r#"
 title = "A heavy top"
 gravity = "-g*N.z"
@@ -94,7 +94,7 @@ fn momenta_of_bodies_are_those_of_the_energy() {
     let first = trajectory.rows[0][vertical];
     assert!(first.abs() > 0.1, "{first}");
     for row in &trajectory.rows {
-        // gravity has no moment about the vertical through the fixed point
+        // gravity has no torque about the vertical through the fixed point
         assert!((row[vertical] - first).abs() < 1e-10 * first.abs(), "{first} {}", row[vertical]);
         assert!((row[own] - row[of_energy]).abs() < 1e-13, "{} {}", row[own], row[of_energy]);
         assert!(row[column("about_centre")].abs() < 1e-13);

@@ -1,11 +1,11 @@
-//! Poles of a law: no run continues behind one and reports its numbers as a motion.
+//! Poles of a law: a run must not continue behind one and report its numbers as a motion.
 
 use super::parsed;
 use integrators::Method;
 use simulation::{Axes, Choice, Trajectory};
 use std::time::Duration;
 
-/// Methods that follow a tolerance.
+/// Adaptive methods.
 const METHODS: [Method; 9] = [
     Method::DormandPrince5,
     Method::DormandPrince8,
@@ -31,7 +31,7 @@ fn run(text: &str, method: Method, tolerance: f64) -> Trajectory {
     simulation::IvpScene::metered(&scene, Axes::First).simulate(&choice, |_| ())
 }
 
-/// Whether a run says that its numbers are a motion up to its end.
+/// Whether a run claims to be a valid motion up to its end.
 fn serves(trajectory: &Trajectory) -> bool {
     trajectory.stopped().is_none() && trajectory.lost().is_none()
 }
@@ -68,7 +68,7 @@ fn a_divisor_that_vanishes_with_what_it_divides_stops_nothing() {
     }
 }
 
-/// T = x'^2/(2 (1 - x^2)) has the motion x = sin t, which touches the place at which T is infinite.
+/// T = x'^2/(2 (1 - x^2)) has the motion x = sin t, which touches the position x = 1 of infinite T.
 #[test]
 fn a_place_without_inertia_that_is_touched_is_passed_truly_or_told() {
     let text = "title = \"an arc\"\n[coordinates]\nx = \"m\"\n[energies]\nkinetic = \"(1 kg)*x'^2/(2*(1 - (x/(1 m))^2))\"\n[start]\n\
@@ -87,13 +87,13 @@ fn a_place_without_inertia_that_is_touched_is_passed_truly_or_told() {
     assert!(passed > 0);
 }
 
-/// x'' = -100 (|x| - 1/2) sgn x: half swings of a spring on either side of its anchor, where the direction of the force jumps.
+/// x'' = -100 (|x| - 1/2) sgn x: oscillations about 1/2 and -1/2 in turn; at the anchor the direction of the force jumps.
 #[test]
 fn a_spring_through_its_anchor_is_followed_or_told() {
     let text = "title = \"a spring\"\n[coordinates]\nx = \"m\"\n[points]\nP = \"O + x*N.x\"\n[bodies.a]\ncentre = \"P\"\nmass = \"(1 kg)\"\n\
                 [[force]]\nbetween = [\"ground at O\", \"a\"]\nis = \"-(100 N/m)*(distance(O, P) - (0.5 m))\"\n[start]\nx = \"0.7 m\"\n\
                 \"x'\" = \"-6 m/s\"\n[run]\nspan = \"2 s\"\n";
-    // u = x - 1/2 is A cos(10 t + phase) on the right, so that speeds at the anchor and the time beyond it are elementary
+    // u = x - 1/2 is A cos(10 t + phase) on the right, from which the times at the anchor follow
     let (amplitude, phase) = (0.4_f64.hypot(1.2) / 2.0, (3.0_f64).atan());
     let swing = |u: f64| (u / amplitude).acos();
     let (first, whole) = ((swing(-0.5) - phase) / 10.0, 2.0 * swing(-0.5) / 10.0);
@@ -113,7 +113,7 @@ fn a_spring_through_its_anchor_is_followed_or_told() {
     assert!(followed >= 6, "{followed}");
 }
 
-/// A mass goes around the anchor of a spring, with a force along x that grows with its angle and jumps where the angle does.
+/// A mass moves around the anchor of a spring, with a force along x that is proportional to its angle and jumps where the angle does.
 #[test]
 fn an_angle_that_passes_half_a_turn_is_followed_or_told() {
     let text = "title = \"around\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n[bodies.b]\ncentre = \"O + x*N.x + y*N.y\"\nmass = \"(1 kg)\"\n\
@@ -134,7 +134,7 @@ fn an_angle_that_passes_half_a_turn_is_followed_or_told() {
     assert!(told < 5, "{told}");
 }
 
-/// A unit mass with gravity g and drag c v |v|, thrown up with a speed.
+/// A unit mass with gravity and quadratic drag, thrown upwards at a speed.
 fn thrown(speed: f64) -> String {
     format!(
         "title = \"thrown up\"\ngravity = \"-(10 m/s^2)*N.y\"\n[coordinates]\ny = \"m\"\n[bodies.b]\ncentre = \"O + y*N.y\"\n\
@@ -143,10 +143,10 @@ fn thrown(speed: f64) -> String {
     )
 }
 
-/// |v| has a corner at the top.
+/// |v| has a corner at the highest point.
 #[test]
 fn drag_changes_its_sense_at_the_top_by_every_method() {
-    // v = -10 tanh(t - t0) on the way down, from the top at t0 = atan 2
+    // v = -10 tanh(t - t0) on the way down, from the highest point at t0 = atan 2
     let expected = -10.0 * (5.0 - 2.0_f64.atan()).tanh();
     for method in METHODS {
         let trajectory = run(&thrown(20.0), method, 1e-11);
@@ -155,7 +155,7 @@ fn drag_changes_its_sense_at_the_top_by_every_method() {
     }
 }
 
-/// |v| has neither derivatives nor a series at rest.
+/// |v| has neither a derivative nor a series at rest.
 #[test]
 fn a_body_with_drag_falls_from_rest_by_every_method() {
     let expected = -10.0 * 5.0_f64.tanh();

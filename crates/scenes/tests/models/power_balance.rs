@@ -1,4 +1,4 @@
-//! The work of loads along a run, compared with closed forms and with the energies of the project's scenes.
+//! The work of loads along a run, compared with closed forms and with the energies of stored scenes.
 
 use super::{going_on, open};
 use dalembert_scenes::ModelScene;
@@ -24,7 +24,7 @@ fn particle(keys: &str, start: &str) -> ModelScene {
     ModelScene::parse("scene.toml", &text).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// A constant force does F x; a damper takes the energy that it had.
+/// A constant force does the work F x; a damper dissipates the kinetic energy.
 #[test]
 fn the_work_of_a_force_and_of_a_damper_is_that_of_their_closed_forms() {
     let pushed = particle("[[force]]\non = \"b\"\nis = \"(3 N)*N.x\"", "\"y'\" = \"1 m/s\"");
@@ -38,7 +38,7 @@ fn the_work_of_a_force_and_of_a_damper_is_that_of_their_closed_forms() {
     }
 }
 
-/// A rod that turns at a given rate w pushes a bead outwards: r = r0 cosh(w t). With the velocity (r', w r) the bead's energy grows by
+/// A rod that turns at a given rate w accelerates a bead outwards: r = r0 cosh(w t). The energy of the bead with the velocity (r', w r) grows by
 /// the work of the rod's reaction, m w^2 (r^2 - r0^2).
 #[test]
 fn a_constraint_that_knows_the_time_does_work() {

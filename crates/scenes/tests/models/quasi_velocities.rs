@@ -1,4 +1,4 @@
-//! Quasi-velocities of a file: the start that they complete, the columns of a run, members, equilibria, linear equations.
+//! Quasi-velocities of a file: completed starts, columns of runs, members, equilibria, linear equations.
 
 use dalembert_scenes::linearisation::VariedEquations;
 use dalembert_scenes::{ModelScene, equilibrium_of, parse_ensemble};
@@ -60,7 +60,7 @@ fn with(from: &str, to: &str) -> String {
     SLEIGH.replace(from, to)
 }
 
-/// v^2 and w^2 turn into each other: with k^2 = m a^2/(J + m a^2) the sum v^2 + (a/k)^2 w^2 stays, and the ratio follows from
+/// With k^2 = m a^2/(J + m a^2) the sum v^2 + (a/k)^2 w^2 is constant, and the ratio of v and w follows from
 /// w' = -k^2/a v w.
 #[test]
 fn a_run_from_quasi_velocities_is_the_closed_form() {
@@ -145,7 +145,7 @@ fn hamel_and_maggi_take_a_kinetic_energy_and_the_others_say_why_not() {
     });
 }
 
-/// A board on two wheels that steer against each other: it goes straight ahead in y by rounding alone.
+/// A board on two wheels that are steered in opposite directions: it moves straight ahead, and its speed in y would be a rounding error.
 #[test]
 fn a_completed_start_shows_no_rounding() {
     let text = "title = \"A board on two wheels\"\n[parameters]\nm = \"4 kg\"\nJ = \"0.1 kg m^2\"\nl = \"0.3 m\"\n\

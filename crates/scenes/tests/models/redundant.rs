@@ -1,4 +1,4 @@
-//! Redundant constraints: reported, without a reaction, and no obstacle to a run, an ensemble member or linear equations.
+//! Redundant constraints are reported and have no reaction; runs, members of ensembles and linear equations work.
 
 use dalembert_scenes::linearisation::{VariedEquations, eigenvalues};
 use dalembert_scenes::{ModelScene, independent_start, parse_ensemble};
@@ -7,7 +7,7 @@ use model::{QuasiPrinciple, QuasiVelocities, Trace};
 use simulation::{Axes, IvpScene};
 use std::collections::HashMap;
 
-/// A rod on three parallel cranks: the third holds along the rod what the second holds.
+/// A rod on three parallel cranks: the third crank constrains the rod in its own direction as the second does.
 const CRANKS: &str = r#"
 title = "A coupler on three parallel cranks"
 gravity = "-g*N.y"
@@ -62,7 +62,7 @@ fn with(from: &str, to: &str) -> String {
     CRANKS.replace(from, to)
 }
 
-/// The cranks turn as a pendulum of their length, upside down.
+/// The cranks move as an inverted pendulum of their length.
 #[test]
 fn a_constraint_that_follows_from_others_is_named_and_runs_without_a_reaction() {
     let scene = scene(CRANKS);
@@ -83,7 +83,7 @@ fn a_constraint_that_follows_from_others_is_named_and_runs_without_a_reaction() 
     }
 }
 
-/// Four constraints and four angles: at a general point nothing moves, and on the branch of the start one crank leads the others.
+/// Four constraints and four angles: in general no motion is possible, but on the branch of the start there is one degree of freedom.
 #[test]
 fn quasi_velocities_are_judged_on_the_branch_of_the_start() {
     let text = with("[frames]", "[speeds]\nw1 = \"b'\"\n[frames]").replace("[run]", "w1 = \"2 rad/s\"\n[run]");
@@ -110,7 +110,7 @@ fn quasi_velocities_are_judged_on_the_branch_of_the_start() {
     let two = text.replace("w1 = \"b'\"", "w1 = \"b'\"\nw2 = \"c'\"");
     let found = refused(&two);
     assert!(found.contains("the speeds have one degree of freedom, and [speeds] has 2: 1 too many"), "{found}");
-    // another branch, on which the cranks hold each other
+    // another branch, on which the system cannot move
     let apart = text.replace("c = \"80 deg\"", "c = \"-80 deg\"");
     let found = refused(&apart);
     assert!(found.contains("the speeds have 0 degrees of freedom, and [speeds] has 1: 1 too many"), "{found}");
@@ -127,7 +127,7 @@ fn diagnosis(text: &str) -> String {
 #[test]
 fn a_law_with_events_leaves_out_what_follows() {
     let event = "[[event]]\nname = \"low\"\nwhen = \"a - (60 deg)\"\nend = true\n[outputs]";
-    // with events every coordinate has an inertia of its own
+    // events require that every coordinate has inertia
     let pins = "[bodies.pin2]\ncentre = \"Q\"\nmass = \"(0.1 kg)\"\n[bodies.pin3]\ncentre = \"R\"\nmass = \"(0.1 kg)\"\n[bodies.coupler]";
     let text = with("[outputs]", event).replace("[bodies.coupler]", pins);
     assert_eq!(diagnosis(&text), "the event `low` ends the run");
@@ -139,7 +139,7 @@ fn what_depends_on_others_at_the_start_alone_is_refused() {
                 [[constraint]]\nzero = \"x^2 + y^2 - (1 m^2)\"\n[[constraint]]\nzero = \"x - (1 m)\"\n[start]\nx = \"1 m\"\n[run]\nspan = \"1 s\"\n";
     let error = ModelScene::parse("t.toml", text).expect_err("it is singular").to_string();
     assert!(error.contains("depends on other constraints at the start"), "{error}");
-    // one that is led, and need not hold, has nothing to lead
+    // a stabilised constraint, which need not hold at the start, depends on the others, too
     let led = "[[constraint]]\nzero = \"2*a - 2*b\"\nprogrammed = { gains = [\"(8 1/s)\", \"(16 1/s^2)\"] }\n[outputs]";
     let error = ModelScene::parse("t.toml", &with("[outputs]", led)).expect_err("it is singular").to_string();
     assert!(error.contains("depends on other constraints at the start"), "{error}");
@@ -179,7 +179,7 @@ fn members_need_the_same_constraints_to_follow() {
     assert!(why.contains("other constraints follow from others"), "{why}");
 }
 
-/// About 80 degrees: a'' = -g/r cos(a).
+/// The linear equations at 80 degrees: a'' = -g/r cos(a).
 #[test]
 fn linear_equations_know_the_independent_constraints() {
     let mut model =
@@ -195,8 +195,8 @@ fn linear_equations_know_the_independent_constraints() {
     assert!(values.iter().all(|value| (value.re.abs() - rate).abs() < 1e-9), "{values:?}");
 }
 
-/// A plate on three equal cranks whose pivots are in no line: one equation of four follows from the others, whichever stands last. Where
-/// those that are kept depend on each other, the one that was left out would hold.
+/// A plate on three equal cranks whose pivots are not collinear: one of four equations is redundant, whichever comes last. Where the kept ones
+/// become dependent, the removed one would be independent.
 #[test]
 fn a_set_of_constraints_that_loses_its_rank_where_all_keep_it_is_told() {
     let text = |first: &str, second: &str| {

@@ -1,4 +1,4 @@
-//! Singular positions of closed loops, beyond which there may be several motions, or none: runs end there, by every method.
+//! Singular positions of closed loops, beyond which several motions, or none, may exist: runs end there, with every method.
 
 use dalembert_scenes::{ModelScene, parse_ensemble};
 use integrators::Method;
@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use std::ops::ControlFlow;
 use std::time::Duration;
 
-/// Two equal cranks, and a coupler as long as the ground: without forces all turns evenly until the rods lie along one line.
+/// A parallelogram of cranks: without forces all links turn at constant speed until they are collinear.
 const PARALLELOGRAM: &str = r#"
 title = "A parallelogram of cranks"
 [parameters]
@@ -62,7 +62,7 @@ const METHODS: [Method; 6] = [
     Method::Radau5,
 ];
 
-/// The time at which all rods lie along one line.
+/// The time at which all links are collinear.
 const TIME: f64 = (PI - PI / 3.0) / 6.0;
 
 fn with(from: &str, to: &str) -> String {
@@ -70,7 +70,7 @@ fn with(from: &str, to: &str) -> String {
     PARALLELOGRAM.replace(from, to)
 }
 
-/// Why a run stopped, when, and its last state.
+/// The reason for the end of a run, its time, and its last state.
 fn run(text: &str, method: Method, tolerance: f64) -> (Option<String>, f64, Vec<f64>) {
     let scene = ModelScene::parse("cranks.toml", text).unwrap_or_else(|error| panic!("{error}"));
     let choice = Choice {
@@ -117,7 +117,7 @@ fn a_law_with_events_ends_there_too() {
     ends_at_the_line(&with("[start]", event), 1e-8, 2e-4);
 }
 
-/// With a ground that is longer by a quarter of a thousandth the cranks swing back just before the line.
+/// With a base that is longer by 0.1 mm, the cranks reverse just before the links are collinear.
 #[test]
 fn a_position_that_is_nearly_singular_is_passed() {
     let near = with("e = \"0.4 m\"", "e = \"0.4001 m\"");
@@ -132,7 +132,7 @@ fn a_position_that_is_nearly_singular_is_passed() {
     }
 }
 
-/// States that are off the constraints within a step are judged by the positions on them.
+/// States that violate the constraints within a step are judged by their projections onto them.
 #[test]
 fn a_loose_tolerance_passes_a_position_that_is_nearly_singular() {
     for method in [Method::Taylor, Method::DormandPrince8] {

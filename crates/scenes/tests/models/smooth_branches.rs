@@ -1,12 +1,12 @@
-//! Runs beyond singular positions of closed loops, on the smooth branch of the motion, beside closed forms.
+//! Runs beyond singular positions of closed loops, on the smooth branch of the motion, compared with closed forms.
 
 use dalembert_scenes::ModelScene;
 use integrators::Method;
 use simulation::{Axes, IvpScene, Trajectory};
 use std::f64::consts::PI;
 
-/// A slider-crank whose rod is as long as its crank: without forces the rod may turn evenly with the crank, while the slider oscillates,
-/// or, from the position with both at right angles to the guide, the slider may rest.
+/// A slider-crank whose rod is as long as its crank. Without forces the rod may turn with the crank while the slider oscillates; or, from the position
+/// with both at right angles to the guide, the slider may stay at rest.
 const EQUAL_RODS: &str = r#"
 title = "A slider-crank with a rod as long as its crank"
 [parameters]
@@ -33,7 +33,7 @@ through_singular_positions = true
 
 const FOUR_BARS: &str = include_str!("../../../../scenes/foreign/four_bars.toml");
 
-/// The same mechanism on its branch of parallelograms: one rod, with the inertia of all.
+/// The four-bar mechanism on its branch of parallelograms: one rod with the inertia of all.
 const ONE_ROD: &str = r#"
 title = "One rod for all"
 [parameters]
@@ -96,7 +96,7 @@ fn times_and_samples_are_those_of_the_smooth_motion() {
     for (row, one) in loops.rows.iter().zip(&rod.rows) {
         assert!((PI / 2.0 - row[0] - one[0]).abs() < 1e-7, "{row:?} {one:?}");
     }
-    // the rods lie along the line where the angle of the one rod is an odd multiple of a right angle
+    // all links are collinear where the angle of the single rod is an odd multiple of 90 degrees
     let first = loops.passages[0].time;
     let quarter = rod.times.iter().zip(&rod.rows).find(|(_, row)| row[0] > PI / 2.0).map(|(time, _)| *time);
     assert!(quarter.is_some_and(|time| first <= time && time - first < 0.06), "{first} {quarter:?}");
@@ -121,7 +121,7 @@ fn without_the_key_a_run_ends_there() {
     assert!(run.passages.is_empty());
 }
 
-/// A slider that is drawn out evenly stretches both rods to a line, at a speed without bound: no motion follows.
+/// A slider pulled at constant speed stretches both rods, which then turn infinitely fast: no motion continues.
 #[test]
 fn a_motion_that_cannot_go_on_ends_there() {
     let drawn = "\"l*sin(a) - l*sin(b)\", \"x - (0.5 m) - (0.2 m/s)*t\"]";
@@ -134,7 +134,7 @@ fn a_motion_that_cannot_go_on_ends_there() {
     }
 }
 
-/// An event that falls into the position decides the motion behind it.
+/// An event at the singular position determines the motion behind it.
 #[test]
 fn an_event_in_the_position_ends_the_run() {
     let event = "[[event]]\nwhen = \"a - (90 deg)\"\nset = { \"a'\" = \"a'/2\" }\n[start]";
@@ -142,8 +142,8 @@ fn an_event_in_the_position_ends_the_run() {
     assert!(run.stopped().is_some_and(|why| why.contains("singular position")), "{:?}", run.stopped());
 }
 
-/// The cranks turn with the coupler at a constant rate, so that the angles at the end are known. Of its methods each comes to a line with
-/// other steps.
+/// The cranks turn at a constant rate, so that the final angles are known. Each method reaches the collinear position with other
+/// steps.
 const PARALLELOGRAM: &str = r#"
 title = "A parallelogram of cranks"
 [coordinates]
@@ -176,7 +176,7 @@ span = "10 s"
 through_singular_positions = true
 "#;
 
-/// The parallelogram from another angle, over another span.
+/// The parallelogram with another initial angle and another span.
 fn parallelogram(angle: &str, span: &str) -> String {
     PARALLELOGRAM.replace("60 deg", angle).replace("10 s", span)
 }
@@ -217,7 +217,7 @@ fn a_span_may_end_beside_a_position() {
     }
 }
 
-/// The coupler on its circle needs half of its mass times the acceleration at each end.
+/// Each end of the coupler, which moves in a circle, carries half of its mass times its acceleration.
 #[test]
 fn reactions_beside_a_position_are_those_of_the_smooth_motion() {
     let mut text = parallelogram("60 deg", "2.094395 s");

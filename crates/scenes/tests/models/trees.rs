@@ -1,4 +1,4 @@
-//! Accelerations over a tree of bodies beside those of the mass matrix.
+//! Accelerations by recursion over a tree of bodies, compared with those from the mass matrix.
 
 use super::{all, end, open, parsed};
 use dalembert_scenes::ModelScene;
@@ -8,8 +8,8 @@ use model::Trace;
 use model::equations::{Equations, has_tree, solved_over_tree, vanishes};
 use symbolic::{Sym, apart, substitute_all};
 
-/// Whether both ways give the same accelerations and multipliers: for all values of all letters, or, where their degree is too high for that,
-/// to 24 digits at three points. None where there is no tree.
+/// Whether both derivations give equal accelerations and multipliers: proved for all values or, if the degree is too high, to 24 digits at three
+/// points. `None` if the bodies are not a tree.
 fn agree(scene: &ModelScene) -> Option<bool> {
     apart(|| {
         let trace = Trace::of(&scene.model);
@@ -32,7 +32,7 @@ fn is_small(difference: Sym) -> bool {
     })
 }
 
-/// The quaternion of every free frame as one of length one: (1 - p^2, 2 p)/(1 + p^2).
+/// Substitutes each quaternion of a free frame by one of length one, (1 - p^2, 2 p)/(1 + p^2).
 fn of_length_one(trace: &Trace<'_>) -> Vec<(Sym, Sym)> {
     let quaternions = trace.coordinates[trace.model.coordinates.len()..].chunks_exact(4);
     let turns = quaternions.enumerate().flat_map(|(number, quaternion)| {
@@ -62,8 +62,8 @@ fn the_tree_of_every_system_gives_the_accelerations_of_its_mass_matrix() {
     }
 }
 
-/// Links with joints of one to six speeds, angles against the ground and against each other, particles, frames without a body, a body
-/// on a frame that another has, points in the ground's axes on a body that turns, follower forces and torques.
+/// Links with joints of one to six degrees of freedom, absolute and relative angles, particles, frames without a body, two bodies on one frame, points
+/// displaced in axes of the ground from a turning body, follower forces and torques.
 const JOINTS: &str = "title = \"joints\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"2 kg\"\nl = \"0.7 m\"\nJ = \"0.3 kg m^2\"\nK = \"0.5 kg m^2\"\n\
     g = \"9.81 m/s^2\"\nk = \"11 N/m\"\n[coordinates]\nx = \"m\"\ny = \"m\"\nz = \"m\"\na = \"rad\"\nb = \"rad\"\nc = \"rad\"\nd = \"rad\"\ns = \"m\"\nh = \"m\"\n\
     [frames]\nF = \"N free\"\nA = \"F turned a about x\"\nB = \"A turned b about y\"\nC = \"N turned c about z\"\nD = \"N turned d about y\"\n\
@@ -83,7 +83,7 @@ fn joints_of_every_kind_stand_in_one_tree() {
     assert_eq!(agree(&parsed(JOINTS)), Some(true));
 }
 
-/// Hinges about z and x in turn.
+/// A chain of hinges about z and x in turn.
 fn chain(links: usize) -> String {
     let [mut coordinates, mut frames, mut points, mut bodies] = [const { String::new() }; 4];
     let (mut frame, mut point) = ("N".to_owned(), "O".to_owned());
@@ -104,7 +104,7 @@ fn chain(links: usize) -> String {
     )
 }
 
-/// Each body of a longer chain adds the same number of operations.
+/// Each further body of a chain adds an equal number of operations.
 #[test]
 fn the_length_of_accelerations_grows_as_the_bodies() {
     let length = |links: usize| {
@@ -120,7 +120,7 @@ fn the_length_of_accelerations_grows_as_the_bodies() {
     assert!(forty < 25_000, "{forty}");
 }
 
-/// Ten times as many hinges as a mass matrix would be eliminated for, by four kinds of methods.
+/// A hundred hinges, ten times as many as the mass matrix is eliminated symbolically for, run with methods of three kinds.
 #[test]
 fn a_chain_of_hundred_hinges_runs_by_every_kind_of_method() {
     let scene = parsed(&chain(100));
@@ -131,7 +131,7 @@ fn a_chain_of_hundred_hinges_runs_by_every_kind_of_method() {
     }
 }
 
-/// An angle that moves two joints, and a ball on a plane without any: their accelerations come from the mass matrix.
+/// An angle that moves two joints, and a ball on a plane without joints: their accelerations come from the mass matrix.
 #[test]
 fn what_is_no_tree_is_told() {
     let geared = JOINTS.replace("N turned d about y", "N turned d + c about y");

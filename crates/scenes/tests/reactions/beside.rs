@@ -1,9 +1,9 @@
-//! Motions with reactions in loads beside the same motions in coordinates that keep the constraints.
+//! Motions with reactions in loads, compared with such motions in coordinates without constraints.
 
 use super::{bead, close, last, runs, runs_by};
 use integrators::Method;
 
-/// A drag along the wire leaves its reaction as it is: N sqrt(1 + 4 a^2 x^2) = m (g + 2 a x'^2)/sqrt(1 + 4 a^2 x^2).
+/// Drag along the wire does not change its reaction N: N sqrt(1 + 4 a^2 x^2) = m (g + 2 a x'^2)/sqrt(1 + 4 a^2 x^2).
 #[test]
 fn a_drag_in_proportion_to_a_reaction_is_that_of_one_coordinate() {
     let text = bead("", "-c*reaction(wire)*velocity(P)", "[outputs]\npush = \"reaction(wire)\"");
@@ -21,7 +21,7 @@ fn a_drag_in_proportion_to_a_reaction_is_that_of_one_coordinate() {
     }
 }
 
-/// J theta'' = -m g l sin(theta) - s k |R|, with s the sign of theta': |R|^2 = R_n^2 + (A - s B |R|)^2 is quadratic in |R|.
+/// J theta'' = -m g l sin(theta) - s k |R|, with s the sign of theta': |R|^2 = R_n^2 + (A - s B |R|)^2 is a quadratic equation for |R|.
 #[test]
 fn a_bearing_that_rubs_in_proportion_to_its_force_swings_as_euler_s_equation_says() {
     let parameters = "m = \"1 kg\"\nl = \"0.5 m\"\nJ = \"0.02 kg m^2\"\nk = \"0.02 m\"\ng = \"9.81 m/s^2\"\n";
@@ -44,7 +44,7 @@ fn a_bearing_that_rubs_in_proportion_to_its_force_swings_as_euler_s_equation_say
     close(last(&with_pin, "theta'"), last(&alone, "theta'"), 1e-8);
 }
 
-/// A mass on a rope that is released level has the tension 3 m g cos(phi): twice its weight at cos(phi) = 2/3.
+/// A mass on a rope released horizontally has the tension 3 m g cos(phi): twice the weight at cos(phi) = 2/3.
 #[test]
 fn a_rope_breaks_at_the_tension_of_its_closed_form() {
     let text = "title = \"rope\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"2 kg\"\nl = \"1 m\"\ng = \"9.81 m/s^2\"\n\
@@ -57,7 +57,7 @@ fn a_rope_breaks_at_the_tension_of_its_closed_form() {
     close(last(&found, "rope.impulse'"), -2.0 * 2.0 * 9.81, 1e-9);
 }
 
-/// Powers with any exponent, of loads that hold reactions too.
+/// Powers with real exponents, of reactions in loads, too.
 #[test]
 fn a_power_of_a_reaction_has_any_exponent() {
     let by_powers = bead("", "-c*reaction(wire)^(1/3)*reaction(wire)^0.8*velocity(P)/(1 N)^(2/15)", "");

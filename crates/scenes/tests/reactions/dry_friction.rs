@@ -1,8 +1,8 @@
-//! Friction in proportion to a reaction, across slips and rests.
+//! Friction proportional to a reaction, through sliding and sticking.
 
 use super::{bead, close, last, runs};
 
-/// It rests where the slope of the wire is below the coefficient of friction.
+/// The bead comes to rest where the slope of the wire is below the coefficient of friction.
 #[test]
 fn a_bead_on_a_rough_wire_comes_to_rest_on_a_slope_that_friction_holds() {
     let text = bead(
@@ -14,11 +14,11 @@ fn a_bead_on_a_rough_wire_comes_to_rest_on_a_slope_that_friction_holds() {
     close(last(&found, "x'"), 0.0, 1e-10);
     let slope = 4.0 * last(&found, "x");
     assert!(slope.abs() > 0.1 && slope.abs() < 0.2, "{slope}");
-    // the wire carries what is across it, friction the rest: reaction times the gradient, with g cos^2 of the slope
+    // at rest the wire carries the normal component of the weight and friction the rest
     close(last(&found, "wire.impulse'"), 0.3 * 9.81 / (1.0 + slope * slope), 1e-9);
 }
 
-/// J1 a'' = M - F, J2 b'' = n F - L sgn b' - mu n |F| sgn b', a = n b: with F > 0 while it is driven, F < 0 while it runs out.
+/// J1 a'' = M - F, J2 b'' = n F - L sgn b' - mu n |F| sgn b', a = n b: F > 0 while the motor drives, F < 0 while the system runs down.
 #[test]
 fn a_gear_whose_loss_grows_with_its_torque_has_its_closed_form() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/foreign/lossy_gear.toml");
@@ -27,7 +27,7 @@ fn a_gear_whose_loss_grows_with_its_torque_has_its_closed_form() {
     let driven = (n * (1.0 - mu) * m - l) / (j2 + n * n * (1.0 - mu) * j1);
     let top = w0 + driven;
     let force = -j1 * n * (-l / (j2 + n * n * (1.0 + mu) * j1));
-    // running out, the motor drives the load through the gear, which takes its part
+    // while running down, the motor's inertia drives the load through the gear and its losses
     let signed = if force < 0.0 { 1.0 + mu } else { 1.0 - mu };
     let slowed = -l / (j2 + n * n * signed * j1);
     let turned = w0 + driven / 2.0 + top * top / (2.0 * -slowed);

@@ -1,4 +1,4 @@
-//! Reactions of constraints in loads and events: beside the same motions in coordinates without constraints, and closed forms.
+//! Reactions of constraints in loads and events, compared with motions in coordinates without constraints and with closed forms.
 
 mod beside;
 mod dry_friction;
@@ -34,7 +34,7 @@ fn close(found: f64, known: f64, within: f64) {
     assert!((found - known).abs() <= within, "{found} and {known}");
 }
 
-/// A bead on the parabola y = a x^2, with a force on it.
+/// A bead on the parabola y = a x^2 with a force.
 fn bead(definitions: &str, force: &str, rest: &str) -> String {
     format!(
         "title = \"bead\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"0.3 kg\"\na = \"2 1/m\"\nmu = \"0.2\"\nc = \"0.4 s/m\"\n\

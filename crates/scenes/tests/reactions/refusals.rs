@@ -1,4 +1,4 @@
-//! Reactions where they have no meaning.
+//! Refusals of reactions in places where they are undefined or not supported.
 
 use super::bead;
 use dalembert_scenes::ModelScene;
@@ -36,7 +36,7 @@ fn the_reaction_of_a_contact_stands_in_outputs_alone() {
     refused(&beside, &["are not supported together with the contact `floor` yet"]);
 }
 
-/// The division of a load among constraints that say the same is not determined.
+/// The reactions of two equivalent constraints are not determined.
 #[test]
 fn a_load_by_the_reaction_of_a_redundant_constraint_names_that_constraint() {
     refused(

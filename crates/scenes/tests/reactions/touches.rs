@@ -1,10 +1,10 @@
-//! Conditions on reactions that touch zero.
+//! Conditions on reactions whose value touches zero.
 
 use super::{close, last, runs_by};
 use integrators::Method;
 
-/// A bead on a straight wire y = a x is pulled down it by k r^2, r the reaction. The larger of r^2 and r^2 cos^2 b x is always r^2: their
-/// difference touches zero where b x is a multiple of pi, and the acceleration is constant.
+/// A force k r^2, with the reaction r, pulls a bead down a straight wire y = a x. max(r^2, r^2 cos^2 b x) is always r^2: the difference touches
+/// zero where b x is a multiple of pi, and the acceleration is constant.
 #[test]
 fn a_condition_that_touches_zero_leaves_the_law_as_it_is() {
     let text = "title = \"bead\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"0.3 kg\"\na = \"0.5\"\nk = \"0.2 1/N\"\nb = \"20 1/m\"\n\

@@ -1,4 +1,4 @@
-//! Planes that the time moves, whose speed jumps: 5 m/s^2 of friction brings a box to the speed of its belt.
+//! Moving planes whose speed jumps: friction accelerates a box by 5 m/s^2 to the speed of its belt.
 
 use super::{METHODS, close, events, last, runs};
 use dalembert_scenes::ModelScene;
@@ -14,7 +14,7 @@ fn belt(through: &str, speed: &str) -> String {
     )
 }
 
-/// It slides for 0.2 s, rides, and slides for 0.2 s after the belt has stopped, or has doubled its speed.
+/// The box slides for 0.2 s, moves with the belt, and slides for 0.2 s after the belt has stopped or doubled its speed.
 #[test]
 fn a_box_slides_where_the_speed_of_its_belt_jumps() {
     for method in METHODS {
@@ -32,7 +32,7 @@ fn a_box_slides_where_the_speed_of_its_belt_jumps() {
     }
 }
 
-/// The same by dry friction.
+/// The motion of the box with dry friction as a force instead of a contact.
 #[test]
 fn dry_friction_slides_where_the_speed_beside_it_jumps() {
     let text = "title = \"belt\"\n[parameters]\nv = \"1 m/s\"\n[coordinates]\nx = \"m\"\n\
@@ -45,7 +45,8 @@ fn dry_friction_slides_where_the_speed_beside_it_jumps() {
     }
 }
 
-/// Beside a plate that rises with 2 m/s^2 a ball falls with 12 m/s^2: its bounces with 1/2 end after 3 times the first fall.
+/// Relative to a plate with the acceleration 2 m/s^2, a ball falls with 12 m/s^2. Its bounces, with restitution 1/2, end after three times the first
+/// fall.
 #[test]
 fn bounces_on_a_plate_that_moves_end_too() {
     let text = "title = \"ball\"\ngravity = \"-(10 m/s^2)*N.y\"\n[coordinates]\ny = \"m\"\n\
@@ -56,14 +57,14 @@ fn bounces_on_a_plate_that_moves_end_too() {
         let trajectory = runs(text, method, 1e-10);
         assert_eq!(trajectory.stopped(), None, "{method:?}");
         let times = events(&trajectory);
-        // the last one is as high as the rounding of the gap
+        // the last bounce is as high as the rounding error of the gap
         close(times[times.len() - 1], 3.0 * (1.0_f64 / 6.0).sqrt(), 1e-6);
         close(last(&trajectory, "N"), 12.0, 1e-10);
         close(last(&trajectory, "y"), 9.0, 1e-10);
     }
 }
 
-/// A particle that another one strikes carries the reaction.
+/// Another particle is the body that is touched, and carries the reaction.
 #[test]
 fn a_contact_of_two_particles_is_one_pair_by_every_principle() {
     let text = "title = \"two\"\n[parameters]\nm = \"1 kg\"\nM = \"3 kg\"\n[coordinates]\nx = \"m\"\nz = \"m\"\n\

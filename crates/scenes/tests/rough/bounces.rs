@@ -1,4 +1,4 @@
-//! Bounces without end in a finite time, and impacts beside contacts in touch.
+//! Infinitely many bounces in a finite time, and impacts while other contacts are closed.
 
 use super::{METHODS, close, events, last, runs};
 
@@ -11,7 +11,7 @@ fn ball(e: f64, rest: &str) -> String {
     )
 }
 
-/// The flights sum to t (1 + e)/(1 - e) with the time t of the first fall; afterwards the ball rests.
+/// The flights take t (1 + e)/(1 - e) in all, with the time t of the first fall; then the ball is at rest.
 #[test]
 fn bounces_come_to_an_end_where_their_sum_does() {
     let fall = (2.0_f64 / 9.81).sqrt();
@@ -28,7 +28,7 @@ fn bounces_come_to_an_end_where_their_sum_does() {
     }
 }
 
-/// A ball without a coordinate along the floor has friction there, which changes nothing.
+/// Without a coordinate along the floor, friction has no effect.
 #[test]
 fn a_rough_floor_under_a_ball_on_a_line_is_as_a_smooth_one() {
     let on_a_line = |friction: &str| {
@@ -54,7 +54,7 @@ fn a_coefficient_of_one_keeps_the_energy() {
     close(energy, 9.81, 1e-11);
 }
 
-/// A rough floor does not keep a ball from a wall: the impulse of the wall acts along the floor, whose own impulse is zero.
+/// A rough floor does not influence an impact on a wall: the impulse of the wall is tangential to the floor, whose own impulse is zero.
 #[test]
 fn an_impact_on_a_wall_leaves_a_floor_in_touch() {
     let wall = "friction = \"0.1\"\n[[contact]]\nname = \"wall\"\nof = \"ball\"\nthrough = \"O + (0.5 m)*N.x\"\nnormal = \"-N.x\"\n\
@@ -74,7 +74,7 @@ fn an_impact_on_a_wall_leaves_a_floor_in_touch() {
     }
 }
 
-/// A rod on two feet is struck up at one end: the foot there opens, and the other one is pressed where l^2 > 3 (I/m).
+/// A load that slides on a floor hits a slope: the impulse lifts the load from the floor.
 #[test]
 fn a_contact_in_touch_opens_where_an_impact_lifts_it() {
     let text = "title = \"stop\"\n[parameters]\nm = \"1 kg\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n[points]\nP = \"O + x*N.x + y*N.y\"\n\
@@ -87,13 +87,13 @@ fn a_contact_in_touch_opens_where_an_impact_lifts_it() {
         assert_eq!(trajectory.stopped(), None, "{method:?}");
         let then = trajectory.passages[1].then.as_deref().unwrap_or_default();
         assert_eq!(then, "contact `floor` is apart, contact `slope` is apart");
-        // 1.5 of the velocity along the normal is turned round: (2, 0) - 1.5 (1, -1)
+        // the normal velocity is reversed with the factor 1.5: (2, 0) - 1.5 (1, -1)
         close(last(&trajectory, "x'"), 0.5, 1e-13);
         close(last(&trajectory, "y'"), 1.5, 1e-13);
     }
 }
 
-/// A floor off zero has a gap with a rounding, by which each fall is longer: high bounces end all the same.
+/// The gap to a floor at 0.03 m has a rounding error, which makes falls longer; high bounces must end nevertheless.
 #[test]
 fn bounces_on_a_floor_off_zero_end_too() {
     for e in [0.8, 0.9] {

@@ -1,4 +1,4 @@
-//! Motions with friction in closed form, beside runs of the stored scenes with other data.
+//! Closed forms of motions with friction, compared with runs of the stored scenes with other data.
 
 use super::{close, edited, events, last, runs};
 use field::{Analytic, Circle, Scalar};
@@ -7,8 +7,8 @@ use simulation::Trajectory;
 
 const G: f64 = 9.81;
 
-/// alpha'^2 as a function of alpha while the uniform ladder slides with equal friction, up where it is negative, from
-/// (alpha_0, alpha_0'^2): (J + m l^2 cos 2phi) alpha'' = m g l sin(alpha - 2phi) + m l^2 sin 2phi alpha'^2, f = tan phi.
+/// alpha'^2 as a function of alpha for a uniform ladder that slides with equal friction f = tan phi at wall and floor (upwards for negative f),
+/// from (alpha_0, alpha_0'^2): (J + m l^2 cos 2phi) alpha'' = m g l sin(alpha - 2phi) + m l^2 sin 2phi alpha'^2.
 pub fn ladder(friction: f64, gravity: f64, half_length: f64, [start, squared]: [f64; 2], alpha: f64) -> f64 {
     let twice = 2.0 * friction.atan();
     let whole = 1.0 / 3.0 + twice.cos();
@@ -17,7 +17,7 @@ pub fn ladder(friction: f64, gravity: f64, half_length: f64, [start, squared]: [
     particular(alpha) + (squared - particular(start)) * (2.0 * p * (alpha - start)).exp()
 }
 
-/// x1'^2 as a function of theta while the steered rod of equal masses slides without a drive (f < 0 backwards), from
+/// x1'^2 as a function of theta for the steered rod with equal masses that slides without drive (backwards for f < 0), from
 /// (theta_0, x1'_0^2): v' + 2 f v = l g (cos theta - f sin theta).
 pub fn steered(friction: f64, gravity: f64, length: f64, [start, squared]: [f64; 2], theta: f64) -> f64 {
     let weight = length * gravity;
@@ -26,7 +26,7 @@ pub fn steered(friction: f64, gravity: f64, length: f64, [start, squared]: [f64;
     particular(theta) + (squared - particular(start)) * (-2.0 * friction * (theta - start)).exp()
 }
 
-/// When a climbed ladder that stands begins to slide: both reactions are on their cones.
+/// The time at which a climbed ladder begins to slide: both reactions are at their friction limits.
 pub fn climbed<S: Scalar>(
     friction: S,
     [own, load]: [S; 2],
@@ -39,7 +39,7 @@ pub fn climbed<S: Scalar>(
     moment / (load * sin) / speed
 }
 
-/// A ladder of a kilogram, a metre to its middle, on wall and floor.
+/// A run of a ladder of 1 kg between wall and floor with the half length 1 m.
 fn leaning(friction: f64, [alpha, spin]: [f64; 2], span: f64) -> Trajectory {
     let friction = friction.to_string();
     let text = edited(
@@ -57,7 +57,7 @@ fn leaning(friction: f64, [alpha, spin]: [f64; 2], span: f64) -> Trajectory {
     runs(&text, Method::DormandPrince8, 1e-14)
 }
 
-/// A column of a run at one of its events.
+/// The value of a column at an event of a run.
 fn at(trajectory: &Trajectory, event: usize, name: &str) -> f64 {
     trajectory.passages[event].row[trajectory.column(name).unwrap_or_else(|| panic!("{name}"))]
 }
@@ -87,7 +87,7 @@ fn the_rough_ladder_slides_as_its_quadrature_says() {
     }
 }
 
-/// N_A = 0 with both slips: m x'' + f (m y'' + m g) = 0
+/// N_A = 0 while both ends slide: m x'' + f (m y'' + m g) = 0
 #[test]
 fn the_rough_ladder_leaves_the_wall_where_its_quadrature_says() {
     let found = leaning(0.2, [1.0, 0.0], 0.8);
@@ -101,7 +101,7 @@ fn the_rough_ladder_leaves_the_wall_where_its_quadrature_says() {
     close(across + 0.2 * (down + G), 0.0, 1e-11);
 }
 
-/// Pushed up, friction turns sign in the quadrature.
+/// If the ladder is pushed upwards, friction has the opposite sign in the closed form.
 #[test]
 fn a_push_up_ends_at_rest_on_a_steep_ladder_and_is_reversed_on_a_flat_one() {
     let steep = leaning(0.3, [0.3, -1.0], 1.0);
@@ -139,7 +139,7 @@ fn the_steered_rod_of_equal_masses_has_a_closed_form() {
     }
 }
 
-/// Both reactions are on their cones.
+/// Slipping begins where both reactions are at their friction limits.
 #[test]
 fn a_ladder_that_is_climbed_slips_when_statics_says() {
     let text = edited("friction/climbed_ladder", &[("alpha", "0.7 rad")]);
@@ -150,7 +150,7 @@ fn a_ladder_that_is_climbed_slips_when_statics_says() {
     close(slip.time, exact, 1e-12 * exact);
 }
 
-/// About the fixed end 4/3 theta'' = -g cos theta, so that theta'^2 = 3/2 g (sin theta_0 - sin theta), until T/N is f.
+/// Rotation about the fixed end: 4/3 theta'' = -g cos theta, so that theta'^2 = 3/2 g (sin theta_0 - sin theta), until T/N = f.
 #[test]
 fn a_rod_falls_from_stick_into_slip_when_friction_is_spent() {
     let values = [("f", "0.5"), ("theta", "1 rad"), ("\"x'\"", "0 m/s"), ("\"theta'\"", "0 rad/s"), ("span", "0.7 s")];

@@ -1,4 +1,4 @@
-//! References across events: their digits, closed forms, and every method beside them.
+//! References across events: their digits, comparison with closed forms, and with every method.
 
 use super::{close, stored};
 use dalembert_scenes::ModelScene;
@@ -33,7 +33,7 @@ fn ball(e: &str, more: &str) -> String {
     )
 }
 
-/// The ball falls for 1/2 s with 4 m/s; friction 1/4 of the impulse 6 takes 3/2 m/s, then 3/4.
+/// The ball hits the floor after 1/2 s at 4 m/s. The normal impulses per mass are 6, 3 and 3/2 m/s; friction reduces the speed by a quarter of each.
 #[test]
 fn impacts_are_known_to_all_digits() {
     for law in ["newton", "poisson"] {
@@ -49,7 +49,7 @@ fn impacts_are_known_to_all_digits() {
     }
 }
 
-/// i = max(0, sin t): 2 C pass until t = pi, and the source falls on the diode that blocks.
+/// i = max(0, sin t): the charge is 2 C at t = pi; then the diode blocks the voltage of the source.
 #[test]
 fn a_current_without_inertia_is_known_to_all_digits() {
     let text = "title = \"rectifier\"\n[coordinates]\nq = \"C\"\n[energies]\ndissipation = \"(1 ohm)/2*q'^2\"\n[[force]]\nalong = \"q\"\n\
@@ -72,12 +72,12 @@ fn an_event_sets_the_state_to_all_digits() {
     let found = exact(&text);
     near(found.events[0].time, DoubleDouble::from(1.0) / DoubleDouble::from(5.0));
     near(found.events[0].state[2], DoubleDouble::from(1.0));
-    // 1 - 4/25 m are left, and the fall begins anew
+    // 1 - 4/25 m remain, and the fall starts again from rest
     let landed = found.events[1].time - found.events[0].time;
     near(landed * landed, DoubleDouble::from(21.0) / DoubleDouble::from(100.0));
 }
 
-/// The ladder and the slider-crank, whose events the runs know to 11 digits.
+/// The ladder and the slider-crank, whose event times runs give to 11 digits.
 #[test]
 fn references_across_events_agree_with_runs_and_belong_to_their_scenes() {
     for (name, [datum, other]) in [
@@ -126,14 +126,14 @@ fn bounces_without_end_have_no_reference() {
     assert!(unknown.to_string().contains("infinitely many bounces end at t = 0.7"), "{unknown}");
 }
 
-/// Constant steps end within a rounding of outputs.
+/// Constant steps may end within a rounding error of an output.
 #[test]
 fn every_output_is_seen_once_by_constant_steps() {
     let scene = scene_of(&ball("0.5", "friction = \"0.25\"\n"));
     let problem = scene.problem(Axes::First);
     let switching = problem.switching.as_ref().expect("there are contacts");
     for steps in [250, 1000, 4000] {
-        // the second impact is at one of them
+        // the second impact coincides with an output
         let span = Span::new(0.0, 1.3, &problem.state).with_even_outputs(26);
         let mut record = Record::new();
         let method = (Method::RungeKutta4 { steps }, &Tolerance::both(1e-9));
@@ -143,7 +143,7 @@ fn every_output_is_seen_once_by_constant_steps() {
     }
 }
 
-/// The lowest point slides with 5 m/s, and 7/2 mu g = 7 m/s^2 stop it; 5/7 of the velocity and 2/7 of r w are left (Euler 1758).
+/// The lowest point slides at 5 m/s and is decelerated by 7/2 mu g = 7 m/s^2; rolling begins with 5/7 of the velocity and 2/7 of r w (Euler 1758).
 #[test]
 fn a_ball_comes_to_roll_at_an_instant_that_is_known_to_all_digits() {
     let text = "title = \"ball\"\ngravity = \"-(8 m/s^2)*N.z\"\n[coordinates]\nx = \"m\"\ny = \"m\"\nz = \"m\"\n[frames]\nB = \"N free\"\n\
@@ -159,11 +159,11 @@ fn a_ball_comes_to_roll_at_an_instant_that_is_known_to_all_digits() {
     near(event.time, over_7(5.0));
     near(event.state[7], over_7(15.0));
     near(event.state[8], over_7(8.0));
-    // at the mean velocity
+    // by the mean velocity
     near(event.state[0], (DoubleDouble::from(3.0) + over_7(15.0)) * DoubleDouble::from(0.5) * over_7(5.0));
 }
 
-/// In its beginning a slip from rest has no direction that a series could follow.
+/// At the instant at which sliding begins from rest, its direction has no Taylor series.
 #[test]
 fn a_slip_that_begins_in_space_has_no_reference() {
     let text = "title = \"slope\"\ngravity = \"-(9.81 m/s^2)*N.z\"\n[parameters]\na = \"0.5 rad\"\n[coordinates]\nx = \"m\"\ny = \"m\"\nz = \"m\"\n\

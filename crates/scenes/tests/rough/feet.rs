@@ -1,11 +1,11 @@
-//! Bodies on more feet than their motion determines: the motion is one, the shares of the feet are not.
+//! Bodies on more feet than their motion determines: the motion is unique, the reactions of the feet are not.
 
 use super::{METHODS, close, last, runs};
 
-/// Two feet of a planar body press at once.
+/// Number of feet; two would determine the reactions of a plane body.
 const FEET: usize = 12;
 
-/// A block of the mass 2 kg on many feet, pushed at a height above the floor.
+/// A block of 2 kg on many feet, with a force at a height above the floor.
 fn block(push: f64, height: f64) -> String {
     let feet: Vec<String> = (0..FEET).map(|k| format!("({} m)", 0.4 * k as f64 / (FEET - 1) as f64 - 0.2)).collect();
     let points: String = feet.iter().enumerate().map(|(k, at)| format!("F{k} = \"G + {at}*R.x - h*R.y\"\n")).collect();
@@ -55,7 +55,7 @@ fn a_block_on_twelve_feet_slides_as_one_body() {
     }
 }
 
-/// m g 0.2 m holds it upright against P 0.9 m, about the foot in front, where it sticks.
+/// The torque m g 0.2 m of the weight is less than P 0.9 m: the block turns about the front foot, which sticks.
 #[test]
 fn a_block_on_twelve_feet_turns_over_the_foot_in_front() {
     for method in METHODS {
@@ -65,14 +65,14 @@ fn a_block_on_twelve_feet_turns_over_the_foot_in_front() {
         let then = passages[0].then.as_deref().unwrap_or_default();
         assert!(then.contains("contact `foot0` is apart") && then.contains("contact `foot11` sticks"), "{then}");
         assert!(last(&trajectory, "a") < -1e-3);
-        // it turns about the foot, which stays
+        // the block turns about the fixed foot
         let (a, x, y) = (last(&trajectory, "a"), last(&trajectory, "x"), last(&trajectory, "y"));
         close(x + 0.2 * a.cos() + 0.3 * a.sin(), 0.2, 1e-10);
         close(y + 0.2 * a.sin() - 0.3 * a.cos(), 0.0, 1e-10);
     }
 }
 
-/// Two blocks, one on the other, pulled at the upper one: below mu m g both stay, above it that one slides alone.
+/// Two stacked blocks, the upper one pulled: below mu m g both stay at rest, above only the upper one slides.
 #[test]
 fn a_stack_stays_or_slides_where_its_friction_is_least() {
     for (pull, moves) in [(5.0, 0.0), (8.0, (8.0 - 0.3 * 2.0 * 9.81) / 2.0 * 0.02)] {

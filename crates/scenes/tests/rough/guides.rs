@@ -1,4 +1,4 @@
-//! Guides: reactions that coordinates satisfy already, beside coordinates that leave the direction across free.
+//! Guides: reactions of contacts that the coordinates satisfy identically, compared with coordinates that include the normal direction.
 
 use super::{METHODS, close, edited, events, last, runs, stored};
 use integrators::Method;
@@ -28,7 +28,7 @@ fn a_guide_has_the_reaction_of_a_coordinate_that_is_held_across_it() {
     }
 }
 
-/// A bead on a rod that turns steadily: m r'' = m w^2 r - T, N = 2 m w r'; T = mu N opposes r'.
+/// A bead on a rod that turns at constant speed: m r'' = m w^2 r - T, N = 2 m w r'; T = mu N opposes r'.
 #[test]
 fn a_bead_on_a_turning_rod_is_pressed_by_coriolis_force() {
     let text = "title = \"bead\"\n[parameters]\nm = \"0.3 kg\"\nw = \"2 rad/s\"\nmu = \"0.25\"\n[coordinates]\nr = \"m\"\n\
@@ -48,7 +48,7 @@ fn a_bead_on_a_turning_rod_is_pressed_by_coriolis_force() {
     close(last(&trajectory, "N"), 2.0 * 0.3 * w * last(&trajectory, "r'"), 1e-11);
 }
 
-/// A bead on a rod whose pivot is shaken along it: m (r'' - w^2 r) = -m (a.e_r) - T, N = m (2 w r' + a.e_t), a the pivot's acceleration.
+/// A bead on a rod whose pivot has the acceleration a: m (r'' - w^2 r) = -m (a.e_r) - T, N = m (2 w r' + a.e_t).
 #[test]
 fn a_bead_on_a_rod_with_a_moving_pivot_is_pressed_by_its_own_mass_alone() {
     let text = "title = \"bead\"\n[parameters]\nm = \"0.3 kg\"\nw = \"2 rad/s\"\nc = \"0.1 m\"\nM = \"40 kg\"\n[coordinates]\nr = \"m\"\n\
@@ -74,7 +74,7 @@ fn a_guide_on_a_frame_that_no_body_has_is_one_of_the_ground() {
     close(last(&trajectory, "N"), 2.0 * 0.3 * 2.0 * last(&trajectory, "r'"), 1e-11);
 }
 
-/// The constraint determines a rod without mass; one with next to none has the same motion.
+/// The constraint determines the motion of a massless rod, which equals that of a rod with very little mass.
 #[test]
 fn a_rod_without_mass_goes_as_its_constraint_says() {
     let guided = stored("models/rough_slider_crank");
@@ -91,7 +91,7 @@ fn a_rod_without_mass_goes_as_its_constraint_says() {
     }
 }
 
-/// Where the coefficient is zero the direction of sliding chooses nothing: the energy is that of the torque.
+/// With a zero coefficient of friction the direction of sliding has no effect: the energy gained is the work of the torque.
 #[test]
 fn a_guide_whose_coefficient_of_friction_is_zero_is_smooth() {
     let text = edited("models/rough_slider_crank", &[("mu", "0")]);

@@ -1,4 +1,4 @@
-//! Impacts and slopes, beside closed forms.
+//! Impacts and slopes, compared with closed forms.
 
 use super::{METHODS, close, events, last, runs};
 
@@ -9,7 +9,7 @@ const BALL: &str = "title = \"ball\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"
                     [[contact]]\nname = \"floor\"\nof = \"ball at P\"\nthrough = \"O\"\nnormal = \"N.y\"\nfriction = \"mu\"\n\
                     restitution = \"e\"\n[start]\ny = \"1.05 m\"\n\"x'\" = \"2 m/s\"\n[run]\nspan = \"1 s\"\n";
 
-/// Falling, v = sqrt(2 g h); an impulse mu (1 + e) v m grips the ball where that is enough to stop its slip, which takes 2/7 of it.
+/// Impact at v = sqrt(2 g h): the ball sticks if the impulse mu (1 + e) v m is enough to stop its sliding, which takes 2/7 of the momentum.
 #[test]
 fn a_ball_grips_or_slips_in_an_impact_as_coulomb_says() {
     let fall = (2.0_f64 * 9.81).sqrt();
@@ -37,7 +37,7 @@ fn disc(mu: f64) -> String {
     )
 }
 
-/// A disc rolls where mu >= tan(b)/3, with 2/3 of g sin(b); else it slides with g (sin(b) - mu cos(b)).
+/// A disc rolls down if mu >= tan(b)/3, with the acceleration 2/3 g sin(b); otherwise it slides with g (sin(b) - mu cos(b)).
 #[test]
 fn a_disc_on_an_incline_rolls_or_slides() {
     let (s, c) = (0.5, 0.75_f64.sqrt());
@@ -52,7 +52,7 @@ fn a_disc_on_an_incline_rolls_or_slides() {
     }
 }
 
-/// A block on a wedge that slides: both accelerations in closed form, with friction between them.
+/// A block on a sliding wedge, with friction between them: both accelerations in closed form.
 #[test]
 fn a_block_slides_down_a_wedge_that_slides_away() {
     let text = "title = \"wedge\"\ngravity = \"-g*N.y\"\n[parameters]\nM = \"5 kg\"\nm = \"1 kg\"\ng = \"9.81 m/s^2\"\nmu = \"0.2\"\n\
@@ -74,7 +74,7 @@ fn a_block_slides_down_a_wedge_that_slides_away() {
     }
 }
 
-/// A load slides on a cart, both particles, until both have one speed: 2 m/s = (F/m + 2 mu g) t; then it stays behind.
+/// A load slides on a cart, both of them particles, until their speeds are equal: 2 m/s = (F/m + 2 mu g) t. Then it slides backwards.
 #[test]
 fn a_particle_carries_the_plane_on_which_another_slides() {
     let text = "title = \"cart\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"1 kg\"\ng = \"9.81 m/s^2\"\nF = \"10 N\"\nmu = \"0.2\"\n\
@@ -88,7 +88,7 @@ fn a_particle_carries_the_plane_on_which_another_slides() {
         assert_eq!(trajectory.stopped(), None);
         let (drag, stops) = (0.2 * 9.81, 2.0 / (10.0 + 0.4 * 9.81));
         close(events(&trajectory)[0], stops, 1e-12);
-        // friction brakes the load, and draws it along afterwards
+        // friction decelerates the load, and accelerates it afterwards
         close(last(&trajectory, "x'"), 2.0 - drag * stops + drag * (1.0 - stops), 1e-11);
         close(last(&trajectory, "X'"), (10.0 + drag) * stops + (10.0 - drag) * (1.0 - stops), 1e-11);
     }

@@ -1,4 +1,4 @@
-//! Ladders and rods: their events by every method, and how their runs end.
+//! Ladders and rods: event times with every method, and the ends of their runs.
 
 use super::{METHODS, close, edited, events, last, runs, stored};
 use integrators::Method;
@@ -16,7 +16,7 @@ fn a_ladder_that_is_pushed_up_stops_and_stays() {
     }
 }
 
-/// The weight that is carried up slips it, it leaves the wall, and its top falls on the floor.
+/// The climber's weight makes the ladder slip; it leaves the wall, and its top hits the floor.
 #[test]
 fn a_ladder_under_a_climber_slides_sticks_slips_and_leaves_the_wall() {
     for method in METHODS {
@@ -36,7 +36,7 @@ fn a_ladder_under_a_climber_slides_sticks_slips_and_leaves_the_wall() {
     }
 }
 
-/// An event is shown with its row: coordinates, speeds and outputs by the law that follows.
+/// Each event has a row: coordinates, speeds, and outputs by the law behind the event.
 #[test]
 fn a_steered_rod_slides_forwards_and_back_and_stays() {
     let trajectory = runs(&stored("friction/steered_rod"), Method::DormandPrince8, 1e-13);
@@ -44,7 +44,7 @@ fn a_steered_rod_slides_forwards_and_back_and_stays() {
     let [stops, stays] = events(&trajectory)[..] else { panic!("{:?}", trajectory.passages) };
     close(stops, 0.584190153291911, 1e-11);
     close(stays, 1.489414424306977, 1e-11);
-    // normal reaction and friction while it slides forwards, back, and stays
+    // normal reaction and friction while sliding forwards, backwards, and sticking
     let reactions =
         [[-47.905208614068, -9.581041722813], [-30.184183650015, 6.036836730003], [-38.967520871566, -3.258502128935]];
     for (passage, [normal, tangential]) in trajectory.passages.iter().zip(reactions) {
@@ -61,7 +61,7 @@ fn a_rod_is_retarded_evenly_until_it_stays() {
     close(last(&trajectory, "T_guide"), -1.0, 1e-12);
 }
 
-/// x - l/2 ln tan(theta/2) is kept, as long as the angle tells it.
+/// x - l/2 ln tan(theta/2) is constant; it is computable as long as theta is not too small.
 #[test]
 fn a_rod_without_friction_straightens() {
     let text = edited("failures/straightening_rod", &[("span", "1 s")]);

@@ -1,4 +1,4 @@
-//! Contacts with Coulomb friction on systems that are text: beside closed forms, references to all digits, and other texts.
+//! Contacts with Coulomb friction in systems as text, compared with closed forms, with references of many digits, and with equivalent texts.
 
 mod belts;
 mod bounces;
@@ -68,7 +68,7 @@ fn events(trajectory: &Trajectory) -> Vec<f64> {
     trajectory.passages.iter().skip(1).map(|passage| passage.time).collect()
 }
 
-/// The rod with one end on a rough line, at an angle, with a spin and a speed of the end.
+/// A rod with one end on a rough line, at an angle, with an angular velocity and the speed of the end in m/s.
 fn rod(angle: &str, spin: &str, slide: f64) -> String {
     let slide = format!("{slide} m/s");
     edited("friction/jam", &[("theta", angle), ("\"theta'\"", spin), ("\"x'\"", &slide)])

@@ -1,4 +1,4 @@
-//! Verdicts and margins of a system that is text, in rounded numbers, beside those of the same system in rational ones.
+//! Regimes and margins of a system as text in double precision, compared with those of the system in rational arithmetic.
 
 use super::{close, rod};
 use dalembert_scenes::{Motions, Task, parse_titled, regimes};
@@ -7,7 +7,7 @@ use mechanics::constrained::State;
 use mechanics::regimes::{Consistency, posed, verdict};
 use systems::slender_rod::SlenderRod;
 
-/// Half tangents of angles, spins in rad/s and coefficients of friction, in tenths.
+/// Tangents of half angles, angular velocities in rad/s and coefficients of friction, in tenths.
 const HALVES: [i64; 7] = [1, 3, 4, 5, 7, 8, 9];
 const SPINS: [i64; 4] = [0, 4, 11, 35];
 const FRICTIONS: [i64; 4] = [3, 12, 17, 29];
@@ -16,7 +16,7 @@ fn tenths(number: i64) -> Rational {
     Rational::new(number, 10)
 }
 
-/// A rod of m = l = g = 1 whose end slides backwards with 1 m/s.
+/// A rod with m = l = g = 1 whose end slides backwards at 1 m/s.
 fn exactly(angle: Circle<Rational>, spin: Rational, friction: Rational) -> Consistency<Rational, 1> {
     let one = Rational::new(1, 1);
     let rod = SlenderRod { mass: one, inertia: Rational::new(1, 3), half_length: one, gravity: one, friction };

@@ -1,4 +1,4 @@
-//! Motions across stick, slip and detachment to 25 digits: kept for every scene that has one, its own, and beside closed forms.
+//! Stored references of motions across sticking, sliding and separation with 25 digits, compared with closed forms and with their scenes.
 
 use super::closed_forms::climbed;
 use super::stored;
@@ -15,7 +15,7 @@ use studies::regimes::critical;
 const DIGITS: f64 = 25.0;
 const PATIENCE: Duration = Duration::from_secs(600);
 
-/// Every scene with contacts in the folders of friction and of failures but one, in which nothing moves.
+/// All scenes with contacts in the folders `friction` and `failures`, except for one without motion.
 const SCENES: [&str; 6] = [
     "friction/climbed_ladder",
     "friction/jam",
@@ -35,7 +35,7 @@ fn kept(name: &str) -> Stored {
     Stored::read(&text).unwrap_or_else(|wrong| panic!("{name}: {wrong}"))
 }
 
-/// A parameter, or a part of the start.
+/// The value of a parameter, or of a component of the start.
 fn value(scene: &ModelScene, name: &str) -> f64 {
     use simulation::models::Modelled;
     scene.value(name).unwrap_or_else(|| panic!("{name}"))
@@ -45,7 +45,7 @@ fn exactly(scene: &ModelScene, name: &str) -> DoubleDouble {
     DoubleDouble::lift(value(scene, name))
 }
 
-/// Whether two numbers differ by less than what a reference claims.
+/// Requires that two numbers agree to the digits that a reference claims.
 fn close(name: &str, a: DoubleDouble, b: DoubleDouble, digits: f64) {
     let off = ((a - b).hi() / b.hi()).abs();
     assert!(off < 10f64.powf(-digits), "{name}: {a:?} and {b:?} are {off:.1e} apart");
@@ -104,7 +104,7 @@ fn runs_in_f64_have_the_events_of_the_reference() {
     }
 }
 
-/// m1 = 3 kg, m2 = 1 kg, f = 0.2, X = 1 N, 2 m/s: along the guide the rod weighs m1 - m2 on it.
+/// m1 = 3 kg, m2 = 1 kg, f = 0.2, X = 1 N, 2 m/s: the rod presses on the guide with the weight of m1 - m2.
 #[test]
 fn a_rod_that_is_retarded_evenly_stops_when_it_should() {
     let (kept, scene) = (kept("failures/stopping_rod"), open("failures/stopping_rod"));
@@ -114,7 +114,7 @@ fn a_rod_that_is_retarded_evenly_stops_when_it_should() {
     close("the stop", kept.events[0].time, speed / retardation, kept.reference.digits);
 }
 
-/// When both reactions are on their cones, at the angle that the reference has.
+/// The time at which both reactions are at their friction limits, at the angle of the reference.
 #[test]
 fn a_climbed_ladder_slips_when_statics_says() {
     let (kept, scene) = (kept("friction/climbed_ladder"), open("friction/climbed_ladder"));
@@ -125,7 +125,7 @@ fn a_climbed_ladder_slips_when_statics_says() {
     close("the slip", slip.time, time, kept.reference.digits - 1.0);
 }
 
-/// At the end the friction is the critical one.
+/// At the end of the motion, the coefficient of friction has its critical value.
 #[test]
 fn a_rod_jams_at_its_critical_angle() {
     let (kept, scene) = (kept("friction/jam"), open("friction/jam"));
@@ -135,7 +135,7 @@ fn a_rod_jams_at_its_critical_angle() {
     close("the friction", critical::rod(kappa, end.state[2].circle()), friction, kept.reference.digits - 1.0);
 }
 
-/// On every scene the eighth-order pair comes to its tolerance's error, and a method that fails says why.
+/// On every scene, the method of order eight has an error near its tolerance, and a method that fails gives the reason.
 #[test]
 fn every_method_is_measured_by_the_reference() {
     let methods = vec![Method::DormandPrince8, Method::GraggBulirschStoer, Method::Radau5, Method::Taylor];
@@ -157,7 +157,7 @@ fn every_method_is_measured_by_the_reference() {
     }
 }
 
-/// Past its end a motion is not followed, and what there is of it is kept.
+/// A motion is not continued behind its end; its samples up to there are recorded.
 #[test]
 fn a_run_across_events_ends_with_what_it_shows_last() {
     let (scene, kept) = (open("friction/climbed_ladder"), kept("friction/climbed_ladder"));
@@ -180,7 +180,7 @@ fn a_run_across_events_ends_with_what_it_shows_last() {
     assert_eq!(outcome.end, End::Stopped(Failure::OtherCourse { at: outcome.time }));
 }
 
-/// Which condition of a law fails first where its reactions grow beyond every bound is rounding: no method names another end.
+/// Where reactions become unbounded, rounding errors determine which condition fails first; all methods must name one reason.
 #[test]
 fn a_rod_that_jams_does_so_by_every_method() {
     let (scene, known) = (open("friction/jam"), kept("friction/jam").events[0].time.hi());

@@ -1,4 +1,4 @@
-//! Contacts that cannot be, each with one message at its place.
+//! Impossible contacts, with one message each at its place.
 
 use super::stored;
 use dalembert_scenes::ModelScene;
@@ -50,7 +50,7 @@ fn a_smooth_contact_in_space_takes_the_bounce_alone() {
     super::close(super::last(&trajectory, "x'"), 1.0, 1e-14);
 }
 
-/// The reaction of a line in space has two components, and Coulomb's law takes both together.
+/// The reaction of a line in space has two components, and Coulomb's law limits their resultant.
 #[test]
 fn a_rough_guide_along_a_line_in_space_is_refused() {
     let guide = |gravity: &str, friction: &str| {

@@ -1,4 +1,4 @@
-//! Every regime at a start: which agree with the motion that they give, by how much, and how many motions there are.
+//! All regimes at a start: those consistent with their own motion, their margins, and the number of motions.
 
 use super::{rod, stored};
 use dalembert_scenes::{Motions, Regimes, Task, parse_titled, regimes};
@@ -8,7 +8,7 @@ fn of(text: &str) -> Regimes {
     regimes(model).unwrap_or_else(|issue| panic!("{issue:?}"))
 }
 
-/// The names of the regimes, and their margins rounded.
+/// The names of the regimes, with rounded margins.
 fn shown(found: &Regimes) -> Vec<String> {
     let margin = |margin: &dalembert_scenes::Margin| format!("{} {:.5} {}", margin.asks, margin.value, margin.unit);
     let of = |regime: &dalembert_scenes::Regime| {
@@ -18,8 +18,8 @@ fn shown(found: &Regimes) -> Vec<String> {
     found.regimes.iter().map(of).collect()
 }
 
-/// With friction beyond (1 + 3 cos^2)/(3 sin cos) and a spin that would lift it, the rod may leave or be pressed (Painleve). The numbers
-/// are those of the program's own rod.
+/// Painleve's rod with friction beyond (1 + 3 cos^2)/(3 sin cos) and an angular velocity that would lift it: it may separate or be pressed. The
+/// numbers agree with the rod that is compiled into the program.
 #[test]
 fn painleves_rod_has_no_motion_one_or_several() {
     let none = of(&rod("63 deg", "0 rad/s", -3.0));
@@ -37,7 +37,7 @@ fn painleves_rod_has_no_motion_one_or_several() {
     assert_eq!(shown(&one), ["contact `end` slides backwards: normal reaction |N| 17.03985 N"]);
 }
 
-/// f* = (1 + k c^2)/(k s c) with k = ml^2/I = 3, as the claims on rods have it; of a block on a plane there is none.
+/// f* = (1 + k c^2)/(k s c) with k = m l^2/I = 3, as in the claims on rods; a block on a plane has no critical friction.
 #[test]
 fn the_friction_at_which_reactions_are_not_determined_is_that_of_the_claims() {
     let found = of(&super::rod("1 rad", "0 rad/s", -1.0));
@@ -45,12 +45,12 @@ fn the_friction_at_which_reactions_are_not_determined_is_that_of_the_claims() {
     let critical = found.critical.expect("a rod has one");
     super::close(2.0 * critical.factor, (1.0 + 3.0 * c * c) / (3.0 * s * c), 1e-12);
     assert_eq!(critical.regime, "contact `end` slides backwards");
-    // a slip forwards is never critical
+    // forward sliding is never critical
     assert_eq!(of(&super::rod("1 rad", "0 rad/s", 1.0)).critical, None);
 }
 
-/// Two masses on parallel guides with a rod between them, tan of its angle 4/3, moving forwards: their coordinates across free, or left to
-/// guides (Painleve 1895, Klein 1909).
+/// Two masses on parallel guides, connected by a rod with tan of its angle 4/3, moving forwards (Painleve 1895, Klein 1909); with coordinates
+/// across the guides (`across`), or with guides as contacts.
 fn sliders(friction: &str, load: &str, across: bool) -> String {
     let guide = |name: &str, body: &str, friction: &str, through: &str| {
         let place = match across {
@@ -76,7 +76,7 @@ fn sliders(friction: &str, load: &str, across: bool) -> String {
     )
 }
 
-/// (m1 + m2 - f m2 tan) x'' = P1 + P2 - f P2 tan is 0 = 0 at the critical friction 2/tan under P1 = P2; 0 = -1 without P1.
+/// (m1 + m2 - f m2 tan) x'' = P1 + P2 - f P2 tan: at the critical friction 2/tan this is 0 = 0 for P1 = P2, and 0 = -1 without P1.
 #[test]
 fn at_the_critical_friction_one_load_gives_motions_without_end() {
     for across in [true, false] {
@@ -91,7 +91,7 @@ fn at_the_critical_friction_one_load_gives_motions_without_end() {
     assert!(run.stopped().is_some_and(|why| why.starts_with("does not begin: infinitely many motions")));
 }
 
-/// N = mg cos - F sin is pushed up to what friction holds: at F = f m g exactly on the boundary.
+/// A block of 2 kg with the coefficient of friction 0.25 and a horizontal force F: at F = 5 N = f m g it is exactly at the limit of sticking.
 #[test]
 fn a_block_on_the_boundary_of_sticking_has_one_motion() {
     let block = |push: &str| {
@@ -116,7 +116,7 @@ fn a_block_on_the_boundary_of_sticking_has_one_motion() {
     assert_eq!(shown(&slides), [format!("contact `floor` slides forwards: {margins}")]);
 }
 
-/// A block on more feet than its motion determines: one motion, whose reactions are possible ones.
+/// A ladder at rest with large friction has more reactions than its motion determines: several regimes give the one motion.
 #[test]
 fn several_regimes_may_give_one_motion() {
     let found = of(&stored("models/leaning_ladder")

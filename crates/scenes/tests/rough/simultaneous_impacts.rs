@@ -1,4 +1,4 @@
-//! Impacts of several contacts at once, by Moreau's law.
+//! Simultaneous impacts of several contacts, by Moreau's law.
 
 use super::{METHODS, last, runs};
 use dalembert_scenes::ModelScene;
@@ -50,7 +50,7 @@ x3 = "0.6 m"
 span = "1 s"
 "#;
 
-/// A box over a floor, with a contact at each lower corner.
+/// A box above a floor, with a contact at each lower corner.
 const BOX: &str = r#"
 title = "A box falls on a floor"
 gravity = "-g*N.y"
@@ -111,7 +111,7 @@ fn balls_in_touch_leave_together() {
             assert!((last(&trajectory, name) - speed).abs() < 1e-12, "{method:?} {name}");
         }
     }
-    // without restitution all go on together
+    // without restitution all balls move on together
     let trajectory = runs(&CRADLE.replace("e = \"1\"", "e = \"0\""), Method::DormandPrince8, 1e-11);
     for name in ["x1'", "x2'", "x3'"] {
         assert!((last(&trajectory, name) - 1.0 / 3.0).abs() < 1e-12);
@@ -129,14 +129,14 @@ fn the_reference_has_the_same_impact() {
     }
 }
 
-/// Both corners strike at once, each time: the box stays level, and slides to rest by friction whose impulses are those of one contact.
+/// Both corners hit the floor simultaneously each time: the box stays horizontal, and friction stops it as a single contact would.
 #[test]
 fn a_box_that_falls_level_stays_level() {
     let trajectory = runs(&of_box(&[]), Method::DormandPrince8, 1e-10);
     assert_eq!(trajectory.stopped(), None);
     assert!(last(&trajectory, "a").abs() < 1e-9 && (last(&trajectory, "y") - 0.1).abs() < 1e-9);
     assert!(last(&trajectory, "x'").abs() < 1e-9);
-    // v0 = sqrt(2 g 0.7 m); the first impulse along the floor is 0.3 (1 + 0.4) v0 m, more than what stops it: it sticks at once
+    // v0 = sqrt(2 g 0.7 m); the limit 0.3 (1 + 0.4) v0 m of the first tangential impulse exceeds what stops the box: it sticks at once
     let v0 = (2.0 * 9.81 * 0.7_f64).sqrt();
     let first = v0 / 9.81;
     assert!((trajectory.passages[1].time - first).abs() < 1e-9);
@@ -158,7 +158,7 @@ fn a_box_that_falls_aslant_comes_to_rest_on_its_face() {
     }
 }
 
-/// Friction that would hold any push: both corners stick at rest, and rounding of the impact is no slip.
+/// Large friction: both corners stick, and rounding errors of the impact must not count as sliding.
 #[test]
 fn a_box_on_two_rough_corners_comes_to_rest() {
     for (friction, restitution) in [("0.35", "0"), ("1", "0"), ("3", "0.5"), ("30", "0.5")] {

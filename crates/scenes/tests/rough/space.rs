@@ -1,9 +1,9 @@
-//! Coulomb friction in space: closed forms, rolling beside constraints, and what is refused.
+//! Coulomb friction in space: closed forms, rolling compared with constraints, and refusals.
 
 use super::{METHODS, close, events, last, runs};
 use integrators::Method;
 
-/// A ball on a table; its spin is about x.
+/// A ball on a table, with spin about x.
 fn ball(friction: f64, rest: &str, height: &str) -> String {
     format!(
         "title = \"ball\"\ngravity = \"-g*N.z\"\n[parameters]\nm = \"0.17 kg\"\nr = \"0.03 m\"\ng = \"9.81 m/s^2\"\nmu = \"{friction}\"\n\
@@ -17,7 +17,7 @@ fn ball(friction: f64, rest: &str, height: &str) -> String {
     )
 }
 
-/// The velocity u of the lowest point keeps its direction and falls by 7/2 mu g; the path is a parabola until the ball rolls (Euler 1758).
+/// The velocity u of the lowest point has a constant direction and decreases by 7/2 mu g; the path is a parabola until the ball rolls (Euler 1758).
 #[test]
 fn a_ball_with_spin_slides_until_it_rolls() {
     let (mu, g) = (0.2, 9.81);
@@ -43,7 +43,7 @@ fn a_ball_with_spin_slides_until_it_rolls() {
     }
 }
 
-/// The cloth takes the spin out of the first bounce where mu is large: u goes to zero with 2/7 u of the velocity.
+/// If mu is large, sliding ends in the first impact: u becomes zero, which changes the velocity by 2/7 u.
 #[test]
 fn a_ball_that_bounces_with_spin_leaves_without_sliding() {
     let text = ball(0.4, "restitution = \"0.5\"", "1.03 m");
@@ -67,7 +67,7 @@ fn slope(friction: &str, start: &str, force: &str) -> String {
     )
 }
 
-/// With mu = tan a the speed and its part down the slope have a sum that stays.
+/// With mu = tan a, the sum of the speed and of its component down the slope is constant.
 #[test]
 fn a_block_that_is_pushed_across_a_slope_turns_down() {
     for method in METHODS {
@@ -86,7 +86,7 @@ fn a_block_that_friction_does_not_hold_slides_down() {
     close(last(&trajectory, "y"), 0.0, 1e-12);
 }
 
-/// |T| = mu N at the event, whatever the directions of both parts of T; what follows is stiff.
+/// Sliding begins where |T| = mu N, for any direction of T; the motion after that is stiff.
 #[test]
 fn a_block_that_is_pulled_aside_more_and_more_begins_to_slide_where_friction_ends() {
     let force = "[[force]]\non = \"block\"\nis = \"(4 N/s)*t*S.y\"";
@@ -106,7 +106,7 @@ fn a_block_that_is_pulled_aside_more_and_more_begins_to_slide_where_friction_end
     }
 }
 
-/// A particle in a bowl z = x^2/l: N and T stand upon the surface, and T opposes the velocity.
+/// A particle in a bowl z = (x^2 + y^2)/l: N is normal to the surface, T tangential and opposite to the velocity.
 #[test]
 fn friction_on_a_curved_surface_opposes_the_sliding() {
     let text = "title = \"bowl\"\ngravity = \"-g*N.z\"\n[parameters]\nm = \"2 kg\"\ng = \"9.81 m/s^2\"\nl = \"1.5 m\"\n\
@@ -125,7 +125,7 @@ fn friction_on_a_curved_surface_opposes_the_sliding() {
     }
 }
 
-/// The coin of a radius of 12 mm that starts with pure rolling, held by friction, and by constraints.
+/// A coin with the radius 12 mm, rolling by friction, and by constraints.
 #[test]
 fn a_coin_that_friction_holds_rolls_as_one_that_constraints_hold() {
     let coin = |held: &str| {
@@ -149,7 +149,7 @@ fn a_coin_that_friction_holds_rolls_as_one_that_constraints_hold() {
     }
 }
 
-/// The sentence with which a run of a text ends.
+/// The message with which the run of a text ends.
 fn end(text: &str) -> String {
     runs(text, Method::DormandPrince8, 1e-9).stopped().unwrap_or_default().to_string()
 }
@@ -160,7 +160,7 @@ fn impacts_that_turn_the_sliding_are_refused() {
     assert!(end(&text).contains("would turn the direction of sliding"), "{}", end(&text));
 }
 
-/// In a sphere without weight the speed falls as 1/(1 + f v t/R), whichever axes the normal passes through.
+/// In a sphere without gravity the speed decreases as 1/(1 + f v t/R), also where the normal passes an axis.
 #[test]
 fn a_particle_slides_round_in_a_sphere_through_every_axis() {
     let text = |start: &str| {
@@ -180,7 +180,7 @@ fn a_particle_slides_round_in_a_sphere_through_every_axis() {
     }
 }
 
-/// A block on a string round a post is pulled along its arc: friction has one direction there.
+/// A block on a straight line on a table with a growing force: friction acts along the line.
 #[test]
 fn a_block_on_a_line_begins_to_slide_where_the_pull_along_it_exceeds_friction() {
     let text = "title = \"line\"\ngravity = \"-(10 m/s^2)*N.z\"\n[coordinates]\nx = \"m\"\ny = \"m\"\nz = \"m\"\n\
@@ -191,13 +191,13 @@ fn a_block_on_a_line_begins_to_slide_where_the_pull_along_it_exceeds_friction() 
     for method in [Method::DormandPrince8, Method::Radau5] {
         let trajectory = runs(text, method, 1e-11);
         assert_eq!(trajectory.stopped(), None, "{method:?}");
-        // 4/5 of the force is along the line
+        // 4/5 of the force act along the line
         close(events(&trajectory)[0], 0.5, 1e-10);
         close(last(&trajectory, "x'"), 0.8 * 0.5 * 4.0 * 0.25, 1e-9);
     }
 }
 
-/// Neither method has the digits there: one is told of a law without a series, the other steps over rest.
+/// Neither method works there: one needs a Taylor series, which does not exist, the other steps over the instant of rest.
 #[test]
 fn methods_that_cannot_follow_a_slip_are_refused() {
     let text = slope("0.3", "x = \"0 m\"", "");

@@ -1,4 +1,4 @@
-//! Starts from which no motion goes on, or several: the scene is read, and its run ends with the reason.
+//! Starts from which no motion, or more than one, continues: the scene is read, and its run ends with the reason.
 
 use super::{edited, rod, runs, stored};
 use dalembert_scenes::ModelScene;
@@ -10,7 +10,7 @@ fn begins(text: &str) -> Trajectory {
     runs(text, Method::DormandPrince8, 1e-9)
 }
 
-/// Friction beyond (1 + 3 cos^2)/(3 sin cos) leaves no motion.
+/// With friction beyond (1 + 3 cos^2)/(3 sin cos) there is no motion.
 #[test]
 fn a_rod_pushed_against_its_contact_has_no_motion() {
     let text = stored("friction/painleve");
@@ -24,7 +24,7 @@ fn a_rod_pushed_against_its_contact_has_no_motion() {
     );
     assert!(!trajectory.outcome.reached() && trajectory.outcome.time == 0.0);
     assert!(trajectory.passages.is_empty() && trajectory.rows.is_empty());
-    // the state is there, reactions are not
+    // the state is defined, reactions are not
     assert_eq!(trajectory.undefined(), ["N_end", "T_end"]);
     let told = scene.told(&choice, &trajectory).diagnosis.expect("it has a place");
     let line = text.lines().position(|line| line == "[[contact]]").expect("a contact") + 1;
@@ -37,7 +37,7 @@ fn several_motions_and_motions_without_end_are_told_by_the_run() {
     assert!(several.stopped().is_some_and(|why| why.contains("several motions are possible from here")));
 }
 
-/// A force that drives as sign(v) is undecided at rest, one with sign(x) in the middle: the run says where, and what may be meant.
+/// A driving force sign(v) at rest has several motions, a force with sign(x) at x = 0 is undecided: the message gives the line and the probable intention.
 #[test]
 fn a_condition_that_no_case_agrees_with_is_told_with_its_line() {
     for (force, why, meant) in [
@@ -62,7 +62,7 @@ fn a_condition_that_no_case_agrees_with_is_told_with_its_line() {
     }
 }
 
-/// A scene with other values begins as a file with these values does.
+/// A scene with changed values starts as a file with these values.
 #[test]
 fn a_scene_with_other_values_is_that_of_the_text_with_them() {
     let scene = ModelScene::parse("scene.toml", &stored("friction/jam")).unwrap_or_else(|error| panic!("{error}"));

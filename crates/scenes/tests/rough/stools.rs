@@ -1,4 +1,4 @@
-//! Bodies on several feet in space: they rest, begin to slide together, turn, and come to rest.
+//! Bodies on several feet in space: rest, beginning of sliding, turning, and stopping.
 
 use super::{close, events, last, runs};
 use integrators::Method;
@@ -6,10 +6,10 @@ use integrators::Method;
 const THREE: [[f64; 2]; 3] = [[0.2, 0.0], [-0.1, 0.17], [-0.1, -0.17]];
 const FOUR: [[f64; 2]; 4] = [[0.2, 0.2], [-0.2, 0.2], [0.2, -0.2], [-0.2, -0.2]];
 
-/// The friction at its bound of all feet, 0.1 of the weight, N.
+/// The largest friction of all feet together, 0.1 of the weight, in N.
 const MOST: f64 = 0.1 * 4.0 * 9.81;
 
-/// A stool of 4 kg on feet 0.4 m below its centre, with a load and a start. Its point `S` is on the floor.
+/// A stool of 4 kg on feet 0.4 m below its centre, with a load and a start; its point `S` is on the floor.
 fn stool(feet: &[[f64; 2]], load: &str, start: &str) -> String {
     let points: String = (1..)
         .zip(feet)
@@ -39,7 +39,7 @@ fn force(at: &str, is: &str) -> String {
     format!("[[force]]\non = \"stool at {at}\"\nis = \"{is}\"\n")
 }
 
-/// Without spin every foot has the same way v^2/(2 mu g), and all stop together.
+/// Without spin every foot slides the distance v^2/(2 mu g), and all stop together.
 #[test]
 fn a_stool_slides_on_three_feet_and_stands() {
     let trajectory = runs(&stool(&THREE, "", "\"x'\" = \"0.8 m/s\""), Method::DormandPrince8, 1e-9);
@@ -49,7 +49,7 @@ fn a_stool_slides_on_three_feet_and_stands() {
     close(last(&trajectory, "x'"), 0.0, 1e-12);
 }
 
-/// A stool that spins beside its centre turns about one foot in the end, and stands.
+/// A stool with spin finally turns about one foot, and stops.
 #[test]
 fn a_stool_that_spins_comes_to_rest_foot_by_foot() {
     let trajectory = runs(&stool(&THREE, "", "\"B.wz\" = \"1 rad/s\""), Method::DormandPrince8, 1e-9);
@@ -60,7 +60,7 @@ fn a_stool_that_spins_comes_to_rest_foot_by_foot() {
     close(last(&trajectory, "B.wz"), 0.0, 1e-12);
 }
 
-/// Sliding and turning end at one instant, by every method and tolerance; then it stands.
+/// Sliding and turning end at one instant, with every method and tolerance; then the stool is at rest.
 #[test]
 fn a_stool_that_slides_and_spins_comes_to_rest_on_all_feet() {
     let tripod = [[0.3, 0.0], [-0.2, 0.25], [-0.15, -0.3]];
@@ -89,7 +89,7 @@ fn a_stool_that_slides_and_spins_comes_to_rest_on_all_feet() {
     }
 }
 
-/// Pressed into a corner of smooth walls by less than a foot would bear, and by more: the walls hold it.
+/// Pushed into a corner of smooth walls, by less and by more than the friction of a foot: the walls prevent motion.
 #[test]
 fn walls_hold_what_is_pushed_into_their_corner() {
     let wall = |name: &str, normal: &str, friction: &str| {
@@ -122,7 +122,7 @@ fn a_stool_that_is_pushed_at_its_centre_slides_along_the_push() {
     }
 }
 
-/// Friction holds four feet up to the push at which that of all is at its bound, however they share their weight.
+/// Friction holds the feet until the force equals the largest friction of all feet together, for any distribution of the weight.
 #[test]
 fn feet_under_a_growing_push_begin_to_slide_together() {
     for feet in [&THREE[..], &FOUR] {
@@ -135,7 +135,7 @@ fn feet_under_a_growing_push_begin_to_slide_together() {
     }
 }
 
-/// Two feet carry it across: each 0.2 sqrt(2) m from the axis, with half of its weight.
+/// The weight is carried by two opposite feet, each with one half at a distance of 0.2 sqrt(2) m from the axis.
 #[test]
 fn a_stool_turns_on_four_feet_under_a_torque_beyond_that_of_their_friction() {
     let torque = "[[torque]]\non = \"stool\"\nis = \"(2 N m)*N.z\"\n";
@@ -144,7 +144,7 @@ fn a_stool_turns_on_four_feet_under_a_torque_beyond_that_of_their_friction() {
     close(last(&trajectory, "B.wz"), (2.0 - MOST * 0.2 * 2.0_f64.sqrt()) / 0.08 * 2.0, 1e-8);
 }
 
-/// Newton's law of the stool as a body in its plane, each foot with mu N against its own acceleration.
+/// Newton's law for the plane motion of the stool, with the friction mu N of each foot opposite to its own acceleration.
 #[test]
 fn a_push_beside_the_centre_gives_every_foot_friction_against_its_own_slip() {
     let short = 1e-5;
@@ -165,7 +165,7 @@ fn a_push_beside_the_centre_gives_every_foot_friction_against_its_own_slip() {
     }
 }
 
-/// The loads are still below those at which a rigid body on feet must move, but one foot has come to its bound as they share the load.
+/// The force is still below the limit for the rigid body, but one foot is at its limit for the assumed distribution of the load.
 #[test]
 fn a_foot_that_others_might_relieve_is_refused() {
     let trajectory = runs(&stool(&THREE, &force("S", "(5 N/s)*t*N.y"), ""), Method::Radau5, 1e-11);
@@ -173,7 +173,7 @@ fn a_foot_that_others_might_relieve_is_refused() {
     assert!(said.contains("several contacts in space are at rest"), "{said}");
 }
 
-/// A stool on a slope holds where the tangent is below the friction, whichever foot bears most.
+/// The stool does not slide on a slope whose tangent is below the coefficient of friction, for any distribution of the weight.
 #[test]
 fn a_stool_holds_on_a_slope_up_to_its_friction() {
     let slope = |angle: f64| {

@@ -1,15 +1,15 @@
-//! Boxes on three feet whose slides end, and whose loads grow: starts at which runs once went wrong.
+//! Boxes on three feet, with sliding that ends or loads that grow; these starts failed in earlier versions.
 
 use super::{events, last, runs};
 use integrators::Method;
 
-/// A tripod of 2 kg: its principal moments, the height of its centre, feet with their friction.
+/// A tripod of 2 kg: principal moments of inertia, height of its centre, positions and coefficients of friction of its feet.
 struct Tripod {
     moments: [f64; 3],
     height: f64,
     feet: [([f64; 2], f64); 3],
     gravity: &'static str,
-    /// More of the scene: a load, a start, a span.
+    /// Further tables: a load, a start, a run.
     rest: &'static str,
 }
 
@@ -43,7 +43,7 @@ impl Tripod {
     }
 }
 
-/// Friction that holds a body may be shared in many ways; the way that is shown is within its bound as long as the run goes on.
+/// The distribution of friction at rest is not unique; the one that is shown must be within its limits throughout the run.
 #[test]
 fn no_foot_holds_more_than_its_friction_while_a_load_grows() {
     let tripod = Tripod {
@@ -64,7 +64,7 @@ fn no_foot_holds_more_than_its_friction_while_a_load_grows() {
     assert!(said.contains("several contacts in space are at rest"), "{said}");
 }
 
-/// A foot that has begun to slide from rest, become fast and slowed down stops by its greatest speed, not by the one of its start.
+/// A foot that begins to slide from rest, becomes fast and slows down: the stop is judged relative to its largest speed, not to that at the beginning.
 #[test]
 fn a_slide_that_began_from_rest_stops_in_few_steps() {
     let tripod = Tripod {
@@ -81,7 +81,7 @@ fn a_slide_that_began_from_rest_stops_in_few_steps() {
     assert!((events(&trajectory)[4] - 0.529491020).abs() < 1e-8);
 }
 
-/// Two feet slide round one that rests, and stop with it, whether a step ends just before that, just behind it, or at it.
+/// Two feet slide around a third one at rest and stop, whether a step ends shortly before this instant, at it, or behind it.
 #[test]
 fn a_turn_about_one_foot_ends_by_every_method() {
     let tripod = Tripod {

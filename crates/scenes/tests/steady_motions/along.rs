@@ -1,4 +1,4 @@
-//! Changes of steady motions along one parameter and over two.
+//! Changes of steady motions as functions of one and of two parameters.
 
 use super::{DRIVEN, SHAFT, SIDES, asked, model, plane};
 use dalembert_scenes::steady_motions::{
@@ -23,12 +23,12 @@ fn assert_changes(found: &Along, wanted: &[(f64, Change)]) {
 fn a_pendulum_on_a_turning_shaft_leaves_the_axis_at_a_pitchfork() {
     let critical = (9.81_f64 / 0.5).sqrt();
     assert_changes(&along(SHAFT, &[], ("phi'", 1.0, 8.03)), &[(critical, Change::Pitchfork)]);
-    // the same by the length at one speed: l = g/w^2
+    // the length as the parameter at constant speed: l = g/w^2
     let by_length = along(SHAFT, &[("phi'", 5.0, 5.0)], ("l", 0.1, 0.93));
     assert_changes(&by_length, &[(9.81 / 25.0, Change::Pitchfork)]);
 }
 
-/// A beam that snaps: V = x^4/4 - x^2/2 + p x has three equilibria for |p| < 2/sqrt(27).
+/// A snapping beam: V = x^4/4 - x^2/2 + p x has three equilibria for |p| < 2/sqrt(27).
 #[test]
 fn a_beam_that_snaps_has_folds_at_the_ends_of_its_two_shapes() {
     let text =
@@ -43,7 +43,7 @@ fn two_motions_that_leave_their_range_together_are_no_fold() {
     assert_changes(&found, &[(0.01, Change::LeaveTogether)]);
 }
 
-/// The pendulum leaves the axis where l w^2 passes g.
+/// The pendulum leaves the vertical where l w^2 exceeds g.
 #[test]
 fn over_two_parameters_motions_change_where_the_closed_form_says() {
     let (model, asked) = (model(SHAFT), asked(&[], 20_000));
@@ -67,7 +67,7 @@ fn over_two_parameters_motions_change_where_the_closed_form_says() {
     assert_eq!(borders, 4);
 }
 
-/// J x'' + d x' + k x = 0: the damped oscillation becomes a growing one where J passes zero, and no eigenvalue crosses the imaginary axis.
+/// J x'' + d x' + k x = 0: where J changes its sign, decay becomes growth, and no eigenvalue crosses the imaginary axis.
 #[test]
 fn eigenvalues_become_infinite_where_the_inertia_vanishes() {
     for (damping, values) in [("0.1 N s/m", 6), ("0 N s/m", 7)] {
@@ -82,7 +82,7 @@ fn eigenvalues_become_infinite_where_the_inertia_vanishes() {
     }
 }
 
-/// Ziegler's double pendulum with a follower force P flutters from P = (7/2 - sqrt 2) k/l on.
+/// Ziegler's double pendulum with a follower force P flutters for P > (7/2 - sqrt 2) k/l.
 #[test]
 fn a_follower_force_makes_a_pair_cross_the_imaginary_axis() {
     let text = "title = \"Ziegler\"\n[parameters]\nP = \"1 N\"\n[coordinates]\na = \"rad\"\nb = \"rad\"\n[frames]\nA = \"N turned a about z\"\nB = \"N turned b about z\"\n\
@@ -92,7 +92,7 @@ fn a_follower_force_makes_a_pair_cross_the_imaginary_axis() {
     assert_changes(&found, &[(3.5 - 2f64.sqrt(), Change::Pair)]);
 }
 
-/// A block on a spring and on a belt: at the speed zero of the belt alone it rests in an interval.
+/// A block on a spring and a belt: only for a belt at rest does it stay at rest in an interval of positions.
 #[test]
 fn motions_that_differ_at_one_value_alone_are_told_with_it() {
     let text = "title = \"Belt\"\n[parameters]\nm = \"1 kg\"\nk = \"50 N/m\"\nv = \"0.5 m/s\"\nF = \"3 N\"\n[coordinates]\nx = \"m\"\n\
@@ -153,8 +153,8 @@ fn values_on_the_way_to_a_change_are_kept() {
     assert!(along.visited.windows(2).all(|pair| pair[0].value <= pair[1].value));
 }
 
-/// A bead in the bowl z = a r^2/2 + n r^4 circles at w^2 = g (a + 4 n r^2): at w^2 = g a the circles shrink to the axis, where polar coordinates are
-/// singular.
+/// A bead in the bowl z = a r^2/2 + n r^4 moves in circles with w^2 = g (a + 4 n r^2). At w^2 = g a the circles shrink to the axis, where polar
+/// coordinates are singular.
 #[test]
 fn motions_that_shrink_to_a_singular_place_are_no_fold() {
     let text = "title = \"Bowl\"\ngravity = \"-(9.81 m/s^2)*N.z\"\n[parameters]\na = \"2 1/m\"\nn = \"1 1/m^3\"\n[coordinates]\nr = \"m\"\nf = \"rad\"\n\
@@ -165,7 +165,7 @@ fn motions_that_shrink_to_a_singular_place_are_no_fold() {
     }
 }
 
-/// The spring x'' = f - k x has no equilibrium at k = 0, the middle of the range: the change is bracketed all the same.
+/// x'' = f - k x has no equilibrium at k = 0, the middle of the range; the change is bracketed nevertheless.
 #[test]
 fn a_crossing_at_a_value_without_a_motion_is_bracketed_closely() {
     let text = "title = \"Spring\"\n[parameters]\nk = \"1 N/m\"\nf = \"3 N\"\n[coordinates]\nx = \"m\"\n[bodies]\np = { centre = \"O + x*N.x\", mass = \"1 kg\" }\n\

@@ -1,11 +1,11 @@
-//! Rest and steady motions with conditions, dry friction and contacts.
+//! Equilibria and steady motions of laws with conditions, dry friction and contacts.
 
 use super::{asked, model};
 use dalembert_scenes::steady_motions::{
     Along, Case, Change, EnclosedVerdict, Near, Range, SteadyMotions, SteadyStability,
 };
 
-/// k x = F s with a part s of the friction from -1 to 1: a block rests for |x| <= F/k.
+/// k x = F s with a fraction s of friction between -1 and 1: a block stays at rest for |x| <= F/k.
 #[test]
 fn dry_friction_holds_a_block_over_an_interval() {
     const BLOCK: &str = include_str!("../../../../scenes/models/dry_friction.toml");
@@ -19,7 +19,7 @@ fn dry_friction_holds_a_block_over_an_interval() {
     assert!((low + 1.0).abs() < 1e-2 && (high - 1.0).abs() < 1e-2, "{low} {high}");
 }
 
-/// A spring on one side and a weaker one on the other, both pushed by a force: rest on that side alone which the force pushes to.
+/// Springs of different stiffness on both sides and a constant force: the equilibrium is on the side to which the force points.
 #[test]
 fn springs_on_two_sides_have_the_equilibrium_of_the_side_that_is_pushed() {
     let text = "title = \"Two sides\"\n[parameters]\nm = \"1 kg\"\n[coordinates]\nx = \"m\"\n[bodies]\nb = { centre = \"O + x*N.x\", mass = \"m\" }\n\
@@ -35,7 +35,7 @@ fn springs_on_two_sides_have_the_equilibrium_of_the_side_that_is_pushed() {
     assert!(stable, "{found:?}");
 }
 
-/// A block on a slope rests everywhere where the slope is below the friction, and nowhere above it.
+/// A block rests everywhere on a slope whose tangent is below the coefficient of friction, and nowhere on a steeper one.
 #[test]
 fn a_block_rests_on_a_slope_below_the_friction() {
     let slope = |angle: f64| {
@@ -65,7 +65,7 @@ fn a_block_rests_on_a_slope_below_the_friction() {
     }
 }
 
-/// A block that is pulled over a floor against a viscous drag: c v = F - mu m g where that is positive, else it rests.
+/// A block pulled over a floor with viscous drag: c v = F - mu m g where this is positive; otherwise it is at rest.
 #[test]
 fn a_pulled_block_slides_at_the_speed_at_which_drag_takes_the_rest_of_the_pull() {
     for (pull, speed) in [(10.0, Some((10.0 - 0.3 * 2.0 * 9.81) / 2.0)), (5.0, None)] {
@@ -85,8 +85,8 @@ fn a_pulled_block_slides_at_the_speed_at_which_drag_takes_the_rest_of_the_pull()
     }
 }
 
-/// A mass that is pushed to the very place where a second spring begins to act: both sides have that equilibrium, and it is one. The potential
-/// energy k x^2/2 - F x, and k2 (x - d)^2/2 beyond d, has its minimum there.
+/// A force pushes a mass exactly to the position at which a second spring begins to act: the equilibrium belongs to both sides and is reported once.
+/// The potential energy k x^2/2 - F x, with k2 (x - d)^2/2 beyond d, has its minimum there.
 #[test]
 fn an_equilibrium_at_a_kink_is_one_and_a_minimum_of_both_sides() {
     let found = |second: &str| {
@@ -105,15 +105,15 @@ fn an_equilibrium_at_a_kink_is_one_and_a_minimum_of_both_sides() {
     assert_eq!(cases, &[Case::Meeting]);
     assert!((motion.state[0] - 0.1).abs() < 1e-12);
     assert!(matches!(motion.stability, SteadyStability::MinimumOnSides), "{motion:?}");
-    // a spring that pulls away from there beyond it: a minimum of one side alone, and the energy falls on the other
+    // a repelling spring beyond this position: a minimum on one side, decreasing energy on the other
     let [(_, motion)] = &found("(-100 N/m)*(x - (0.1 m))")[..] else { panic!("not one") };
     assert!(matches!(motion.stability, SteadyStability::FallsOnSide(1)), "{motion:?}");
-    // a force that jumps is one between both sides
+    // a force that jumps takes an intermediate value
     let [(cases, _)] = &found("(1 N)")[..] else { panic!("not one") };
     assert_eq!(cases, &[Case::Between]);
 }
 
-/// A pendulum with dry friction at its joint rests where the torque of gravity is smaller: |sin a| <= F/(m g l), on two arcs that end there.
+/// A pendulum with dry friction in its joint is at rest where the torque of gravity is smaller: |sin a| <= F/(m g l), on two arcs.
 #[test]
 fn friction_holds_a_pendulum_where_gravity_is_weaker_and_nowhere_else() {
     for (friction, half) in
@@ -137,7 +137,7 @@ fn friction_holds_a_pendulum_where_gravity_is_weaker_and_nowhere_else() {
     }
 }
 
-/// Beyond a play d to both sides a spring acts: a mass rests everywhere between -d and d, and nothing else is left open.
+/// Springs act beyond a backlash of width d on each side: a mass is at rest everywhere between -d and d, and no box is undecided.
 #[test]
 fn a_play_is_an_interval_of_equilibria_that_ends_where_the_springs_begin() {
     let text = "title = \"Play\"\n[parameters]\nm = \"1 kg\"\nd = \"0.1 m\"\n[coordinates]\nx = \"m\"\n[bodies]\nb = { centre = \"O + x*N.x\", mass = \"m\" }\n\
@@ -151,7 +151,7 @@ fn a_play_is_an_interval_of_equilibria_that_ends_where_the_springs_begin() {
     assert!((low + 0.1).abs() < 1e-8 && (high - 0.1).abs() < 1e-8, "{low} {high}");
 }
 
-/// A pendulum hangs in the middle of a play by `max(abs(a) - e, 0)`, where the sign of the angle is zero and no spring acts: one minimum.
+/// A pendulum in the middle of a backlash `max(abs(a) - e, 0)`, where the sign of the angle is zero and no spring acts: one minimum.
 #[test]
 fn an_equilibrium_in_the_middle_of_a_play_is_one_motion() {
     let text = "title = \"Pendulum in a play\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[parameters]\nm = \"1 kg\"\nk = \"50 N m\"\ne = \"0.1 rad\"\n[coordinates]\n\
@@ -165,7 +165,7 @@ fn an_equilibrium_in_the_middle_of_a_play_is_one_motion() {
     assert!(matches!(motion.stability, SteadyStability::Minimum), "{motion:?}");
 }
 
-/// Springs on both sides by `max(x, 0)` and `max(-x, 0)`: the conditions are opposite, and x = 0 is the one equilibrium.
+/// Springs on both sides by `max(x, 0)` and `max(-x, 0)`: the conditions are opposite, and x = 0 is the only equilibrium.
 #[test]
 fn opposite_conditions_do_not_hold_together() {
     let text = "title = \"Two springs\"\n[parameters]\nm = \"1 kg\"\n[coordinates]\nx = \"m\"\n[bodies]\nb = { centre = \"O + x*N.x\", mass = \"m\" }\n\
@@ -178,7 +178,7 @@ fn opposite_conditions_do_not_hold_together() {
     assert!(matches!(motion.stability, SteadyStability::MinimumOnSides), "{motion:?}");
 }
 
-/// Springs that are stiffer on one side, along two axes: two conditions are zero at the one equilibrium, a minimum of all four combinations.
+/// Springs that are stiffer on one side, along two axes: two conditions are zero at the equilibrium, a minimum of all four combinations.
 #[test]
 fn an_equilibrium_at_two_kinks_is_a_minimum_of_all_sides() {
     let text = "title = \"Two kinks\"\n[parameters]\nm = \"1 kg\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
@@ -193,7 +193,7 @@ fn an_equilibrium_at_two_kinks_is_a_minimum_of_all_sides() {
     assert!(matches!(motion.stability, SteadyStability::MinimumOnSides), "{motion:?}");
 }
 
-/// A coefficient of damping that depends on the direction of a speed is a factor of zero at rest: one equilibrium, and no range of
+/// A damping coefficient that depends on the direction of motion is multiplied by zero at rest: there is one equilibrium, without an interval of
 /// coefficients.
 #[test]
 fn a_condition_that_no_equation_asks_for_is_no_unknown() {
@@ -205,7 +205,7 @@ fn a_condition_that_no_equation_asks_for_is_no_unknown() {
     assert!(own.is_complete() && own.families.is_empty() && own.motions.len() == 1, "{own:?}");
 }
 
-/// A spring whose end meets its other end: no force has a direction there, which is told in the place of a guess.
+/// At zero length the direction of a spring's force is undefined; the region is reported as such.
 #[test]
 fn a_distance_of_zero_is_told_as_a_place_without_values() {
     let text = "title = \"Distance\"\n[parameters]\nm = \"1 kg\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n[points]\nP = \"O + x*N.x + y*N.y\"\n\
@@ -217,8 +217,8 @@ fn a_distance_of_zero_is_told_as_a_place_without_values() {
     assert!(found.regions.iter().all(|region| region.near == Near::Undefined), "{:?}", found.regions);
 }
 
-/// A spring pushes a block against a wall by F - k d: the block lies at the wall for F > k d, and free of it at x = F/k below. Both are one
-/// equilibrium for every F, and no change is one of its number.
+/// A spring and a force F push a block towards a wall: it touches the wall for F > k d and is free at x = F/k otherwise. There is one equilibrium for
+/// every F, and no bifurcation.
 #[test]
 fn a_block_comes_to_a_wall_along_a_parameter() {
     let text = "title = \"Wall\"\n[parameters]\nm = \"1 kg\"\nF = \"1 N\"\n[coordinates]\nx = \"m\"\n[bodies]\nb = { centre = \"O + x*N.x\", mass = \"m\" }\n\
@@ -236,7 +236,7 @@ fn a_block_comes_to_a_wall_along_a_parameter() {
     assert!(found.bifurcations.is_empty(), "{:?}", found.bifurcations);
 }
 
-/// Friction that is smaller than the pull mu m g < F holds nothing: the places at which it does vanish at mu = F/(m g).
+/// Dry friction below the force F does not hold a block: the family of positions of rest disappears where the coefficient passes F.
 #[test]
 fn places_at_which_friction_holds_vanish_along_its_coefficient() {
     let text = "title = \"Pull\"\n[parameters]\nm = \"1 kg\"\nF = \"2 N\"\nc = \"5 N\"\n[coordinates]\nx = \"m\"\n[bodies]\nb = { centre = \"O + x*N.x\", mass = \"m\" }\n\
@@ -254,7 +254,7 @@ fn places_at_which_friction_holds_vanish_along_its_coefficient() {
     assert!((bifurcation.before.value - 2.0).abs() < 1e-6 && (bifurcation.after.value - 2.0).abs() < 1e-6);
 }
 
-/// A drag c w |w| that a torque M overcomes at w = sqrt(M/c): the derivative -2 c w of the side that holds decides.
+/// Drag c w |w| balances a torque M at w = sqrt(M/c): stability follows from the derivative -2 c w on this side of the condition.
 #[test]
 fn stability_beside_a_condition_is_that_of_its_own_side() {
     for (drag, speed) in [
@@ -279,7 +279,7 @@ fn stability_beside_a_condition_is_that_of_its_own_side() {
     }
 }
 
-/// Dry friction F holds a block on a spring where |p - k x| < F: a family, which leaves the range of x at p = k x + F.
+/// Dry friction F holds a block on a spring where |p - k x| < F: this family leaves the range of x at p = k x + F.
 #[test]
 fn a_family_that_leaves_the_range_is_a_change() {
     let text = "title = \"Held\"\n[parameters]\nm = \"1 kg\"\np = \"0 N\"\n[coordinates]\nx = \"m\"\n[bodies]\nb = { centre = \"O + x*N.x\", mass = \"m\" }\n\
@@ -289,7 +289,7 @@ fn a_family_that_leaves_the_range_is_a_change() {
     let found = found.unwrap_or_else(|why| panic!("{why:?}"));
     let families: Vec<usize> = found.samples.iter().map(|sample| sample.found.families.len()).collect();
     assert_eq!(families, [1, 1, 1, 0, 0], "{found:?}");
-    // the share of the friction is none of the unknowns that are told
+    // the fraction of friction is not listed among the unknowns
     assert!(found.samples.iter().all(|sample| sample.found.unknowns.len() == 1), "{found:?}");
     let [bifurcation] = &found.bifurcations[..] else { panic!("{:?}", found.bifurcations) };
     assert_eq!(bifurcation.change, Change::Families);

@@ -1,4 +1,4 @@
-//! Equilibria in touch with curves whose normal is written without unit length, and beside contacts that are open.
+//! Equilibria in contact with curves whose normal vector is not normalised, and equilibria with open contacts.
 
 use super::{asked, model};
 use dalembert_scenes::steady_motions::{EnclosedVerdict, SteadyMotion, SteadyMotions, SteadyStability};
@@ -10,7 +10,7 @@ fn motions(text: &str, ranges: &[(&str, f64, f64)]) -> Vec<SteadyMotion> {
     found.into_iter().flat_map(|(_, own)| own.motions).collect()
 }
 
-/// A bead on the parabola y = a x^2 with its vertex below, beside which a spring to the point (b, 0) acts along x.
+/// A bead on the parabola y = a x^2, with a spring along x towards x = b.
 fn parabola(spring: &str, more: &str) -> String {
     format!(
         "title = \"Parabola\"\ngravity = \"-(10 m/s^2)*N.y\"\n[parameters]\na = \"0.5 1/m\"\nk = \"{spring}\"\nb = \"1 m\"\n[coordinates]\nx = \"m\"\n\
@@ -23,7 +23,7 @@ const AROUND: [(&str, f64, f64); 2] = [("x", -3.03, 2.91), ("y", -1.0, 6.0)];
 
 #[test]
 fn a_contact_whose_gap_is_no_distance_is_judged_by_the_energy_along_it() {
-    // along the curve V = (k/2)(x - b)^2 + m g a x^2: a minimum at x = k b/(k + 2 m g a) for k > -2 m g a, then a maximum
+    // along the curve V = (k/2)(x - b)^2 + m g a x^2: a minimum at x = k b/(k + 2 m g a) for k > -2 m g a, otherwise a maximum
     for (k, at, is_stable) in [(5.0, 1.0 / 3.0, true), (-20.0, 2.0, false)] {
         let found = motions(&parabola(&format!("{k} N/m"), ""), &AROUND);
         let [motion] = &found[..] else { panic!("{found:?}") };
@@ -43,11 +43,11 @@ fn with_damping_motions_in_touch_that_grow_decide_and_those_that_fade_do_not() {
     let SteadyStability::Linear(own) = &motion.stability else { panic!("{motion:?}") };
     let enclosed = own.enclosed.as_ref().expect("they are enclosed");
     assert_eq!(enclosed.verdict(), EnclosedVerdict::Unstable(1));
-    // a damper and a minimum of the energy: it is stable
+    // a damper and a minimum of the energy: stable
     let found = motions(&parabola("5 N/m", damped), &AROUND);
     let [motion] = &found[..] else { panic!("{found:?}") };
     assert!(matches!(motion.stability, SteadyStability::MinimumWithLoss), "{motion:?}");
-    // a force across, which has no potential
+    // a transverse force without a potential
     let found = motions(&parabola("5 N/m", " - (2 N s/m)*x'*N.x + (0.1 N/m)*(x*N.y - y*N.x)"), &AROUND);
     let [motion] = &found[..] else { panic!("{found:?}") };
     let SteadyStability::InTouch(own) = &motion.stability else { panic!("{motion:?}") };

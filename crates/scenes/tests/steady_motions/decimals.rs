@@ -1,9 +1,9 @@
-//! Numbers are the decimals that were written: sums of them that vanish are zero, not a rounding error.
+//! Numbers are exact decimals as written: sums of decimals that vanish are zero and not rounding errors.
 
 use super::{all, asked, model};
 use dalembert_scenes::steady_motions::{EnclosedSpectrum, SteadyMotions, SteadyStability};
 
-/// A quartic spring beside three linear ones, 0.1 + 0.2 - 0.3 = 0.
+/// A quartic spring and three linear ones with 0.1 + 0.2 - 0.3 = 0.
 fn springs(sum: &str) -> String {
     format!(
         "title = \"Springs\"\n[parameters]\nm = \"1 kg\"\nk1 = \"0.1 N/m\"\nk2 = \"0.2 N/m\"\nk3 = \"0.3 N/m\"\nc = \"1 N/m^3\"\n[coordinates]\nx = \"m\"\n\
@@ -29,7 +29,7 @@ fn eigenvalues_of_springs_that_cancel_are_zero() {
     assert_eq!(found.exact.map(|routh| (routh.left, routh.axis, routh.right, routh.unexplained)), Some((0, 0, 0, 2)));
 }
 
-/// A given speed is a decimal too: w l = 0.1 * 3 = 0.3.
+/// A given speed is an exact decimal, too: w l = 0.1 * 3 = 0.3.
 #[test]
 fn a_given_speed_is_the_decimal_that_was_written() {
     let text = "title = \"Slider\"\n[parameters]\nm = \"1 kg\"\nv = \"0.3 rad/s\"\nn = \"3\"\nk = \"1 J s\"\nc = \"1 J\"\nJ = \"1 kg m^2\"\n[coordinates]\nphi = \"rad\"\nx = \"rad\"\n\

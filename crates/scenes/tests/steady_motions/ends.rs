@@ -1,4 +1,4 @@
-//! Ends of families: values that their motions reach, and values beyond which there is none.
+//! Bounds of families: values that their motions reach, and values beyond which there is no motion.
 
 use super::{asked, model};
 use dalembert_scenes::steady_motions::{Family, SteadyMotions};
@@ -10,7 +10,7 @@ fn families(text: &str, ranges: &[(&str, f64, f64)]) -> Vec<Family> {
     found.into_iter().flat_map(|(_, own)| own.families).map(|(family, _)| family).collect()
 }
 
-/// Both bounds of the ends of a range are these numbers.
+/// Requires that the outer bounds and the proved values of a family agree with the given ends.
 fn assert_ends(family: &Family, place: usize, [low, high]: [f64; 2]) {
     let (hull, reached) = (family.hull[place], family.reached[place].expect("its ends are reached"));
     let near = |one: f64, other: f64| (one - other).abs() < 1e-7;
@@ -19,7 +19,7 @@ fn assert_ends(family: &Family, place: usize, [low, high]: [f64; 2]) {
     assert!(hull[0] <= reached[0] && reached[1] <= hull[1], "{hull:?} {reached:?}");
 }
 
-/// A pendulum with dry friction in its joint rests where |sin a| <= F/(m g l), whichever unknown parametrises the pieces.
+/// A pendulum with dry friction in its joint is at rest where |sin a| <= F/(m g l), whichever unknown is the parameter of a piece.
 #[test]
 fn dry_friction_in_a_joint_holds_up_to_the_arcsine_of_its_part_and_no_further() {
     for part in [0.05_f64, 0.2, 0.5, 0.9, 0.999] {
@@ -40,7 +40,7 @@ fn dry_friction_in_a_joint_holds_up_to_the_arcsine_of_its_part_and_no_further() 
     }
 }
 
-/// Friction grows with the place, F = c (1 + x^2) against k x: the places that hold have ends where a quadratic equation vanishes.
+/// Friction F = c (1 + x^2) against a spring k x: the ends of the positions of rest are roots of a quadratic equation.
 #[test]
 fn ends_are_roots_of_the_equation_at_the_largest_friction() {
     let text = "title = \"Growing\"\n[parameters]\nm = \"1 kg\"\n[coordinates]\nx = \"m\"\n[bodies]\nb = { centre = \"O + x*N.x\", mass = \"m\" }\n\

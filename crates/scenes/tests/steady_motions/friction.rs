@@ -1,11 +1,11 @@
-//! The stability of rest with dry friction.
+//! Stability of rest under dry friction.
 
 use super::{asked, model};
 use dalembert_scenes::steady_motions::{Case, Family, Friction, SteadyMotion, SteadyMotions, SteadyStability};
 
 type Found = Vec<(Vec<Case>, SteadyMotions)>;
 
-/// A point with two coordinates on springs, and loads.
+/// A point with two coordinates on springs, with further loads.
 fn point(loads: &str) -> String {
     format!(
         "title = \"Point\"\n[parameters]\nF = \"1 N\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
@@ -63,7 +63,7 @@ fn friction_between_two_bodies_counts_along_their_relative_motion() {
     assert_eq!(rest.friction, Some(Friction::Resists), "{rest:?}");
 }
 
-/// With a given value of the coordinate the share is one number.
+/// The only motion at a given coordinate x; the fraction of friction is a single number then.
 fn only(text: &str, x: f64) -> SteadyMotion {
     let all = SteadyMotions::of_cases(&model(text), &asked(&[("x", x, x), ("y", -1.0, 1.2)], 2_000), || true);
     let all = all.unwrap_or_else(|why| panic!("{why:?}"));
@@ -79,7 +79,7 @@ fn a_rest_with_a_used_up_share_is_not_decided() {
     assert!(matches!(only(&text, 0.25).stability, SteadyStability::AtCondition(None)));
 }
 
-/// Dry friction without force changes nothing: the minimum of the energy decides.
+/// Dry friction with zero force has no effect: stability follows from the minimum of the energy.
 #[test]
 fn friction_without_force_leaves_the_energy_to_decide() {
     let all = found(&point(&along("x", "-(0 N)*sign(x')")), &PLANE);
@@ -88,7 +88,7 @@ fn friction_without_force_leaves_the_energy_to_decide() {
     assert!(matches!(motion.stability, SteadyStability::Minimum), "{motion:?}");
 }
 
-/// A run refuses it too: friction that feeds a sliding contact is no law of contacts.
+/// Runs refuse a negative coefficient, too: friction of a contact cannot supply energy.
 #[test]
 fn a_negative_coefficient_of_a_contact_is_refused() {
     let block = |coefficient: &str| {
@@ -106,7 +106,7 @@ fn a_negative_coefficient_of_a_contact_is_refused() {
     assert_eq!(refused(&block("0.5")), None);
 }
 
-/// A contact that bounces without loss may gain energy from the drag along its normal in every flight.
+/// A contact that bounces without loss may gain energy from the normal force of the negative damper in each flight.
 #[test]
 fn friction_beside_a_contact_that_bounces_decides_nothing() {
     let text = |restitution: &str| {
@@ -125,7 +125,7 @@ fn friction_beside_a_contact_that_bounces_decides_nothing() {
     }
 }
 
-/// A wave of the wire is a length, not an angle: every bottom and every top of the range is found.
+/// The coordinate in the sine is a length, not an angle: every minimum and maximum of the wave in the range is found.
 #[test]
 fn a_length_in_a_sine_keeps_its_range() {
     let text = "title = \"A bead on a wave\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"1 kg\"\ng = \"10 m/s^2\"\nA = \"0.1 m\"\nL = \"0.5 m\"\n\

@@ -1,4 +1,4 @@
-//! Values that the user gives for coordinates and speeds.
+//! Values that the user fixes for coordinates and speeds.
 
 use super::{all, asked, model};
 use dalembert_scenes::steady_motions::{SteadyMotions, SteadyStability};
@@ -17,7 +17,7 @@ fn a_motion_is_judged_alike_whether_its_place_is_given_or_sought() {
     }
 }
 
-/// m v' = F - k |v| v along a knife edge: v = sqrt(F/k), found by the name of the speed although the law has a condition.
+/// m v' = F - k |v| v along a knife edge: v = sqrt(F/k); the range is given by the name of the quasi-velocity, and the law has a condition.
 #[test]
 fn speeds_of_the_file_may_have_ranges_where_the_law_has_conditions() {
     let text = "title = \"Sled\"\n[coordinates]\nx = \"m\"\ny = \"m\"\npsi = \"rad\"\n[speeds]\nv = \"velocity(P) . B.x\"\nw = \"psi'\"\n[frames]\n\
@@ -29,7 +29,7 @@ fn speeds_of_the_file_may_have_ranges_where_the_law_has_conditions() {
     let found = found.unwrap_or_else(|why| panic!("{why:?}"));
     let all: Vec<_> = found.iter().flat_map(|(_, own)| &own.motions).collect();
     assert!(found.iter().all(|(_, own)| own.is_complete()), "{found:?}");
-    // w = 0, or v = -d/(m b): there F - k |v| v + m b w^2 = 0 has no solution
+    // w = 0, or v = -d/(m b), for which F - k |v| v + m b w^2 = 0 has no solution
     let [motion] = all[..] else { panic!("{all:?}") };
     let (name, speed) = &motion.quasi_velocities[0];
     assert!(name == "v" && (speed - 2.0).abs() < 1e-9 && motion.state.len() == 6, "{motion:?}");

@@ -1,4 +1,4 @@
-//! Laws with a jump or a kink at a condition that no letter solves, or that depends on positions.
+//! Laws with a jump or a kink at a condition that is linear in no letter or depends on positions.
 
 use super::{asked, model};
 use dalembert_scenes::steady_motions::{SteadyMotion, SteadyMotions, SteadyStability};
@@ -24,7 +24,7 @@ fn a_rest_at_the_zero_of_a_condition_without_a_solved_letter_is_told_once() {
         places.len() == 2 && places[0].abs() < 1e-9 && (places[1] - std::f64::consts::PI).abs() < 1e-9,
         "{places:?}"
     );
-    // V = 1 - cos x on one side, cos x - 1 on the other: it falls
+    // V = 1 - cos x on one side, cos x - 1 on the other, where it decreases
     assert!(found.iter().all(|motion| matches!(motion.stability, SteadyStability::FallsOnSide(1))), "{found:?}");
     let found = motions("-abs(sin(x))*sin(x) - x/10", [-1.1, 1.2]);
     let [motion] = &found[..] else { panic!("{found:?}") };
@@ -46,7 +46,7 @@ fn a_jump_towards_its_edge_holds_and_one_away_drives_off() {
             false => assert!(matches!(motion.stability, SteadyStability::FallsOnSide(1)), "{force}: {motion:?}"),
         }
     }
-    // a negative damper feeds motions of any size
+    // a negative damper supplies energy to motions of any amplitude
     let text = "title = \"Fed\"\n[coordinates]\nx = \"m\"\n[bodies]\np = { centre = \"O + x*N.x\", mass = \"1 kg\" }\n[[force]]\nalong = \"x\"\n\
                 is = \"-(1 N)*sign(x) + (1 N s/m)*x'\"\n";
     let found =
@@ -55,7 +55,7 @@ fn a_jump_towards_its_edge_holds_and_one_away_drives_off() {
     assert!(matches!(all[..], [SteadyMotion { stability: SteadyStability::AtCondition(None), .. }]), "{all:?}");
 }
 
-/// A plane with a step of the potential: the force along x jumps at x = 0, springs hold both directions.
+/// A potential with an edge in a plane: the force along x jumps at x = 0, and a spring acts along y.
 #[test]
 fn an_edge_of_the_energy_in_a_plane_holds_where_the_energy_has_a_minimum_on_it() {
     for (k, is_stable) in [("2", true), ("-2", false)] {

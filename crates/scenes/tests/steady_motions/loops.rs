@@ -1,17 +1,17 @@
-//! Closed loops of links whose angles are counted from one another.
+//! Closed loops of links with relative angles.
 
 use super::{all, values};
 use std::f64::consts::PI;
 
 const ANDREWS: &str = include_str!("../../../../scenes/foreign/andrews_mechanism.toml");
 
-/// An angle within half a turn of zero.
+/// An angle reduced to the interval from -pi to pi.
 fn turned(angle: f64) -> f64 {
     angle - (angle / (2.0 * PI)).round() * 2.0 * PI
 }
 
-/// Andrews' mechanism has eight equilibria under its torque, which differ by the side of the crank and the shapes of the loops. A model
-/// whose angles are measured from the ground has the same eight.
+/// Andrews' mechanism has eight equilibria under its torque, which differ by the side of the crank and the shapes of the loops. A model with absolute
+/// angles has these eight, too.
 #[test]
 fn a_mechanism_of_three_loops_has_all_its_equilibria_however_its_angles_are_counted() {
     let from_ground = ["K1 turned Theta", "K5 turned Phi", "K7 turned Omega"]
@@ -28,7 +28,7 @@ fn a_mechanism_of_three_loops_has_all_its_equilibria_however_its_angles_are_coun
     }
 }
 
-/// Two rods without mass from the origin to a slider on the x axis, which a spring draws to the distance of one rod.
+/// Two massless rods from the origin to a slider on the x axis; a spring pulls the slider to the distance of one rod.
 const RODS: &str = r#"
 title = "A slider on two rods"
 parameters = { m = "2 kg", k = "50 N/m", l = "0.5 m" }
@@ -41,7 +41,7 @@ energies = { potential = "k*(distance(O, tip) - l)^2/2" }
 zero = "(tip - O) . N.y"
 "#;
 
-/// At a knee of 60 degrees the slider rests; the rods have no kinetic energy of their own.
+/// The slider is at rest with the rods at 60 degrees to each other; the rods have no kinetic energy.
 #[test]
 fn an_equilibrium_of_links_without_mass_is_a_minimum_of_the_energy() {
     let found = all(RODS, &[("a", 0.3, 1.5), ("b", -3.0, -0.3)]);

@@ -1,4 +1,4 @@
-//! Steady motions of models beside what is known of them in closed form; none is missing, and what is not decided is told.
+//! Steady motions of models compared with closed forms: none is missing, and undecided boxes are reported.
 
 mod along;
 mod conditions;
@@ -39,7 +39,7 @@ fn all(text: &str, ranges: &[(&str, f64, f64)]) -> SteadyMotions {
     found.unwrap_or_else(|why| panic!("{why:?}"))
 }
 
-/// The values of the unknowns, motion after motion, and whether each is a proved minimum or proved to be none.
+/// For each motion the values of the unknowns, and whether it is proved to be a minimum or not.
 fn values(found: &SteadyMotions) -> Vec<(Vec<f64>, Option<bool>)> {
     assert!(found.is_complete(), "{:?}", found.undecided);
     let value = |[low, high]: &[f64; 2]| {
@@ -115,7 +115,7 @@ fn where_motions_merge_boxes_are_told_as_undecided() {
     assert_eq!(found.regions.iter().map(|region| region.near).collect::<Vec<_>>(), [Near::Merging(1)]);
 }
 
-/// Slopes of x^3 and y^3 vanish at their zero, and signs on the faces show that there is one; of x^2 they do not.
+/// The derivatives of x^3 and y^3 vanish at the zero, and signs on the faces prove that it exists; for x^2 they do not.
 #[test]
 fn degenerate_motions_are_singular_in_every_direction_and_shown_by_signs() {
     let of = |force: &str| {
@@ -130,7 +130,7 @@ fn degenerate_motions_are_singular_in_every_direction_and_shown_by_signs() {
     assert!(of("-(1 N/m^2)*x^2").iter().all(|(near, shown)| *near != Near::Regular && !shown));
 }
 
-/// Two links, in angles and in places.
+/// Two links, in angles and in Cartesian coordinates.
 const ANGLES: &str = r#"
 title = "Two links"
 gravity = "-g*N.y"
@@ -203,7 +203,7 @@ fn two_links_rest_in_four_ways_in_angles_and_in_places() {
     }
 }
 
-/// A potential energy of a plane.
+/// A mass in a plane with a potential energy.
 fn plane(potential: &str) -> String {
     format!(
         "title = \"Plane\"\n[parameters]\nm = \"1 kg\"\nk = \"1 J\"\na = \"1 m\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n[energies]\n\
@@ -239,11 +239,11 @@ fn a_circle_of_equilibria_is_enclosed_as_a_curve_by_symmetry() {
         assert!(held(circle, &point), "{point:?}");
     }
     assert!(members.iter().all(|one| (one.values[0].hypot(one.values[1]) - 1.0).abs() < 1e-12));
-    // tilted, it has a lowest and a highest point
+    // the tilted ring has three equilibria: a lowest point, a saddle and a maximum
     assert_eq!(values(&all(&plane("k*((x^2 + y^2)/a^2 - 1)^2 + k*x/a/10"), &SIDES)).len(), 3);
 }
 
-/// y = x^2: the force has no component along (1, 2 x), which is no turn and no shift.
+/// y = x^2: the force has no component along (1, 2 x), which is neither a rotation nor a translation.
 #[test]
 fn a_bent_valley_is_a_family_of_equilibria() {
     let found = all(&plane("k*(y/a - x^2/a^2)^2"), &SIDES);
@@ -279,13 +279,13 @@ fn a_range_is_asked_for_where_no_circle_has_one() {
     assert!(matches!(unknown, Err(NoSteadyMotions::Unknown { name, .. }) if name == "z"));
 }
 
-/// Torque and friction determine the speed of a shaft, whose angle occurs nowhere.
+/// Torque and friction determine the speed of a shaft, whose angle is cyclic.
 #[test]
 fn a_driven_shaft_has_the_speed_at_which_friction_takes_its_torque() {
     let torque = "[[torque]]\non = \"A\"\nis = \"((2 N m) - (0.1 N m s^2)*phi'^2)*A.z\"\n[run]";
     let found = all(&SHAFT.replace("[run]", torque), &[("phi'", 0.0, 20.0)]);
     let speed = 20f64.sqrt();
-    // g/(l w^2) = 0.981: the bob has left the axis
+    // g/(l w^2) = 0.981: the bob has left the vertical
     let away = (9.81 / (0.5 * speed * speed)).acos();
     let places: Vec<(Vec<f64>, Option<bool>)> = values(&found);
     assert_eq!(places.len(), 4, "{places:?}");
@@ -294,7 +294,7 @@ fn a_driven_shaft_has_the_speed_at_which_friction_takes_its_torque() {
     assert!(places.iter().all(|(at, _)| at[1].abs() < 0.2 || at[1].abs() > FRAC_PI_2));
 }
 
-/// A shaft at every speed: the pendulum hangs, stands, or has left the axis where cos(theta) = g/(l w^2).
+/// A shaft at any speed: the pendulum hangs, stands, or has left the vertical, where cos(theta) = g/(l w^2).
 #[test]
 fn motions_at_every_speed_of_a_shaft_are_curves() {
     let found = all(SHAFT, &[("phi'", 5.0, 9.0)]);
@@ -310,7 +310,7 @@ fn motions_at_every_speed_of_a_shaft_are_curves() {
     }
 }
 
-/// Springs that are written as forces have an energy; a follower force and a damper have none.
+/// Springs written as forces have a potential energy; a follower force and a damper have none.
 #[test]
 fn springs_as_forces_prove_what_an_energy_does() {
     let with = |load: &str| ANGLES.replace("[run]", &format!("{load}\n[run]"));
@@ -325,7 +325,7 @@ fn springs_as_forces_prove_what_an_energy_does() {
     }
 }
 
-/// A wheel that rolls, driven by a torque and braked along its way: T = c r^2 phi'.
+/// A rolling wheel with a torque and with drag on its centre: T = c r^2 phi'.
 #[test]
 fn loads_along_determined_speeds_act_through_the_constraint() {
     let wheel = "title = \"Wheel\"\n[parameters]\nm = \"1 kg\"\nI = \"2 kg m^2\"\nr = \"0.5 m\"\nc = \"4 N s/m\"\nT = \"3 N m\"\n\
@@ -334,11 +334,11 @@ fn loads_along_determined_speeds_act_through_the_constraint() {
         [[constraint]]\nname = \"rolling\"\nzero = \"x' - r*phi'\"\n[run]\nspan = \"1 s\"\n";
     let found = all(wheel, &[("phi'", -100.0, 100.0)]);
     assert_are(&found, &[(&[3.0], None)]);
-    // x' is determined
+    // x' is determined by rolling
     assert!((found.motions[0].state[2] - 1.5).abs() < 1e-12, "{:?}", found.motions);
 }
 
-/// A driven shaft with a loose mass: torque and friction ask for the speed, T/d = 10 rad/s.
+/// A driven shaft with a loose mass: torque and friction determine the speed T/d = 10 rad/s.
 const DRIVEN: &str = "title = \"Shaft\"\n[parameters]\nT = \"0.1 N m\"\nd = \"0.01 N m s\"\n[coordinates]\nphi = \"rad\"\na = \"rad\"\n\
     [energies]\nkinetic = \"(1 kg m^2)/2*(phi'^2 + a'^2)\"\npotential = \"-(1 J)*cos(a)\"\n\
     [[force]]\nalong = \"phi\"\nis = \"T - d*phi'\"\n[run]\nspan = \"1 s\"\n";
@@ -350,7 +350,7 @@ fn one_value_of_a_speed_that_an_equation_asks_for_is_refused() {
         let refused = NoSteadyMotions::Sought { name: "phi'".to_owned(), value };
         assert_eq!(of(&[("phi'", value, value)]).err(), Some(refused));
     }
-    // 0.1 = 0.01 10 exactly, by the decimals that were written; at no other speed
+    // 0.1 = 0.01 10 exactly as decimals; no other speed is accepted
     let exact = of(&[("phi'", 10.0, 10.0)]).unwrap_or_else(|why| panic!("{why:?}"));
     assert_eq!((exact.motions.len(), exact.free_speeds.len()), (2, 0), "{exact:?}");
     assert_eq!(of(&[("phi'", 9.9, 10.1)]).map(|found| found.motions.len()), Ok(2));
@@ -358,7 +358,7 @@ fn one_value_of_a_speed_that_an_equation_asks_for_is_refused() {
     assert!(matches!(along, Err(NoSteadyMotions::Sought { .. })));
 }
 
-/// A bead on a hoop that a motor turns: cos(theta) = g/(r W^2), although the frame is written with the time.
+/// A bead on a hoop driven at constant speed: cos(theta) = g/(r W^2), although the frame is given as a function of the time.
 #[test]
 fn a_frame_that_is_turned_steadily_leaves_no_time_in_the_equations() {
     const HOOP: &str = r#"

@@ -1,9 +1,9 @@
-//! The steady motion that is found from a start which is none.
+//! Steady motions found from a start that is not steady.
 
 use super::model;
 use dalembert_scenes::steady_motions::{EnclosedSpectrum, NotEnclosed, Side};
 
-/// A bead on a spring that circles its centre, k (r - a) = m r w^2, oscillates with the square k/m + 3 w^2 of its frequency.
+/// A bead on a spring that moves in a circle, k (r - a) = m r w^2; the squared frequency of its oscillations is k/m + 3 w^2.
 #[test]
 fn the_radius_of_a_circle_follows_the_speed() {
     let text = "title = \"Circle\"\n[parameters]\nm = \"1 kg\"\nk = \"4 N/m\"\na = \"0.5 m\"\n[coordinates]\nr = \"m\"\ns = \"rad\"\n[frames]\nA = \"N turned s about z\"\n\

@@ -1,4 +1,4 @@
-//! Steady motions of bodies that turn freely, beside one polynomial that has them all.
+//! Steady motions of free bodies, compared with the roots of one polynomial.
 
 use super::asked;
 use algebra::real::Root;
@@ -12,7 +12,7 @@ use mechanics::steady_rotations::Body;
 use nalgebra::{Matrix3, Vector3};
 use std::sync::Arc;
 
-/// All by all sets of angles.
+/// The steady motions for all sets of angles.
 fn found(text: &str, ranges: &[(&str, f64, f64)]) -> Vec<(Orientation, SteadyMotions)> {
     let (_, model, source) =
         parse_with_source("scene.toml", text, Task::Vary).unwrap_or_else(|error| panic!("{error}"));
@@ -21,7 +21,7 @@ fn found(text: &str, ranges: &[(&str, f64, f64)]) -> Vec<(Orientation, SteadyMot
     all.into_iter().flat_map(|(own, cases)| cases.into_iter().map(move |(_, found)| (own.clone(), found))).collect()
 }
 
-/// A gyrostat about a fixed point, by whole numbers: centre of mass in cm, moments of inertia in g m^2, the wheel's speed in rad/s.
+/// A gyrostat about a fixed point, in integers: centre of mass in cm, moments of inertia in g m^2, speed of the wheel in rad/s.
 struct Gyrostat {
     centre: [i64; 3],
     moments: [i64; 6],
@@ -41,11 +41,11 @@ impl Gyrostat {
         )
     }
 
-    /// The directions of the vertical in the body, by the polynomial of the multiplier.
+    /// The directions of the vertical in the body in all steady motions, from the polynomial of the multiplier.
     fn directions(&self, turning: i64) -> Vec<Vector3<f64>> {
         let milli = |number: i64| Rational::new(number, 1_000);
         let [xx, yy, zz, xy, xz, yz] = self.moments;
-        // m (c.c - c c^T), of 2 kg and centimetres, in g m^2 fifths: 2 kg cm^2 = 0.2 g m^2
+        // m (c.c - c c^T) for 2 kg and centimetres: 2 kg cm^2 = 0.2 g m^2
         let own = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
         let c = self.centre;
         let square: i64 = c.iter().map(|part| part * part).sum();
@@ -55,7 +55,7 @@ impl Gyrostat {
             let steiner = Rational::new(2 * (square * unit - c[i] * c[j]), 10_000);
             milli(own[i][j] + unit * wheel[i]) + steiner
         });
-        // 2 kg times 10 m/s^2 times centimetres, down
+        // 2 kg times 10 m/s^2 times centimetres, downwards
         let weight = Vector3::from_fn(|i, _| Rational::new(-20 * c[i], 100));
         let momentum = Vector3::new(milli(0), milli(0), milli(5));
         let speed = Root::rational(Rational::new(self.speed, 1)).expect("a number");
@@ -66,8 +66,8 @@ impl Gyrostat {
     }
 }
 
-/// The same number of motions in the same directions, none missing, at rest and turning, of random gyrostats; `GYROSTATS=1000` asks for more
-/// than twelve.
+/// Random gyrostats, at rest and rotating: the search and the polynomial give equal numbers of motions in equal directions. `GYROSTATS=1000` tests
+/// more than twelve.
 #[test]
 fn a_free_gyrostat_has_the_motions_of_its_polynomial() {
     let mut seed = 7_u64;
@@ -105,7 +105,7 @@ fn a_free_gyrostat_has_the_motions_of_its_polynomial() {
     }
 }
 
-/// A heavy body rests with its centre of mass below the fixed point, stable, and above it, unstable, however the body lies.
+/// A heavy body is at rest with its centre of mass below the fixed point, stable, and above it, unstable, for any axes of the body.
 #[test]
 fn a_heavy_body_rests_hanging_and_upright() {
     for centre in ["(3 cm)*F.x + (4 cm)*F.y", "(5 cm)*F.z", "(-2 cm)*F.y + (5 cm)*F.z"] {
@@ -122,8 +122,8 @@ fn a_heavy_body_rests_hanging_and_upright() {
     }
 }
 
-/// A body that turns with its pivot about the vertical hangs alone up to w^2 = m g l/(B - C); beyond that it may stand aside too, and beyond
-/// m g l/(A - C) in one more plane.
+/// A body rotates with its pivot about the vertical. Besides the vertical positions, inclined ones exist for w^2 > m g l/(B - C), and in a further plane
+/// for w^2 > m g l/(A - C).
 #[test]
 fn a_turning_body_leaves_the_vertical_along_its_speed() {
     let text = "title = \"Body\"\ngravity = \"-(10 m/s^2)*N.z\"\n[frames]\nF = \"N free\"\n[points]\nG = \"O + (10 cm)*F.z\"\n\
@@ -133,7 +133,7 @@ fn a_turning_body_leaves_the_vertical_along_its_speed() {
     let asked = SteadySearch { text: Some(Arc::new(source)), ..asked(&[], 50_000) };
     let range = Range { from: 4.0, to: 9.0 };
     let along = Along::of(&model, &asked, ("F.precession'", range), 6, || true).unwrap_or_else(|why| panic!("{why:?}"));
-    // about the pivot 0.03, 0.035 and 0.015 kg m^2: motions aside appear at w^2 = m g l/(B - C) and m g l/(A - C)
+    // about the pivot 0.03, 0.035 and 0.015 kg m^2: inclined motions appear at w^2 = m g l/(B - C) and m g l/(A - C)
     let thresholds = [(1.0_f64 / 0.02).sqrt(), (1.0_f64 / 0.015).sqrt()];
     let found: Vec<f64> = along.bifurcations.iter().map(|one| 0.5 * (one.before.value + one.after.value)).collect();
     assert!(along.bifurcations.iter().all(|one| one.change == Change::Pitchfork), "{found:?}");
@@ -143,7 +143,7 @@ fn a_turning_body_leaves_the_vertical_along_its_speed() {
     assert_eq!(counts, [2, 2, 2, 2, 4, 6]);
 }
 
-/// Without a range the body turns about the vertical as it does at the start: by the component of its angular velocity.
+/// Without a range, the speed about the vertical is that component of the angular velocity at the start.
 #[test]
 fn the_speed_about_the_vertical_is_that_of_the_start() {
     let text = "title = \"Body\"\ngravity = \"-(10 m/s^2)*N.z\"\n[frames]\nF = \"N free\"\n[points]\nG = \"O + (10 cm)*F.x\"\n\
@@ -156,8 +156,8 @@ fn the_speed_about_the_vertical_is_that_of_the_start() {
     }
 }
 
-/// A top: its energy and both momenta give the fast and the slow precession at a nutation of 60 degrees, cos n A p^2 - C r p + m g l = 0 with
-/// r = spin' + p cos n the spin about its axis; upright it sleeps at any spin. With gravity along another axis of space there is the same.
+/// Fast and slow precession of a top at a nutation of 60 degrees, cos n A p^2 - C r p + m g l = 0 with r = spin' + p cos n; the upright top sleeps at any
+/// spin. The results do not depend on the axis of gravity.
 #[test]
 fn a_top_precesses_and_sleeps_however_space_is_turned() {
     let (moment, axial, weight) = (0.03_f64, 0.004, 1.0);
@@ -166,7 +166,7 @@ fn a_top_precesses_and_sleeps_however_space_is_turned() {
             "title = \"Top\"\ngravity = \"-(10 m/s^2)*N.{vertical}\"\n[frames]\nF = \"N free\"\n[points]\nG = \"O + (10 cm)*F.z\"\n\
              [bodies.b]\nframe = \"F\"\ncentre = \"G\"\nmass = \"1 kg\"\ninertia = {{ principal = [\"20 g m^2\", \"20 g m^2\", \"4 g m^2\"] }}\n[run]\nspan = \"1 s\"\n"
         );
-        // the axis at 60 degrees from the vertical: an elevation of 30 degrees, with one sign or the other by the order of axes
+        // 60 degrees from the vertical is an elevation of 30 degrees, with a sign that depends on the order of the axes
         let (angle, from, to) = if vertical == "z" {
             ("F.nutation", 1.0471975511965976, 1.0471975511965976)
         } else {
@@ -199,7 +199,7 @@ fn a_top_precesses_and_sleeps_however_space_is_turned() {
     }
 }
 
-/// At a singular position of a set of angles the equations lose a torque balance: the search reports no false equilibrium there.
+/// At a singular position of a set of angles the equations lose a torque balance; no false equilibrium is reported there.
 #[test]
 fn poles_of_the_angles_are_no_motions() {
     let text = "title = \"Body\"\ngravity = \"-(10 m/s^2)*N.z\"\n[frames]\nF = \"N free\"\n[points]\nG = \"O + (10 cm)*F.x + (5 cm)*F.y + (2 cm)*F.z\"\n\
@@ -211,7 +211,7 @@ fn poles_of_the_angles_are_no_motions() {
     }
 }
 
-/// A ball about its centre rests in every orientation: a family, whose ends are those of each set of angles.
+/// A ball about its centre is at rest in every orientation: a family, bounded by the ranges of each set of angles.
 #[test]
 fn a_ball_rests_in_every_orientation() {
     let text = "title = \"Ball\"\n[frames]\nF = \"N free\"\n[bodies.b]\nframe = \"F\"\ncentre = \"O\"\nmass = \"1 kg\"\n\
@@ -220,8 +220,8 @@ fn a_ball_rests_in_every_orientation() {
     assert!(all.iter().any(|(_, own)| !own.families.is_empty()) && all.iter().all(|(_, own)| own.motions.is_empty()));
 }
 
-/// A ball that spins on a plane with its centre of mass below or above its centre; its height is a coordinate, so that the vertical part of rolling
-/// follows from the contact.
+/// A ball that spins on a plane, with its centre of mass below or above its geometric centre. Its height is a coordinate, and the vertical component of
+/// rolling follows from the contact.
 const ROLLING: &str = r#"
 title = "A ball that rolls"
 gravity = "-(9.81 m/s^2)*N.z"
@@ -271,13 +271,13 @@ fn a_ball_that_rolls_spins_steadily_with_its_centre_of_mass_below_and_above() {
     assert_eq!(verdict_at(2.6, 3.6), Some(EnclosedVerdict::Unstable(2)));
 }
 
-/// A sleeping top whose file gives it a spin: the value that is asked for is that of the whole turn, and the spin is not added.
+/// A sleeping top with a spin in its file: a given value is that of the whole rate about the vertical, to which the spin is not added.
 #[test]
 fn the_turn_about_the_common_axis_has_the_value_that_is_asked_for() {
     let text = "title = \"Top\"\ngravity = \"-(10 m/s^2)*N.z\"\n[frames]\nF = \"N free\"\n[points]\nG = \"O + (10 cm)*F.z\"\n\
                 [bodies.top]\nframe = \"F\"\ncentre = \"G\"\nmass = \"1 kg\"\ninertia = { principal = [\"10 g m^2\", \"10 g m^2\", \"8 g m^2\"] }\n\
                 [start]\n\"F.wz\" = \"40 rad/s\"\n[run]\nspan = \"1 s\"\n";
-    // the centre turns about O: A = 20 g m^2, stable for C w > sqrt(4 A m g h), w > 35.36 rad/s
+    // the centre of mass moves about O: A = 20 g m^2, stable for C w > sqrt(4 A m g h), w > 35.36 rad/s
     for (turn, unstable) in [(35.0, 2), (36.0, 0)] {
         let all = found(text, &[("F.yaw'", turn, turn)]);
         let right = |motion: &SteadyMotion| match &motion.stability {

@@ -1,11 +1,11 @@
-//! Motions where conditions of the law are zero: in the middle of a play, where no condition makes a difference, and at kinks.
+//! Motions at zeros of conditions: in the middle of a backlash, where conditions have no effect, and at kinks.
 
 use super::{asked, model};
 use dalembert_scenes::steady_motions::{
     Case, EnclosedVerdict, SteadyMotion, SteadyMotions, SteadyStability, conditions_of,
 };
 
-/// A system with one coordinate x, in metres, and loads.
+/// A system with one coordinate x in metres, and loads.
 fn block(loads: &str) -> String {
     format!(
         "title = \"Block\"\n[parameters]\nm = \"1 kg\"\ne = \"0.1 m\"\n[coordinates]\nx = \"m\"\n\
@@ -13,7 +13,7 @@ fn block(loads: &str) -> String {
     )
 }
 
-/// Combinations of cases with what was found in them.
+/// The combinations of cases with the result in each.
 type Found = Vec<(Vec<Case>, SteadyMotions)>;
 
 fn found(text: &str) -> Found {
@@ -23,7 +23,7 @@ fn found(text: &str) -> Found {
     all
 }
 
-/// The one motion.
+/// The only motion.
 fn only(text: &str) -> SteadyMotion {
     let all = found(text);
     assert!(all.iter().all(|(_, own)| own.families.is_empty()), "{all:?}");
@@ -56,7 +56,7 @@ fn a_damped_motion_in_the_middle_of_a_play_is_judged_by_linear_equations() {
     }
 }
 
-/// Without a load a block rests all over the play: one family, whose heading does not speak of the sign of x.
+/// Without a load, a block is at rest throughout the backlash: one family, described without the sign of x.
 #[test]
 fn a_play_without_a_load_is_one_family() {
     let text = block(&format!("{PLAY}\""));
@@ -67,11 +67,11 @@ fn a_play_without_a_load_is_one_family() {
     assert_eq!(cases[..], [Case::Either, Case::Fails]);
     assert!(family.hull[0].iter().zip([-0.1, 0.1]).all(|(end, wanted)| (end - wanted).abs() < 1e-8), "{family:?}");
     assert_eq!(conditions_of(&model(&text)), ["x", "abs(x) - e"]);
-    // beyond the play, on both sides, and within it
+    // beyond the backlash on both sides, and within it
     assert_eq!(all.len(), 3, "{all:?}");
 }
 
-/// The law of a spring with an edge: a force that repels on one side, and another that pulls back.
+/// A force with an edge: repelling on one side and attracting on the other.
 #[test]
 fn a_potential_that_falls_on_one_side_of_a_kink_makes_a_motion_unstable() {
     let edge = |right: &str, left: &str| {
@@ -89,7 +89,7 @@ fn a_potential_that_falls_on_one_side_of_a_kink_makes_a_motion_unstable() {
             .stability
     };
     assert!(matches!(damped("(4 N/m)*x"), SteadyStability::FallsOnSide(1)));
-    // nor does it end a minimum; a fed motion is not judged by the energy
+    // with a damper a minimum is still stable; with a negative damper the energy decides nothing
     assert!(matches!(damped("-(4 N/m)*x"), SteadyStability::MinimumOnSides));
     let fed = block(&format!(
         "[[force]]\nalong = \"x\"\nis = \"if(x > (0 m), -(4 N/m)*x, -(1 N/m)*x)\"\n{}",
@@ -98,7 +98,7 @@ fn a_potential_that_falls_on_one_side_of_a_kink_makes_a_motion_unstable() {
     assert!(matches!(only(&fed).stability, SteadyStability::AtCondition(None)));
 }
 
-/// A force that vanishes with the square of the distance: the linear equations are zero, and the order of the zero decides.
+/// A force proportional to the square of the distance: the linear equations vanish, and the order of the zero decides.
 #[test]
 fn a_spring_that_begins_softly_holds_a_motion_and_one_that_repels_does_not() {
     let soft = |force: &str| only(&block(&format!("[[force]]\nalong = \"x\"\nis = \"{force}\""))).stability;
@@ -116,7 +116,7 @@ fn a_spring_that_begins_softly_holds_a_motion_and_one_that_repels_does_not() {
     }
 }
 
-/// The stability of the one motion under a force without conditions.
+/// The stability of the only motion under a force without conditions.
 fn only_smooth(force: &str) -> SteadyStability {
     let text = block(&format!("[[force]]\nalong = \"x\"\nis = \"{force}\""));
     let all = SteadyMotions::of(&model(&text), &asked(&[("x", -1.3, 1.1)], 2_000), || true);
@@ -134,7 +134,7 @@ fn conditions_are_told_by_the_functions_that_were_written() {
     assert_eq!(of("(1 N)*max(x*sign(x - e), 0)"), ["x - e", "x*sign(x - e)"]);
 }
 
-/// Two coordinates at a kink where every slope vanishes: no box is decided, and the place is told once, not from each side.
+/// Two coordinates at a kink where all derivatives vanish: no box is decided, and the region is reported once, not for each side.
 #[test]
 fn an_undecided_place_at_a_kink_is_told_once() {
     let text = "title = \"Soft\"\n[parameters]\nm = \"1 kg\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
@@ -148,7 +148,7 @@ fn an_undecided_place_at_a_kink_is_told_once() {
     assert!(own.regions[0].hull[0][0] <= 0.0 && own.regions[0].hull[0][1] >= 0.0, "{:?}", own.regions);
 }
 
-/// Two ropes hold a load; in the middle of each eyelet, where a distance is zero, its rope is slack, and taut ropes have no motion there.
+/// Two ropes carry a load. At each ring, where a distance is zero, the rope is slack; taut ropes have no motion there.
 #[test]
 fn places_without_values_on_an_excluded_side_are_not_told() {
     let text = "title = \"Ropes\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[parameters]\nm = \"1 kg\"\nl = \"0.5 m\"\nk = \"200 N/m\"\n\
@@ -161,7 +161,7 @@ fn places_without_values_on_an_excluded_side_are_not_told() {
     assert_eq!(all.iter().map(|(_, own)| own.motions.len()).sum::<usize>(), 1, "{all:?}");
 }
 
-/// A play between two coordinates, whose sign x - y is no letter of its own: the middle is a maximum, and is told once.
+/// A backlash between two coordinates, with the sign of x - y: the middle is a maximum and is reported once.
 #[test]
 fn a_play_between_two_coordinates_is_smooth_in_its_middle() {
     let text = "title = \"Backlash\"\n[parameters]\nm = \"1 kg\"\ne = \"0.1 m\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
@@ -177,7 +177,7 @@ fn a_play_between_two_coordinates_is_smooth_in_its_middle() {
     assert_eq!(all.iter().map(|(_, own)| own.motions.len()).sum::<usize>(), 3, "{all:?}");
 }
 
-/// Two plays, along x and along y: a square of rest, told once as a surface up to its edges.
+/// Two backlashes along x and y: a square of positions of rest, reported as one surface up to its edges.
 #[test]
 fn two_plays_are_one_surface_of_rest() {
     let text = "title = \"Square\"\n[parameters]\nm = \"1 kg\"\ne = \"0.2 m\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
@@ -196,7 +196,7 @@ fn two_plays_are_one_surface_of_rest() {
     );
 }
 
-/// A region of rest that no box fits: its border is told, and its ends are reached.
+/// A band of positions of rest that is not aligned with boxes: its border is reported, and its ends are reached.
 #[test]
 fn a_band_of_rest_is_a_surface_with_a_border() {
     let text = "title = \"Band\"\n[parameters]\nm = \"1 kg\"\ne = \"0.2 m\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\

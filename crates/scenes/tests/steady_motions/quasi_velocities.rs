@@ -1,12 +1,12 @@
-//! Steady motions of systems that roll, slide along edges, or are written in quasi-velocities.
+//! Steady motions of systems that roll, slide along edges, or use quasi-velocities.
 
 use super::{all, asked, held, model, values};
 use dalembert_scenes::independent_start;
 use dalembert_scenes::steady_motions::{SteadyMotion, SteadyMotions, SteadyStability};
 use std::f64::consts::PI;
 
-/// A hoop whose height is a coordinate: the vertical component of rolling follows from the contact everywhere, and the others are kept, so that
-/// the hoop rolls upright and in circles as one without this coordinate.
+/// A hoop whose height is a coordinate. The vertical component of rolling follows from the contact and is removed; the others remain, so that the hoop
+/// rolls upright and in circles as without this coordinate.
 #[test]
 fn rolling_beside_a_contact_is_taken_apart_along_the_ground() {
     let hoop = r#"
@@ -45,7 +45,7 @@ z = "0.3 m"
 "#;
     let mut model = model(hoop);
     independent_start(&mut model).expect("the constraints agree");
-    // (g/R) sin a = w cos a (2 s - 3/2 w sin a) at the lean a, the rate w of the heading and s of the spin
+    // (g/R) sin a = w cos a (2 s - 3/2 w sin a) for the lean a, and the rates w of the heading and s of the spin
     for (heading, spin) in [(0.0_f64, 3.0_f64), (1.0, 3.0)] {
         let ranges = asked(&[("heading'", heading, heading), ("spin'", spin, spin), ("z", 0.0, 1.0)], 20_000);
         let found = SteadyMotions::of(&model, &ranges, || true).unwrap_or_else(|why| panic!("{why:?}"));
@@ -57,7 +57,7 @@ z = "0.3 m"
     }
 }
 
-/// A disc that rolls straight ahead: lean'' = (4 g/(5 r) - 12/5 s^2) lean at the spin s, and its heading and spin stay as they are.
+/// A disc that rolls straight ahead: lean'' = (4 g/(5 r) - 12/5 s^2) lean at the spin s; heading and spin are constant.
 #[test]
 fn a_disc_that_rolls_straight_falls_below_a_spin() {
     const DISC: &str = include_str!("../../../../scenes/models/rolling_disc.toml");
@@ -77,7 +77,7 @@ fn a_disc_that_rolls_straight_falls_below_a_spin() {
     }
 }
 
-/// A disc that rolls in a circle: 3/2 W s cos(a) - 5/4 W^2 sin(a) cos(a) = g/r sin(a) for a lean a, a heading that turns by W and a spin s.
+/// A disc that rolls in a circle: 3/2 W s cos(a) - 5/4 W^2 sin(a) cos(a) = g/r sin(a) for a lean a, the rate W of the heading and a spin s.
 #[test]
 fn a_disc_rolls_in_circles_at_every_lean_at_which_it_can() {
     const DISC: &str = include_str!("../../../../scenes/models/rolling_disc.toml");
@@ -94,7 +94,7 @@ fn a_disc_rolls_in_circles_at_every_lean_at_which_it_can() {
         for motion in &found.motions {
             let lean = motion.state[3];
             assert!(out_of_balance(lean).abs() < 1e-10, "{lean}");
-            // rolling along the heading, which is x
+            // rolling in the direction of the heading, which is x
             assert!((motion.state[5] - 0.343 * spin).abs() < 1e-9, "{:?}", motion.state);
         }
     }
@@ -108,7 +108,7 @@ fn discs(motion: &SteadyMotion) -> Vec<[f64; 2]> {
     enclosed.discs.iter().map(|disc| disc.centre).collect()
 }
 
-/// m v' = m a w^2, (J + m a^2) w' = -m a v w: the sleigh runs straight at every speed v, and turns back like exp(-m a v t/(J + m a^2)).
+/// m v' = m a w^2, (J + m a^2) w' = -m a v w: the sleigh moves straight at every speed v; deviations decay as exp(-m a v t/(J + m a^2)).
 #[test]
 fn a_sleigh_runs_straight_at_every_speed_in_every_heading() {
     let named = SLEIGH.replace("[frames]", "[speeds]\nv = \"velocity(P) . B.x\"\nw = \"psi'\"\n[frames]");
@@ -126,7 +126,7 @@ fn a_sleigh_runs_straight_at_every_speed_in_every_heading() {
     }
 }
 
-/// A car whose steering is held by a spring: at the angle d the heading turns by v tan(d)/l.
+/// A car whose steering is held by a spring: at the steering angle d the heading turns at the rate v tan(d)/l.
 #[test]
 fn a_car_runs_in_a_circle_at_every_speed() {
     const CAR: &str = r#"
@@ -171,7 +171,7 @@ span = "1 s"
     }
 }
 
-/// Whipple's bicycle runs straight ahead at every speed.
+/// Whipple's bicycle moves straight ahead at every speed.
 #[test]
 fn a_bicycle_runs_straight_at_every_speed() {
     const BICYCLE: &str = include_str!("../../../../scenes/foreign/bicycle.toml");
@@ -192,7 +192,7 @@ fn straight_on(found: &SteadyMotions, speed: f64) -> Vec<f64> {
     found.unknowns.iter().map(|unknown| if unknown.name == "rear'" { speed } else { 0.0 }).collect()
 }
 
-/// A skate that a force along its edge drives against a drag: F = c v, whatever the heading; the force is written along v.
+/// A skate driven along its edge against drag: F = c v for every heading; the force is given along the quasi-velocity v.
 #[test]
 fn a_force_along_a_quasi_velocity_drives_the_steady_motion() {
     const FORCES: &str = "[[force]]\nalong = \"v\"\nis = \"(2 N) - (0.5 N s/m)*v\"\n[[force]]\nalong = \"w\"\nis = \"-(0.05 N m s)*w\"\n";

@@ -1,10 +1,10 @@
-//! Reactions of either sign, equations beyond the number of unknowns, events.
+//! Reactions of either sign, more equations than unknowns, and events.
 
 use super::{all, assert_are, values};
 use dalembert_scenes::steady_motions::Near;
 use std::f64::consts::FRAC_PI_2;
 
-/// Rods in a row hang or stand: with each at its lowest or highest, and no other, although each reaction may have either sign.
+/// A chain of rods: each rod hangs or stands, and there are no other equilibria, although each reaction may have either sign.
 #[test]
 fn rods_in_cartesian_coordinates_rest_upright_alone() {
     const RODS: &str = include_str!("../../../../scenes/foreign/triple_pendulum.toml");
@@ -28,7 +28,7 @@ fn rods_in_cartesian_coordinates_rest_upright_alone() {
     }
 }
 
-/// A body along a line whose push depends on the angle of a pendulum beside it: two equations ask for the one angle.
+/// A body on a line with a force that depends on the angle of a pendulum: two equations for one angle.
 fn pushed(push: &str) -> String {
     format!(
         "title = \"A pushed carriage\"\n[parameters]\nm = \"1 kg\"\nk = \"2 N m\"\n[coordinates]\nx = \"m\"\ntheta = \"rad\"\n[points]\nP = \"O + x*N.x\"\n\
@@ -41,7 +41,7 @@ fn pushed(push: &str) -> String {
 fn more_equations_than_unknowns_are_fulfilled_together_or_not() {
     let none = all(&pushed("cos(theta) - 1/2"), &[]);
     assert!(none.motions.is_empty() && none.is_complete(), "{none:?}");
-    // one of both fulfils the other by numbers, which proves nothing
+    // the zero of one equation satisfies the other one numerically, which is not a proof
     let open = all(&pushed("cos(theta) - 1"), &[]);
     assert!(open.motions.is_empty() && !open.undecided.is_empty(), "{open:?}");
     assert!(open.undecided.iter().all(|at| at[0][0].abs() < 1e-6 && at[0][1].abs() < 1e-6), "{open:?}");
@@ -55,8 +55,8 @@ fn events_leave_the_equations_between_them_as_they_are() {
     assert_are(&all(bead, &[("x", -2.0, 2.0)]), &[(&[0.5], Some(true))]);
 }
 
-/// A crank and a rod of one length: where the crank stands upright the slider is under its axis, the rod may turn on with the crank, and
-/// the gradient of its constraint vanishes along the crank. No equation bounds the reaction there.
+/// A crank and a rod of equal length: where the crank is upright, the slider is below its axis, and the gradient of the constraint is zero along the
+/// crank. No equation bounds the reaction there.
 #[test]
 fn a_dead_centre_is_told_as_a_place_where_constraints_become_dependent() {
     let text = "title = \"Dead centre\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[parameters]\nr = \"0.3 m\"\n[coordinates]\na = \"rad\"\nx = \"m\"\n\

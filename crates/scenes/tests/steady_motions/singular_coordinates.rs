@@ -1,10 +1,10 @@
-//! Places that the coordinates of a model do not describe: no equilibrium and no stability follows from the equations there.
+//! Singular positions of coordinates: neither equilibrium nor stability follows from the equations there.
 
 use super::{all, model};
 use dalembert_scenes::linearisation::{NotLinear, VariedEquations};
 use dalembert_scenes::steady_motions::{Along, NoSteadyMotions, Range, SteadyMotion, SteadySearch, SteadyStability};
 
-/// A pendulum on a sphere, by two angles whose pole is below and above its centre.
+/// A spherical pendulum in two angles with poles below and above its centre.
 const SPHERICAL: &str = "title = \"Spherical\"\ngravity = \"-(9.81 m/s^2)*N.z\"\n[coordinates]\nph = \"rad\"\nth = \"rad\"\n\
     [frames]\nA = \"N turned ph about z\"\nB = \"A turned -th about y\"\n[bodies]\nb = { centre = \"O - (0.5 m)*B.z\", mass = \"2 kg\" }\n\
     [run]\nspan = \"1 s\"\n";
@@ -25,7 +25,7 @@ fn at_the_pole_of_spherical_angles_there_is_no_verdict() {
     }
 }
 
-/// A constant force moves every point of a plane; in polar coordinates its equations hold at the centre for two angles.
+/// A constant force accelerates every point of a plane; in polar coordinates the equations of equilibrium hold at the centre for two angles.
 #[test]
 fn no_equilibrium_is_claimed_where_polar_coordinates_have_their_pole() {
     let text = "title = \"Polar\"\n[coordinates]\nr = \"m\"\nph = \"rad\"\n[frames]\nA = \"N turned ph about z\"\n\
@@ -46,7 +46,7 @@ fn linear_equations_are_refused_at_a_pole_and_next_to_it_by_rounding() {
     assert!(equations.about(0.0, &[0.3, 1e-3, 0.0, 0.0]).is_ok());
 }
 
-/// Three angles of a body of revolution meet at its pole, where the first and the last are one rotation and no entry of the matrix is small.
+/// Three angles of a body of revolution at their pole: the first and the last are one rotation, and no entry of the mass matrix is small.
 #[test]
 fn two_angles_that_are_one_rotation_are_singular_together() {
     let text = "title = \"Top\"\ngravity = \"-(9.81 m/s^2)*N.z\"\n[coordinates]\na = \"rad\"\nb = \"rad\"\nc = \"rad\"\n\
@@ -93,7 +93,7 @@ fn poles_count_as_no_motions_along_a_speed() {
     assert!(one.before.value < 4.43 && one.after.value > 4.42 && one.after.value < 4.46, "{one:?}");
 }
 
-/// A bead on a rod that turns at the frequency of its spring: its place is cyclic at this stiffness alone.
+/// A bead on a rod that turns at the frequency of its spring: its position is cyclic for this stiffness only.
 #[test]
 fn a_coordinate_that_is_cyclic_at_some_values_of_parameters_is_told_apart() {
     let rod = |stiffness: &str| {

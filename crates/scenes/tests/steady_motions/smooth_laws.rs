@@ -1,4 +1,4 @@
-//! Contacts without friction, and laws with the same derivatives on both sides of a condition.
+//! Contacts without friction, and laws with equal derivatives on both sides of a condition.
 
 use super::{asked, model};
 use dalembert_scenes::steady_motions::{
@@ -12,7 +12,7 @@ fn motions(text: &str, ranges: &[(&str, f64, f64)]) -> Vec<(Vec<Case>, SteadyMot
     found.into_iter().flat_map(|(cases, own)| own.motions.into_iter().map(move |one| (cases.clone(), one))).collect()
 }
 
-/// A block on a floor, held by a spring with a given stiffness along it.
+/// A block on a floor with a horizontal spring of the given stiffness.
 fn block(friction: &str, stiffness: &str) -> String {
     format!(
         "title = \"Block\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[parameters]\nm = \"1 kg\"\nk = \"{stiffness}\"\nmu = \"0\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
@@ -72,7 +72,7 @@ fn a_law_whose_derivative_jumps_has_a_kink() {
     }
 }
 
-/// A particle in a plane on springs, with a drag that grows with the square of its speed.
+/// A particle on springs in a plane, with drag proportional to the square of its speed.
 #[test]
 fn a_drag_with_the_length_of_the_velocity_has_no_part_in_the_linear_equations_at_rest() {
     let verdict = |stiffness: &str, drag: &str| {
@@ -92,6 +92,6 @@ fn a_drag_with_the_length_of_the_velocity_has_no_part_in_the_linear_equations_at
     let quadratic = "(3 kg/m)*norm(velocity(P))*velocity(P)";
     assert_eq!(verdict("3", quadratic), Some(EnclosedVerdict::Asymptotic));
     assert_eq!(verdict("-3", quadratic), Some(EnclosedVerdict::Unstable(1)));
-    // of first order: there is no derivative
+    // |v| has no derivative at rest
     assert_eq!(verdict("3", "(3 N s/m)*norm(velocity(P))*N.x"), None);
 }

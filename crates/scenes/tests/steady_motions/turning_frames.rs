@@ -3,7 +3,7 @@
 use super::all;
 use dalembert_scenes::steady_motions::{EnclosedVerdict, SteadyMotion, SteadyMotions, SteadyStability};
 
-/// A bead on a hoop that turns about the vertical.
+/// The steady motions of a bead on a hoop that turns about the vertical.
 fn hoop(radius: &str, gravity: &str, rate: &str) -> SteadyMotions {
     let text = format!(
         "title = \"Hoop\"\ngravity = \"-g*N.z\"\n[parameters]\nm = \"1 kg\"\nR = \"{radius} m\"\ng = \"{gravity} m/s^2\"\n[coordinates]\ntheta = \"rad\"\n\
@@ -13,7 +13,7 @@ fn hoop(radius: &str, gravity: &str, rate: &str) -> SteadyMotions {
     all(&text, &[])
 }
 
-/// Angles with whether each motion is a minimum of V - T0.
+/// The angle of each motion, and whether it is a minimum of V - T0.
 fn told(found: &SteadyMotions) -> Vec<(f64, bool)> {
     assert!(found.is_complete() && found.are_in_turning_frames, "{found:?}");
     let told = |motion: &SteadyMotion| match &motion.stability {
@@ -24,7 +24,7 @@ fn told(found: &SteadyMotions) -> Vec<(f64, bool)> {
     found.motions.iter().map(told).collect()
 }
 
-/// A bead in a bowl that turns, r^2 = R^2 - (g/W^2)^2: a circle, also where the ranges reach beyond the bowl.
+/// A bead in a turning bowl, r^2 = R^2 - (g/W^2)^2: a circle of equilibria, also if the ranges extend beyond the bowl.
 #[test]
 fn a_circle_is_one_family_where_ranges_reach_beyond_the_domain_of_the_law() {
     let text = "title = \"Bowl\"\ngravity = \"-(9.81 m/s^2)*N.z\"\n[parameters]\nR = \"1 m\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
@@ -55,7 +55,7 @@ fn a_bead_leaves_the_bottom_of_a_hoop_that_turns_fast() {
     }
 }
 
-/// At the critical rate w^2 = g/R the energy V - T0 begins with the fourth power of the angle, and the bottom is stable still.
+/// At the critical rate w^2 = g/R the energy V - T0 begins with the fourth power of the angle, and the lowest position is still stable.
 #[test]
 fn at_the_critical_rate_the_fourth_power_of_the_angle_holds_the_bead() {
     for (radius, gravity, rate) in
@@ -67,8 +67,8 @@ fn at_the_critical_rate_the_fourth_power_of_the_angle_holds_the_bead() {
     }
 }
 
-/// A mass on springs in a turning plane: k > m w^2 is a minimum; for k < m w^2 the energy falls in two directions, and gyroscopic forces
-/// hold the mass: here linear equations decide nothing, and with two different springs they show growth.
+/// A mass on springs in a turning plane: a minimum for k > m w^2. For k < m w^2 the energy decreases in two directions, and gyroscopic forces stabilise
+/// the mass; linear equations do not decide this, and with two different springs they show growth.
 #[test]
 fn gyroscopic_forces_in_a_turning_plane_leave_the_decision_to_linear_equations() {
     let plane = |first: f64, second: f64| {
@@ -90,8 +90,8 @@ fn gyroscopic_forces_in_a_turning_plane_leave_the_decision_to_linear_equations()
     assert_eq!(verdict(plane(5.0, 6.0)), Ok(EnclosedVerdict::Undecided { on_axis: 4, touching: 0 }));
 }
 
-/// Where the centrifugal force balances a spring nothing depends on x, but the momentum dT/dx' = x' - w y is not kept, and no amended potential
-/// belongs to it: x' - 2 w y is kept, and y'' + (3 w^2 + k) y = const is stable for k = -w^2.
+/// If the centrifugal force balances a spring, x is cyclic, but the momentum dT/dx' = x' - w y is not conserved, so that there is no amended potential.
+/// Instead x' - 2 w y is conserved, and y'' + (3 w^2 + k) y = const is stable for k = -w^2.
 #[test]
 fn no_amended_potential_is_taken_where_a_momentum_is_not_kept() {
     let text = "title = \"Rotating saddle\"\n[parameters]\nm = \"1 kg\"\nk = \"1 N/m\"\nw = \"1 rad/s\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
