@@ -53,9 +53,11 @@ impl MotionMatrix {
 
 /// The matrix and the right side at one state.
 pub(crate) struct Terms {
+    /// The number of rows and columns: speeds and constraints.
     pub size: usize,
     /// The entries, row by row; `size` rows and columns.
     pub matrix: Vec<f64>,
+    /// The right side: -h, then -c.
     pub right: Vec<f64>,
 }
 

@@ -40,15 +40,18 @@ use std::sync::{Arc, OnceLock};
 /// A system defined in a file, with its run.
 #[derive(Debug)]
 pub struct ModelScene {
+    /// One line that names the motion.
     pub title: String,
     /// A sentence on the motion and its difficulty.
     pub description: String,
     pub model: Arc<Model>,
     /// The source from which the model was elaborated.
     pub(crate) source: Arc<Source>,
+    /// The compiled law at the start.
     pub system: Arc<CompiledSystem>,
     /// The state at time zero: coordinates, then speeds, in SI units. It satisfies the constraints.
     pub start: Vec<f64>,
+    /// Span, samples, method and tolerance of the run.
     pub run: Run,
     /// The description of each event: its name, or its line in the file.
     events: Vec<String>,

@@ -19,7 +19,9 @@ use std::path::Path;
 /// A text with the table `[coordinates]`, and its name in messages.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SystemText {
+    /// The name of the text in messages, such as the path of its file.
     pub name: String,
+    /// The text in TOML.
     pub text: String,
     /// Values, in SI units, that replace those of the text: of parameters, and of coordinates and speeds at the start.
     pub values: Vec<(String, f64)>,

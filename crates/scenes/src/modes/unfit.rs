@@ -22,6 +22,7 @@ pub(super) const RESTITUTION: &str = "a coefficient of restitution is not betwee
 pub struct Unfit {
     /// Index among the contacts of the model.
     pub contact: usize,
+    /// The reason, as the second half of a message.
     pub why: &'static str,
     /// Values that the file may give instead.
     pub accepted: &'static str,

@@ -93,12 +93,15 @@ impl ClosedLoop<'_> {
 /// A run of the regulated system.
 #[derive(Clone, Debug)]
 pub struct ClosedRun {
+    /// The end of the integration of the reference, the regulated motion and the cost together.
     pub outcome: Outcome<f64>,
+    /// Times of the samples in seconds, from 0.
     pub times: Vec<f64>,
     /// The states of the regulated motion at `times` (s): coordinates, then speeds.
     pub states: Vec<Vec<f64>>,
     /// The regulated states minus those of the reference motion.
     pub deviations: Vec<Vec<f64>>,
+    /// The inputs u at `times`, in SI units.
     pub inputs: Vec<Vec<f64>>,
     /// The integral of the cost from 0 to each time.
     pub costs: Vec<f64>,

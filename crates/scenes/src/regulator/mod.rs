@@ -38,6 +38,7 @@ pub struct Regulated {
     pub places: Vec<usize>,
     /// The states x of the linear equations on which the gains act.
     pub states: States,
+    /// The controllability of the linear equations.
     pub controllability: Controllability,
     /// The gains K at the start, inputs by states: u = u0 - K (x - x0).
     pub gains: DMatrix<f64>,
@@ -45,13 +46,15 @@ pub struct Regulated {
     pub value: DMatrix<f64>,
     /// The residual of the algebraic Riccati equation, relative; for a horizon, the relative change of P when the steps are halved.
     pub residual: f64,
-    /// Eigenvalues of A at the start in 1/s; `closed` has those of A - B K, without a horizon only.
+    /// Eigenvalues of A at the start, in 1/s.
     pub open: Vec<Complex<f64>>,
+    /// Eigenvalues of A - B K in 1/s; `None` for a horizon.
     pub closed: Option<Vec<Complex<f64>>>,
-    /// The optimal cost x^T P x of the displaced start by the linear equations. `left` is the cost that remains at the end of the run: x^T P x
-    /// without a horizon, otherwise the terminal cost.
+    /// The optimal cost x^T P x of the displaced start, by the linear equations.
     pub predicted: f64,
+    /// The cost that remains at the end of the run: x^T P x without a horizon, otherwise the terminal cost.
     pub left: f64,
+    /// The run of the regulated nonlinear model.
     pub run: ClosedRun,
 }
 

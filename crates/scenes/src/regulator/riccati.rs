@@ -10,11 +10,15 @@ use nalgebra::DMatrix;
 /// The matrices A, B of linear equations and Q, N, R of the cost at one instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stage {
+    /// A, states by states; states are in SI units.
     pub a: DMatrix<f64>,
+    /// B, states by inputs.
     pub b: DMatrix<f64>,
-    /// Q, states by states; `mixed` is N, states by inputs; `input` is R, inputs by inputs.
+    /// Q, states by states.
     pub state: DMatrix<f64>,
+    /// N, states by inputs.
     pub mixed: DMatrix<f64>,
+    /// R, inputs by inputs.
     pub input: DMatrix<f64>,
 }
 

@@ -24,7 +24,7 @@ const KEPT: &str = "the constraints that are used become dependent at this posit
 
 /// A position is singular where s is below this fraction of its largest value at the start and at displaced positions, so that a start near a
 /// singular position does not lower the threshold. If lengths of bars differ from the singular ones by the fraction e, s comes down to the
-/// order of e^(1/2): differences of a millionth are usually detected as singular, differences of a ten-thousandth never.
+/// order of e^(1/2). Motions therefore pass such positions mostly for e = 1e-6, and always for e = 1e-4.
 const LEAST: f64 = 1e-3;
 
 /// Above this value of s^2 its rate is not computed, since the bound by |J'| is sufficient.

@@ -38,9 +38,11 @@ pub enum Unmet {
 pub struct Open {
     /// The place of the constraint in the file, in bytes.
     pub at: Range<usize>,
+    /// The name of the constraint in messages.
     pub name: String,
     /// The residual in the unit `unit`; `None` where it is not finite.
     pub residual: Option<f64>,
+    /// The unit of the residual.
     pub unit: String,
     /// Whether the residual is that of the rate of a position constraint.
     pub is_rate: bool,

@@ -83,6 +83,7 @@ pub struct SteadyMotion {
     pub state: Vec<f64>,
     /// Names and values of quasi-velocities among the independent speeds.
     pub quasi_velocities: Vec<(String, f64)>,
+    /// The stability, as far as it is decided.
     pub stability: SteadyStability,
     /// The indices, in the combination of cases, of conditions that may be zero at the motion.
     pub at_conditions: Vec<usize>,
@@ -106,6 +107,7 @@ pub struct Member {
 /// The steady motions found by a search, and its undecided regions.
 #[derive(Clone, Debug, Default)]
 pub struct SteadyMotions {
+    /// The unknowns of the search, in the order of all enclosures.
     pub unknowns: Vec<Unknown>,
     /// The number of coordinates and speeds. Unknowns with larger or equal indices are fractions of friction, or factors of conditions.
     pub state_size: usize,
@@ -115,6 +117,7 @@ pub struct SteadyMotions {
     pub cyclic: Vec<String>,
     /// The names of those that are cyclic only for the given values of parameters.
     pub cyclic_by_values: Vec<String>,
+    /// The isolated motions.
     pub motions: Vec<SteadyMotion>,
     /// Whether the loads have a potential energy, also if they are written as forces.
     pub have_potential: bool,

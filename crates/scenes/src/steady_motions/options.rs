@@ -12,7 +12,9 @@ use units::nearest;
 /// The range of an unknown in SI units; a fixed value if both ends are equal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Range {
+    /// The lower end.
     pub from: f64,
+    /// The upper end.
     pub to: f64,
 }
 

@@ -45,6 +45,7 @@ pub struct Steep {
 #[derive(Clone, Debug)]
 pub struct Orientation {
     pub model: Model,
+    /// The options of the search for this set of angles.
     pub asked: SteadySearch,
     frames: Vec<Angles>,
     /// Descriptions of these ranges.

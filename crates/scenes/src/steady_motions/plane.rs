@@ -11,7 +11,9 @@ pub type Direction<'a> = (&'a str, Range);
 /// The motions at the midpoint of a cell.
 #[derive(Clone, Debug)]
 pub struct PlaneCell {
+    /// The values of both parameters at the midpoint, in SI units.
     pub values: [f64; 2],
+    /// The steady motions at the midpoint.
     pub found: SteadyMotions,
     /// The reason if no search is possible for the values of this cell.
     pub left_out: Option<NoSteadyMotions>,

@@ -12,7 +12,9 @@ use std::collections::BTreeMap;
 pub struct Region {
     /// The smallest box that contains them, in SI units.
     pub hull: Vec<[f64; 2]>,
+    /// The number of boxes.
     pub boxes: usize,
+    /// The numerical diagnosis.
     pub near: Near,
     /// Whether the region is proved to contain a steady motion: the equations change their signs between opposite faces (theorem of Poincare
     /// and Miranda). This test also works for singular equations.

@@ -63,7 +63,9 @@ pub enum SteadyStability {
 /// Eigenvalues at a motion: numerical ones, and enclosures.
 #[derive(Clone, Debug)]
 pub struct Eigenvalues {
+    /// The linear equations with numerical eigenvalues.
     pub linear: Linear,
+    /// The enclosed eigenvalues, or the reason for which there are none.
     pub enclosed: Result<EnclosedSpectrum, NotEnclosed>,
 }
 

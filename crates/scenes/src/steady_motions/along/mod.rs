@@ -17,29 +17,35 @@ use std::cell::RefCell;
 /// All steady motions at one value of the parameter, in SI units.
 #[derive(Clone, Debug)]
 pub struct Sample {
+    /// The value of the parameter or cyclic speed, in SI units.
     pub value: f64,
+    /// The steady motions at this value.
     pub found: SteadyMotions,
 }
 
 /// A bifurcation: two values of the parameter between which the motions change.
 #[derive(Clone, Debug)]
 pub struct Bifurcation {
-    /// The last sample before the change; `after` is the first one behind it. Both searches are complete.
+    /// The last sample before the change, with a complete search.
     pub before: Sample,
     /// A sample in between whose motions differ from those on both sides.
     pub at: Option<Sample>,
+    /// The first sample behind the change, with a complete search.
     pub after: Sample,
+    /// The kind of the change.
     pub change: Change,
 }
 
 /// Steady motions as functions of a parameter.
 #[derive(Clone, Debug)]
 pub struct Along {
+    /// The steady motions at the requested values at which a search is possible.
     pub samples: Vec<Sample>,
     /// Values of the parameter at which the search is not possible, with the reasons.
     pub left_out: Vec<(f64, NoSteadyMotions)>,
     /// All examined samples in ascending order, including those that narrow brackets.
     pub visited: Vec<Sample>,
+    /// The bifurcations in ascending order of the parameter.
     pub bifurcations: Vec<Bifurcation>,
 }
 

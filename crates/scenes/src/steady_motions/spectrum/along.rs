@@ -22,6 +22,7 @@ const BITS: usize = 80;
 /// A value of the parameter at which an eigenvalue is on the imaginary axis, or an equation is singular.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Boundary {
+    /// The value in SI units, rounded.
     pub value: f64,
     /// The value as a fraction; `None` for an irrational one.
     pub exact: Option<String>,

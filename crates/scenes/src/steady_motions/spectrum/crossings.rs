@@ -17,7 +17,9 @@ const ROUNDINGS: f64 = 4.0;
 /// A value of the parameter with the stability verdict.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Judged {
+    /// The value in SI units.
     pub value: f64,
+    /// The conclusion on stability at this value.
     pub verdict: EnclosedVerdict,
     /// The number of zero eigenvalues with known reasons.
     pub zeros: usize,

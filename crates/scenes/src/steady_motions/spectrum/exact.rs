@@ -13,9 +13,11 @@ pub(super) const MOST_SPEEDS: usize = 8;
 /// Exact numbers of eigenvalues left of, on and right of the imaginary axis, without zeros; and of zeros.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Routh {
+    /// The number of eigenvalues with negative real parts.
     pub left: usize,
     /// The number of imaginary eigenvalues other than zero.
     pub axis: usize,
+    /// The number of eigenvalues with positive real parts.
     pub right: usize,
     /// The number of zero eigenvalues without a known reason.
     pub unexplained: usize,
