@@ -9,8 +9,8 @@ use model::{Model, Trace};
 use std::collections::HashSet;
 use symbolic::{Sym, apart};
 
-/// The number r of differentiations of its law after which the coordinate with index `place`, or its speed, appears; `None` if it appears at
-/// once or never.
+/// The number r of differentiations of its law after which the coordinate with index `place`, or its speed, appears; `None` if the
+/// undifferentiated law contains one of them, or no derivative does.
 pub(crate) fn differentiations(model: &Model, place: usize) -> Option<usize> {
     if model.positions() != model.speeds() || place >= model.coordinates.len() {
         return None;

@@ -258,7 +258,7 @@ impl SingularPositions {
         look.independence(self.rank) - self.least - (DRIFT * look.off).min(MOST_DRIFT * self.least)
     }
 
-    /// This value at the projection of a state onto the constraints; `None` if the projection fails, or with free frames.
+    /// The function [`Self::value`] at the projection of a state onto the constraints; `None` if the projection fails, or with free frames.
     fn on_constraints(&self, time: f64, state: &[f64], look: &mut Look) -> Option<f64> {
         let [_, _, positions, n] = self.counts;
         if positions == 0 || self.angles.len() != n {

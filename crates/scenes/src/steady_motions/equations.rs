@@ -30,7 +30,7 @@ use symbolic::{Dimension, Sym, Tape, substitute_all};
 pub struct Unknown {
     /// The name: that of the coordinate or speed in the state, such as `theta` or `phi'`.
     pub name: String,
-    /// Its index in the state; indices behind the state are those of factors.
+    /// The index in the state; a factor has an index behind the state.
     pub place: usize,
     /// Whether it is an angle that is searched over a whole turn.
     pub is_circle: bool,

@@ -3,7 +3,6 @@
 //! The kinetic energy of bodies is positive for every motion of the system. If the mass matrix is singular nevertheless, as at the pole of
 //! spherical angles, the coordinates are singular: several values describe one position, the equations of motion hold there for any force,
 //! and neither equilibrium nor stability follows from them.
-//! force, and neither equilibrium nor stability follows from them.
 
 use super::definiteness::signs;
 use super::equations::SteadyEquations;

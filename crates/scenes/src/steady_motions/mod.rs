@@ -115,7 +115,7 @@ pub struct SteadyMotions {
     pub given: Vec<(String, f64)>,
     /// The names of cyclic coordinates, which occur in no equation.
     pub cyclic: Vec<String>,
-    /// The names of those that are cyclic only for the given values of parameters.
+    /// The names of coordinates that are cyclic only for the given values of parameters.
     pub cyclic_by_values: Vec<String>,
     /// The isolated motions.
     pub motions: Vec<SteadyMotion>,

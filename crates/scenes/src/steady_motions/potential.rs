@@ -22,7 +22,7 @@ pub(super) struct EnergyIntegral {
     pub is_of_jacobi: bool,
     /// Whether gyroscopic forces act on small motions about a position of rest.
     pub is_gyroscopic: bool,
-    /// Whether it is constant; otherwise linear dampers reduce it.
+    /// Whether the integral is constant; otherwise linear dampers reduce its value.
     pub is_kept: bool,
 }
 

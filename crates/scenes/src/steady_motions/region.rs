@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 /// A region of undecided boxes that touch one another.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Region {
-    /// The smallest box that contains them, in SI units.
+    /// The smallest box that contains the undecided boxes, in SI units.
     pub hull: Vec<[f64; 2]>,
     /// The number of boxes.
     pub boxes: usize,

@@ -33,16 +33,15 @@ pub enum SteadyStability {
     FallsOdd(usize),
     /// A condition of the law is zero at the motion; the contents are what is known of the searched side.
     AtCondition(Option<OnSide>),
-    /// The law has a kink at the motion, and the potential energy has a strict minimum on each side: stable, since the minimum is strict in all
-    /// directions (Lagrange and Dirichlet).
+    /// The law has a kink at the motion, and the potential energy has a strict minimum on each side. Its gradient does not jump, so that the minimum
+    /// is strict in all directions: stable (Lagrange and Dirichlet).
     MinimumOnSides,
     /// The law has a kink at a position of rest, and on one of its two sides the potential energy decreases in this number of directions:
     /// unstable. With one coordinate, dampers may act, and the force at rest takes the place of the energy.
     ///
     /// Proof: let v be an eigenvector of M^-1 V'' of this side with a negative eigenvalue. Unless v is tangent to the kink, v or -v points into the
     /// side, and motions that leave the equilibrium in this direction (its unstable manifold) stay there. If all such v are tangent, V'' of
-    /// the other side, which differs by a multiple of n n^T with the normal n, has them as eigenvectors, too, so that motions grow along them.
-    /// motions grow along them on both.
+    /// the other side, which differs by a multiple of n n^T with the normal n, has them as eigenvectors, too: motions grow along v on both sides.
     FallsOnSide(usize),
     /// Dry friction resists every motion and is strictly below its limits: after a small push the system comes to rest nearby.
     HeldByFriction,

@@ -28,7 +28,7 @@ const MOST_LOOKS: usize = 400;
 const REFINED: usize = 8;
 const SEARCHES: usize = 40;
 
-/// Eigenvalues of J^T J below this power 3/2 of the largest one are rounding errors.
+/// Eigenvalues of J^T J below `RANK`^(3/2) times the largest eigenvalue are rounding errors.
 const RANK: f64 = 1e-9;
 
 /// A message names the speeds whose components are at least this fraction of the largest component of the direction.

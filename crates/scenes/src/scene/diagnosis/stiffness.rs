@@ -19,7 +19,7 @@ const GONE: f64 = 1_000.0;
 /// Number of samples at which eigenvalues are computed.
 const LOOKS: usize = 5;
 
-/// Iterations of the QR algorithm.
+/// Largest number of iterations of the QR algorithm.
 const MOST_ITERATIONS: usize = 10_000;
 
 /// Real parts below this multiple of an eigenvalue's absolute value are rounding errors.
