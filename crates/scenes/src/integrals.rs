@@ -67,7 +67,7 @@ impl SceneWithIntegrals {
         problem.invariants.clear();
         let (momenta, idle) = momenta(model, problem.state.len() - problem.metered);
         integrals.extend(momenta);
-        let angles = |k: &usize| model.coordinates[*k].dimension == symbolic::Dimension::none();
+        let angles = |k: &usize| model.coordinates[*k].is_angle();
         let work = problem.state.len() - problem.metered..problem.state.len();
         Some(SceneWithIntegrals {
             angles: (0..model.coordinates.len()).filter(angles).collect(),

@@ -15,6 +15,13 @@ pub struct Coordinate {
     pub at: Range<usize>,
 }
 
+impl Coordinate {
+    /// Whether values that differ by whole turns are one position; a number without dimension is no angle.
+    pub fn is_angle(&self) -> bool {
+        self.unit == "rad"
+    }
+}
+
 /// A quasi-velocity: a name for an expression that is linear in the speeds u.
 #[derive(Clone, Debug, PartialEq)]
 pub struct QuasiVelocity {

@@ -62,7 +62,7 @@ impl Completion<'_> {
             let names = self.model.state_names();
             let layout = self.prescribed.layout;
             let order = |speed: usize| usize::from(layout.places(speed, 0).len() > 1);
-            let name = |&speed: &usize| format!("`{}`", names[layout.places(speed, order(speed)).start].0);
+            let name = |&speed: &usize| names[layout.places(speed, order(speed)).start].0.clone();
             let coordinates = open.iter().filter(|place| !self.currents.has(**place)).map(name).collect();
             return Err(NoForces::Open { coordinates, time });
         }

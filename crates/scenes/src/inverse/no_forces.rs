@@ -94,7 +94,7 @@ impl fmt::Display for NoForces {
             Self::Open { coordinates, time } => write!(
                 f,
                 "at t = {time} s the constraints do not determine {}: prescribe more coordinates",
-                coordinates.join(", ")
+                coordinates.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
             ),
             Self::Unmet { constraint, residual, time } => {
                 write!(f, "at t = {time} s the prescribed motion leaves {residual} of {constraint}, which must be zero")

@@ -96,7 +96,7 @@ pub enum NoMultipliers {
 impl fmt::Display for NoMultipliers {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NotCompiled(why) => write!(f, "{why:?}"),
+            Self::NotCompiled(why) => write!(f, "{why}"),
             Self::NotLinear(why) => write!(f, "{why}"),
             Self::Failure(why) => write!(f, "{why}"),
             Self::Changes => write!(f, "the law changes at conditions, contacts or events"),
@@ -151,7 +151,7 @@ impl Multipliers {
         let (begin, idle) = (&problem.state, |k: usize| equations.cyclic(&points, &[k]).ncols() > 0);
         let missed = |k: usize| {
             let gap = end[k] - begin[k];
-            let is_angle = k < n && model.coordinates[k].dimension == symbolic::Dimension::none();
+            let is_angle = k < n && model.coordinates[k].is_angle();
             let gap = if is_angle { gap - (gap / TAU).round() * TAU } else { gap };
             if k < n && idle(k) { 0.0 } else { gap.abs() / (1.0 + begin[k].abs()) }
         };

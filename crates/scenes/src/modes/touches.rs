@@ -106,13 +106,13 @@ impl Modes {
                 (0..phases.len()).any(|other| other != contact && phases[other] == Phase::Apart && closes(other));
             let shares = expansions.shares_impacts(contact);
             let why = |why: NotStruck| match why {
+                NotStruck::Restitution => RESTITUTION,
+                NotStruck::Friction => NEGATIVE,
                 NotStruck::Together if shares => BEYOND_MOREAU,
                 _ if is_one_of_several && !shares => TOGETHER,
                 NotStruck::Together => TOGETHER,
                 NotStruck::Undetermined => IMPULSES,
                 NotStruck::AddsEnergy => ENERGY,
-                NotStruck::Restitution => RESTITUTION,
-                NotStruck::Friction => NEGATIVE,
                 NotStruck::Turns => TURNS,
             };
             if shares {

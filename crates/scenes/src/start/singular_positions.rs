@@ -9,8 +9,8 @@
 use super::constraints::Constraints;
 use super::start_speeds;
 use integrators::Pace;
-use model::Model;
 use model::equations::Level;
+use model::{Coordinate, Model};
 use nalgebra::{Cholesky, DMatrix, DVector};
 use simulation::Program;
 use simulation::events::Margin;
@@ -153,7 +153,7 @@ impl SingularPositions {
         let constraints = Constraints::of(model).ok()?.filter(|constraints| constraints.kept > redundant)?;
         let positions = constraints.known.iter().take_while(|known| known.level == Level::Position).count();
         let values: Vec<f64> = model.parameters.iter().filter_map(|parameter| parameter.value).collect();
-        let is_angle = |place: usize| model.coordinates.get(place).is_some_and(|own| own.unit == "rad");
+        let is_angle = |place: usize| model.coordinates.get(place).is_some_and(Coordinate::is_angle);
         let singular = SingularPositions {
             parameters: Vec::new(),
             angles: (0..model.positions()).map(is_angle).collect(),

@@ -106,8 +106,8 @@ impl Identity {
 
 /// A coefficient as text, with the names of the unknowns.
 fn named(coefficient: &Sym, letters: &[Sym], unknowns: &[Unknown]) -> String {
-    let names = letters.iter().zip(unknowns).map(|(letter, unknown)| (letter.to_string(), &unknown.name));
-    names.fold(coefficient.to_string(), |text, (letter, name)| text.replace(&letter, name))
+    let names = letters.iter().zip(unknowns).map(|(letter, unknown)| (*letter, Sym::symbol(&unknown.name)));
+    coefficient.substitute(&names.collect::<Vec<_>>()).to_string()
 }
 
 /// Rational factors for which the sum of the products vanishes at the sample points, in reduced row echelon form.
