@@ -1,37 +1,36 @@
-//! Displays: one formula or several on lines, and double signs, taken apart into formulas of one line.
+//! Display formulas: splits environments with several lines, and formulas with double signs, into single formulas.
 
 use crate::NotFormula;
 use crate::name::argument_end;
 use crate::token::{Kind, Token, tokens};
 use std::ops::Range;
 
-/// Environments that hold lines of formulas.
+/// Environments whose content is one or more lines of formulas.
 const ENVIRONMENTS: &str = "aligned align align* alignedat split gathered gather gather* multline multline* eqnarray eqnarray* \
     equation equation* displaymath math";
 
-/// Commands for numbers of formulas, with the number of their arguments.
+/// Commands for numbers of formulas and for line breaks, with the number of their arguments.
 const NUMBERS: [(&str, usize); 5] = [("tag", 1), ("label", 1), ("nonumber", 0), ("notag", 0), ("displaybreak", 0)];
 
-/// A formula of a display.
+/// One formula of a display.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Displayed {
-    /// The label among the formulas of the display: `1`, `upper`, `2/lower`; empty for a single formula.
+    /// The label of the formula within the display: `1`, `upper`, `2/lower`; empty for a single formula.
     pub name: String,
-    /// The text, as long as its part of the display, with blanks for signs outside the formula: places in it are places in
-    /// the display.
+    /// The text of the formula. Parts of the display outside the formula are replaced by blanks, so that byte `i` here is byte `start + i` of the display.
     pub text: String,
-    /// The byte of the display at which it begins.
+    /// The byte of the display at which the formula begins.
     pub start: usize,
 }
 
-/// The formulas of a display. A line that begins with a relation continues the line before, and so does a line behind one that ends with an
-/// operator; `\pm` and `\mp` make two formulas of one, with all upper signs and with all lower ones.
+/// Returns the formulas of a display. A line that begins with a relation continues the previous line, as does a line after one that ends with
+/// an operator. `\pm` and `\mp` give two formulas: one with all upper signs and one with all lower signs.
 ///
 /// # Errors
-/// The place at which the parts of the display are ambiguous.
+/// A line begins with a sign, and may either continue the previous line or be a formula of its own.
 pub fn formulas(text: &str) -> Result<Vec<Displayed>, NotFormula> {
     let plain = || vec![Displayed { name: String::new(), text: text.to_owned(), start: 0 }];
-    // errors there are reported where the formula is read
+    // a text that has no tokens gives its error when the formula is read
     let Ok(tokens) = tokens(text) else { return Ok(plain()) };
     let whole = unwrapped(&tokens);
     let is_plain = |token: &Token| !["pm", "mp", "\\"].into_iter().any(|name| token.is_command(name));
@@ -77,7 +76,7 @@ pub fn formulas(text: &str) -> Result<Vec<Displayed>, NotFormula> {
     Ok(all)
 }
 
-/// The tokens inside of the environments about a display.
+/// Returns the range of tokens inside the outer environments of a display.
 fn unwrapped(tokens: &[Token]) -> Range<usize> {
     let mut range = 0..tokens.len();
     loop {
@@ -88,14 +87,14 @@ fn unwrapped(tokens: &[Token]) -> Range<usize> {
             return range;
         }
         range = begin.1..end;
-        // the number of columns
+        // the argument of `alignedat` is the number of columns
         if begin.0 == "alignedat" {
             range.start = argument_end(tokens, range.start).unwrap_or(range.start);
         }
     }
 }
 
-/// The name of an environment that begins or ends at a place, and where its name ends.
+/// Returns the name of the environment whose `\begin` or `\end` stands at `at`, and the end of that name.
 fn environment(tokens: &[Token], at: usize, command: &str) -> Option<(String, usize)> {
     tokens.get(at).filter(|token| token.is_command(command))?;
     let end = argument_end(tokens, at + 1)?;
@@ -106,7 +105,7 @@ fn environment(tokens: &[Token], at: usize, command: &str) -> Option<(String, us
     Some((name.collect(), end))
 }
 
-/// The ranges of tokens that are one formula each.
+/// Returns the ranges of tokens of the single formulas.
 fn lines(tokens: &[Token], whole: Range<usize>, text: &str) -> Result<Vec<Range<usize>>, NotFormula> {
     let mut depth = 0usize;
     let mut breaks = Vec::new();
@@ -154,13 +153,13 @@ fn is_content(token: &Token) -> bool {
     token.kind != Kind::Space && !token.is_sign('&')
 }
 
-/// Whether a formula cannot end here.
+/// Returns whether a formula cannot end with this token.
 fn is_open(token: &Token) -> bool {
     let is_operator = ["cdot", "times", "pm", "mp"].into_iter().any(|name| token.is_command(name));
     is_operator || ['+', '-', '/'].into_iter().any(|sign| token.is_sign(sign)) || super::reader::is_relation(token)
 }
 
-/// The places of a formula that are no part of it: ends of lines, marks of columns, numbers.
+/// Returns the ranges of bytes that are no part of the formula: line breaks, alignment marks, formula numbers, final punctuation.
 fn blanks(tokens: &[Token]) -> Vec<Range<usize>> {
     let mut depth = 0usize;
     let mut all = Vec::new();
@@ -182,7 +181,6 @@ fn blanks(tokens: &[Token]) -> Vec<Range<usize>> {
             _ => {}
         }
     }
-    // punctuation at the end of a line
     let is_end = |at: usize| tokens.get(at).is_none_or(|next| next.is_command("\\"));
     let points = tokens
         .iter()

@@ -1,18 +1,18 @@
-//! A fault of a formula, at its place.
+//! Errors in a formula.
 
 use std::fmt;
 use std::ops::Range;
 
-/// Why a text is no formula, or has more than one reading.
+/// The error of a text that is not a formula, or can be read in more than one way.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NotFormula {
-    /// Bytes of the formula.
+    /// The range of bytes in the formula.
     pub span: Range<usize>,
-    /// The fault, in one line.
+    /// The error, in one line.
     pub title: String,
-    /// The text beside the marks under the place.
+    /// The text beside the marks that underline the range.
     pub label: String,
-    /// Texts that would be accepted.
+    /// Examples of accepted input.
     pub accepted: String,
 }
 

@@ -1,15 +1,15 @@
-//! A formula as it was read: every part with its place.
+//! The syntax tree of a formula.
 
 use field::Rational;
 use std::ops::Range;
 
-/// The statement of a formula: chains of sides, of which each is equivalent to the next.
+/// A statement: one chain of sides, or several chains that are stated to be equivalent (`\iff`).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statement {
     pub chains: Vec<Chain>,
 }
 
-/// Sides with the relations between neighbours; one side alone has none.
+/// Sides with a relation between each two neighbours, such as `a = b < c`. A single side has no relation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chain {
     pub sides: Vec<Term>,
@@ -28,7 +28,7 @@ pub enum Relation {
 }
 
 impl Relation {
-    /// The sign as text.
+    /// Returns the sign of the relation as plain text.
     pub fn sign(self) -> &'static str {
         match self {
             Self::Equal => "=",
@@ -40,7 +40,7 @@ impl Relation {
         }
     }
 
-    /// In LaTeX.
+    /// Returns the sign of the relation in LaTeX.
     pub fn latex(self) -> &'static str {
         match self {
             Self::Equal => "=",
@@ -53,43 +53,43 @@ impl Relation {
     }
 }
 
-/// A part of a formula.
+/// A node of the syntax tree.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Term {
-    /// Bytes of the formula.
+    /// The range of bytes in the formula.
     pub span: Range<usize>,
     pub form: Form,
 }
 
-/// The kind of a part.
+/// The kind of a node.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Form {
     Number(Rational),
-    /// A letter, by its name in one spelling: see [`crate::letter_name`].
+    /// A letter, by its normalised name: see [`crate::letter_name`].
     Letter(String),
-    /// The rate along the motion, of this order.
+    /// The time derivative along the motion, of the given order.
     Rate(Box<Term>, u32),
-    /// The partial derivative of the first by the second.
+    /// The partial derivative of the first term with respect to the second.
     Partial(Box<Term>, Box<Term>),
     Negation(Box<Term>),
     Sum(Box<Term>, Box<Term>),
     Difference(Box<Term>, Box<Term>),
-    /// Side by side, or with a dot.
+    /// A product written without a sign.
     Product(Box<Term>, Box<Term>),
-    /// With `\cdot`: of two vectors the scalar product.
+    /// A product with `\cdot`: the scalar product if both factors are vectors.
     Dot(Box<Term>, Box<Term>),
-    /// With `\times`: of two vectors the vector product.
+    /// A product with `\times`: the vector product if both factors are vectors.
     Cross(Box<Term>, Box<Term>),
     Quotient(Box<Term>, Box<Term>),
     Power(Box<Term>, i32),
     Root(Box<Term>),
     Function(Function, Box<Term>),
     Transposed(Box<Term>),
-    /// Row after row.
+    /// The rows of a matrix.
     Matrix(Vec<Vec<Term>>),
 }
 
-/// A function that has a command of LaTeX.
+/// A function with a command of its own in LaTeX.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Function {
     Sin,

@@ -1,13 +1,13 @@
 //! A reader of LaTeX formulas over declared letters that refuses ambiguous formulas instead of guessing.
 //!
 //! # Overview
-//! For programs that read the formulas of papers. The example reads a formula, and refuses a letter that is not declared.
+//! The crate is for programs that read the formulas of papers. The example reads a formula, and rejects a letter that is not declared.
 //!
-//! * [`letter_name`]: the name of a letter in one spelling, independent of braces and spaces;
-//! * [`read`]: a formula as a [`Statement`]: sides with their relations, every part with its place; for an ambiguous formula
-//!   the error [`NotFormula`] names the accepted spellings;
-//! * [`formulas`]: the formulas of a display with several lines, and both formulas of a double sign;
-//! * [`Meaning`], [`value`]: the values of the sides, from the values of the letters.
+//! * [`letter_name`]: the normalised name of a letter, independent of braces and spaces;
+//! * [`read`]: reads a formula into a [`Statement`], a syntax tree whose nodes know their positions; the error [`NotFormula`] of an ambiguous
+//!   formula gives the accepted spellings;
+//! * [`formulas`]: splits a display with several lines, or a formula with a double sign, into single formulas;
+//! * [`value`]: evaluates a node of the tree with the values of the letters, which the trait [`Meaning`] supplies.
 //!
 //! | accepted | refused, since it has two readings |
 //! |---|---|

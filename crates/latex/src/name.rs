@@ -1,19 +1,19 @@
-//! Names of letters: a base with subscripts, stars and primes, in one spelling.
+//! Normalised names of letters: a base with a subscript, stars and primes.
 
 use crate::NotFormula;
 use crate::token::{Kind, Token, tokens};
 use std::ops::Range;
 
-/// Commands that are letters.
+/// Commands that print one letter.
 const LETTERS: &str = "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa varkappa lambda mu nu xi \
     omicron pi varpi rho varrho sigma varsigma tau upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma \
     Upsilon Phi Psi Omega ell hbar imath jmath Re Im aleph";
 
-/// Commands that give a letter another face: the face belongs to the name.
+/// Commands for fonts and accents. They are part of the name of a letter.
 const FACES: &str = "mathbf boldsymbol bm mathrm mathit mathsf mathcal mathfrak mathbb mathscr text textbf textrm vec hat bar \
     tilde overline underline check breve widehat widetilde";
 
-/// Marks above a letter that belong to its name.
+/// Superscripts that are part of a name: (the sign or command, its normalised form).
 const MARKS: [(&str, &str); 7] = [
     ("*", "*"),
     ("ast", "*"),
@@ -32,7 +32,7 @@ pub(crate) fn is_face(name: &str) -> bool {
     FACES.split_whitespace().any(|known| known == name)
 }
 
-/// A name in the making.
+/// The parts of a name: base letter, subscript, superscript marks.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Name {
     pub base: String,
@@ -41,7 +41,7 @@ pub(crate) struct Name {
 }
 
 impl Name {
-    /// In one spelling: `m_{12}^{*}`.
+    /// Returns the normalised name, such as `m_{12}^{*}`.
     pub fn spelt(&self) -> String {
         let mut text = self.base.clone();
         if let Some(below) = &self.below {
@@ -54,7 +54,7 @@ impl Name {
     }
 }
 
-/// Tokens in one spelling: a space only where a command would swallow a letter, braces only where they hold more than one sign.
+/// Returns tokens as normalised text: no typeset spaces, and a space only between a command and a following letter or digit.
 pub(crate) fn spelling(tokens: &[Token]) -> String {
     let mut text = String::new();
     let mut after_command = false;
@@ -76,7 +76,7 @@ pub(crate) fn spelling(tokens: &[Token]) -> String {
     text
 }
 
-/// The mark that these signs form, if they are nothing but marks.
+/// Returns the superscript mark that the tokens form; `None` if they contain anything else.
 pub(crate) fn marks(tokens: &[Token]) -> Option<String> {
     let of = |token: &Token| match &token.kind {
         Kind::Sign('*') => Some("*"),
@@ -88,7 +88,7 @@ pub(crate) fn marks(tokens: &[Token]) -> Option<String> {
     found.filter(|marks| !marks.is_empty()).map(|marks| marks.concat())
 }
 
-/// The end of the argument that begins at a place: a group, a command with its own argument, or one sign.
+/// Returns the end of the argument that begins at `at`: a group in braces, a font or accent command with its argument, or a single token.
 pub(crate) fn argument_end(tokens: &[Token], at: usize) -> Option<usize> {
     match &tokens.get(at)?.kind {
         Kind::Open => {
@@ -110,7 +110,7 @@ pub(crate) fn argument_end(tokens: &[Token], at: usize) -> Option<usize> {
     }
 }
 
-/// The content of an argument, without its braces.
+/// Returns the range of an argument without its braces.
 pub(crate) fn inside(tokens: &[Token], range: Range<usize>) -> Range<usize> {
     match tokens.get(range.start).map(|token| &token.kind) {
         Some(Kind::Open) => range.start + 1..range.end - 1,
@@ -118,7 +118,7 @@ pub(crate) fn inside(tokens: &[Token], range: Range<usize>) -> Range<usize> {
     }
 }
 
-/// The base of a name at a place and its end; `None` where something else stands there.
+/// Reads the base of a name at `at`. Returns the base and its end; `None` if no letter begins there.
 pub(crate) fn base(tokens: &[Token], at: usize) -> Option<(String, usize)> {
     match &tokens.get(at)?.kind {
         Kind::Letter(letter) => Some((letter.to_string(), at + 1)),
@@ -138,10 +138,10 @@ pub(crate) fn base(tokens: &[Token], at: usize) -> Option<(String, usize)> {
     }
 }
 
-/// The name of a letter as it is declared, in one spelling: `m_p` and `m_{p}` are one.
+/// Returns the normalised name of a declared letter: `m_p` and `m_{p}` give the same name.
 ///
 /// # Errors
-/// The text is more than one letter, or a power of one.
+/// The text is not a single letter, is dotted, has two subscripts, or has a superscript that reads as a power.
 pub fn letter_name(text: &str) -> Result<String, NotFormula> {
     let tokens = tokens(text)?;
     let whole = 0..text.len().max(1);
@@ -183,10 +183,10 @@ pub fn letter_name(text: &str) -> Result<String, NotFormula> {
     Ok(name.spelt())
 }
 
-/// The name of a letter, or of a function of one: `f(q)`.
+/// Returns the normalised name of a letter, or of a function of one letter: `f(q)`.
 ///
 /// # Errors
-/// As those of [`letter_name`].
+/// The errors of [`letter_name`].
 pub fn declared_name(text: &str) -> Result<String, NotFormula> {
     match text.trim_end().strip_suffix(')').and_then(|rest| rest.split_once('(')) {
         Some((function, argument)) => Ok(format!("{}({})", letter_name(function)?, letter_name(argument)?)),
@@ -194,12 +194,11 @@ pub fn declared_name(text: &str) -> Result<String, NotFormula> {
     }
 }
 
-/// A name for plain text: `theta_1`, `m_p`, `x⋆`.
+/// Returns a name for plain text: `theta_1`, `m_p`, `x⋆`. The argument of a function and all font commands are removed.
 pub fn plain_name(spelt: &str) -> String {
-    // the argument of a function is dropped
     let spelt = spelt.split_once('(').map_or(spelt, |(function, _)| function);
     let mut faces: Vec<&str> = FACES.split_whitespace().collect();
-    // `textbf` before `text`
+    // the longest commands first: `textbf` before `text`
     faces.sort_by_key(|face| std::cmp::Reverse(face.len()));
     let faces = faces.into_iter().fold(spelt.to_owned(), |text, face| text.replace(&format!("\\{face}"), ""));
     let marked = faces.replace("^{", "").replace(r"\prime", "′").replace('*', "⋆").replace(r"\star", "⋆");

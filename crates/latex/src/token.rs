@@ -1,9 +1,9 @@
-//! The signs of a formula: commands, letters, digits, braces.
+//! Tokens of a formula: commands, letters, digits, braces and signs.
 
 use crate::NotFormula;
 use std::ops::Range;
 
-/// The length beyond which a formula is refused.
+/// The largest accepted length of a formula, in bytes.
 const MOST_BYTES: usize = 20_000;
 
 #[derive(Clone, Debug, PartialEq)]
@@ -14,7 +14,7 @@ pub(crate) struct Token {
 
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Kind {
-    /// A command, by its name without the backslash.
+    /// A command, without its backslash.
     Command(String),
     Letter(char),
     Digit(char),
@@ -23,7 +23,7 @@ pub(crate) enum Kind {
     Open,
     /// `}`
     Close,
-    /// A space that is typeset: `\,`, `\quad`.
+    /// A space that is printed: `\,`, `\quad`.
     Space,
 }
 
@@ -37,13 +37,13 @@ impl Token {
     }
 }
 
-/// Commands that change only the size of the signs that follow.
+/// Commands that change only the size of the sign that follows.
 const SIZES: [&str; 14] =
     ["left", "right", "big", "Big", "bigg", "Bigg", "bigl", "bigr", "Bigl", "Bigr", "biggl", "biggr", "Biggl", "Biggr"];
 const STYLES: [&str; 4] = ["displaystyle", "textstyle", "limits", "nolimits"];
 const SPACES: [&str; 10] = [",", ";", ":", "!", " ", "quad", "qquad", "thinspace", "medspace", "enspace"];
 
-/// All signs of a formula, braces and parentheses in pairs, without the punctuation behind it.
+/// Splits a formula into tokens, checks that braces and parentheses match, and drops punctuation and spaces at the end.
 pub(crate) fn tokens(text: &str) -> Result<Vec<Token>, NotFormula> {
     if text.len() > MOST_BYTES {
         let title = format!("this formula has {} bytes", text.len());
@@ -99,7 +99,7 @@ pub(crate) fn tokens(text: &str) -> Result<Vec<Token>, NotFormula> {
     Ok(tokens)
 }
 
-/// Whether a delimiter that is not printed follows.
+/// Returns whether a point follows, which after `\left` or `\right` means a delimiter that is not printed.
 fn is_blank(rest: &str) -> bool {
     rest.trim_start().starts_with('.')
 }
@@ -120,7 +120,7 @@ fn command(name: &str, span: Range<usize>) -> Result<Kind, NotFormula> {
     })
 }
 
-/// Every brace and parenthesis has its partner, of its own kind.
+/// Returns an error if a brace or parenthesis has no partner of its own kind.
 fn paired(tokens: &[Token]) -> Result<(), NotFormula> {
     let mut open: Vec<(&Token, &str)> = Vec::new();
     for token in tokens {

@@ -1,4 +1,4 @@
-//! The value of a formula over the values of its letters.
+//! Evaluation of a formula with the values of its letters.
 
 use crate::form::{Form, Function, Term};
 use field::{Analytic, Elementary};
@@ -9,46 +9,46 @@ use symbolic::{Sym, substitute_all};
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
     Scalar(Sym),
-    /// Row after row.
+    /// The entries by rows.
     Matrix(Vec<Vec<Sym>>),
 }
 
-/// The meanings of a formula's letters.
+/// The values of a formula's letters, and the operations that depend on the mechanical system: time derivatives and partial derivatives.
 pub trait Meaning {
-    /// The value of a declared letter, by its name in one spelling.
+    /// Returns the value of a declared letter, given by its normalised name; `None` if the letter has no value.
     fn letter(&self, name: &str) -> Option<Value>;
 
-    /// The rate of an expression along the motion.
+    /// Returns the time derivative of an expression along the motion.
     ///
     /// # Errors
-    /// Why there is no rate.
+    /// The expression has no time derivative; the text gives the reason.
     fn rate(&self, of: Sym) -> Result<Sym, String>;
 
-    /// The partial derivative of an expression by a letter, or by its rate.
+    /// Returns the partial derivative of an expression with respect to a letter or to the rate of a letter.
     ///
     /// # Errors
-    /// Why there is no derivative.
+    /// The derivative is not defined; the text gives the reason.
     fn partial(&self, of: Sym, by: Sym) -> Result<Sym, String>;
 
-    /// Cosine and sine of an angle.
+    /// Returns cosine and sine of an angle in radians.
     fn circle(&self, angle: Sym) -> (Sym, Sym) {
         let point = angle.circle();
         (point.cos, point.sin)
     }
 }
 
-/// Why a part of a formula has no value.
+/// The reason why a part of a formula has no value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NoValue {
-    /// Bytes of the formula.
+    /// The range of bytes in the formula.
     pub span: Range<usize>,
     pub why: String,
 }
 
-/// The value of a part.
+/// Returns the value of a node of the syntax tree.
 ///
 /// # Errors
-/// The part that has none, and why.
+/// A letter has no value, a derivative is not defined, or the shapes of operands do not match. The error gives the range of the failing part.
 pub fn value(term: &Term, meaning: &impl Meaning) -> Result<Value, NoValue> {
     let fault = |why: String| NoValue { span: term.span.clone(), why };
     let scalar = |part: &Term, what: &str| match value(part, meaning)? {
@@ -174,7 +174,7 @@ fn applied(function: Function, argument: Sym, meaning: &impl Meaning) -> Sym {
     }
 }
 
-/// The product of a scalar with anything, and of matrices whose shapes fit.
+/// Returns the product of a scalar with any value, or of two matrices of matching shapes. A 1 x 1 result is a scalar.
 fn product(left: Value, right: Value) -> Result<Value, String> {
     Ok(match (left, right) {
         (Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(a * b),
@@ -221,7 +221,7 @@ fn told(value: &Value) -> String {
 }
 
 impl Value {
-    /// All entries, row after row.
+    /// Returns all entries by rows.
     pub fn entries(&self) -> Vec<Sym> {
         match self {
             Self::Scalar(scalar) => vec![*scalar],
@@ -229,7 +229,7 @@ impl Value {
         }
     }
 
-    /// With letters replaced.
+    /// Returns the value with letters replaced: each pair is (letter, replacement).
     #[must_use]
     pub fn substituted(&self, replacements: &[(Sym, Sym)]) -> Value {
         match self {

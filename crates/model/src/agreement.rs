@@ -1,5 +1,5 @@
-//! Agreement of principles: whether two give the same equations. Residuals, linear in the accelerations, are compared as they
-//! stand.
+//! Agreement of principles: decides whether two principles give the same equations of motion. The residuals, which are linear in the accelerations, are compared
+//! directly.
 
 use crate::divisors::named;
 use crate::equations::constraints_of;
@@ -10,27 +10,27 @@ use crate::{Trace, Work};
 use std::fmt;
 use symbolic::{Decision, Hypotheses, Identity, IdentityTest, Sym, decide, identified};
 
-/// The degree to which two principles are known to agree.
+/// The degree to which the agreement of two sides is certain.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Agreement {
-    /// The normal form of every difference is zero: for all values of all letters for which no divisor vanishes; `at_start` lists
-    /// the divisors which vanish at the start of the model, where it has one.
+    /// The normal form of every difference is zero, hence both sides are equal for all values for which no divisor vanishes. `at_start` lists
+    /// the divisors that vanish at the start of the model; `None` if it has no start.
     Proved { divisors: Vec<String>, at_start: Option<Vec<String>> },
-    /// The theorem about principles holds for the model, and every difference vanishes at random points of prime fields: the equations that
-    /// were formed are the ones of the theorem but for an error of at most 2^`error`.
+    /// The theorem on principles holds for the model, and every difference vanishes at random points of prime fields. The formed equations
+    /// are those of the theorem, with a probability of error of at most 2^`error`.
     Theorem { points: usize, error: f64 },
-    /// Every difference vanishes at random points of prime fields: but for an error of at most 2^`error`.
+    /// Every difference vanishes at random points of prime fields, with a probability of error of at most 2^`error`.
     Identified { points: usize, error: f64 },
-    /// Both sides have equal values at real points, to so many digits.
+    /// Both sides have equal values at real points, up to the given number of digits.
     Tested { points: usize, digits: f64 },
-    /// The difference in this equation is not zero, as a point shows.
+    /// The difference of equation `equation` (counted from 0) is not zero at the given point.
     Refuted { equation: usize, point: String },
-    /// Nothing is known, for this reason.
+    /// The agreement was not decided; the text gives the reason.
     Undecided { equation: usize, reason: String },
 }
 
 impl Agreement {
-    /// The degree in one word.
+    /// Returns the degree as one word.
     pub fn degree(&self) -> &'static str {
         match self {
             Self::Proved { .. } | Self::Theorem { .. } => "proved",
@@ -43,7 +43,7 @@ impl Agreement {
 }
 
 impl Agreement {
-    /// The sentence for a line after one with the same divisors.
+    /// Returns the sentence of the result when an earlier line, with the title `line`, has listed equal divisors.
     pub fn said_behind(&self, line: &str) -> String {
         match self {
             Self::Proved { divisors, at_start } if !divisors.is_empty() => {
@@ -55,7 +55,7 @@ impl Agreement {
     }
 }
 
-/// The divisors that vanish at the start, in brackets.
+/// Returns the divisors that vanish at the start, in parentheses.
 fn of_start(vanishing: Option<&[String]>) -> String {
     match vanishing {
         None => String::new(),
@@ -98,20 +98,20 @@ impl fmt::Display for Agreement {
     }
 }
 
-/// The number of operations beyond which expressions are tested at random points, since their normal forms may explode.
+/// Longer expressions, in operations, are tested at random points, since their normal forms may become very large.
 const MOST_EXPANDED: usize = 4_000;
 
-/// The same limit where a theorem says that they are equal.
+/// The corresponding limit if the theorem on principles states the equality.
 const MOST_BESIDE_THEOREM: usize = 1_200;
 
-/// The same limit for quotients by determinants.
+/// The corresponding limit for quotients by determinants.
 const MOST_OF_QUOTIENTS: usize = 300;
 
-/// Compares the residuals of two principles. Equations too long for their normal form are compared by the theorem on principles, and at
-/// random points: the theorem does not cover the code that formed them.
+/// Compares the residuals of two principles. Equations too long for normal forms are compared by the theorem on principles together with a test at
+/// random points, since the theorem does not cover the code that forms the equations.
 ///
 /// # Errors
-/// Where one of them does not apply to the model.
+/// One of the principles does not apply to the model.
 pub fn agreement(trace: &Trace<'_>, one: Principle, other: Principle) -> Result<Agreement, NotApplicable> {
     let (of_one, of_other) = (one.residual(trace)?, other.residual(trace)?);
     let pairs: Vec<(Sym, Sym)> = of_one.into_iter().zip(of_other).collect();
@@ -120,7 +120,7 @@ pub fn agreement(trace: &Trace<'_>, one: Principle, other: Principle) -> Result<
     Ok(with_theorem(trace, &subject, &pairs, MOST_BESIDE_THEOREM, holds))
 }
 
-/// Compares residuals, with the theorem where it says that both sides are equal: long ones then need no normal form.
+/// Compares pairs of residuals. `holds` decides whether the theorem on principles states their equality; long residuals then need no normal form.
 fn with_theorem(
     trace: &Trace<'_>,
     subject: &str,
@@ -137,18 +137,18 @@ fn with_theorem(
     }
 }
 
-/// The agreement of a principle with the constraints built in, and the points at which it was decided.
+/// The agreement of a projection, which builds the constraints in, with Lagrange's equations, and the points at which it was decided.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Projected {
     pub agreement: Agreement,
-    /// The choice of the points, in words.
+    /// A description of the points.
     pub points: String,
 }
 
-/// Compares a principle with built-in constraints to Lagrange's equations of the first kind, multipliers eliminated.
+/// Compares a projection with Lagrange's equations of the first kind after elimination of the multipliers.
 ///
 /// # Errors
-/// Where the principle does not apply to the model.
+/// The projection does not apply to the model, or the model has no constraints.
 pub fn projected_agreement(trace: &Trace<'_>, projection: Projection) -> Result<Projected, NotApplicable> {
     let constraints = constraints_of(trace);
     if constraints.is_empty() {
@@ -163,7 +163,7 @@ pub fn projected_agreement(trace: &Trace<'_>, projection: Projection) -> Result<
     let subject = format!("{} = {}", Principle::Lagrange.name(), projection.name());
     match projection {
         Projection::Maggi => {
-            // letters stand for inertia less forces: the result holds for any
+            // symbols replace inertia minus forces, hence the result holds for any system with these constraints
             let any: Vec<Sym> = (0..trace.speeds.len()).map(|i| Sym::symbol(&format!("residual {}", i + 1))).collect();
             let (by_maggi, by_multipliers) = (characteristics.along(&any), characteristics.without_reactions(&any));
             let pairs: Vec<(Sym, Sym)> = by_multipliers.into_iter().zip(by_maggi).collect();
@@ -179,7 +179,7 @@ pub fn projected_agreement(trace: &Trace<'_>, projection: Projection) -> Result<
             let by_multipliers = characteristics.without_reactions(&Principle::Lagrange.residual(trace)?);
             let motion = linear(&constraints, characteristics.motion(trace, &constraints))?;
             let by_multipliers = motion.on_constraints(&by_multipliers);
-            // a mass may depend on dependent speeds
+            // a variable mass may depend on dependent speeds
             let by_shulgin = motion.on_constraints(&trace.with_masses(&by_shulgin));
             let pairs: Vec<(Sym, Sym)> = by_multipliers.into_iter().zip(by_shulgin).collect();
             let agreement =
@@ -197,13 +197,13 @@ fn or_nothing(names: &str) -> &str {
     if names.is_empty() { "no speed" } else { names }
 }
 
-/// Whether the two sides of every pair are equal, with the values of varying masses: by the strongest method that
+/// Decides whether both sides of every pair are equal, with variable masses replaced by their expressions. Uses the strongest method that
 /// succeeds.
 pub(crate) fn decided(trace: &Trace<'_>, subject: &str, pairs: &[(Sym, Sym)]) -> Agreement {
     up_to(trace, subject, pairs, MOST_EXPANDED)
 }
 
-/// The decision with normal forms of differences up to so many operations.
+/// Decides with normal forms of differences of up to `most` operations.
 fn up_to(trace: &Trace<'_>, subject: &str, pairs: &[(Sym, Sym)], most: usize) -> Agreement {
     let (ones, others): (Vec<Sym>, Vec<Sym>) = pairs.iter().copied().unzip();
     let (ones, others) = (trace.with_masses(&ones), trace.with_masses(&others));
@@ -216,10 +216,10 @@ fn up_to(trace: &Trace<'_>, subject: &str, pairs: &[(Sym, Sym)], most: usize) ->
     compared(&pairs, most, announce, |divisor| value_at_start(trace, divisor), |divisor| named(trace, divisor))
 }
 
-/// The size below which divisors count as zero at a start.
+/// Divisors with smaller absolute values count as zero at the start.
 const VANISHES: f64 = 1e-12;
 
-/// Whether the two sides of every pair are equal as they stand; divisors have values at the start, and names, where they may vanish.
+/// Decides whether both sides of every pair are equal. `value_at_start` and `named` give the value at the start and the name of a divisor that may vanish.
 fn compared(
     pairs: &[(Sym, Sym)],
     most: usize,
@@ -235,7 +235,7 @@ fn compared(
         return Agreement::Identified { points: *points, error: *error };
     }
     if identity == Identity::NotZero {
-        // the normal form of a long one would only take time
+        // the normal form of a long difference would only cost time
         let fails = |difference: &Sym| identified(&[*difference]) == Identity::NotZero;
         let first = differences.iter().position(fails);
         let is_long = |place: &usize| Sym::operations_of(&[differences[*place]]) > MOST_EXPANDED;
@@ -279,7 +279,7 @@ fn compared(
     Agreement::Proved { divisors: without_repeats(names), at_start }
 }
 
-/// Names, each once, in their order.
+/// Removes repeated names, in the given order.
 fn without_repeats(names: Vec<String>) -> Vec<String> {
     let mut once: Vec<String> = Vec::new();
     for name in names {
@@ -344,7 +344,7 @@ mod tests {
             let [x, y] = symbols(["x", "y"]);
             let close = x * Sym::ratio(1_000_000_001, 1_000_000_000);
             assert_eq!(equal_digits(&[(x, close)]), None);
-            // letters have values of their own
+            // each letter has its own value
             assert_eq!(equal_digits(&[(x, y)]), None);
             assert!(equal_digits(&[(x.circle().sin * y, y * x.circle().sin)]).is_some());
             // no real point gives a value

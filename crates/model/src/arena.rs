@@ -1,4 +1,4 @@
-//! The expressions of a model: all parts in one list, each after its own parts.
+//! The expressions of a model, stored in one list in which operands precede the operations on them.
 
 use crate::expression::Exponent;
 use crate::{BodyId, FrameId, Material, PointId};
@@ -7,15 +7,15 @@ use rustc_hash::FxHashMap;
 use std::hash::{Hash, Hasher};
 use symbolic::Dimension;
 
-/// A scalar expression of a model.
+/// The index of a scalar expression in the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ScalarId(pub(crate) usize);
 
-/// A vector expression of a model.
+/// The index of a vector expression in the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct VectorId(pub(crate) usize);
 
-/// A decimal number with a unit: `times / per` of the coherent unit each.
+/// A decimal number with a unit that equals `times / per` of the coherent SI unit.
 #[derive(Clone, Copy, Debug)]
 pub struct Number {
     pub value: f64,
@@ -29,7 +29,7 @@ impl Number {
     }
 }
 
-/// Equal as written.
+/// Bitwise equality.
 impl PartialEq for Number {
     fn eq(&self, other: &Self) -> bool {
         self.bits() == other.bits()
@@ -44,36 +44,36 @@ impl Hash for Number {
     }
 }
 
-/// The value of a condition where both of its sides are equal.
+/// The value of a comparison at equality of its sides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum AtZero {
-    /// 0, of `a < b`.
+    /// 0, for `a < b`.
     Off,
-    /// 1/2, so that the sign of zero is zero.
+    /// 1/2, for the function sign.
     Half,
-    /// 1, of `a <= b`.
+    /// 1, for `a <= b`.
     On,
 }
 
-/// A part of a scalar expression.
+/// A node of a scalar expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Scalar {
     Number(Number),
     Parameter(usize),
     Coordinate(usize),
-    /// The first or second rate of a coordinate.
+    /// The first or second time derivative of a coordinate.
     Rate {
         coordinate: usize,
         order: usize,
     },
     Time,
-    /// 1 where the expression of the switch is positive, 0 where it is negative; the law decides at zero.
+    /// 1 if the expression of the switch is positive, 0 if it is negative. The second field gives the value at zero.
     Switch(usize, AtZero),
-    /// 1 where an expression is positive, 0 where it is negative, in outputs: the law does not depend on it.
+    /// The corresponding step function in outputs, on which the law does not depend.
     Step(ScalarId, AtZero),
-    /// An input, by its value or as a letter.
+    /// An input, represented by its value or by a symbol.
     Input(usize),
-    /// The half turn.
+    /// The number pi.
     Pi,
     Negation(ScalarId),
     Sum(ScalarId, ScalarId),
@@ -82,36 +82,36 @@ pub enum Scalar {
     Quotient(ScalarId, ScalarId),
     Power(ScalarId, Exponent),
     Function(Function, ScalarId),
-    /// An elementary function; one of a single argument has it twice.
+    /// An elementary function. A function of one argument stores its argument twice.
     Elementary(Elementary, ScalarId, ScalarId),
     Dot(VectorId, VectorId),
     Norm(VectorId),
-    /// The rate of a scalar along the motion.
+    /// The time derivative of a scalar along the motion.
     RateOf(ScalarId),
-    /// The multiplier of a scalar constraint, by its place in the model.
+    /// The multiplier of a scalar constraint, given by its index in the model.
     Reaction {
         constraint: usize,
     },
-    /// A letter of a contact: its normal (0) or tangential (1) reaction.
+    /// The normal (component 0) or tangential (component 1) reaction of a contact.
     Contact {
         contact: usize,
         component: usize,
     },
-    /// T, the kinetic energy of the whole system.
+    /// The kinetic energy T of the whole system.
     KineticEnergy,
-    /// V, the potential energy of the whole system.
+    /// The potential energy V of the whole system.
     PotentialEnergy,
-    /// Inertia less forces of coordinates without inertia, without accelerations: by its place among the laws of the model.
+    /// Inertia minus forces, without acceleration terms, of an equation of coordinates without inertia; `number` counts these equations of the model.
     Law {
         number: usize,
     },
-    /// dT/du of a speed u, by its place.
+    /// The momentum dT/du of the speed u with index `speed`.
     Momentum {
         speed: usize,
     },
 }
 
-/// A function of a scalar.
+/// An elementary function with a syntax of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Function {
     Sin,
@@ -121,7 +121,7 @@ pub enum Function {
 }
 
 impl Function {
-    /// The function with this name.
+    /// Returns the function with this name.
     pub fn named(name: &str) -> Option<Self> {
         Some(match name {
             "sin" => Function::Sin,
@@ -133,11 +133,11 @@ impl Function {
     }
 }
 
-/// A part of a vector expression.
+/// A node of a vector expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Vector {
     Zero,
-    /// A unit vector: x, y or z of a frame.
+    /// A unit vector of a frame: axis 0, 1 or 2 for x, y or z.
     Axis {
         frame: FrameId,
         axis: usize,
@@ -147,12 +147,12 @@ pub enum Vector {
     Difference(VectorId, VectorId),
     Scaled(ScalarId, VectorId),
     Cross(VectorId, VectorId),
-    /// The vector from a point to another.
+    /// The vector from one point to another.
     Between {
         from: PointId,
         to: PointId,
     },
-    /// The velocity relative to a frame; a point of a body moves with it.
+    /// The velocity of a point relative to a frame. A point of a body moves with the body.
     Velocity {
         of: Material,
         seen: FrameId,
@@ -161,38 +161,38 @@ pub enum Vector {
         of: Material,
         seen: FrameId,
     },
-    /// A frame's angular velocity relative to another frame.
+    /// The angular velocity of a frame relative to another frame.
     AngularVelocity {
         of: FrameId,
         seen: FrameId,
     },
-    /// The rate of a vector relative to a frame.
+    /// The time derivative of a vector relative to a frame.
     RateOf {
         of: VectorId,
         seen: FrameId,
     },
-    /// The multipliers of a vector constraint along its axes, by its place in the model.
+    /// The multipliers of a vector constraint as a vector; the constraint is given by its index in the model.
     Reaction {
         constraint: usize,
     },
-    /// The force on a body at its joint.
+    /// The force that a joint exerts on its body.
     JointForce(BodyId),
-    /// The torque on a body about its joint.
+    /// The torque that a joint exerts on its body.
     JointTorque(BodyId),
 }
 
-/// A part of an expression.
+/// A node of any expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Part {
     Scalar(Scalar),
     Vector(Vector),
 }
 
-/// All parts of a model's expressions.
+/// All nodes of a model's expressions.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Arena {
     pub parts: Vec<Part>,
-    /// The place of each part: equal parts are one. Numbers have the text of their dimension beside them.
+    /// The index of each node, so that equal nodes are stored once. For numbers the key contains the dimension.
     known: FxHashMap<(Part, String), usize>,
 }
 
@@ -204,13 +204,13 @@ impl Arena {
         })
     }
 
-    /// A scalar; of a number the dimension counts too.
+    /// Adds a scalar node, or finds an equal one. Numbers are equal only if their dimensions are.
     pub fn scalar(&mut self, scalar: Scalar, dimension: Option<Dimension>) -> ScalarId {
         let named = dimension.filter(|_| matches!(scalar, Scalar::Number(_)));
         ScalarId(self.place(Part::Scalar(scalar), named.map_or_else(String::new, |dimension| dimension.to_string())))
     }
 
-    /// A scalar by its place.
+    /// Returns the scalar node with this index; `None` if it is a vector.
     pub fn scalar_at(&self, id: ScalarId) -> Option<&Scalar> {
         match self.parts.get(id.0)? {
             Part::Scalar(scalar) => Some(scalar),
@@ -218,7 +218,7 @@ impl Arena {
         }
     }
 
-    /// A vector by its place.
+    /// Returns the vector node with this index; `None` if it is a scalar.
     pub fn vector_at(&self, id: VectorId) -> Option<&Vector> {
         match self.parts.get(id.0)? {
             Part::Vector(vector) => Some(vector),

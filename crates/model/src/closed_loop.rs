@@ -1,29 +1,29 @@
-//! A model whose inputs follow its state: the loop of a regulator, and the integral of its cost as a coordinate without inertia.
+//! Models with state feedback: the closed loop of a regulator, and the integral of its cost as a coordinate without inertia.
 
 use crate::arena::{Arena, Number, Scalar};
 use crate::{Constraint, Coordinate, Model, ScalarId, Zero};
 use symbolic::Dimension;
 
-/// A linear law of inputs about a motion with constant speeds: the input k is u_k - sum over i of K_ki d_i, with the deviations d of
-/// coordinates and speeds from the motion.
+/// A linear feedback law about a motion with constant speeds: input k is u_k - sum_i K_ki d_i, where d is the deviation of
+/// coordinates and speeds from the motion. Everything is in SI units.
 #[derive(Clone, Debug)]
 pub struct Feedback {
-    /// Places of inputs, each with its value u along the motion and its row of K.
+    /// For each controlled input: its index, its value u along the motion, and its row of K.
     pub inputs: Vec<(usize, f64, Vec<f64>)>,
-    /// The motion at time zero: coordinates, then speeds.
+    /// The motion at time zero: n coordinates, then n speeds.
     pub motion: Vec<f64>,
-    /// The cost by the time: its matrix over the deviations of coordinates, of speeds and of these inputs.
+    /// The symmetric matrix of the cost rate, over the deviations of n coordinates, of n speeds, and of the controlled inputs.
     pub cost: Vec<Vec<f64>>,
 }
 
 impl Feedback {
-    /// The deviation of the inputs from their values along the motion.
+    /// Returns the deviations of the inputs, -K d, for a deviation d of the state (2n numbers).
     pub fn added(&self, deviation: &[f64]) -> Vec<f64> {
         let product = |row: &[f64]| -row.iter().zip(deviation).map(|(gain, part)| gain * part).sum::<f64>();
         self.inputs.iter().map(|(_, _, row)| product(row)).collect()
     }
 
-    /// The cost by the time at a deviation.
+    /// Returns the cost per unit time at a deviation d of the state (2n numbers).
     pub fn cost(&self, deviation: &[f64]) -> f64 {
         let all = [deviation, &self.added(deviation)].concat();
         let row = |row: &Vec<f64>| row.iter().zip(&all).map(|(entry, part)| entry * part).sum::<f64>();
@@ -32,7 +32,7 @@ impl Feedback {
 }
 
 impl Model {
-    /// The model with its loop closed: a last coordinate is the integral of the cost. For models without free frames.
+    /// Returns the model with its loop closed and an additional last coordinate, the integral of the cost. The model must not have free frames.
     #[must_use]
     pub fn closed_by(&self, feedback: &Feedback) -> Model {
         let mut closed = self.clone();
@@ -59,10 +59,10 @@ impl Model {
         closed.with_integral(cost)
     }
 
-    /// The model with a last coordinate whose rate is an expression.
+    /// Adds a last coordinate whose rate is the expression `of`.
     fn with_integral(mut self, of: ScalarId) -> Model {
         let (coordinate, at) = (self.coordinates.len(), 0..0);
-        // no name of a file has spaces
+        // names in files contain no spaces, hence this one is unused
         let name = "integral of the cost".to_owned();
         self.coordinates.push(Coordinate { name, dimension: Dimension::none(), unit: "1".to_owned(), at: at.clone() });
         let rate = self.arena.scalar(Scalar::Rate { coordinate, order: 1 }, None);
@@ -81,7 +81,7 @@ impl Model {
     }
 }
 
-/// Expressions beside those of a file, each behind its parts.
+/// Additional expressions, listed after their operands.
 struct Written<'a> {
     arena: &'a mut Arena,
     all: Vec<ScalarId>,
@@ -102,7 +102,7 @@ impl Written<'_> {
         self.own(Scalar::Number(Number { value, times: 1.0, per: 1.0 }), Some(Dimension::none()))
     }
 
-    /// The deviation of a coordinate, which moves at its constant speed, or of a speed.
+    /// Returns the deviation of a coordinate from its motion at constant speed (place < n), or of a speed.
     fn deviation(&mut self, place: usize, n: usize, motion: &[f64]) -> ScalarId {
         let begun = self.number(motion[place]);
         match place.checked_sub(n) {

@@ -1,4 +1,4 @@
-//! The loads of a system: those that act in pairs, and those without a partner; loads without a potential along each
+//! Classification of the loads of a system into action-reaction pairs and external loads, and the loads without a potential along each
 //! speed.
 
 use crate::principles::loads::generalised;
@@ -8,19 +8,19 @@ use symbolic::{Dimension, Sym};
 /// The loads of a system by their origin.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Pairs {
-    /// Loads between two bodies, or two points: equal and opposite.
+    /// The number of loads between two bodies or points, which act on both with opposite signs.
     pub between: usize,
-    /// Loads that act on one body alone, by their receivers.
+    /// Descriptions of loads that act on one body only.
     pub from_outside: Vec<String>,
-    /// Loads along coordinates that are no charges.
+    /// Descriptions of generalised forces along coordinates other than electric charges.
     pub along: Vec<String>,
 }
 
 impl Pairs {
-    /// Sorts the loads of a model.
+    /// Classifies the loads of a model.
     pub fn of(model: &Model) -> Self {
         let trace = Trace::of(model);
-        // a contact is a pair of its own
+        // the reactions of a contact form a pair
         let letters: Vec<Sym> = trace.reactions();
         let is_contact = |vector: Vector| {
             vector.components.iter().flat_map(|component| component.symbols_of()).any(|held| letters.contains(&held))
@@ -43,7 +43,7 @@ impl Pairs {
             }
         }
         let charge = Dimension::current() * Dimension::time();
-        // an impulse of a reaction is a coordinate of the program's own
+        // a coordinate of a reaction's impulse is internal to the program
         let is_impulse = |along: &Along| matches!(along, Along::Speed(place) if model.impulses.contains(place));
         for force in model.generalised.iter().filter(|force| !is_impulse(&force.along)) {
             let coordinate = match force.along {
@@ -69,7 +69,7 @@ fn place(model: &Model, Material { body, point }: Material) -> String {
     }
 }
 
-/// The forces without a potential along each speed, with the values of varying masses.
+/// Returns the generalised forces without a potential, one for each speed, with variable masses replaced by their expressions.
 pub fn forces_without_potential(trace: &Trace<'_>) -> Vec<Sym> {
     trace.with_masses(&generalised(trace, false))
 }

@@ -1,12 +1,12 @@
-//! A model whose constraints are led to zero by other gains than its file gives.
+//! Replacement of the gains of constraint stabilisation.
 
 use crate::Model;
 use crate::arena::{Number, Scalar};
 use symbolic::Dimension;
 
 impl Model {
-    /// The model with every constraint led to zero at a rate w, critically damped: f'' + 2 w f' + w^2 f = 0 of positions,
-    /// f' + 2 w f = 0 of speeds (Baumgarte). None: f'' = 0 and f' = 0.
+    /// Returns the model with all constraints stabilised critically damped at the rate w in 1/s (Baumgarte): f'' + 2 w f' + w^2 f = 0 for
+    /// constraints of positions, f' + 2 w f = 0 for constraints of speeds. With `None` the constraints are f'' = 0 and f' = 0.
     #[must_use]
     pub fn led_at(&self, rate: Option<f64>) -> Model {
         let mut led = self.clone();

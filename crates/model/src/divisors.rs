@@ -1,4 +1,4 @@
-//! Divisors of a normal form in words: |F.q|^2 of a free frame's quaternion, lengths; divisors that cannot vanish have none.
+//! Descriptions of the divisors of a normal form, such as |F.q|^2 for the quaternion of a free frame. Divisors that cannot vanish have none.
 
 use crate::Trace;
 use crate::arena::{Part, Scalar};
@@ -7,17 +7,17 @@ use crate::real_points::value_at_point;
 use crate::{FrameId, ScalarId};
 use symbolic::Sym;
 
-/// A divisor is printed in full up to this number of characters.
+/// Divisors with more characters are described in words.
 const MOST_READ: usize = 200;
 
-/// The number of points at which a divisor must be one multiple of a length, and the digits of the agreement.
+/// The number of points at which a divisor must be a constant multiple of a length, and the relative accuracy of this test.
 const POINTS: u64 = 4;
 const DIGITS: f64 = 1e-10;
 
-/// The highest power of a quaternion's square that stands beside a length.
+/// The largest power of a squared quaternion norm as a cofactor of a length.
 const MOST_POWER: i32 = 4;
 
-/// A divisor in words; `None` for one that cannot vanish: a number, pi, their products.
+/// Describes a divisor; `None` for a divisor that cannot vanish: a number, pi, or a product of these.
 pub(crate) fn named(trace: &Trace<'_>, divisor: Sym) -> Option<String> {
     if divisor.symbols_of().iter().all(|&symbol| symbol == trace.pi) {
         return None;
@@ -39,7 +39,7 @@ pub(crate) fn named(trace: &Trace<'_>, divisor: Sym) -> Option<String> {
     })
 }
 
-/// Whether a divisor is a multiple of a length that the model forms, but for powers of the squares of quaternions.
+/// Returns whether a divisor is a multiple of a length that the model contains, up to powers of squared quaternion norms.
 fn is_length(trace: &Trace<'_>, divisor: Sym) -> bool {
     let symbols = divisor.symbols_of();
     let quaternions = trace.turns().map(|(quaternion, _)| quaternion);

@@ -1,34 +1,34 @@
-//! Bounds of data, and values beyond them that a file must ask for by name.
+//! Bounds of data, and the values outside the bounds that a file can allow explicitly.
 
-/// The values that a datum may have.
+/// The set of values that a datum may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bound {
-    /// Every number.
+    /// Every number except NaN.
     Any,
-    /// Above zero: masses, moments of inertia, inductances, lengths.
+    /// Positive numbers: masses, moments of inertia, inductances, lengths.
     Positive,
-    /// Zero or above.
+    /// Numbers that are not negative.
     NotNegative,
-    /// Every number but zero: the law divides by it.
+    /// Numbers other than zero, since the law divides by the number.
     NotZero,
-    /// Above zero, unless a file allows less: zero for a superconductor, negative for a part that feeds a circuit.
+    /// Positive numbers. A file may allow zero (a superconductor) or negative numbers (a part that feeds the circuit).
     Resistance,
-    /// Zero or above, unless a file allows less: negative friction feeds the motion.
+    /// Numbers that are not negative. A file may allow negative numbers: negative friction feeds energy into the motion.
     Friction,
 }
 
-/// Data that a file asks for in its key `allow`, because they are usually a mistake.
+/// Unusual data that a file allows with its key `allow`. They are errors otherwise, because they are usually mistakes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Allowed {
     pub zero_resistance: bool,
     pub negative_resistance: bool,
     pub negative_friction: bool,
-    /// Windings whose currents stand in one law `motional`, and which do not induce in each other all the same.
+    /// The windings of one law `motional` have no mutual inductance.
     pub separate_fluxes: bool,
 }
 
 impl Allowed {
-    /// The words of the key.
+    /// All words that the key `allow` accepts.
     pub const WORDS: [&'static str; 4] =
         [Self::ZERO_RESISTANCE, Self::NEGATIVE_RESISTANCE, Self::NEGATIVE_FRICTION, Self::SEPARATE_FLUXES];
     /// Allows a resistance of zero.
@@ -37,14 +37,14 @@ impl Allowed {
     pub const NEGATIVE_RESISTANCE: &'static str = "negative resistance";
     /// Allows coefficients of friction and damping below zero.
     pub const NEGATIVE_FRICTION: &'static str = "negative friction";
-    /// Says that windings do not induce in each other.
+    /// Declares that the windings of one law `motional` have no mutual inductance.
     pub const SEPARATE_FLUXES: &'static str = "separate fluxes";
 
-    /// All allowances: for data that no file gives.
+    /// All allowances, for data that do not come from a file.
     pub const ALL: Self =
         Allowed { zero_resistance: true, negative_resistance: true, negative_friction: true, separate_fluxes: true };
 
-    /// Adds the allowance of a word; returns whether the word is known.
+    /// Adds the allowance that `word` names. Returns whether the word is known.
     pub fn add(&mut self, word: &str) -> bool {
         let asked = match word {
             Self::ZERO_RESISTANCE => &mut self.zero_resistance,
@@ -59,7 +59,7 @@ impl Allowed {
 }
 
 impl Bound {
-    /// Whether a value is within the bound; NaN never is.
+    /// Returns whether the value satisfies the bound, including the allowances of the file; false for NaN.
     pub fn holds(self, value: f64, allowed: Allowed) -> bool {
         match self {
             Self::Any => !value.is_nan(),
@@ -72,7 +72,7 @@ impl Bound {
         }
     }
 
-    /// The fault of a value beyond the bound, reported after the name of the datum.
+    /// Returns the violated condition, which a message appends to the name of the datum: "must be positive".
     pub fn broken(self) -> &'static str {
         match self {
             Self::Any => "must be a number",
@@ -82,7 +82,7 @@ impl Bound {
         }
     }
 
-    /// The values that would be accepted in its place.
+    /// Returns a sentence that states the accepted values, and the word for `allow` that would accept `value`.
     pub fn accepted(self, value: f64) -> String {
         let asked = |word: &str| format!("; if it is meant, `allow = [\"{word}\"]` at the top of the file asks for it");
         match self {

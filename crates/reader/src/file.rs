@@ -1,4 +1,4 @@
-//! Scene files: the keys with which each opens, and the family of systems that reads the rest.
+//! Scene files: the keys that every scene file has, and the families of built-in systems that read the other keys.
 
 use super::issue::{Issue, SceneError};
 use super::table::{At, Table};
@@ -8,60 +8,60 @@ use std::path::Path;
 use std::string::FromUtf8Error;
 use units::nearest;
 
-/// Bytes of a scene file: the largest that the project holds has a hundredth of them.
+/// The largest size of a scene file in bytes, a hundred times the largest scene of the project.
 const MOST_BYTES: u64 = 1_000_000;
 
-/// The key that marks a file whose system is written in it.
+/// The key that marks a file which describes its own system, in place of a built-in one.
 pub const MODEL: &str = "coordinates";
 
-/// The keys with which every scene file opens.
+/// The keys that every scene file has.
 pub struct Opening {
     pub title: String,
-    /// The motion that the scene shows, and its difficulty.
+    /// Describes the motion, and its numerical difficulty.
     pub description: String,
-    /// The name of the system.
+    /// The name of the built-in system.
     pub system: At<String>,
 }
 
-/// Systems that are read, run and shown in one way.
+/// A family of built-in systems with a common reader.
 pub trait Family: Sized {
     /// The name of the family in messages: "a system with ...".
     const KIND: &'static str;
 
-    /// (name in scene files, description) of each system.
+    /// Returns (name in scene files, description) of each system.
     fn systems() -> Vec<(&'static str, &'static str)>;
 
-    /// Reads the rest of a file whose system is of the family; errors go into the list.
+    /// Reads the other keys of a file whose system belongs to the family. Errors are appended to `issues`.
     fn read(opening: Opening, top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Self>;
 
-    /// Reads a file.
+    /// Reads a scene file.
     ///
     /// # Errors
-    /// All that is wrong with it, each at its place.
+    /// The file cannot be read, or contains errors; the result lists all errors with their positions.
     fn open(path: &Path) -> Result<Self, SceneError> {
         Self::parse(&path.display().to_string(), &read_text(path)?)
     }
 
-    /// Reads a text; `name` is its name in messages.
+    /// Reads the text of a scene file; messages call the file `name`.
     ///
     /// # Errors
-    /// All that is wrong with it, each at its place.
+    /// The result lists all errors of the text with their positions.
     fn parse(name: &str, text: &str) -> Result<Self, SceneError> {
         parse(name, text)
     }
 }
 
-/// The text of a scene file, of a size that a scene has.
+/// Reads the text of a scene file.
 ///
 /// # Errors
-/// Where there is no such file, or it is no text.
+/// The file does not exist, cannot be read, is a folder, is larger than 1 MB, or is not UTF-8.
 pub fn read_text(path: &Path) -> Result<String, SceneError> {
     let name = path.display().to_string();
     let needed = "a TOML file that describes a scene is accepted; the folder `scenes` holds examples";
     if path.is_dir() {
         return Err(SceneError::whole(&name, "this is a folder", needed));
     }
-    // the size of a device cannot be asked for
+    // read with a limit: a device has no size that could be checked first
     let mut bytes = Vec::new();
     let read = File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes));
     read.map_err(|error| SceneError::whole(&name, unreadable(&error), needed))?;
@@ -71,14 +71,13 @@ pub fn read_text(path: &Path) -> Result<String, SceneError> {
     String::from_utf8(bytes).map_err(|error| no_text(name, &error, needed))
 }
 
-/// The error at the first byte that is no text; for a file with zeros, which no editor writes, an error of the whole
-/// file.
+/// Returns the error at the first byte that is not UTF-8. For a file with zero bytes, which is no text at all, the error concerns the whole file.
 fn no_text(path: String, error: &FromUtf8Error, needed: &str) -> SceneError {
     let (bytes, start) = (error.as_bytes(), error.utf8_error().valid_up_to());
     if bytes.contains(&0) {
         return SceneError::whole(&path, format!("this is no text: {}", error.utf8_error()), needed);
     }
-    // bytes that are not UTF-8 become one letter, and places before it stay
+    // each invalid byte becomes one replacement character; earlier positions do not change
     let text = String::from_utf8_lossy(bytes).into_owned();
     let byte = bytes.get(start).copied().unwrap_or_default();
     let label = format!("the byte {byte:#04x}, in Latin-1 the letter {}", char::from(byte));
@@ -86,15 +85,18 @@ fn no_text(path: String, error: &FromUtf8Error, needed: &str) -> SceneError {
     SceneError { path, text, issues: vec![issue.accepted("a file that an editor saves as UTF-8")] }
 }
 
-/// Reads a text that opens with the name of a system.
+/// Reads the text of a scene file of the family `F`; messages call the file `name`.
+///
+/// # Errors
+/// The result lists all errors of the text with their positions.
 pub fn parse<F: Family>(name: &str, text: &str) -> Result<F, SceneError> {
     tables(name, text, |top, issues| opening::<F>(top).and_then(|opening| F::read(opening, top, issues)))
 }
 
-/// Reads a text as TOML, and its tables by a reader; errors of either are returned together.
+/// Parses a text as TOML, and reads its tables with the function `read`.
 ///
 /// # Errors
-/// All that is wrong with it, each at its place.
+/// The result lists all errors of the text with their positions; after an error of the TOML syntax only this one.
 pub fn tables<T>(
     name: &str,
     text: &str,
@@ -104,7 +106,7 @@ pub fn tables<T>(
         return Err(SceneError::whole(name, "this file is empty", "the folder `scenes` holds examples"));
     }
     let (entries, errors) = toml::de::DeTable::parse_recoverable(text);
-    // text after the first fault of syntax is often read wrongly because of it
+    // later syntax errors are often consequences of the first
     let mut issues: Vec<Issue> = errors.iter().take(1).map(of_syntax).collect();
     let mut scene = None;
     if issues.is_empty() {
@@ -119,22 +121,22 @@ pub fn tables<T>(
     }
 }
 
-/// The systems of a family, from its crate: messages can then tell a system of another command from an unknown one.
+/// The systems of a family, registered by its crate. With this list a message distinguishes a system of another family from an unknown name.
 pub struct KnownSystems(pub fn() -> Vec<(&'static str, &'static str)>);
 
 inventory::collect!(KnownSystems);
 
-/// Whether any family has a system of this name.
+/// Returns whether any registered family has a system of this name.
 fn is_known(name: &str) -> bool {
     inventory::iter::<KnownSystems>().any(|systems| systems.0().iter().any(|(known, _)| *known == name))
 }
 
-/// Whether a family has a system of this name.
+/// Returns whether the family `F` has a system of this name.
 pub fn knows<F: Family>(name: &str) -> bool {
     F::systems().iter().any(|(known, _)| *known == name)
 }
 
-/// The opening keys; `None` where the system is not of the family: its other keys cannot be judged then.
+/// Reads the common keys. Returns `None` if the system does not belong to the family `F`, since its other keys cannot be checked then.
 fn opening<F: Family>(top: &mut Table<'_>) -> Option<Opening> {
     let title = one_line(&top.text("title", "one line that says what happens").value);
     let description = top.optional_text("description", "what happens and why it is hard");
@@ -164,12 +166,12 @@ fn opening<F: Family>(top: &mut Table<'_>) -> Option<Opening> {
     None
 }
 
-/// A text on one line.
+/// Replaces every sequence of white space, including line breaks, by one space.
 fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// The systems of a family, the one that was probably meant first.
+/// Returns the list of systems for a message, preceded by the name most similar to `name`.
 fn accepted<F: Family>(name: &str) -> String {
     let systems = F::systems();
     let list: Vec<String> = systems.iter().map(|(name, what)| format!("`{name}`: {what}")).collect();
@@ -179,7 +181,7 @@ fn accepted<F: Family>(name: &str) -> String {
     }
 }
 
-/// The reason in words that are equal on every platform where it matters.
+/// Returns the reason of an error, with wording that does not depend on the platform for the two most frequent reasons.
 fn unreadable(error: &io::Error) -> String {
     match error.kind() {
         io::ErrorKind::NotFound => "there is no such file".to_owned(),

@@ -1,19 +1,19 @@
-//! Errors in a scene file, each shown at its place.
+//! Errors in a scene file, shown with the lines of the file.
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use std::fmt;
 use std::ops::Range;
 
-/// One error.
+/// One error in a scene file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Issue {
-    /// Bytes of the file; `None` where it concerns the whole file.
+    /// The range of bytes in the file; `None` if the error concerns the whole file.
     pub span: Option<Range<usize>>,
     /// The error, in one line.
     pub title: String,
-    /// The text beside the marks under the value.
+    /// The text beside the marks that underline the value.
     pub label: String,
-    /// The input that would be accepted.
+    /// A sentence that states the accepted input.
     pub help: Option<String>,
 }
 
@@ -27,29 +27,30 @@ pub struct SceneError {
     pub issues: Vec<Issue>,
 }
 
-/// Issues that are shown: nobody mends more before looking again.
+/// The largest number of errors that are shown; later ones are only counted.
 const MOST_SHOWN: usize = 30;
 
 impl Issue {
-    /// An error at a place.
+    /// Creates an error at a range of bytes.
     pub fn at(span: Range<usize>, title: impl Into<String>, label: impl Into<String>) -> Self {
         Issue { span: Some(span), title: title.into(), label: label.into(), help: None }
     }
 
-    /// Adds the input that would be accepted.
+    /// Adds a sentence that states the accepted input.
     pub fn accepted(self, help: impl Into<String>) -> Self {
         Issue { help: Some(help.into()), ..self }
     }
 }
 
 impl SceneError {
-    /// One error that concerns the whole file.
+    /// Creates an error that concerns the whole file.
     pub fn whole(path: &str, title: impl Into<String>, help: impl Into<String>) -> Self {
         let issue = Issue { span: None, title: title.into(), label: String::new(), help: Some(help.into()) };
         SceneError { path: path.to_owned(), text: String::new(), issues: vec![issue] }
     }
 
-    /// The first issues, each with its line of the file and marks under the value, and how many more there are.
+    /// Formats the first 30 errors, each with its line of the file and marks under the value, and the number of further errors.
+    /// `colour` adds the escape sequences of a terminal.
     pub fn render(&self, colour: bool) -> String {
         let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
         let first = self.issues.iter().take(MOST_SHOWN);
@@ -76,7 +77,7 @@ impl SceneError {
         }
     }
 
-    /// At most the first line of a span, and at least one place inside the text.
+    /// Returns the part of a span on its first line, within the text.
     fn visible(&self, span: &Range<usize>) -> Range<usize> {
         let start = self.boundary(span.start);
         let end = self.boundary(span.end).max(start);

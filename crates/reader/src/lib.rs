@@ -1,12 +1,11 @@
-//! A reader of scene files in TOML that knows the place of every value.
+//! A reader of scene files in TOML that knows the position of every value.
 //!
-//! For authors of file formats with units. In the example the misspelt key `mas` is an error.
+//! The crate is for authors of file formats with units. In the example the misspelt key `mas` is an error.
 //!
-//! * [`Table`]: a table, from which a program asks for entries with their units and bounds; a key that is never asked for is an
-//!   error;
-//! * [`Quantity`]: a datum with its unit, its meaning and the values that it may have ([`Bound`], [`Allowed`]);
-//! * [`Issue`]: an error at a place, and the input accepted there; [`SceneError`] shows all errors of a file;
-//! * [`Family`]: systems with a common reader, each selected by its name in the file.
+//! * [`Table`]: a table of the file. The program reads its entries with their units and bounds. A key that the program never reads is an error;
+//! * [`Quantity`]: the name, unit, meaning and [`Bound`] of a datum; a file can extend the bound ([`Allowed`]);
+//! * [`Issue`]: an error at a position, with the accepted input; [`SceneError`] shows all errors of a file;
+//! * [`Family`]: built-in systems with a common reader, each selected by its name in the file.
 //!
 //! ```
 //! use dalembert_reader::tables;
@@ -26,7 +25,7 @@ mod table;
 
 pub use bound::{Allowed, Bound};
 pub use file::{Family, KnownSystems, MODEL, Opening, knows, parse, read_text, tables};
-/// Brings [`KnownSystems`].
+/// Registers [`KnownSystems`].
 pub use inventory::submit;
 pub use issue::{Issue, SceneError};
 pub use quantity::Quantity;

@@ -1,33 +1,33 @@
-//! Parameters and states as named quantities with units.
+//! Names, units, meanings and bounds of parameters and states.
 
 use super::bound::Bound;
 use std::borrow::Cow;
 
-/// A number: its name in files and formulas, its unit, its meaning. The texts belong to the program, or to a file.
+/// The description of a number: its name in files and formulas, its unit, its meaning. The text is part of the program or comes from a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Quantity {
     pub name: Cow<'static, str>,
     pub unit: Cow<'static, str>,
     pub meaning: Cow<'static, str>,
-    /// The values that a file may give.
+    /// The values that a file may give in the unit above.
     pub bound: Bound,
 }
 
 impl Quantity {
-    /// A quantity that may have any value.
+    /// Creates a quantity that may have any value.
     pub const fn any(name: &'static str, unit: &'static str, meaning: &'static str) -> Self {
         Self::within(name, unit, meaning, Bound::Any)
     }
 
-    /// A quantity with a bound.
+    /// Creates a quantity with a bound.
     pub const fn within(name: &'static str, unit: &'static str, meaning: &'static str, bound: Bound) -> Self {
         let [name, unit, meaning] = [Cow::Borrowed(name), Cow::Borrowed(unit), Cow::Borrowed(meaning)];
         Quantity { name, unit, meaning, bound }
     }
 }
 
-/// A struct of parameters over any field, each with its unit and meaning, and with a bound where a file must not give every
-/// number: `> 0`, `>= 0`, `!= 0`, `in resistance`, `in friction` (see [`Bound`](crate::Bound)).
+/// Defines a struct of parameters over any field `P`. Each parameter has a meaning (its doc comment), a unit, and optionally a bound:
+/// `> 0`, `>= 0`, `!= 0`, `in resistance`, `in friction` (see [`Bound`](crate::Bound)).
 ///
 /// ```
 /// use dalembert_reader::Bound;

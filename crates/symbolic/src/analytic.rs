@@ -1,4 +1,4 @@
-//! Circle points and square roots, reduced to few generators, over which their identities are decidable.
+//! Sines, cosines and square roots, expressed through few independent generators so that identities between them are decidable.
 
 use crate::Sym;
 use crate::graph::Node;
@@ -7,21 +7,21 @@ use dashu_int::ops::UnsignedAbs;
 use field::{Analytic, Circle, Elementary, Rational, Scalar};
 use num_traits::{One, Zero};
 
-/// The highest multiple of an angle that is expanded into products of its coordinates.
+/// The largest multiple of an angle whose sine and cosine are expanded by the addition theorems.
 pub const HIGHEST_MULTIPLE: i64 = 32;
 
-/// Roots are split by trial division up to this prime.
+/// Radicands are factorised by trial division up to this number.
 const HIGHEST_TRIAL: u64 = 1 << 16;
 
 impl Analytic for Sym {
-    /// The circle point of an angle. An integer combination of angles is expanded by the addition theorems into the
-    /// coordinates of single terms; a term with a fraction, x / 3, is a term of its own.
+    /// Returns (cos, sin) of an angle in radians. For an integer combination of terms, the addition theorems give polynomials in the sines and
+    /// cosines of the single terms. A term with a fraction, such as x/3, counts as a single term x/3.
     fn circle(self) -> Circle<Self> {
         circle_in_steps(self, |_, parts| parts)
     }
 
-    /// The non-negative root. For a rational number it is a product of roots of distinct primes, which keeps
-    /// products of roots canonical: sqrt(1/2) = sqrt(2)/2. The root of a negative number is undefined.
+    /// Returns the non-negative square root. The root of a rational number becomes a rational multiple of roots of distinct primes, a canonical form:
+    /// sqrt(1/2) = sqrt(2)/2. The root of a negative number is undefined.
     fn sqrt(self) -> Self {
         match self.as_constant() {
             Some(value) => root_of_rational(value),
@@ -29,7 +29,8 @@ impl Analytic for Sym {
         }
     }
 
-    /// exp(0) = 1, ln(1) = 0, tanh(0) = 0 and atan2(0, b) = 0 for a positive number b are folded.
+    /// Returns an elementary function of `self`; `other` is the second argument of atan2. Only exp(0) = 1, ln(1) = 0, tanh(0) = 0 and atan2(0, b) = 0
+    /// for a positive number b are simplified.
     fn elementary(self, function: Elementary, other: Self) -> Self {
         let other = if function.arguments() == 1 { self } else { other };
         if self == Sym::UNDEFINED || other == Sym::UNDEFINED {
@@ -46,8 +47,8 @@ impl Analytic for Sym {
     }
 }
 
-/// The circle point of an angle with every term divided into so many parts, by default as many as the denominator of
-/// its coefficient.
+/// Returns (cos, sin) of an angle. `parts(term, denominator)` is the number n of parts into which each term is divided: its sine and cosine are
+/// expanded as polynomials in those of term/n. The usual n is the denominator of the term's coefficient.
 pub(crate) fn circle_in_steps(angle: Sym, parts: impl Fn(Sym, i64) -> i64) -> Circle<Sym> {
     if angle == Sym::UNDEFINED {
         return Circle { cos: angle, sin: angle };
@@ -56,8 +57,7 @@ pub(crate) fn circle_in_steps(angle: Sym, parts: impl Fn(Sym, i64) -> i64) -> Ci
     points.reduce(|before, next| before + next).unwrap_or_else(Circle::zero)
 }
 
-/// The expression as a sum of distinct terms with rational coefficients, in the order of writing; the constant is a
-/// multiple of the term 1.
+/// Splits an expression into a sum of distinct terms with rational coefficients, in the order of their appearance. A constant is a multiple of the term 1.
 pub(crate) fn linear_terms(expression: Sym) -> Vec<(Sym, Rational)> {
     let mut terms: Vec<(Sym, Rational)> = Vec::new();
     let mut open = vec![(expression, Rational::one())];
@@ -82,7 +82,7 @@ pub(crate) fn linear_terms(expression: Sym) -> Vec<(Sym, Rational)> {
     terms
 }
 
-/// An expression as a rational number times another one: 2 s and s - t as 2 by s and 1 by s - t, so that 2 s/R is a multiple of s/R.
+/// Splits an expression into a rational factor and a rest whose first term has the coefficient 1: 2 s gives (2, s). Hence 2 s/R is a multiple of s/R.
 fn scaled(expression: Sym) -> (Rational, Sym) {
     let terms = linear_terms(expression);
     match terms[..] {
@@ -105,7 +105,7 @@ fn collect(terms: &mut Vec<(Sym, Rational)>, term: Sym, coefficient: Rational) {
     }
 }
 
-/// The circle point of p/q times the term: p times that of the part term/q, or of a finer one.
+/// Returns (cos, sin) of `coefficient * term`, expanded in those of term/n with n = `parts(term, denominator)`, or unexpanded if the multiple is too large.
 fn multiple(term: Sym, coefficient: Rational, parts: impl Fn(Sym, i64) -> i64) -> Circle<Sym> {
     let counted = small_quotient(coefficient).filter(|_| term != Sym::ONE).and_then(|(times, denominator)| {
         let parts = parts(term, denominator);
@@ -123,14 +123,14 @@ fn multiple(term: Sym, coefficient: Rational, parts: impl Fn(Sym, i64) -> i64) -
     if times < 0 { -around } else { around }
 }
 
-/// Numerator and denominator where both are of moderate size.
+/// Returns numerator and denominator if both are below 2^20 in magnitude.
 pub(crate) fn small_quotient(value: Rational) -> Option<(i64, i64)> {
     let big = value.to_big()?;
     let small = |n: i64| (n.abs() < 1 << 20).then_some(n);
     Some((small(i64::try_from(big.numerator()).ok()?)?, small(i64::try_from(big.denominator()).ok()?)?))
 }
 
-/// sqrt(n/d) = sqrt(n d) / d, with the square part of n d taken out and the rest split into primes.
+/// Computes sqrt(n/d) = sqrt(n d)/d. The square part of n d is taken out of the root, and the rest is split into primes.
 fn root_of_rational(value: Rational) -> Sym {
     let Some(big) = value.to_big().filter(|_| value.sign() != Some(-1)) else {
         return Sym::UNDEFINED;
@@ -168,7 +168,7 @@ fn root_of_rational(value: Rational) -> Sym {
     product / integer(below)
 }
 
-/// The least common multiple of positive numbers, where it is of moderate size.
+/// Returns the least common multiple of two positive numbers; `None` if it is 2^20 or larger.
 pub(crate) fn least_common_multiple(a: i64, b: i64) -> Option<i64> {
     let (mut divisor, mut rest) = (a, b);
     while rest != 0 {

@@ -1,9 +1,9 @@
-//! Cosines and sines of sums of angles, recombined from the products into which they were expanded:
+//! Recombination of sines and cosines that were expanded by the addition theorems:
 //!
 //!   cos a cos b - sin a sin b = cos (a + b) ,   sin a cos b + cos a sin b = sin (a + b) .
 //!
-//! Proofs and runs work with the products; the range of a sum is narrower where it stands once. Polynomials are written out first,
-//! which removes turns there and back again.
+//! Proofs and runs use the expanded products. The recombined form is for interval arithmetic: an interval enclosure is narrower if a sum of angles
+//! occurs once. Polynomials are brought to normal form first, which cancels a rotation followed by its inverse.
 
 use crate::Sym;
 use crate::analytic::linear_terms;
@@ -13,14 +13,14 @@ use field::{Circle, Rational};
 use num_traits::Zero;
 use rustc_hash::FxHashMap;
 
-/// Sums of more terms are left as they are.
+/// Sums with more terms are not recombined.
 const MOST_TERMS: usize = 48;
 
-/// Expressions of more operations are not written out.
+/// Expressions with more operations are not brought to normal form.
 const MOST_OPERATIONS: usize = 2_000;
 
-/// Expressions with the circle points of sums recombined wherever their products stand in one sum. They have the values of the given ones, where
-/// these have one.
+/// Returns the expressions with sines and cosines of sums of angles recombined wherever the products of an addition theorem occur in one sum.
+/// The values are unchanged where the given expressions are defined.
 pub fn with_sums_of_angles(expressions: &[Sym]) -> Vec<Sym> {
     let written: Vec<Sym> = expressions.iter().map(|each| written_out(*each)).collect();
     rewritten(&written, FxHashMap::default(), |node, made| match node {
@@ -29,8 +29,7 @@ pub fn with_sums_of_angles(expressions: &[Sym]) -> Vec<Sym> {
     })
 }
 
-/// Expressions with polynomials in letters, cosines and sines in normal form, also inside roots, functions and
-/// quotients.
+/// Brings polynomials in symbols, cosines and sines to normal form, also those inside roots, functions and quotients.
 fn written_out(expression: Sym) -> Sym {
     let is_closed = |node: Node| match node {
         Node::Root(_) | Node::Elementary(..) | Node::Function(..) => true,
@@ -42,7 +41,7 @@ fn written_out(expression: Sym) -> Sym {
         return expression;
     }
     let closed: Vec<Sym> = parts.into_iter().filter(|each| is_closed(each.node())).collect();
-    // names that no system uses
+    // these names contain a space, which no name of a system does
     let letters: Vec<Sym> = (0..closed.len()).map(|k| Sym::symbol(&format!("closed {k}"))).collect();
     let hidden: Vec<(Sym, Sym)> = closed.iter().copied().zip(letters.iter().copied()).collect();
     let Ok(form) = normal(expression.substitute(&hidden), &Hypotheses::none()) else { return expression };
@@ -50,7 +49,7 @@ fn written_out(expression: Sym) -> Sym {
     form.to_sym().substitute(&letters.into_iter().zip(inside).collect::<Vec<_>>())
 }
 
-/// [`substitute_all`](crate::substitute_all), except that circle points of new sums are not expanded: cos (a - b) stays.
+/// Substitutes like [`substitute_all`](crate::substitute_all), but leaves sines and cosines of new sums unexpanded: cos (a - b) stays.
 pub fn substitute_in_angles(expressions: &[Sym], replacements: &[(Sym, Sym)]) -> Vec<Sym> {
     rewritten(expressions, replacements.iter().rev().copied().collect(), |_, made| made)
 }
@@ -70,7 +69,7 @@ fn rewritten(expressions: &[Sym], mut new: FxHashMap<Sym, Sym>, last: impl Fn(No
     expressions.iter().map(|each| new[each]).collect()
 }
 
-/// The circle point of an angle as it is written, with its terms collected.
+/// Returns (cos, sin) of an angle, unexpanded, with its terms collected and their order normalised.
 fn point(angle: Sym) -> Circle<Sym> {
     let mut terms = linear_terms(angle);
     terms.sort_unstable_by_key(|(term, _)| *term);
@@ -85,7 +84,7 @@ fn point(angle: Sym) -> Circle<Sym> {
     Circle { cos, sin: if is_turned_back { -sin } else { sin } }
 }
 
-/// A sum with two of its terms combined, and then two of the rest, as often as possible.
+/// Combines pairs of terms by the addition theorems until no pair is left.
 fn put_together(sum: Sym) -> Sym {
     let mut terms = linear_terms(sum);
     if terms.len() > MOST_TERMS {
@@ -108,7 +107,7 @@ fn put_together(sum: Sym) -> Sym {
     terms.into_iter().fold(Sym::ZERO, |sum, (term, factor)| sum + Sym::constant(factor) * term)
 }
 
-/// Two terms, by their places in rising order, and their sum as one.
+/// Finds two terms that an addition theorem combines. Returns their indices (i < j) and the term that replaces them, with its coefficient.
 fn pair(terms: &[(Sym, Rational)]) -> Option<(usize, usize, (Sym, Rational))> {
     let factors: Vec<(Vec<Sym>, Rational)> = terms.iter().map(|&(term, factor)| factors(term, factor)).collect();
     (0..terms.len()).find_map(|j| {
@@ -119,7 +118,7 @@ fn pair(terms: &[(Sym, Rational)]) -> Option<(usize, usize, (Sym, Rational))> {
                 return None;
             }
             let (common, [one, other]) = parted(&factors[i].0, &factors[j].0)?;
-            // in a sum of turns the term with two cosines, or with the cosine of the second angle, stands first
+            // the sign of the result is that of the term with two cosines, or with the cosine of the second angle
             let (angles, of_cosine) = turned(one, other)?;
             let ([a, b], swapped) = angles;
             let first = if swapped { second } else { first };
@@ -135,7 +134,7 @@ fn pair(terms: &[(Sym, Rational)]) -> Option<(usize, usize, (Sym, Rational))> {
     })
 }
 
-/// The factors of a product, and the number among them.
+/// Splits a product into its factors and its numerical factor.
 fn factors(term: Sym, mut number: Rational) -> (Vec<Sym>, Rational) {
     let (mut open, mut found) = (vec![term], Vec::new());
     while let Some(next) = open.pop() {
@@ -154,7 +153,7 @@ fn factors(term: Sym, mut number: Rational) -> (Vec<Sym>, Rational) {
     (found, number)
 }
 
-/// The common factors of two products, and the remaining two of each.
+/// Splits two products into their common factors and two remaining factors each; `None` if other numbers of factors remain.
 fn parted(one: &[Sym], other: &[Sym]) -> Option<(Vec<Sym>, [[Sym; 2]; 2])> {
     let (mut common, mut own, mut left) = (Vec::new(), Vec::new(), other.to_vec());
     for factor in one {
@@ -166,7 +165,8 @@ fn parted(one: &[Sym], other: &[Sym]) -> Option<(Vec<Sym>, [[Sym; 2]; 2])> {
     Some((common, [own.try_into().ok()?, left.try_into().ok()?]))
 }
 
-/// Two angles whose sum or difference two products of circle points are, whether the second product stands first, and whether it is a cosine.
+/// Recognises the two products of an addition theorem. Returns the two angles, whether the second product is the first of the theorem, and whether the theorem
+/// is that of the cosine.
 fn turned(one: [Sym; 2], other: [Sym; 2]) -> Option<(([Sym; 2], bool), bool)> {
     let cosine = |of: Sym| if let Node::Cos(a) = of.node() { Some(a) } else { None };
     let sine = |of: Sym| if let Node::Sin(a) = of.node() { Some(a) } else { None };
@@ -179,7 +179,6 @@ fn turned(one: [Sym; 2], other: [Sym; 2]) -> Option<(([Sym; 2], bool), bool)> {
             return Some(((a, swapped), true));
         }
     }
-    // sin a cos b, cos a sin b
     let mixed = |of: [Sym; 2]| match (sine(of[0]), cosine(of[1])) {
         (Some(a), Some(b)) => Some([a, b]),
         _ => Some([sine(of[1])?, cosine(of[0])?]),

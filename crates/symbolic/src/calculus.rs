@@ -1,25 +1,24 @@
-//! Exact derivative, substitution, and the symbols of an expression.
+//! Derivatives, substitution, and the symbols of an expression.
 
 use crate::Sym;
 use crate::graph::Node;
 use field::{Analytic, Scalar};
 use rustc_hash::FxHashMap;
 
-/// The derivative of expressions whose symbols change at given rates, forward through the graph: d/dt along a motion where the rates
-/// are velocities, d/dx where x alone has the rate one. (A derivation in the sense of algebra: linear, with the product rule.) It
-/// keeps every rate that it has found: parts shared by expressions cost once.
+/// Forward differentiation: rates of expressions whose symbols have given rates. If the rates are velocities, the result is d/dt along the motion; if x
+/// has the rate one and all else zero, it is d/dx. Rates are cached, so that a subexpression shared by several expressions is differentiated once.
 pub struct Derivation {
     known: FxHashMap<Sym, Sym>,
 }
 
 impl Derivation {
-    /// A derivation in which each of these expressions, usually symbols, changes at a rate; all other symbols are constant. An
-    /// expression that is no symbol is taken as an independent quantity wherever it occurs.
+    /// Creates a derivation from pairs (expression, rate); all other symbols are constant. An expression that is not a symbol counts as an
+    /// independent quantity wherever it occurs.
     pub fn new(rates: impl IntoIterator<Item = (Sym, Sym)>) -> Self {
         Derivation { known: rates.into_iter().collect() }
     }
 
-    /// The rate of an expression.
+    /// Returns the rate of an expression.
     pub fn of(&mut self, expression: Sym) -> Sym {
         if let Some(&known) = self.known.get(&expression) {
             return known;
@@ -56,30 +55,29 @@ impl Derivation {
 }
 
 impl Sym {
-    /// The partial derivative with respect to `variable`, with everything else constant. `variable` is usually a
-    /// symbol; any other expression is taken as an independent quantity wherever it occurs.
+    /// Returns the partial derivative with respect to `variable`; everything else is constant. A `variable` that is not a symbol counts as an
+    /// independent quantity wherever it occurs.
     pub fn diff(self, variable: Sym) -> Sym {
         Derivation::new([(variable, Sym::ONE)]).of(self)
     }
 
-    /// The expression with every `(old, new)` replaced, all at once. Old ones are usually symbols, but any expression
-    /// is found where it occurs as written. Circle points of new sums are expanded again.
+    /// Replaces every pair `(old, new)` simultaneously. An `old` expression is usually a symbol; any other one is found where it occurs literally.
+    /// Sines and cosines of new sums are expanded.
     pub fn substitute(self, replacements: &[(Sym, Sym)]) -> Sym {
         substitute_all(&[self], replacements)[0]
     }
 
-    /// The leaves from which rational operations make the expression: symbols, cosines, sines, roots, functions, in the
-    /// order of making.
+    /// Returns the leaves of the expression in order of creation: symbols, cosines, sines, roots and functions. The expression is a rational function of them.
     pub fn leaves_of(self) -> Vec<Sym> {
         Sym::ascending_to_leaves(&[self]).into_iter().filter(|each| each.node().is_leaf()).collect()
     }
 
-    /// The number of different parts of expressions together: the cost of evaluating or walking them.
+    /// Returns the number of distinct subexpressions of all expressions together. It measures the cost of an evaluation.
     pub fn operations_of(expressions: &[Sym]) -> usize {
         Sym::ascending(expressions).len()
     }
 
-    /// The symbols in the expression, by name in natural order (l2 before l10).
+    /// Returns the symbols of the expression, sorted by name in natural order (l2 before l10).
     pub fn symbols_of(self) -> Vec<Sym> {
         let mut symbols: Vec<Sym> =
             Sym::ascending(&[self]).into_iter().filter(|each| matches!(each.node(), Node::Symbol(_))).collect();
@@ -88,9 +86,9 @@ impl Sym {
     }
 }
 
-/// [`Sym::substitute`] in several expressions that share parts.
+/// Applies [`Sym::substitute`] to several expressions that share subexpressions.
 pub fn substitute_all(expressions: &[Sym], replacements: &[(Sym, Sym)]) -> Vec<Sym> {
-    // the first of two replacements for one expression holds
+    // reversed, so that the first of two replacements for one expression applies
     let mut new: FxHashMap<Sym, Sym> = replacements.iter().rev().copied().collect();
     for each in Sym::ascending(expressions) {
         if !new.contains_key(&each) {
@@ -102,7 +100,7 @@ pub fn substitute_all(expressions: &[Sym], replacements: &[(Sym, Sym)]) -> Vec<S
 }
 
 impl Node {
-    /// The node `itself` over new children, with the operations' usual folding.
+    /// Returns the operation applied to new operands, with the usual simplifications. `itself` is the old expression of the node.
     pub(crate) fn rebuild(self, itself: Sym, of: impl Fn(&Sym) -> Sym) -> Sym {
         match self {
             Node::Constant(_) | Node::Symbol(_) => itself,

@@ -1,4 +1,4 @@
-//! Expressions as polynomials in some of their symbols.
+//! Expressions as polynomials in some of their symbols: coefficients and degrees.
 
 use crate::graph::Node;
 use crate::{Decision, Hypotheses, Sym, decide};
@@ -9,7 +9,7 @@ use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// A part of an expression that is no polynomial in the given symbols.
+/// The subexpression that is not a polynomial in the given symbols.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NotPolynomial(pub Sym);
 
@@ -21,15 +21,15 @@ impl fmt::Display for NotPolynomial {
 
 impl std::error::Error for NotPolynomial {}
 
-/// The coefficients by falling exponents.
+/// Coefficients by exponents, in descending order of the exponents.
 type Terms = BTreeMap<Reverse<Vec<u32>>, Sym>;
 
-/// The coefficients with respect to the symbols, as they are written, each with the exponents of its monomial; highest powers of the first symbol
-/// first. A symbol may be a reciprocal: a quotient by its inverse is then a multiple of it. A coefficient that is the constant 0 is left out;
-/// one that merely vanishes is not.
+/// Returns (exponents, coefficient) of each monomial in the given symbols, in descending lexicographic order. The terms are expanded but not
+/// simplified: a coefficient that is the constant 0 is omitted, one that only equals 0 after simplification is not. If `symbols` contains
+/// the reciprocal 1/b, a quotient by b counts as a product with this symbol.
 ///
 /// # Errors
-/// [`NotPolynomial`] names a part in which a symbol stands in a denominator, an angle, a root or a function.
+/// [`NotPolynomial`] contains the subexpression in which a symbol occurs in a denominator, an angle, a root or a function.
 pub fn coefficients(expression: Sym, symbols: &[Sym]) -> Result<Vec<(Vec<u32>, Sym)>, NotPolynomial> {
     let unit = Reverse(vec![0; symbols.len()]);
     let fixed = |value: Sym| Terms::from([(unit.clone(), value)]);
@@ -65,11 +65,11 @@ pub fn coefficients(expression: Sym, symbols: &[Sym]) -> Result<Vec<(Vec<u32>, S
     Ok(terms.into_iter().filter(|(_, value)| !value.is_zero()).map(|(exponents, value)| (exponents.0, value)).collect())
 }
 
-/// The coefficients of a polynomial in one unknown with rational coefficients, from the constant upwards, without zeros at the end.
-/// Terms that cancel must have been cancelled before (`normal`).
+/// Returns the coefficients of a polynomial in one unknown, from the constant upwards. They must be rational numbers. Bring the expression to
+/// normal form first ([`normal`](crate::normal)), since terms that cancel are not recognised here.
 ///
 /// # Errors
-/// [`NotPolynomial`] names a part, or a coefficient that is no fraction.
+/// [`NotPolynomial`] contains a subexpression that is not a polynomial, or a coefficient that is not a rational number.
 pub fn univariate(expression: Sym, unknown: Sym) -> Result<Vec<Rational>, NotPolynomial> {
     let mut dense = Vec::new();
     for (exponents, c) in coefficients(expression, &[unknown])? {
@@ -80,10 +80,10 @@ pub fn univariate(expression: Sym, unknown: Sym) -> Result<Vec<Rational>, NotPol
     Ok(dense)
 }
 
-/// The total degree in the symbols, under hypotheses on the coefficients: `None` for zero.
+/// Returns the total degree in the symbols; `None` for zero. Coefficients that vanish under the hypotheses do not count.
 ///
 /// # Errors
-/// [`NotPolynomial`] as [`coefficients`].
+/// [`NotPolynomial`], as for [`coefficients`].
 pub fn degree(expression: Sym, symbols: &[Sym], hypotheses: &Hypotheses) -> Result<Option<u32>, NotPolynomial> {
     let present = |coefficient: Sym| !matches!(decide(coefficient, hypotheses), Decision::Zero(_));
     let mut terms = coefficients(expression, symbols)?;

@@ -8,7 +8,7 @@ use rustc_hash::FxHashMap;
 use std::fmt;
 use std::ops::{Div, Mul};
 
-/// Rational exponents of kilogram, metre, second and ampere.
+/// A physical dimension: rational exponents of kilogram, metre, second and ampere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dimension {
     exponents: [Rational; 4],
@@ -17,12 +17,12 @@ pub struct Dimension {
 const UNITS: [&str; 4] = ["kg", "m", "s", "A"];
 
 impl Dimension {
-    /// From integer exponents of kg, m, s, A.
+    /// Creates a dimension from integer exponents of kg, m, s and A.
     pub fn of(kg: i64, m: i64, s: i64, a: i64) -> Self {
         Dimension { exponents: [kg, m, s, a].map(|exponent| Rational::new(exponent, 1)) }
     }
 
-    /// Plain numbers and angles.
+    /// Returns the dimension of pure numbers and angles.
     pub fn none() -> Self {
         Self::of(0, 0, 0, 0)
     }
@@ -43,12 +43,12 @@ impl Dimension {
         Self::of(0, 0, 0, 1)
     }
 
-    /// The exponents of kg, m, s, A.
+    /// Returns the exponents of kg, m, s and A.
     pub fn exponents(self) -> [Rational; 4] {
         self.exponents
     }
 
-    /// This dimension to a rational power.
+    /// Returns this dimension raised to a rational power.
     pub fn power(self, exponent: Rational) -> Self {
         Dimension { exponents: self.exponents.map(|own| own * exponent) }
     }
@@ -82,14 +82,14 @@ impl fmt::Display for Dimension {
     }
 }
 
-/// Why an expression has no dimension.
+/// The reason why an expression has no dimension.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Mismatch {
-    /// Two terms that are added or subtracted.
+    /// Two added or subtracted terms of different dimensions.
     Sum(Box<[(Sym, Dimension); 2]>),
-    /// An argument of a function, such as a cosine or a logarithm, that is not a number.
+    /// The argument of a function, such as a cosine or a logarithm, is not a pure number.
     Argument { function: &'static str, argument: Sym, dimension: Dimension },
-    /// This symbol or function has no known dimension.
+    /// The dimension of this symbol or function is not known.
     Unknown(Sym),
 }
 
@@ -113,11 +113,11 @@ impl fmt::Display for Mismatch {
 
 impl std::error::Error for Mismatch {}
 
-/// The dimension of an expression from the dimensions of its symbols. A function is looked up as the function itself,
-/// whatever its argument; its derivatives follow. `None` stands for zero, which is of every dimension.
+/// Returns the dimension of an expression from the dimensions of its symbols. `lookup` gives the dimension of a symbol, or of the values of a function, by name;
+/// derivatives of functions follow from these. `None` means zero, which has every dimension.
 ///
 /// # Errors
-/// [`Mismatch`] names both sides of the first sum that does not agree.
+/// [`Mismatch`] contains the first sum, argument or symbol without a consistent dimension.
 pub fn dimension(expression: Sym, lookup: &impl Fn(&str) -> Option<Dimension>) -> Result<Option<Dimension>, Mismatch> {
     let mut known: FxHashMap<Sym, Option<Dimension>> = FxHashMap::default();
     for each in Sym::ascending(&[expression]) {

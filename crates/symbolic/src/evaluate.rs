@@ -1,4 +1,4 @@
-//! The value of an expression in any field.
+//! Evaluation of an expression in any field.
 
 use crate::Sym;
 use crate::graph::Node;
@@ -7,7 +7,7 @@ use field::{Analytic, Rational, Scalar};
 use rustc_hash::FxHashMap;
 use std::fmt;
 
-/// A quantity in an expression for which no value was given.
+/// The name of a quantity for which no value was given.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unbound(pub String);
 
@@ -20,20 +20,20 @@ impl fmt::Display for Unbound {
 impl std::error::Error for Unbound {}
 
 impl Sym {
-    /// The value in a field, from the values of the generators by name: a symbol by its name, the coordinates of an
-    /// angle x as `cos x` and `sin x`, roots and functions by their text, `sqrt(a + b)`, `M2(s)`.
+    /// Returns the value in a field from the values of the generators by name: a symbol by its name, cosine and sine of a symbol x as `cos x` and
+    /// `sin x`, other generators by their text, such as `sqrt(a + b)` or `M2(s)`.
     ///
     /// # Errors
-    /// [`Unbound`] names the first generator without a value.
+    /// [`Unbound`] contains the first generator without a value.
     pub fn evaluate<S: Scalar>(self, value: &impl Fn(&str) -> Option<S>) -> Result<S, Unbound> {
         self.evaluate_leaves(|leaf, _| value(&leaf.text_of_leaf()))
     }
 
-    /// The value in a field with its own circle points and roots, from the values of the symbols by name. Values of
+    /// Returns the value in a field that has its own sines, cosines and roots, from the values of the symbols by name. Values of
     /// functions are looked up by their text.
     ///
     /// # Errors
-    /// [`Unbound`] names the first symbol or function without a value.
+    /// [`Unbound`] contains the first symbol or function without a value.
     pub fn evaluate_analytic<S: Analytic>(self, value: &impl Fn(&str) -> Option<S>) -> Result<S, Unbound> {
         self.evaluate_leaves(|leaf, [argument, other]: [Option<S>; 2]| match (leaf.node(), argument) {
             (Node::Cos(_), Some(angle)) => Some(angle.circle().cos),
@@ -44,8 +44,7 @@ impl Sym {
         })
     }
 
-    /// The value from the values of the leaves: symbols, circle coordinates, roots and functions, each from the
-    /// values of its arguments where they have some.
+    /// Evaluates the expression. `leaf` gives the value of a symbol, cosine, sine, root or function from the values of its arguments, as far as they are known.
     pub(crate) fn evaluate_leaves<S: Scalar>(
         self,
         mut leaf: impl FnMut(Sym, [Option<S>; 2]) -> Option<S>,
@@ -72,11 +71,11 @@ impl Sym {
                 None => missing = missing.or(Some(each)),
             }
         }
-        // Without a value the expression contains a generator that has none, and the first such came first.
+        // missing values are recorded in ascending order, hence the first is a generator
         values.get(&self).copied().ok_or_else(|| Unbound(missing.unwrap_or(self).text_of_leaf()))
     }
 
-    /// The name under which a generator's value is looked up.
+    /// Returns the name under which the value of a generator is looked up.
     pub(crate) fn text_of_leaf(self) -> String {
         match self.node() {
             Node::Cos(a) if matches!(a.node(), Node::Symbol(_)) => format!("cos {a}"),
@@ -86,7 +85,7 @@ impl Sym {
     }
 }
 
-/// An exact constant in any field: through small integers where they fit, otherwise digit by digit.
+/// Converts an exact constant to any field. Integers beyond 64 bits are converted byte by byte.
 pub(crate) fn constant<S: Scalar>(value: Rational) -> S {
     let Some(big) = value.to_big() else {
         return S::one() / S::zero();
@@ -103,16 +102,16 @@ pub(crate) fn constant<S: Scalar>(value: Rational) -> S {
     }
 }
 
-/// Bytes of an integer that every field holds.
+/// The largest number of bytes of an integer that converts to every field without overflow.
 const MOST_BYTES: usize = 100;
 
-/// An integer, its digits from the lowest one, over 256^aside: in a field that rounds, digits below its range are nothing beside
-/// the rest.
+/// Converts an integer, given by its bytes from the lowest, and divided by 256^aside. In a field that rounds, the lowest bytes are then
+/// negligible.
 fn scaled<S: Scalar>(digits: &[u8], aside: usize) -> S {
     let base = S::int(256);
     let (low, high) = digits.split_at(aside.min(digits.len()));
     let fraction = low.iter().fold(S::zero(), |sum, &byte| (sum + S::int(byte.into())) / base);
-    // there may be fewer digits than are set aside
+    // integers with fewer than `aside` bytes need further divisions
     let fraction = (digits.len()..aside).fold(fraction, |fraction, _| fraction / base);
     high.iter().rev().fold(S::zero(), |sum, &byte| sum * base + S::int(byte.into())) + fraction
 }

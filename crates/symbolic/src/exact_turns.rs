@@ -1,19 +1,19 @@
-//! Circle points of multiples of pi/12, by square roots: cos(pi/12) = (sqrt(6) + sqrt(2))/4.
+//! Exact sines and cosines of multiples of pi/12 by square roots: cos(pi/12) = (sqrt(6) + sqrt(2))/4.
 
 use crate::Sym;
 use dashu_int::IBig;
 use field::{Analytic, Circle, Rational, Scalar};
 
 impl Sym {
-    /// The circle point of the angle pi k/12.
+    /// Returns the exact (cos, sin) of the angle pi k/12.
     pub fn of_twelfths(k: i64) -> Circle<Sym> {
         Circle { cos: cosine(k), sin: cosine(k - 6) }
     }
 
-    /// The circle point of so many half turns, an angle of pi times the number; none if that is no multiple of pi/12.
+    /// Returns the exact (cos, sin) of the angle pi * `number`; `None` if the angle is not a multiple of pi/12.
     pub fn of_half_turns(number: Rational) -> Option<Circle<Sym>> {
         let twelfths = (number * Rational::new(12, 1)).to_big().filter(dashu_ratio::RBig::is_int)?;
-        // whole turns are left out
+        // the remainder is the angle modulo full turns
         let around = i64::try_from(twelfths.numerator() % IBig::from(24)).ok()?;
         Some(Self::of_twelfths(around))
     }
@@ -43,7 +43,7 @@ mod tests {
         for k in -30_i64..30 {
             let point = Sym::of_twelfths(k);
             let value = |part: Sym| part.evaluate_analytic::<f64>(&|_| None).expect("it has no letters");
-            // an angle below a full turn is rounded by half of 1e-15
+            // the angle is at most 2 pi, hence its rounding error is below 1e-15
             let (sin, cos) = (k.rem_euclid(24) as f64 * std::f64::consts::PI / 12.0).sin_cos();
             assert!((value(point.cos) - cos).abs() < 2e-15 && (value(point.sin) - sin).abs() < 2e-15, "{k}");
         }

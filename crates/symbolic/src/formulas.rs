@@ -1,7 +1,7 @@
-//! Expressions as a list of steps over any ordered numbers: exact fractions, enclosures.
+//! Expressions as a list of operations, for evaluation with exact fractions or interval enclosures.
 //!
-//! Enclosures are large and no `Copy` values: no law runs over them directly. A law is recorded once over [`Sym`], and the
-//! record is run here.
+//! Enclosures are large and not `Copy`, hence a law cannot be evaluated with them directly. The law is evaluated once over [`Sym`], and the
+//! recorded operations are evaluated here.
 
 use crate::graph::Node;
 use crate::{Sym, Unbound};
@@ -22,7 +22,7 @@ enum Step {
     Root(usize),
 }
 
-/// Expressions in some unknowns; not bound to the thread that wrote them.
+/// Expressions in some unknowns, as a list of operations. Unlike [`Sym`], the list can be sent to other threads.
 #[derive(Clone, Debug)]
 pub struct Formulas {
     steps: Vec<Step>,
@@ -30,10 +30,10 @@ pub struct Formulas {
 }
 
 impl Formulas {
-    /// Records expressions made of the unknowns, constants, rational operations and square roots.
+    /// Records expressions that consist of the unknowns, constants, rational operations and square roots.
     ///
     /// # Errors
-    /// [`Unbound`] names a part that is none of these.
+    /// [`Unbound`] contains a subexpression of another kind.
     pub fn of(expressions: &[Sym], unknowns: &[Sym]) -> Result<Self, Unbound> {
         let mut places: FxHashMap<Sym, usize> = FxHashMap::default();
         let mut steps = Vec::new();
@@ -62,7 +62,7 @@ impl Formulas {
         Ok(Formulas { steps, results })
     }
 
-    /// The values of the expressions; `one` gives the field. `None` where one may be undefined, or has a root that is
+    /// Evaluates the expressions; `one` is any element of the field, and determines its precision. Returns `None` if a value may be undefined, or if a root is
     /// not in the field.
     pub fn values<R: Ordered>(&self, unknowns: &[R], one: &R) -> Option<Vec<R>> {
         let mut values: Vec<R> = Vec::with_capacity(self.steps.len());

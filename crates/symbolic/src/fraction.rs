@@ -1,24 +1,24 @@
-//! Fractions of polynomials in one unknown, by Horner's rule.
+//! Quotients of polynomials in one unknown, evaluated by Horner's rule.
 //!
-//! f = p(x)/q(x) takes as many products and sums as p and q have degrees, and one division; its derivative as many again:
+//! f = p(x)/q(x) costs deg p + deg q multiplications and additions, and one division. The derivative costs as many again:
 //!
 //!   f' = (p' - f q') / q .
 //!
-//! The same steps at several places stand side by side, for wide registers.
+//! Several points are evaluated together, for vector registers.
 
 use crate::{Hypotheses, Sym, Tape, normal, univariate};
 use field::{Over, Rational, Tangent};
 use num_traits::Zero;
 
-/// A fraction of two polynomials over a field.
+/// A quotient of two polynomials over a field.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fraction<S> {
     above: Polynomial<S>,
-    /// `None` where the divisor is one.
+    /// The denominator; `None` if it is one.
     below: Option<Polynomial<S>>,
 }
 
-/// The leading coefficient, and the others from the next down to the constant.
+/// The coefficients in descending order of powers: the leading one, then the others down to the constant.
 #[derive(Clone, Debug, PartialEq)]
 struct Polynomial<S> {
     leading: S,
@@ -26,14 +26,14 @@ struct Polynomial<S> {
 }
 
 impl Fraction<Rational> {
-    /// The fraction of an expression in the unknown alone; `None` where it is no fraction of polynomials, where its coefficients
-    /// overflow `f64`, or where they need more steps than the expression as it is written, which then also rounds better.
+    /// Converts an expression in one unknown. Returns `None` if the expression is not a quotient of polynomials, if a coefficient overflows `f64`, or if
+    /// the quotient needs more operations than the given expression, which would then also have a smaller rounding error.
     pub fn record(expression: Sym, unknown: Sym) -> Option<Self> {
         let written = Tape::record(&[unknown], &[expression]).ok()?;
         let form = normal(expression, &Hypotheses::none()).ok()?;
         let above = univariate(form.numerator(), unknown).ok()?;
         let below = univariate(form.denominator(), unknown).ok()?;
-        // q begins with one
+        // normalises the denominator q to be monic
         let scale = *below.last()?;
         let [above, below] = [above, below].map(|all| Polynomial::new(all.into_iter().map(|each| each / scale)));
         let below = Some(below).filter(|below| !below.others.is_empty());
@@ -41,7 +41,7 @@ impl Fraction<Rational> {
         (fraction.steps() <= written.operations() && fraction.is_held()).then_some(fraction)
     }
 
-    /// The fraction over a field.
+    /// Converts the coefficients to the field `S`.
     pub fn over<S: Over<f64>>(&self) -> Fraction<S> {
         Fraction { above: self.above.over(), below: self.below.as_ref().map(Polynomial::over) }
     }
@@ -56,19 +56,19 @@ impl Fraction<Rational> {
 }
 
 impl<S> Fraction<S> {
-    /// The numbers of products with their sums, and of divisions.
+    /// Returns the number of multiply-add operations and divisions.
     fn steps(&self) -> usize {
         self.above.others.len() + self.below.as_ref().map_or(0, |below| 1 + below.others.len())
     }
 
-    /// Additions, multiplications and divisions of a value.
+    /// Returns the number of additions, multiplications and divisions of one value.
     pub fn flops(&self) -> usize {
         2 * self.steps() - usize::from(self.below.is_some())
     }
 }
 
 impl<S: Over<f64>> Fraction<S> {
-    /// f(x)
+    /// Returns f(x).
     #[inline(always)]
     pub fn value(&self, at: S) -> S {
         let above = self.above.value(at);
@@ -78,7 +78,7 @@ impl<S: Over<f64>> Fraction<S> {
         }
     }
 
-    /// f with f' at several places.
+    /// Returns f and f' at several points.
     #[inline(always)]
     pub fn moving<const N: usize>(&self, at: &[S; N]) -> [Tangent<S>; N] {
         let above = self.above.moving(at);
@@ -98,7 +98,7 @@ impl<S: Over<f64>> Fraction<S> {
 }
 
 impl Polynomial<Rational> {
-    /// The coefficients from the constant upwards.
+    /// Creates a polynomial from its coefficients, the constant first.
     fn new(coefficients: impl DoubleEndedIterator<Item = Rational>) -> Self {
         let mut falling = coefficients.rev();
         Polynomial { leading: falling.next().unwrap_or_else(Rational::zero), others: falling.collect() }
@@ -109,7 +109,7 @@ impl Polynomial<Rational> {
     }
 }
 
-/// A number to twice the digits of `f64` where the field holds them.
+/// Rounds a rational number to the field `S`, with up to twice the digits of `f64`.
 fn nearest<S: Over<f64>>(value: Rational) -> S {
     let high = value.to_f64();
     let low = value - Rational::exactly(high);
@@ -141,7 +141,7 @@ mod tests {
     use crate::Sym;
     use field::{Analytic, DoubleDouble, Over, Tangent};
 
-    /// A pole pair with a line, as laws of a speed have it.
+    /// A quotient of quadratic polynomials plus a linear term, similar to the torque-speed law of a motor.
     fn law<S: Over<f64>>(x: S) -> S {
         let ratio = -x / S::lift(30.0);
         ratio * S::lift(0.02) / (ratio * ratio + S::lift(0.2) * S::lift(0.2)) - S::lift(0.1) * (x + S::lift(30.0))

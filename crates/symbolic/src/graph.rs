@@ -1,4 +1,4 @@
-//! The hash-consed expression graph of a thread: equal expressions, as written, are one node.
+//! The hash-consed expression graph of a thread: expressions with equal text share one node.
 
 use dashu_ratio::RBig;
 use field::{Elementary, Rational};
@@ -7,20 +7,20 @@ use std::cell::RefCell;
 use std::marker::PhantomData;
 use std::rc::Rc;
 
-/// An expression: a handle into the graph of the thread that made it. Equality is equality of handles, that is of
-/// expressions *as written*; whether two expressions have equal values is for [`decide`](crate::decide) to say.
+/// An expression: a handle into the expression graph of the current thread. `==` compares expressions literally;
+/// [`decide`](crate::decide) decides whether two expressions have equal values.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Sym {
     id: u32,
-    /// A handle means nothing to another thread.
+    /// A handle is valid only in its own thread; the marker makes the type neither `Send` nor `Sync`.
     local: PhantomData<*const ()>,
 }
 
-/// A name in the table of names.
+/// An index into the table of names.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Name(u32);
 
-/// A constant in the table of constants.
+/// An index into the table of constants.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Constant(u32);
 
@@ -34,26 +34,26 @@ pub enum Node {
     Product(Sym, Sym),
     Quotient(Sym, Sym),
     Negation(Sym),
-    /// An integer power, two or more.
+    /// A power with an integer exponent of at least two.
     Power(Sym, u32),
     Cos(Sym),
     Sin(Sym),
     /// The non-negative square root.
     Root(Sym),
-    /// An elementary function; one of a single argument has it twice.
+    /// An elementary function. A function of one argument stores its argument twice.
     Elementary(Elementary, Sym, Sym),
-    /// The derivative of the given order of an arbitrary smooth law of one argument.
+    /// The derivative, of the given order, of a named smooth function of one argument. The order 0 is the function itself.
     Function(Name, u32, Sym),
 }
 
 impl Node {
-    /// Whether rational operations stop at this node: symbols, coordinates of angles, roots and functions.
+    /// Returns whether the node is a leaf of rational expressions: a symbol, cosine, sine, root or function.
     pub fn is_leaf(self) -> bool {
         let function = matches!(self, Node::Root(_) | Node::Elementary(..) | Node::Function(..));
         function || matches!(self, Node::Symbol(_) | Node::Cos(_) | Node::Sin(_))
     }
 
-    /// The operands of this node.
+    /// Returns the operands of the node.
     pub fn children(self) -> impl Iterator<Item = Sym> {
         let (first, second) = match self {
             Node::Constant(_) | Node::Symbol(_) => (None, None),
@@ -89,7 +89,7 @@ struct Graph {
     visits: RefCell<Visits>,
 }
 
-/// Marks of the nodes met in the current walk: those with its number.
+/// Marks of visited nodes. A node is visited if its mark equals the number of the current traversal.
 #[derive(Default)]
 struct Visits {
     walk: u32,
@@ -106,14 +106,14 @@ impl Visits {
         self.marks.resize(nodes, 0);
     }
 
-    /// Whether the node is met for the first time.
+    /// Marks the node. Returns whether it was not yet visited.
     #[inline]
     fn meets(&mut self, node: Sym) -> bool {
         std::mem::replace(&mut self.marks[node.id as usize], self.walk) != self.walk
     }
 }
 
-/// Room for the nodes of a small statement: growing up to it costs more than the room.
+/// The initial capacity, enough for a small statement: growing the tables up to this size would take longer.
 const EXPECTED: usize = 896;
 
 thread_local! {
@@ -121,7 +121,7 @@ thread_local! {
 }
 
 impl Graph {
-    /// The first four nodes are fixed: 0, 1, -1 and the undefined constant.
+    /// Creates a graph with four fixed nodes: 0, 1, -1 and the undefined constant.
     fn new() -> Self {
         let mut graph = Graph {
             nodes: Vec::with_capacity(EXPECTED),
@@ -168,10 +168,10 @@ impl Graph {
     }
 }
 
-/// Works in a graph of its own, which is dropped afterwards: results do not depend on earlier expressions of the thread.
-/// An expression of one graph means nothing in another; `Send` keeps them from going in or out.
+/// Runs `work` with a new expression graph, which is dropped afterwards. The results then do not depend on earlier expressions of the thread.
+/// The bounds `Send` prevent expressions from being passed in or out, where they would be invalid.
 pub fn apart<R: Send>(work: impl FnOnce() -> R + Send) -> R {
-    /// The thread's own graph, which is restored even if the work panics.
+    /// Stores the thread's own graph, and restores it even if `work` panics.
     struct Own(Graph);
 
     impl Own {
@@ -196,19 +196,19 @@ impl Sym {
     pub const ONE: Sym = Sym::at(1);
     pub(crate) const MINUS_ONE: Sym = Sym::at(2);
 
-    /// The result of a division by the constant zero. It absorbs every operation.
+    /// The result of a division by the constant zero. Every operation with it is undefined.
     pub const UNDEFINED: Sym = Sym::at(3);
 
     const fn at(id: u32) -> Self {
         Sym { id, local: PhantomData }
     }
 
-    /// The node of the expression.
+    /// Returns the node of the expression.
     pub fn node(self) -> Node {
         GRAPH.with_borrow(|graph| graph.nodes[self.id as usize])
     }
 
-    /// The value of a constant.
+    /// Returns the value of a constant; `None` for other expressions.
     pub fn as_constant(self) -> Option<Rational> {
         GRAPH.with_borrow(|graph| match graph.nodes[self.id as usize] {
             Node::Constant(place) => Some(graph.constants[place.0 as usize]),
@@ -216,27 +216,27 @@ impl Sym {
         })
     }
 
-    /// The expression of a node as it stands: nothing is simplified, as operators do.
+    /// Returns the expression of a node without simplification (the arithmetic operators simplify).
     pub fn from_node(node: Node) -> Self {
         GRAPH.with_borrow_mut(|graph| graph.intern(node))
     }
 
-    /// The constant with this value.
+    /// Returns the constant expression with this value.
     pub fn constant(value: Rational) -> Self {
         GRAPH.with_borrow_mut(|graph| graph.constant(value))
     }
 
-    /// All expressions inside the given ones and themselves, each after its parts.
+    /// Returns the given expressions and all their subexpressions. Operands precede the operations on them.
     pub fn ascending(roots: &[Sym]) -> Vec<Sym> {
         Sym::reached(roots, |_, _| true)
     }
 
-    /// [`Sym::ascending`] without the arguments of leaves.
+    /// Returns [`Sym::ascending`] without the arguments of leaves.
     pub(crate) fn ascending_to_leaves(roots: &[Sym]) -> Vec<Sym> {
         Sym::reached(roots, |_, node| !node.is_leaf())
     }
 
-    /// [`Sym::ascending`] without the parts of expressions that are not to be opened.
+    /// Returns [`Sym::ascending`] without the operands of expressions for which `open_up` is false.
     pub fn reached(roots: &[Sym], open_up: impl Fn(Sym, Node) -> bool) -> Vec<Sym> {
         GRAPH.with_borrow(|graph| {
             let mut visits = graph.visits.borrow_mut();
@@ -252,7 +252,7 @@ impl Sym {
                     }
                 }
             }
-            // A node is interned after its children.
+            // a node has a larger index than its operands
             all.sort_unstable();
             all
         })

@@ -1,16 +1,16 @@
-//! Exact expressions: the field in which equations of motion are proved, printed and turned into straight-line code.
+//! Exact expressions: equations of motion are proved, printed and compiled in this field.
 //!
 //! # Overview
-//! For programs that prove or print formulas. The example proves an identity on the unit sphere and refutes another one.
+//! The crate is for programs that prove or print formulas. The example proves an identity on the unit sphere and refutes another one.
 //! A [`Sym`] is a `Copy` handle into a hash-consed expression graph of the current thread. It implements the
 //! workbench's scalar traits: a law that is evaluated over `f64` can also be evaluated over `Sym`, which records its operations.
 //!
-//! An angle is a point of the unit circle, and a root is a generator with a known square; expressions are therefore fractions of
-//! polynomials modulo rewriting rules ([`Hypotheses`]). It is decidable whether such a fraction vanishes:
+//! Angles occur through their cosine and sine, and a root is a generator with a known square. Expressions are therefore quotients of
+//! polynomials modulo rewriting rules ([`Hypotheses`]), and it is decidable whether such a quotient vanishes:
 //!
-//! * [`decide`] forms a common denominator, kept as a product of known factors, and examines the numerator;
-//! * [`normal`] gives the normal form, [`Tape`] the straight-line program, [`Formulas`] the steps for enclosures;
-//! * [`linear`] gives the unknowns of linear equations, [`dimension`] the physical dimension;
+//! * [`decide`] forms a common denominator, stored as a product of known factors, and examines the numerator;
+//! * [`normal`] computes the normal form, [`Tape`] a straight-line program, [`Formulas`] a list of operations for interval enclosures;
+//! * [`linear`] solves linear equations, [`dimension`] computes the physical dimension;
 //! * [`parse`] reads the printed notation.
 //!
 //! ```
@@ -31,8 +31,8 @@
 //!
 //! # Limits
 //! Exponents up to 127, 160 generators, a million terms; beyond these limits the decision is [`Decision::GaveUp`].
-//! Sines and cosines of fractions of one angle (x/2 and x/3) are reduced to those of a common part; no other relation between transcendental
-//! functions is used. Rules rewrite powers of single symbols; give any other relation to [`decide_modulo`], with its cofactor.
+//! Sines and cosines of fractions of one angle (x/2 and x/3) are reduced to those of a common part (x/6). No other relation between transcendental
+//! functions is used. Rules rewrite powers of single symbols; pass any other relation, with its cofactor, to [`decide_modulo`].
 
 mod analytic;
 mod angles;

@@ -1,7 +1,7 @@
-//! The operations of the field, with no folding but of constants, 0, 1 and x - x.
+//! Arithmetic operators of expressions. They simplify only constants, 0, 1, -1 and x - x.
 //!
-//! A denominator is taken as different from zero, as everywhere in the workbench: 0 / x is 0 for every x but the
-//! constant 0. Further simplification is left to the normal form.
+//! Denominators are assumed to differ from zero, as everywhere in the workbench: 0/x is 0 unless x is the constant 0. The normal form simplifies
+//! further.
 
 use crate::Sym;
 use crate::graph::Node;
@@ -76,7 +76,7 @@ impl Div for Sym {
     }
 }
 
-/// In a field every remainder is zero (nalgebra and num-traits ask for the operator).
+/// The remainder of a division in a field is zero. nalgebra and num-traits require this operator.
 impl Rem for Sym {
     type Output = Self;
     fn rem(self, b: Self) -> Self {

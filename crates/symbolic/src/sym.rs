@@ -1,4 +1,4 @@
-//! Making expressions, and their scalar traits.
+//! Constructors of expressions, and the scalar traits.
 
 use crate::Sym;
 use crate::graph::{Name, Node};
@@ -6,25 +6,25 @@ use field::{Base, Circle, Over, Rational, Scalar};
 use num_traits::{One, Zero};
 use std::fmt;
 
-/// Symbols by their names: `let [l1, l2, l3] = symbols(["l1", "l2", "l3"])`.
+/// Returns the symbols with the given names: `let [l1, l2, l3] = symbols(["l1", "l2", "l3"])`.
 pub fn symbols<const N: usize>(names: [&str; N]) -> [Sym; N] {
     names.map(Sym::symbol)
 }
 
 impl Sym {
-    /// The symbol with this name; within a thread the same name is the same symbol.
+    /// Returns the symbol with this name. Within a thread, equal names give equal symbols.
     pub fn symbol(name: &str) -> Self {
         Sym::from_node(Node::Symbol(Name::of(name)))
     }
 
-    /// A symbol that prints in LaTeX as given. The LaTeX given last holds.
+    /// Returns the symbol with this name and sets its LaTeX form. A later call replaces the LaTeX form.
     pub fn named(name: &str, latex: &str) -> Self {
         let name = Name::of(name);
         name.set_latex(latex);
         Sym::from_node(Node::Symbol(name))
     }
 
-    /// An arbitrary smooth law of one argument. Its derivative is the function of the next order: `M2'`, `M2''`.
+    /// Returns the value of an arbitrary smooth function. Its derivatives are functions of higher order, printed as `M2'`, `M2''`.
     pub fn function(name: &str, argument: Sym) -> Self {
         Sym::function_of_order(Name::of(name), 0, argument)
     }
@@ -36,7 +36,7 @@ impl Sym {
         Sym::from_node(Node::Function(name, order, argument))
     }
 
-    /// The integer power; negative ones are quotients.
+    /// Returns an integer power; a negative exponent gives a quotient.
     pub fn powi(self, exponent: i32) -> Self {
         let size = exponent.unsigned_abs();
         let power = match (size, self.as_constant()) {
@@ -48,19 +48,19 @@ impl Sym {
         if exponent < 0 { Sym::ONE / power } else { power }
     }
 
-    /// The circle point of an angle as it is written: cos(a - b), not expanded. For reading only: decisions and runs work with
-    /// [`field::Analytic::circle`].
+    /// Returns unexpanded (cos, sin) of an angle, such as cos(a - b), for printing. Decisions and runs need the expanded form
+    /// of [`field::Analytic::circle`].
     pub fn circle_as_written(self) -> Circle<Sym> {
         Circle { cos: Sym::from_node(Node::Cos(self)), sin: Sym::from_node(Node::Sin(self)) }
     }
 
-    /// The expression as a sum of distinct terms with rational coefficients, in the order of writing; the constant is a multiple of
-    /// the term 1.
+    /// Splits the expression into distinct terms with rational coefficients, in the order of their appearance. A constant is a multiple of the
+    /// term 1.
     pub fn linear_terms(self) -> Vec<(Sym, Rational)> {
         crate::analytic::linear_terms(self)
     }
 
-    /// The name of a symbol; `None` for anything else.
+    /// Returns the name of a symbol; `None` for other expressions.
     pub fn symbol_name(self) -> Option<String> {
         match self.node() {
             Node::Symbol(name) => Some(name.text().to_string()),
@@ -74,7 +74,7 @@ impl Zero for Sym {
         Sym::ZERO
     }
 
-    /// Whether this is the constant 0. An expression that merely vanishes is for [`decide`](crate::decide).
+    /// Returns whether this is the constant 0. Use [`decide`](crate::decide) for expressions that may simplify to 0.
     fn is_zero(&self) -> bool {
         *self == Sym::ZERO
     }
@@ -107,7 +107,7 @@ impl Over<Sym> for Sym {
     }
 }
 
-/// Data read as `f64` are exact constants.
+/// A parameter read as `f64` becomes an exact constant.
 impl Over<f64> for Sym {
     fn lift(parameter: f64) -> Self {
         Sym::constant(Rational::exactly(parameter))

@@ -1,6 +1,6 @@
 //! Units of measurement, and a reader of quantities with units such as `"0.02 kg m^2"` and `"90 deg"`.
 //!
-//! For programs that read files with units: a quantity is converted to SI units and its dimension is returned.
+//! The crate is for programs that read files with units. [`quantity`] returns a quantity in SI units; [`quantity::parse_any`] also returns its dimension.
 //!
 //! # Example
 //! ```

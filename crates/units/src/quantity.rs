@@ -1,26 +1,30 @@
-//! Quantities as texts: numbers, then a unit.
+//! Quantities as text: numbers, then a unit, as in `"1 0 2.5 mm"`.
 
 use crate::{Dimension, NoUnit, Unit};
 use std::fmt;
 
-/// Why a text is not the quantity asked for.
+/// The reason why a text is not a quantity of the required shape and dimension.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoQuantity {
     /// A number is missing.
     NoNumber,
-    /// `nan`, `inf`, or beyond the range of double precision.
+    /// The number is `nan` or `inf`, or is too large for double precision.
     NotFinite { text: String },
-    /// Another number of values, or of rows and columns, than needed.
+    /// The numbers have the wrong shape: `rows` rows of `columns` numbers are required. `found` lists the length of each row of the text.
     Shape { rows: usize, columns: usize, found: Vec<usize> },
-    /// An invalid unit.
+    /// The unit is not valid.
     Unit(NoUnit),
-    /// A unit of another dimension.
+    /// The unit has a dimension other than the required one.
     Dimension { found: Dimension, needed: Dimension },
-    /// A dimensional quantity without its unit.
+    /// The unit is missing, but the required quantity is not a pure number.
     UnitMissing { needed: Dimension },
 }
 
-/// Reads `rows` rows, parted by semicolons, of `columns` numbers, then a unit of the dimension needed; SI values by rows.
+/// Reads `rows` rows, separated by semicolons, of `columns` numbers each, followed by one unit of the dimension `needed`.
+/// Returns the values in SI units, row after row.
+///
+/// # Errors
+/// The numbers are missing, not finite or of another shape; or the unit is missing, invalid or of another dimension.
 pub fn parse(text: &str, rows: usize, columns: usize, needed: Dimension) -> Result<Vec<f64>, NoQuantity> {
     let (numbers, unit_text) = split(text);
     let mut found = Vec::new();
@@ -52,14 +56,20 @@ pub fn parse(text: &str, rows: usize, columns: usize, needed: Dimension) -> Resu
     }
 }
 
-/// Reads one number with a unit of any dimension: its SI value, and the dimension.
+/// Reads one number with a unit of any dimension. Returns the value in SI units, and the dimension.
+///
+/// # Errors
+/// The number is missing or not finite, there are several numbers, or the unit is invalid.
 pub fn parse_any(text: &str) -> Result<(f64, Dimension), NoQuantity> {
     let dimension = Unit::parse(split(text).1).map_err(NoQuantity::Unit)?.dimension();
     let values = parse(text, 1, 1, dimension)?;
     values.first().map(|&value| (value, dimension)).ok_or(NoQuantity::NoNumber)
 }
 
-/// A number as TOML writes it (with underscores) or as Rust does.
+/// Reads a finite number in the notation of Rust or TOML, which allows underscores: `1_000.5`.
+///
+/// # Errors
+/// The text is no number, or the number is not finite.
 pub fn finite(word: &str) -> Result<f64, NoQuantity> {
     match word.replace('_', "").parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
@@ -68,7 +78,7 @@ pub fn finite(word: &str) -> Result<f64, NoQuantity> {
     }
 }
 
-/// The numbers and the unit: a unit begins at the first word that is no number.
+/// Splits a text into its numbers and its unit. The unit begins at the first word that is not a number.
 fn split(text: &str) -> (&str, &str) {
     let text = text.trim();
     let mut start = None;
@@ -88,12 +98,11 @@ fn split(text: &str) -> (&str, &str) {
     (text, "")
 }
 
-/// The most numbers in a row of an example.
+/// Rows with more numbers are abbreviated in examples.
 const MOST_SHOWN: usize = 9;
 
-/// An example of a quantity in the required form: its shape and a unit of its dimension.
+/// Returns an example of a quantity with the given shape and dimension, in quotes: `"0 0 1 kg"`.
 pub fn example(rows: usize, columns: usize, needed: Dimension) -> String {
-    // nobody reads ten thousand zeros
     let row =
         vec!["0"; columns.min(MOST_SHOWN).saturating_sub(1)].into_iter().chain(["1"]).collect::<Vec<_>>().join(" ");
     let row = if columns > MOST_SHOWN { format!("{columns} numbers: 0 ... {row}") } else { row };
@@ -105,7 +114,7 @@ pub fn example(rows: usize, columns: usize, needed: Dimension) -> String {
 }
 
 impl NoQuantity {
-    /// A sentence that says which quantity is accepted instead.
+    /// Returns a sentence that states which quantities are accepted, for a quantity of this shape and dimension.
     pub fn accepted(&self, rows: usize, columns: usize, needed: Dimension) -> String {
         let example = example(rows, columns, needed);
         let units = needed.usual();

@@ -1,6 +1,6 @@
-//! The known name nearest to a misspelt one.
+//! Suggestions for misspelt names.
 
-/// The candidate nearest to `name`, if it is near enough to be meant.
+/// Returns the candidate that is most similar to `name` (Jaro-Winkler similarity, letter case ignored); `None` if no similarity exceeds 0.75.
 pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let likeness = |other: &str| strsim::jaro_winkler(&name.to_lowercase(), &other.to_lowercase());
     candidates

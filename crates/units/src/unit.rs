@@ -2,14 +2,14 @@
 
 use std::fmt;
 
-/// Exponents of kg, m, s and A. Angles are pure numbers.
+/// A physical dimension: the exponents of kg, m, s and A. Angles are pure numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Dimension {
     exponents: [i32; 4],
 }
 
-/// A unit as a multiple `times / per` of the coherent SI unit of its dimension. There are two factors because a
-/// thousandth is no binary fraction: with them `50 mm` and `0.05 m` are the same bits.
+/// A unit, equal to `times / per` of the coherent SI unit of its dimension. Two factors are stored because 1/1000 is not a binary fraction:
+/// `50 mm` and `0.05 m` are then equal bit for bit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unit {
     times: f64,
@@ -17,23 +17,23 @@ pub struct Unit {
     dimension: Dimension,
 }
 
-/// Why a text is no unit.
+/// The reason why a text is not a unit.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoUnit {
-    /// No unit has this name; the nearest name of a unit, if there is one.
+    /// No unit has this name. `nearest` is the most similar known name.
     Unknown { name: String, nearest: Option<&'static str> },
-    /// Hertz: cycles or radians?
+    /// Hertz is rejected because it may mean revolutions or radians per second.
     Hertz,
-    /// `kg/m s`: is the second divided by or multiplied with?
+    /// A factor follows a slash, as in `kg/m s`: it may belong to the denominator or to the numerator.
     AmbiguousSlash { after: String },
-    /// An exponent that is no small whole number, or a misplaced sign.
+    /// An exponent is not an integer from -9 to 9, or a sign or a parenthesis is misplaced.
     Malformed { part: String },
 }
 
 const NUMBER: [i32; 4] = [0, 0, 0, 0];
 const VOLT: [i32; 4] = [1, 2, -3, -1];
 
-/// (name, times, per, exponents); `g` stands in for the kilogram so that prefixes compose.
+/// Units that accept prefixes: (name, times, per, exponents of kg, m, s and A). The gram is listed in place of the kilogram, which is formed with a prefix.
 const NAMED: &[(&str, f64, f64, [i32; 4])] = &[
     ("m", 1.0, 1.0, [0, 1, 0, 0]),
     ("g", 1.0, 1e3, [1, 0, 0, 0]),
@@ -53,7 +53,7 @@ const NAMED: &[(&str, f64, f64, [i32; 4])] = &[
     ("rad", 1.0, 1.0, NUMBER),
 ];
 
-/// Units that take no prefix.
+/// Units without prefixes: (name, times, per, exponents of kg, m, s and A).
 const PLAIN: &[(&str, f64, f64, [i32; 4])] = &[
     ("min", 60.0, 1.0, [0, 0, 1, 0]),
     ("h", 3600.0, 1.0, [0, 0, 1, 0]),
@@ -72,7 +72,7 @@ const PLAIN: &[(&str, f64, f64, [i32; 4])] = &[
 const PREFIXES: &[(&str, f64, f64)] =
     &[("n", 1.0, 1e9), ("u", 1.0, 1e6), ("m", 1.0, 1e3), ("c", 1.0, 1e2), ("k", 1e3, 1.0), ("M", 1e6, 1.0)];
 
-/// The units that messages propose, the coherent one of each dimension first.
+/// The units that messages propose. The first unit of each dimension is the coherent one.
 const USUAL: &[&str] = &[
     "kg", "g", "m", "mm", "cm", "s", "ms", "min", "rad", "deg", "rad/s", "rpm", "deg/s", "rev/s", "m/s", "km/h",
     "m/s^2", "N", "kN", "N m", "N mm", "kN m", "J", "N m s", "J s", "kg m^2", "g cm^2", "ohm", "mohm", "H", "mH", "uH",
@@ -80,39 +80,42 @@ const USUAL: &[&str] = &[
 ];
 
 impl Unit {
-    /// Reads a product of units such as `kg m^2/s` or `N/(m s)`, with or without spaces about its slash; the empty text is the number one.
+    /// Reads a product of powers of units, such as `kg m^2/s` or `N/(m s)`. Spaces around the slash are optional. An empty text gives the unit 1.
+    ///
+    /// # Errors
+    /// A name is unknown or ambiguous (`Hz`, a factor after a slash), or an exponent or a parenthesis is malformed.
     pub fn parse(text: &str) -> Result<Self, NoUnit> {
         let spaced = text.replace(['*', '\u{b7}'], " ");
         let (unit, rest) = product(&spaced, MOST_NESTED)?;
         if rest.is_empty() { Ok(unit) } else { Err(NoUnit::Malformed { part: rest.to_owned() }) }
     }
 
-    /// The names of all units that take a prefix.
+    /// Returns the names of all units that accept a prefix.
     pub fn with_prefixes() -> impl Iterator<Item = &'static str> {
         NAMED.iter().map(|(name, ..)| *name)
     }
 
-    /// The names of all units that take none.
+    /// Returns the names of all units that do not accept a prefix.
     pub fn without_prefixes() -> impl Iterator<Item = &'static str> {
         PLAIN.iter().map(|(name, ..)| *name)
     }
 
-    /// All prefixes.
+    /// Returns all prefixes: `n`, `u`, `m`, `c`, `k`, `M`.
     pub fn prefixes() -> impl Iterator<Item = &'static str> {
         PREFIXES.iter().map(|(prefix, ..)| *prefix)
     }
 
-    /// A number of this unit in SI units.
+    /// Converts a number in this unit to SI units.
     pub fn to_si(self, number: f64) -> f64 {
         number * self.times / self.per
     }
 
-    /// `times` and `per`: the unit is `times / per` of the coherent one.
+    /// Returns `[times, per]`: the unit is `times / per` of the coherent SI unit.
     pub fn factors(self) -> [f64; 2] {
         [self.times, self.per]
     }
 
-    /// The dimension of the quantities that the unit measures.
+    /// Returns the dimension of the unit.
     pub fn dimension(self) -> Dimension {
         self.dimension
     }
@@ -130,23 +133,23 @@ impl Unit {
 }
 
 impl Dimension {
-    /// The dimension of a unit that a program names; a pure number where there is no such unit.
+    /// Returns the dimension of a unit, or that of a pure number if the text is not a valid unit. Use this function only for units that are constants of a program.
     pub fn of(unit: &str) -> Self {
         Unit::parse(unit).map_or(Dimension { exponents: NUMBER }, Unit::dimension)
     }
 
-    /// The exponents of kg, m, s and A.
+    /// Returns the exponents of kg, m, s and A.
     pub fn exponents(self) -> [i32; 4] {
         self.exponents
     }
 
-    /// The dimension as expressions have it.
+    /// Converts the dimension to the type that symbolic expressions use.
     pub fn of_expressions(self) -> symbolic::Dimension {
         let [kg, m, s, a] = self.exponents.map(i64::from);
         symbolic::Dimension::of(kg, m, s, a)
     }
 
-    /// The coherent unit, as a file may write it.
+    /// Returns the coherent SI unit as a text that [`Unit::parse`] reads; `1` for a pure number.
     pub fn coherent(self) -> String {
         match self.usual().first() {
             Some(usual) if !self.is_number() => (*usual).to_owned(),
@@ -155,21 +158,21 @@ impl Dimension {
         }
     }
 
-    /// Whether the dimension is that of a pure number.
+    /// Returns whether this is the dimension of a pure number.
     pub fn is_number(self) -> bool {
         self.exponents == NUMBER
     }
 
-    /// Well-known units of this dimension.
+    /// Returns the common units of this dimension, the coherent one first; empty for an uncommon dimension.
     pub fn usual(self) -> Vec<&'static str> {
         USUAL.iter().copied().filter(|unit| Dimension::of(unit) == self).collect()
     }
 }
 
-/// The largest number of parentheses within each other.
+/// The largest allowed depth of nested parentheses.
 const MOST_NESTED: usize = 8;
 
-/// A product up to its end, or to the parenthesis that closes it, and the rest of the text.
+/// Reads a product up to the end of the text or to the closing parenthesis. Returns the unit and the unread rest.
 fn product(text: &str, nested: usize) -> Result<(Unit, &str), NoUnit> {
     let mut product = Unit { times: 1.0, per: 1.0, dimension: Dimension { exponents: NUMBER } };
     let (mut rest, mut is_first, mut divided) = (text.trim_start(), true, false);
@@ -208,14 +211,14 @@ fn product(text: &str, nested: usize) -> Result<(Unit, &str), NoUnit> {
     Ok((product, rest))
 }
 
-/// The exponent behind a parenthesis: `^2`, or nothing.
+/// Reads the exponent after a closing parenthesis: `^2`, or an empty text for 1.
 fn exponent(text: &str) -> Result<i32, NoUnit> {
     let number = text.strip_prefix('^').and_then(|number| number.parse().ok());
     let number = if text.is_empty() { Some(1) } else { number };
     number.filter(|number| (-9..=9).contains(number)).ok_or_else(|| NoUnit::Malformed { part: format!("){text}") })
 }
 
-/// `kg`, `m^2`, `s^-1`.
+/// Reads a unit with an optional exponent: `kg`, `m^2`, `s^-1`.
 fn power(part: &str) -> Result<(Unit, i32), NoUnit> {
     let malformed = || NoUnit::Malformed { part: part.to_owned() };
     let (name, exponent) = match part.split_once('^') {

@@ -1,4 +1,4 @@
-//! Factors: numbers, groups, letters, commands; and their powers.
+//! Factors of a product: numbers, groups, letters and commands, each with its power.
 
 use super::numbers::{decimal, power, whole};
 use super::{Read, Reader};
@@ -53,7 +53,7 @@ impl Reader<'_> {
         self.powers(start, base)
     }
 
-    /// Digits side by side, with a point.
+    /// Reads adjacent digits with at most one decimal point.
     fn number(&mut self) -> Read<Term> {
         let start = self.at;
         let mut digits = String::new();
@@ -97,7 +97,7 @@ impl Reader<'_> {
         Ok(self.term(start, Form::Number(value)))
     }
 
-    /// The content of parentheses.
+    /// Reads a group in parentheses or brackets, and returns its content.
     fn group(&mut self) -> Read<Term> {
         let close = self.partner(self.at);
         let held = self.within(self.at + 1..close)?;
@@ -105,7 +105,7 @@ impl Reader<'_> {
         Ok(held)
     }
 
-    /// Braces are not printed: a sum in them would read otherwise on paper.
+    /// Reads a group in braces. A sum, or a product with a power, is an error: braces are not printed, hence the printed formula would read differently.
     fn braces(&mut self) -> Read<Term> {
         let (open, close) = (self.at, self.partner(self.at));
         let held = self.within(open + 1..close)?;
@@ -127,7 +127,7 @@ impl Reader<'_> {
         Ok(held)
     }
 
-    /// Powers and transposition of parts that are no letters.
+    /// Reads the power or transposition of a factor that is not a letter.
     fn powers(&mut self, start: usize, base: Term) -> Read<Term> {
         if self.sign() == Some('_') || self.sign() == Some('\'') {
             return Err(self.refused(
@@ -148,7 +148,7 @@ impl Reader<'_> {
         Ok(self.term(start, form))
     }
 
-    /// The signs of a script behind `^` or `_`, which is passed over.
+    /// Reads the script after `^` or `_`. Returns the range of its tokens, without braces.
     pub(super) fn script(&mut self) -> Read<Range<usize>> {
         let sign = self.at;
         let end = argument_end(self.tokens, sign + 1).filter(|end| *end <= self.end);
@@ -174,7 +174,7 @@ impl Reader<'_> {
         Ok(range)
     }
 
-    /// A base with a power.
+    /// Returns a base with its exponent; `T`, `\top` and `\intercal` mean transposition.
     pub(super) fn raised(&self, base: Term, script: Range<usize>) -> Read<Form> {
         let tokens = &self.tokens[script.clone()];
         let spelt = crate::name::spelling(tokens);
@@ -209,7 +209,7 @@ impl Reader<'_> {
         }
     }
 
-    /// A row of letters that begins as a function does.
+    /// Returns an error if a row of letters begins with the name of a function without its backslash.
     fn no_bare_function(&self) -> Read<()> {
         let mut word = String::new();
         let mut end = self.place(self.at).start;
@@ -253,7 +253,7 @@ impl Reader<'_> {
         self.refused(self.at, format!("`\\{name}` is not read"), "not known here", format!("{near}{hint}"))
     }
 
-    /// A number without a sign, for limits of sums.
+    /// Returns the integer that a range of tokens spells; `None` if it is something else.
     pub(super) fn whole_of(&self, range: Range<usize>) -> Option<i64> {
         whole(&crate::name::spelling(&self.tokens[range]))
     }

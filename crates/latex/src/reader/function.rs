@@ -1,4 +1,4 @@
-//! Functions with their arguments.
+//! Functions such as `\sin`, with their arguments.
 
 use super::{Read, Reader, ends_product};
 use crate::NotFormula;
@@ -7,7 +7,7 @@ use crate::name::inside;
 use crate::token::{Kind, Token};
 
 impl Reader<'_> {
-    /// `\sin\theta`, `\sin 2\theta`, `\sin(a + b)`, `\sin^2\theta`.
+    /// Reads a function with its argument: `\sin\theta`, `\sin 2\theta`, `\sin(a + b)`, `\sin^2\theta`.
     pub(super) fn function(&mut self, function: Function) -> Read<Term> {
         let start = self.at;
         self.at += 1;
@@ -69,9 +69,8 @@ impl Reader<'_> {
         }
     }
 
-    /// An argument without parentheses: a number or a fraction, then one letter; nothing beside it that could belong to it.
+    /// Reads an argument without parentheses: an optional number or fraction, then one letter; or a root. It is an error if a factor follows that could belong to the argument.
     fn bare_argument(&mut self, start: usize, name: &str) -> Read<Term> {
-        // braces are not printed
         if self.peek().is_some_and(|token| token.kind == Kind::Open) {
             let close = self.partner(self.at);
             let range = inside(self.tokens, self.at..close + 1);
@@ -142,7 +141,7 @@ impl Reader<'_> {
     }
 }
 
-/// Whether an argument without parentheses ends before this sign.
+/// Returns whether an argument without parentheses ends before this token.
 fn separates(token: &Token) -> bool {
     match &token.kind {
         Kind::Space => true,

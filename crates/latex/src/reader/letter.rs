@@ -1,4 +1,4 @@
-//! Letters with their dots, subscripts, marks and powers.
+//! Letters with their dots, subscripts, superscript marks and powers.
 
 use super::factor::number;
 use super::{Read, Reader};
@@ -9,11 +9,11 @@ use crate::token::Kind;
 use std::ops::Range;
 use units::nearest;
 
-/// More declared letters are not listed in a message.
+/// Messages list at most this number of declared letters.
 const MOST_LISTED: usize = 24;
 
 impl Reader<'_> {
-    /// A letter, its rate, or a power of either.
+    /// Reads a letter, its time derivative, or a power of either.
     pub(super) fn letter(&mut self) -> Read<Term> {
         let start = self.at;
         let order = match self.peek().map(|token| &token.kind) {
@@ -81,7 +81,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The declaration of a function, `f(q)`, by its name with or without primes.
+    /// Returns the declaration `f(q)` of a function from its name, with or without primes; `None` if the name is not that of a declared function.
     fn function_of(&self, name: &Name) -> Option<String> {
         let is_primed = name.marks.replace(r"\prime", "").is_empty();
         let plain = Name { marks: String::new(), ..name.clone() }.spelt();
@@ -92,7 +92,7 @@ impl Reader<'_> {
         self.known.iter().find(of_it).cloned()
     }
 
-    /// A function with its argument, which may be left out; each prime is a derivative.
+    /// Reads a declared function, with or without its argument. Each prime is a derivative with respect to the argument.
     fn declared_function(&mut self, declared: &str, name: &Name, start: usize, is_raised: bool) -> Read<Term> {
         let argument = declared.split_once('(').map_or("", |(_, rest)| rest.trim_end_matches(')')).to_owned();
         let value = self.term(start, Form::Letter(declared.to_owned()));
@@ -131,7 +131,7 @@ impl Reader<'_> {
         Ok(Name { base, ..Name::default() })
     }
 
-    /// The letter below dots, with the subscript and the marks that stand there.
+    /// Reads the letter below one or two dots, with the subscript and the marks that stand below the dots.
     fn below_dots(&mut self) -> Read<Name> {
         let dot = self.at;
         let accepted = r"\dot{x}, \dot{x}_1, \ddot{\theta}; \frac{d}{dt}(a + b) for the rate of an expression";
@@ -168,7 +168,7 @@ impl Reader<'_> {
         Ok(name)
     }
 
-    /// A subscript with the values of indices in their places.
+    /// Returns a subscript in which indices of sums are replaced by their current values.
     fn indexed(&self, range: Range<usize>) -> String {
         let value = |at: usize| {
             let spelt = spelling(&self.tokens[at..at + 1]);

@@ -1,4 +1,4 @@
-//! Statements, sums and products.
+//! Parser of formulas: statements, chains of relations, sums and products.
 
 mod factor;
 mod function;
@@ -11,16 +11,16 @@ use crate::form::{Chain, Form, Relation, Statement, Term};
 use crate::token::{Kind, Token, tokens};
 use std::ops::Range;
 
-/// The depth beyond which groups are refused.
+/// The largest allowed depth of nested groups.
 const MOST_DEEP: usize = 60;
 
-/// The most terms of all sums with an index in a formula.
+/// The largest total number of terms of all sums with an index (`\sum`) in a formula.
 const MOST_TERMS: usize = 1_000;
 
-/// Reads a formula over the letters of these names, each as [`crate::letter_name`] spells it.
+/// Reads a formula. `known` lists the declared letters by their normalised names (see [`crate::letter_name`]).
 ///
 /// # Errors
-/// The first place that is no formula, or has more than one reading, and the accepted spellings.
+/// The text is not a formula, uses a letter that is not declared, or can be read in more than one way. The error states the first such position and the accepted spellings.
 pub fn read(text: &str, known: &[String]) -> Result<Statement, NotFormula> {
     let tokens = tokens(text)?;
     let mut reader =
@@ -28,14 +28,14 @@ pub fn read(text: &str, known: &[String]) -> Result<Statement, NotFormula> {
     reader.statement()
 }
 
-/// A reader of a range of tokens.
+/// The state of the parser: a position within a range of tokens.
 struct Reader<'a> {
     text: &'a str,
     tokens: &'a [Token],
     at: usize,
     end: usize,
     known: &'a [String],
-    /// Indices of sums with their values.
+    /// The indices of the enclosing sums, with their current values.
     indices: Vec<(String, i64)>,
     depth: usize,
     terms: usize,
@@ -60,7 +60,7 @@ impl<'a> Reader<'a> {
         let (mut sides, mut relations) = (vec![self.sum()?], Vec::new());
         loop {
             self.skip_space();
-            // the place at which lines are aligned
+            // an alignment mark before a relation
             if self.peek().is_some_and(|token| token.is_sign('&'))
                 && self.peek_at(1).is_some_and(|next| relation(next).is_some())
             {
@@ -74,7 +74,7 @@ impl<'a> Reader<'a> {
         Ok(Chain { sides, relations })
     }
 
-    /// Terms with their signs.
+    /// Reads a sum of terms with signs.
     fn sum(&mut self) -> Read<Term> {
         self.skip_space();
         let start = self.at;
@@ -105,7 +105,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Factors side by side, with signs of products, and at most one slash.
+    /// Reads a product: factors without signs, with `\cdot` or `\times`, and at most one slash.
     fn product(&mut self) -> Read<Term> {
         self.skip_space();
         let start = self.at;
@@ -170,7 +170,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A letter before parentheses with nothing but letters inside reads as a function of these.
+    /// Returns an error if a letter precedes parentheses that contain only letters: the text reads as a product and as a function.
     fn no_application(&self, left: &Term) -> Read<()> {
         let opens = self.peek().is_some_and(|token| token.is_sign('(') || token.is_sign('['));
         if !opens || !is_letter(left) {
@@ -205,7 +205,7 @@ impl<'a> Reader<'a> {
         Term { span: from..to.max(from), form }
     }
 
-    /// A range of tokens as a whole sum.
+    /// Reads a range of tokens as one complete sum.
     fn within(&mut self, range: Range<usize>) -> Read<Term> {
         if self.depth >= MOST_DEEP {
             let title = format!("groups deeper than {MOST_DEEP}");
@@ -252,7 +252,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The place of the partner of an opening bracket.
+    /// Returns the index of the bracket that closes the bracket at `open`.
     fn partner(&self, open: usize) -> usize {
         let mut depth = 0usize;
         for (place, token) in self.tokens.iter().enumerate().skip(open) {
@@ -279,7 +279,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The bytes of a token, or of the last one where the text ends.
+    /// Returns the bytes of a token; those of the last token if `at` is beyond the end.
     fn place(&self, at: usize) -> Range<usize> {
         let found = self.tokens.get(at.min(self.tokens.len().saturating_sub(1)));
         found.map_or(0..self.text.len().min(1), |token| token.span.clone())
@@ -329,7 +329,7 @@ fn relation(token: &Token) -> Option<Relation> {
     }
 }
 
-/// Whether a side ends here, and another one begins.
+/// Returns whether a token separates two sides of a statement.
 pub(crate) fn is_relation(token: &Token) -> bool {
     relation(token).is_some() || is_equivalence(token)
 }
@@ -338,7 +338,7 @@ fn is_equivalence(token: &Token) -> bool {
     ["iff", "Leftrightarrow", "Longleftrightarrow"].into_iter().any(|name| token.is_command(name))
 }
 
-/// Whether no factor begins here.
+/// Returns whether a token cannot begin a factor.
 fn ends_product(token: &Token) -> bool {
     let is_end = |name: &str| {
         matches!(

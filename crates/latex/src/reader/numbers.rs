@@ -1,10 +1,10 @@
-//! Numbers of a formula: decimals, exponents, limits.
+//! Numbers of a formula: decimals, exponents and limits of sums.
 
 use field::{Rational, Scalar};
 
 const MOST_DIGITS: usize = 400;
 
-/// Digits with a point, exactly.
+/// Returns the exact value of digits with an optional decimal point.
 pub(super) fn decimal(digits: &str) -> Option<Rational> {
     let (whole, part) = digits.split_once('.').unwrap_or((digits, ""));
     if whole.is_empty() || digits.ends_with('.') || whole.len() + part.len() > MOST_DIGITS {
@@ -18,14 +18,14 @@ pub(super) fn decimal(digits: &str) -> Option<Rational> {
     Some(part.bytes().fold(value, |value, _| value / ten))
 }
 
-/// A whole number with or without a minus.
+/// Reads an integer of at most nine digits, with an optional minus sign.
 pub(super) fn whole(text: &str) -> Option<i64> {
     let digits = text.strip_prefix('-').unwrap_or(text);
     let is_plain = !digits.is_empty() && digits.len() <= 9 && digits.bytes().all(|byte| byte.is_ascii_digit());
     is_plain.then(|| text.parse().ok()).flatten()
 }
 
-/// An exponent in lowest terms: a whole number or a half.
+/// Reads an exponent: an integer or a half-integer. Returns (numerator, denominator) in lowest terms; `None` if the numerator exceeds 64.
 pub(super) fn power(spelt: &str) -> Option<(i32, u32)> {
     let (above, below) = match spelt.strip_prefix("-") {
         Some(rest) => fraction(rest).map(|(above, below)| (-above, below))?,

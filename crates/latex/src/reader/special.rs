@@ -1,4 +1,4 @@
-//! Commands with arguments of their own: fractions, derivatives, roots, sums with an index, matrices.
+//! Commands with their own syntax: fractions, derivatives, roots, sums with an index, matrices.
 
 use super::{MOST_TERMS, Read, Reader};
 use crate::NotFormula;
@@ -18,7 +18,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The next argument of a command, without its braces.
+    /// Reads the next argument of the command at `of`. Returns its range without braces.
     fn argument(&mut self, of: usize) -> Read<Range<usize>> {
         match argument_end(self.tokens, self.at).filter(|end| *end <= self.end) {
             Some(end) => {
@@ -41,7 +41,7 @@ impl Reader<'_> {
         Ok(self.term(start, Form::Quotient(Box::new(above), Box::new(below))))
     }
 
-    /// The sign of a derivative at a place: `d`, `\mathrm{d}` or `\partial`, and its end. A declared letter d is none.
+    /// Reads the sign of a derivative: `d`, `\mathrm{d}` or `\partial`. Returns the sign and its end; a declared letter `d` is not such a sign.
     fn differential(&self, at: usize) -> Option<(char, usize)> {
         let token = self.tokens.get(at)?;
         match &token.kind {
@@ -55,7 +55,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `\frac{d}{dt}(...)`, `\frac{d x}{dt}`, `\frac{d^2 x}{dt^2}`, `\frac{\partial L}{\partial \dot{x}}`.
+    /// Reads a derivative: `\frac{d}{dt}(...)`, `\frac{d x}{dt}`, `\frac{d^2 x}{dt^2}`, `\frac{\partial L}{\partial \dot{x}}`.
     fn derivative(
         &mut self,
         start: usize,
@@ -93,7 +93,7 @@ impl Reader<'_> {
         Ok(self.term(start, form))
     }
 
-    /// The argument behind a sign of derivation: a group, or one factor with nothing beside it.
+    /// Reads the operand after a derivative such as `\frac{d}{dt}`: a group, or one factor that no further factor follows.
     fn operand(&mut self, start: usize) -> Read<Term> {
         self.skip_space();
         let is_closed = self.peek().is_some_and(|token| {
@@ -122,7 +122,7 @@ impl Reader<'_> {
         Ok(self.term(start, Form::Root(Box::new(of))))
     }
 
-    /// `\sum_{i=1}^{3} m_i`: the product behind it for each value of the index.
+    /// Reads `\sum_{i=1}^{3} m_i`: the sum of the following product over all values of the index.
     fn indexed_sum(&mut self) -> Read<Term> {
         let start = self.at;
         self.at += 1;

@@ -1,13 +1,12 @@
-//! Elements that a smaller model leaves out: parameters that are zero, with all terms and conditions that vanish with
-//! them.
+//! Simplification of a model whose parameters are partly zero: removes the terms and conditions that vanish with them.
 
 use crate::arena::{Number, Part, Scalar, Vector};
 use crate::{Contact, Function, Model, ScalarId};
 use std::sync::Arc;
 
 impl Model {
-    /// Sets parameters to zero for good: terms that they multiply leave the law, and conditions that then choose nothing are not
-    /// watched.
+    /// Sets the named parameters to zero permanently. Terms that vanish are removed from the law, and conditions that no longer change it are not
+    /// monitored.
     pub(super) fn leave_out<N: AsRef<str>>(&mut self, names: &[N]) {
         for (place, parameter) in self.parameters.iter_mut().enumerate() {
             if names.iter().any(|name| name.as_ref() == parameter.name) {
@@ -21,7 +20,7 @@ impl Model {
         }
     }
 
-    /// The model whose contacts are smooth where their coefficient of friction is zero by the values of parameters.
+    /// Returns the model with frictionless contacts where the current parameter values make the coefficient of friction zero.
     pub fn with_smooth_contacts(self: &Arc<Self>) -> Arc<Self> {
         let rough = |contact: &Contact| contact.friction.is_some();
         if !self.contacts.iter().any(rough) {
@@ -42,10 +41,10 @@ impl Model {
         }
     }
 
-    /// Whether each part is zero for every motion, where these parameters are.
+    /// Returns for each node whether it is zero in every motion if the given parameters are zero.
     fn vanishing(&self, zeros: &[usize]) -> Vec<bool> {
         let mut vanishes: Vec<bool> = Vec::with_capacity(self.arena.parts.len());
-        // every part stands after those that it is made of
+        // operands precede the operations on them
         for part in &self.arena.parts {
             vanishes.push(match part {
                 Part::Scalar(scalar) => is_zero_scalar(*scalar, &vanishes, zeros),
@@ -62,7 +61,7 @@ impl Model {
             parts[place] = match parts[place] {
                 Part::Scalar(_) if vanishes[place] => Part::Scalar(ZERO),
                 Part::Vector(_) if vanishes[place] => Part::Vector(Vector::Zero),
-                // the other term of a sum is left
+                // only the other term of the sum remains
                 Part::Scalar(Scalar::Sum(a, b)) if vanishes[a.0] => parts[b.0],
                 Part::Scalar(Scalar::Sum(a, b) | Scalar::Difference(a, b)) if vanishes[b.0] => parts[a.0],
                 Part::Scalar(Scalar::Difference(a, b)) if vanishes[a.0] => Part::Scalar(Scalar::Negation(b)),
@@ -78,7 +77,7 @@ impl Model {
 
 const ZERO: Scalar = Scalar::Number(Number { value: 0.0, times: 1.0, per: 1.0 });
 
-/// Whether a scalar is zero for every motion, where the parts before it are and these parameters.
+/// Returns whether a scalar is zero in every motion, if the given parameters are zero; `vanishes` contains the results for its operands.
 fn is_zero_scalar(scalar: Scalar, vanishes: &[bool], absent: &[usize]) -> bool {
     let is_zero = |id: ScalarId| vanishes[id.0];
     match scalar {

@@ -1,4 +1,4 @@
-//! Data within their bounds, and allowances of a file beyond them.
+//! Checks of data against their bounds, and the key `allow`, which extends the bounds.
 
 use super::quantities::with_article;
 use super::{At, Table};
@@ -6,22 +6,22 @@ use crate::issue::Issue;
 use crate::{Allowed, Quantity};
 use units::nearest;
 
-/// The key at the top of a file.
+/// The key for allowances, at the top of a file.
 const KEY: &str = "allow";
 
-/// Advice where windings induce in each other.
+/// Advice in messages about mutual inductances, which no law of this program has.
 pub const NO_MUTUAL_INDUCTANCE: &str = "no law here holds the voltage M di/dt that one winding induces in another: `motional` holds \
      voltages per speed alone. Linear combinations of the currents that make the matrices of inductances and of resistances \
      diagonal, both at once, are accepted (they exist where all resistances are positive; CONTRIBUTING.md shows how)";
 
-/// Whether a key asks for mutual induction, which no law here has.
+/// Returns whether the name of a key suggests a mutual inductance.
 pub(super) fn is_mutual_inductance(key: &str) -> bool {
     let key = key.to_lowercase();
     key.contains("mutual") || key.contains("coupling")
 }
 
 impl Table<'_> {
-    /// Reads the allowances of the file; tables that are read afterwards have them.
+    /// Reads the key `allow`. The allowances apply to the tables inside this one that are read later.
     pub fn read_allowed(&mut self) {
         for At { value: word, span } in self.texts(KEY, "[\"negative resistance\"]") {
             if self.allowed.add(&word) {
@@ -36,12 +36,12 @@ impl Table<'_> {
         }
     }
 
-    /// The allowances of the file.
+    /// Returns the allowances of the file.
     pub fn allowed(&self) -> Allowed {
         self.allowed
     }
 
-    /// A datum in SI units, within its bound.
+    /// Reads a number in SI units and checks its bound. A value outside the bound is reported, and returned.
     pub fn datum(&mut self, quantity: &Quantity) -> At<f64> {
         let found = self.scalar(&quantity.name, &quantity.meaning, &quantity.unit);
         if !quantity.bound.holds(found.value, self.allowed) {
@@ -54,7 +54,7 @@ impl Table<'_> {
     }
 }
 
-/// A unit after a number; nothing for a pure number.
+/// Returns the unit with a leading space, to follow a number; an empty text for a pure number.
 pub fn in_unit(unit: &str) -> String {
     if unit == "1" { String::new() } else { format!(" {unit}") }
 }

@@ -1,5 +1,5 @@
-//! Reading a table of a scene file: every value checked, every key accounted for. Texts and counts are read in `words`,
-//! numbers with their units in `quantities`.
+//! Tables of a scene file: every value is checked, and every key must be known. The module `words` reads texts and counts, the module
+//! `quantities` numbers with units.
 
 mod allowances;
 mod quantities;
@@ -14,35 +14,35 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 use units::nearest;
 
-/// A table, the keys that were asked for, and the errors found. A wrong value is replaced by a harmless one: reading
-/// goes on, and all errors are reported together; a file with errors gives no scene.
+/// A table with the keys that were read so far and the errors found. A wrong value is replaced by a valid one: reading continues, and
+/// all errors are reported together. A file with errors gives no scene.
 pub struct Table<'a> {
     /// The name in brackets; empty for the top of the file.
     name: String,
-    /// The place of the heading.
+    /// The range of bytes of the heading.
     span: Range<usize>,
     /// The text of the file.
     source: &'a str,
-    /// `None` where the file lacks it: every key is then missing, which is reported once, for the table.
+    /// `None` if the file lacks the table. The missing table is then reported once, and its keys are not.
     entries: Option<&'a DeTable<'a>>,
     asked: Vec<String>,
-    /// Whether a key that nobody asked for is wrong.
+    /// Whether a key that was never read is an error.
     judged: bool,
     /// The allowances at the top of the file.
     allowed: Allowed,
-    /// Keys that should be here, each with the error for the case that no misspelt key explains its absence.
+    /// Required keys that are absent, each with its error. The error is dropped if an unknown key is probably a misspelling of the absent one.
     missing: Vec<(String, Issue)>,
     issues: Vec<Issue>,
 }
 
-/// A value with its place.
+/// A value with its range of bytes in the file.
 pub struct At<T> {
     pub value: T,
     pub span: Range<usize>,
 }
 
 impl<'a> Table<'a> {
-    /// The top of a file.
+    /// Returns the top-level table of a file with the text `source`.
     pub fn top(source: &'a str, entries: &'a Spanned<DeTable<'a>>) -> Self {
         let (asked, missing, issues) = (Vec::new(), Vec::new(), Vec::new());
         Table {
@@ -65,7 +65,7 @@ impl<'a> Table<'a> {
         Table { name, span, source, entries, asked, judged: true, allowed, missing, issues }
     }
 
-    /// A table inside this one.
+    /// Reads the table `name` inside this one; an absent table is an error. `holds` describes the content of the table in messages.
     pub fn table(&mut self, name: &str, holds: &str) -> Table<'a> {
         let found = self.find(name);
         let heading = if self.name.is_empty() { name.to_owned() } else { format!("{}.{name}", self.name) };
@@ -84,7 +84,7 @@ impl<'a> Table<'a> {
         self.inside(name, span, entries)
     }
 
-    /// Tables of one name, `[[name]]` each; none where they are left out.
+    /// Reads an array of tables, `[[name]]`; empty if the key is absent. `needed` describes the accepted input in messages.
     pub fn tables(&mut self, name: &str, needed: &str) -> Vec<Table<'a>> {
         let Some(found) = self.find(name) else { return Vec::new() };
         let DeValue::Array(items) = found.get_ref() else {
@@ -101,7 +101,7 @@ impl<'a> Table<'a> {
         tables
     }
 
-    /// The keys of the table in the order of the file.
+    /// Returns the keys of the table in the order of the file.
     pub fn keys(&self) -> Vec<At<String>> {
         let keys = self.entries.into_iter().flat_map(DeTable::keys);
         let mut keys: Vec<At<String>> =
@@ -110,7 +110,7 @@ impl<'a> Table<'a> {
         keys
     }
 
-    /// The span in the file of a part of a text; of the whole text if it is written with escapes.
+    /// Returns the range of bytes in the file of a part of a text value; the range of the whole value if it contains escape sequences.
     pub fn part(&self, text: &At<String>, part: &Range<usize>) -> Range<usize> {
         let written = self.source.get(text.span.clone()).and_then(|written| written.find(&text.value));
         written.map_or(text.span.clone(), |begin| {
@@ -119,42 +119,42 @@ impl<'a> Table<'a> {
         })
     }
 
-    /// A table that may be left out.
+    /// Reads the table `name` inside this one; `None` if the table is absent.
     pub fn optional_table(&mut self, name: &str) -> Option<Table<'a>> {
         self.find(name).is_some().then(|| self.table(name, ""))
     }
 
-    /// The span of the table's heading.
+    /// Returns the range of bytes of the table's heading.
     pub fn span(&self) -> Range<usize> {
         self.span.clone()
     }
 
-    /// Whether the file has the table.
+    /// Returns whether the file contains the table.
     pub fn exists(&self) -> bool {
         self.entries.is_some()
     }
 
-    /// Whether a key stands here.
+    /// Returns whether the table contains a key.
     pub fn has(&self, key: &str) -> bool {
         self.entries.is_some_and(|entries| entries.contains_key(key))
     }
 
-    /// Whether any error was found so far.
+    /// Returns whether any error was found so far in the table.
     pub fn has_issues(&self) -> bool {
         !(self.issues.is_empty() && self.missing.is_empty())
     }
 
-    /// Whether the value at a place was already found wrong, and replaced.
+    /// Returns whether an error was reported for exactly this range, so that its value is a replacement.
     pub fn has_issue_at(&self, span: &Range<usize>) -> bool {
         self.issues.iter().any(|issue| issue.span.as_ref() == Some(span))
     }
 
-    /// Marks keys that are known but cannot be judged, because of errors elsewhere.
+    /// Marks keys as known, although they were not read because of other errors.
     pub fn known(&mut self, keys: &[&str]) {
         self.asked.extend(keys.iter().map(|&key| key.to_owned()));
     }
 
-    /// Leaves all keys of the table unjudged.
+    /// Marks all keys of the table as known.
     pub fn known_all(&mut self) {
         self.judged = false;
     }
@@ -188,31 +188,31 @@ impl<'a> Table<'a> {
         self.report(Issue::at(span, title, format!("this is a TOML {}", found.type_str())).accepted(accepted));
     }
 
-    /// Takes over all errors of a table inside this one.
+    /// Appends all errors of a table inside this one.
     pub fn absorb(&mut self, inner: Table<'_>) {
         self.issues.extend(inner.finish());
     }
 
-    /// The span of the value of a key.
+    /// Returns the range of bytes of the value of a key.
     pub fn place_of(&self, key: &str) -> Option<Range<usize>> {
         self.entries?.get(key).map(Spanned::span)
     }
 
-    /// Whether a key is one that its reader has asked for.
+    /// Returns whether the program has read the key or marked it as known.
     pub fn is_known(&self, key: &str) -> bool {
         self.asked.iter().any(|asked| asked == key)
     }
 
-    /// Whether a key holds a table.
+    /// Returns whether the value of a key is a table.
     pub fn is_table(&self, key: &str) -> bool {
         matches!(self.entries.and_then(|entries| entries.get(key)).map(Spanned::get_ref), Some(DeValue::Table(_)))
     }
 
-    /// All errors of the table, including keys that nobody asked for.
+    /// Returns all errors of the table, including unknown and missing keys.
     pub fn finish(mut self) -> Vec<Issue> {
         let keys = self.entries.into_iter().flat_map(DeTable::keys).filter(|_| self.judged);
         let unknown: Vec<_> = keys.filter(|key| !self.asked.iter().any(|asked| asked == key.get_ref())).collect();
-        // one unknown key in place of one that is missing is that key, in any spelling
+        // if exactly one key is unknown and one is missing, the unknown key is a misspelling of the missing one
         let only = match (unknown.as_slice(), self.missing.as_slice()) {
             ([_], [(missing, _)]) => Some(missing.clone()),
             _ => None,

@@ -1,4 +1,4 @@
-//! Numbers with their units: one, three, or rows of them, in SI units.
+//! Numbers with units: scalars, vectors and matrices, converted to SI units.
 
 use super::{At, Table};
 use crate::issue::Issue;
@@ -9,13 +9,13 @@ use units::Dimension;
 use units::quantity::{self, NoQuantity};
 
 impl Table<'_> {
-    /// One quantity, in SI units.
+    /// Reads a number with a unit of the dimension of `unit`. Returns the value in SI units; the replacement of a wrong or missing value is 1.
     pub fn scalar(&mut self, key: &str, meaning: &str, unit: &str) -> At<f64> {
         let found = self.numbers(key, meaning, 1, 1, Dimension::of(unit));
         At { value: found.value[0], span: found.span }
     }
 
-    /// One quantity of any dimension, in SI units; none where it cannot be read.
+    /// Reads a number with a unit of any dimension. Returns the value in SI units and the dimension; `None` if the key is absent or its value wrong.
     pub fn of_any_unit(&mut self, key: &str) -> Option<At<(f64, Dimension)>> {
         let found = self.find(key)?;
         let span = found.span();
@@ -38,29 +38,29 @@ impl Table<'_> {
         }
     }
 
-    /// One quantity that may be left out.
+    /// Reads an optional number with a unit of the dimension of `unit`, in SI units.
     pub fn optional_scalar(&mut self, key: &str, meaning: &str, unit: &str) -> Option<At<f64>> {
         self.find(key).is_some().then(|| self.scalar(key, meaning, unit))
     }
 
-    /// Three components.
+    /// Reads three components with one unit, in SI units.
     pub fn vector(&mut self, key: &str, meaning: &str, unit: &str) -> At<Vector3<f64>> {
         let found = self.numbers(key, meaning, 1, 3, Dimension::of(unit));
         At { value: Vector3::from_row_slice(&found.value), span: found.span }
     }
 
-    /// Three rows of three components.
+    /// Reads a 3 x 3 matrix, its rows separated by semicolons, with one unit, in SI units.
     pub fn matrix(&mut self, key: &str, meaning: &str, unit: &str) -> At<Matrix3<f64>> {
         let found = self.numbers(key, meaning, 3, 3, Dimension::of(unit));
         At { value: Matrix3::from_row_slice(&found.value), span: found.span }
     }
 
-    /// `columns` numbers that may be left out.
+    /// Reads an optional row of `columns` numbers with one unit, in SI units.
     pub fn optional_row(&mut self, key: &str, meaning: &str, columns: usize, unit: &str) -> Option<At<Vec<f64>>> {
         self.optional_rows(key, meaning, 1, columns, unit)
     }
 
-    /// `rows` rows of `columns` numbers that may be left out.
+    /// Reads optional `rows` rows of `columns` numbers with one unit, in SI units, row after row.
     pub fn optional_rows(
         &mut self,
         key: &str,
@@ -98,7 +98,7 @@ impl Table<'_> {
     }
 }
 
-/// The meaning of a datum after its name: `the mass`, and of one with a letter in formulas `m, the mass`.
+/// Puts an article before the meaning of a datum: `the mass`; for a meaning that begins with its letter in formulas, `m, the mass`.
 pub(super) fn with_article(meaning: &str) -> String {
     match meaning.split_once(", ") {
         Some((letter, rest)) if !letter.contains(' ') || letter.contains(" + ") => format!("{letter}, the {rest}"),

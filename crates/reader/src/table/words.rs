@@ -1,11 +1,11 @@
-//! Texts, whole numbers and flags.
+//! Texts, integers and flags of a table.
 
 use super::{At, Table};
 use crate::issue::Issue;
 use toml::de::DeValue;
 
 impl Table<'_> {
-    /// A text.
+    /// Reads a text without leading and trailing spaces; empty if it is wrong or absent, which is an error. `needed` describes the text in messages.
     pub fn text(&mut self, key: &str, needed: &str) -> At<String> {
         self.optional_text(key, needed).unwrap_or_else(|| {
             self.missing(key, needed);
@@ -13,7 +13,7 @@ impl Table<'_> {
         })
     }
 
-    /// A text that may be left out.
+    /// Reads an optional text.
     pub fn optional_text(&mut self, key: &str, needed: &str) -> Option<At<String>> {
         let found = self.find(key)?;
         let value = match found.get_ref() {
@@ -32,7 +32,7 @@ impl Table<'_> {
         Some(At { value, span: found.span() })
     }
 
-    /// A text, or a number as it was written, that may be left out.
+    /// Reads an optional text, or a number in the spelling of the file.
     pub fn written(&mut self, key: &str, needed: &str) -> Option<At<String>> {
         let found = self.find(key)?;
         match found.get_ref() {
@@ -44,7 +44,7 @@ impl Table<'_> {
         }
     }
 
-    /// Whether a key is `true`; it may be left out.
+    /// Reads an optional flag; false if the key is absent.
     pub fn flag(&mut self, key: &str, meaning: &str) -> bool {
         let Some(found) = self.find(key) else { return false };
         match found.get_ref() {
@@ -56,7 +56,7 @@ impl Table<'_> {
         }
     }
 
-    /// A text or a list of texts, one at least.
+    /// Reads a text or a nonempty list of texts; an absent key is an error.
     pub fn text_or_texts(&mut self, key: &str, needed: &str) -> Vec<At<String>> {
         match self.find(key).map(|found| found.get_ref()) {
             Some(DeValue::Array(items)) if !items.is_empty() => self.texts(key, &format!("[\"a\", \"b\"]: {needed}")),
@@ -64,7 +64,7 @@ impl Table<'_> {
         }
     }
 
-    /// A list of texts; empty where it is left out.
+    /// Reads a list of texts; empty if the key is absent.
     pub fn texts(&mut self, key: &str, needed: &str) -> Vec<At<String>> {
         let Some(found) = self.find(key) else { return Vec::new() };
         let help = format!("a list is accepted, such as {needed}");
@@ -77,7 +77,7 @@ impl Table<'_> {
         for item in items.iter() {
             match item.get_ref() {
                 DeValue::String(text) => texts.push(At { value: text.to_string(), span: item.span() }),
-                // once: the others are of the same kind
+                // only the first wrong element is reported
                 other if sound => {
                     self.wrong_kind(item.span(), key, other, &help);
                     sound = false;
@@ -88,7 +88,7 @@ impl Table<'_> {
         texts
     }
 
-    /// A whole number of at least `least`.
+    /// Reads an integer from `least` to `most`. A wrong or absent value is an error, and is replaced by `least`.
     pub fn count(&mut self, key: &str, meaning: &str, least: usize, most: usize) -> At<usize> {
         self.optional_count(key, meaning, least, most).unwrap_or_else(|| {
             self.missing(key, meaning);
@@ -96,7 +96,7 @@ impl Table<'_> {
         })
     }
 
-    /// A whole number that may be left out.
+    /// Reads an optional integer from `least` to `most`. A wrong value is an error, and is replaced by `least`.
     pub fn optional_count(&mut self, key: &str, meaning: &str, least: usize, most: usize) -> Option<At<usize>> {
         let found = self.find(key)?;
         let span = found.span();

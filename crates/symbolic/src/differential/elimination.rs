@@ -1,15 +1,15 @@
-//! Elimination of quantities with a single source or none, or a single reader: each is substituted into its readers. The sums become fewer,
-//! and their total length does not grow; the products of weights are computed once for all directions.
+//! Elimination of intermediate quantities with at most one source or at most one reader: each is substituted into its readers. This reduces the number of
+//! sums without increasing their total length. Products of weights are then computed once for all directions.
 
 use super::{Differential, Weighted};
 use crate::Sym;
 use std::collections::VecDeque;
 
-/// The sums with their readers.
+/// The sums, and for each quantity the sums that contain it (its readers).
 pub(super) struct Graph {
     inputs: usize,
     outputs: usize,
-    /// The sums by place; `None` for inputs, and for eliminated quantities.
+    /// The sum of each quantity by index; empty for inputs and for eliminated quantities.
     sums: Vec<Vec<Weighted>>,
     readers: Vec<Vec<usize>>,
 }
@@ -65,7 +65,7 @@ impl Graph {
         }
     }
 
-    /// The remaining sums, at places without gaps.
+    /// Returns the remaining sums, renumbered without gaps.
     fn finish(self) -> Differential {
         let first_output = self.sums.len() - self.outputs;
         let mut places = vec![0; self.sums.len()];

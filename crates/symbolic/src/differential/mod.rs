@@ -1,9 +1,9 @@
-//! The differential of expressions as sums, for derivatives in many directions at once:
+//! The differential of expressions in the form of sums, for derivatives in many directions:
 //!
 //!   dv = sum_k w_k du_k ,
 //!
-//! one for each intermediate expression v, whose weights w_k depend on the point alone. A direction then costs one multiplication and one
-//! addition for each term, where dual numbers compute the expressions anew, and derivatives that are written down grow as the number of
+//! one sum for each intermediate quantity v, whose weights w_k depend only on the point. Each direction costs one multiplication and one
+//! addition per term. Dual numbers would evaluate the expressions again for each direction, and the length of symbolic derivatives is proportional to the number of
 //! directions.
 
 mod elimination;
@@ -12,14 +12,14 @@ use crate::{Derivation, Sym, substitute_all};
 use elimination::Graph;
 use rustc_hash::FxHashMap;
 
-/// A term of a differential: the place of its source, and the weight.
+/// A term of a differential: the index of the quantity `source`, and its weight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Weighted {
     pub source: usize,
     pub weight: Sym,
 }
 
-/// The differentials of outputs by inputs, over intermediate quantities.
+/// The differentials of outputs with respect to inputs, as sums over intermediate quantities.
 ///
 /// ```
 /// use dalembert_symbolic::{Differential, Sym, symbols};
@@ -32,24 +32,24 @@ pub struct Weighted {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Differential {
-    /// The number of inputs, which stand at the first places.
+    /// The number of inputs, which have the indices 0 to `inputs - 1`.
     pub inputs: usize,
-    /// The sums at the places after them, each of earlier ones; the outputs are the last.
+    /// The sums of the quantities with the next indices. Each sum refers to smaller indices; the last `outputs` sums are the outputs.
     pub sums: Vec<Vec<Weighted>>,
     /// The number of outputs.
     pub outputs: usize,
 }
 
 impl Differential {
-    /// The differential of outputs by inputs, usually symbols; everything else is constant.
+    /// Returns the differential of the outputs with respect to the inputs, which are usually symbols; all other symbols are constant.
     pub fn of(inputs: &[Sym], outputs: &[Sym]) -> Self {
         Graph::of(&Self::written(inputs, outputs)).reduced()
     }
 
-    /// The differential of a composition: the outputs of this are the inputs of the other.
+    /// Returns the differential of the composition `other` after `self`: the outputs of `self` are the inputs of `other`.
     ///
     /// # Panics
-    /// Where the other has not as many inputs as this has outputs.
+    /// If `other.inputs` differs from `self.outputs`.
     pub fn then(&self, other: &Differential) -> Self {
         assert_eq!(self.outputs, other.inputs, "outputs of the first are inputs of the second");
         let places = self.inputs + self.sums.len();
@@ -59,7 +59,7 @@ impl Differential {
         Graph::of(&Differential { inputs: self.inputs, sums, outputs: other.outputs }).reduced()
     }
 
-    /// The differential with other expressions in its weights, which may not depend on the inputs.
+    /// Replaces expressions in the weights. The replacements must not depend on the inputs.
     #[must_use]
     pub fn substituted(mut self, replacements: &[(Sym, Sym)]) -> Self {
         let weights = substitute_all(&self.weights(), replacements);
@@ -67,12 +67,12 @@ impl Differential {
         self
     }
 
-    /// The weights, sum after sum.
+    /// Returns the weights of all sums in order.
     pub fn weights(&self) -> Vec<Sym> {
         self.sums.iter().flatten().map(|term| term.weight).collect()
     }
 
-    /// A sum for each expression, in the order of the expressions.
+    /// Builds one sum per subexpression, in the order of the expressions.
     fn written(inputs: &[Sym], outputs: &[Sym]) -> Self {
         let mut places: FxHashMap<Sym, usize> = inputs.iter().copied().zip(0..).collect();
         let mut sums: Vec<Vec<Weighted>> = Vec::new();
@@ -85,7 +85,7 @@ impl Differential {
             let mut sum = Vec::new();
             for &child in &children {
                 let Some(&source) = places.get(&child) else { continue };
-                // only children are differentiated
+                // differentiates only with respect to the direct operands
                 let rates = children.iter().map(|&other| (other, if other == child { Sym::ONE } else { Sym::ZERO }));
                 let weight = Derivation::new(rates).of(each);
                 if weight != Sym::ZERO {
@@ -109,7 +109,7 @@ mod tests {
     use crate::{Unbound, symbols};
     use field::{Analytic, Scalar};
 
-    /// The derivatives of all outputs, row after row, by running the sums for each input.
+    /// Computes the Jacobian matrix by rows, by evaluating the sums once for each input.
     fn matrix(differential: &Differential, value: impl Fn(Sym) -> f64) -> Vec<f64> {
         let Differential { inputs, sums, outputs } = differential;
         let column = |input: usize| {

@@ -1,17 +1,17 @@
-//! Linear systems by Cramer's rule.
+//! Symbolic solution of linear systems by Cramer's rule.
 
 use crate::{Decision, Hypotheses, Sym, decide};
 use algebra::linear::{LARGEST, minors};
 use std::fmt;
 
-/// Why a linear system was not solved.
+/// The reason why a linear system was not solved.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Unsolved {
     /// The determinant vanishes identically.
     Singular,
-    /// The matrix and the right side do not fit together, or are larger than [`LARGEST`].
+    /// The matrix is not square, does not match the right side, or is larger than [`LARGEST`].
     Shape { rows: usize, columns: usize, right: usize },
-    /// Whether the determinant vanishes was not decided, for this reason.
+    /// It was not decided whether the determinant vanishes; the text gives the reason.
     Undecided(String),
 }
 
@@ -29,7 +29,7 @@ impl fmt::Display for Unsolved {
 
 impl std::error::Error for Unsolved {}
 
-/// x = numerators / determinant.
+/// The solution x = numerators / determinant of a linear system.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
     pub numerators: Vec<Sym>,
@@ -37,16 +37,16 @@ pub struct Solution {
 }
 
 impl Solution {
-    /// The unknowns.
+    /// Returns the values of the unknowns.
     pub fn values(&self) -> Vec<Sym> {
         self.numerators.iter().map(|&numerator| numerator / self.determinant).collect()
     }
 }
 
-/// The solution of matrix * x = right by Cramer's rule.
+/// Solves matrix * x = right by Cramer's rule, for a square matrix of at most [`LARGEST`] rows.
 ///
 /// # Errors
-/// [`Unsolved`] where the shapes do not fit or the determinant vanishes under the hypotheses.
+/// [`Unsolved`] if the shapes do not match, or if the determinant vanishes under the hypotheses or cannot be decided.
 pub fn solve<Row: AsRef<[Sym]>>(matrix: &[Row], right: &[Sym], hypotheses: &Hypotheses) -> Result<Solution, Unsolved> {
     let size = matrix.len();
     if let Some(columns) = matrix.iter().map(|row| row.as_ref().len()).find(|&columns| columns != size) {
@@ -64,7 +64,7 @@ pub fn solve<Row: AsRef<[Sym]>>(matrix: &[Row], right: &[Sym], hypotheses: &Hypo
         Decision::NonZero(_) => {}
         undecided => return Err(Unsolved::Undecided(undecided.to_string())),
     }
-    // The minor without column i has the right side last; moving it to place i takes size - 1 - i exchanges.
+    // The minor without column i has the right side as its last column; size - 1 - i exchanges move it to position i.
     let numerator = |i: usize| {
         let minor = minors[all & !(1 << i)];
         if (size - 1 - i).is_multiple_of(2) { minor } else { -minor }

@@ -1,31 +1,31 @@
-//! Linear equations that are solved in numbers at each evaluation:
+//! Linear equations that are solved numerically at each evaluation:
 //!
 //!   A(x) z = b(x) .
 //!
-//! A symbolic elimination grows with the third power of the unknowns, and its pivots cannot be chosen. Here only the entries
-//! are expressions; they are evaluated, and A is factored as numbers ([`algebra::linear::Factors`]).
+//! The cost of symbolic elimination grows with the third power of the number of unknowns, without a choice of pivots. Here only the entries
+//! are expressions. They are evaluated, and A is factorised numerically ([`algebra::linear::Factors`]).
 
 use crate::Sym;
 use algebra::linear::Pattern;
 
-/// Linear equations over expressions.
+/// Linear equations A z = b whose entries are expressions.
 #[derive(Clone, Debug)]
 pub struct Solve {
-    /// The symbols of the unknowns z.
+    /// The symbols of the unknowns z, of length n.
     pub unknowns: Vec<Sym>,
-    /// The pattern of A, by row and column.
+    /// The positions (row, column) of the entries of A, n x n.
     pub pattern: Pattern,
-    /// The entries, in the order of the pattern.
+    /// The entries of A, in the order of the pattern.
     pub entries: Vec<Sym>,
-    /// b.
+    /// The right side b, of length n.
     pub right: Vec<Sym>,
 }
 
 impl Solve {
-    /// Equations whose first unknowns must be determined; the others, such as multipliers of constraints that follow from
-    /// others, are zero where the equations leave them free.
+    /// Creates equations whose first `determined` unknowns must have unique values. The other unknowns, such as multipliers of redundant
+    /// constraints, are set to zero if the equations do not determine them.
     ///
-    /// `entry` gives the entry in a row and a column; those that are the constant zero are left out.
+    /// `entry(row, column)` gives the entries of A; entries that are the constant zero are omitted.
     pub fn new(unknowns: Vec<Sym>, determined: usize, entry: impl Fn(usize, usize) -> Sym, right: Vec<Sym>) -> Self {
         let size = unknowns.len();
         let places = (0..size).flat_map(|row| (0..size).map(move |column| (row, column)));
@@ -34,7 +34,7 @@ impl Solve {
         Solve { unknowns, pattern: Pattern::new(size, determined, places), entries, right }
     }
 
-    /// All expressions: the entries, then b.
+    /// Returns the entries of A in the order of the pattern, then b.
     pub fn expressions(&self) -> Vec<Sym> {
         [&self.entries[..], &self.right].concat()
     }

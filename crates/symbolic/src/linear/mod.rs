@@ -1,5 +1,5 @@
-//! Linear equations over expressions: solved symbolically, at the size of a body's equations ([`solve`]), or recorded for a
-//! solution in numbers at each evaluation, at any size ([`Solve`]).
+//! Linear equations over expressions. [`solve`] solves small systems symbolically; [`Solve`] records systems of any size for a numerical
+//! solution at each evaluation.
 
 mod cramer;
 mod equations;

@@ -1,13 +1,13 @@
-//! Expressions from text, in the notation in which they are printed: `-1/2*m*(x^2 + y^2)/sqrt(1 - e^2) + b0*cos(g)`.
+//! Parser of expressions in the notation in which they are printed: `-1/2*m*(x^2 + y^2)/sqrt(1 - e^2) + b0*cos(g)`.
 //!
 //! | | |
 //! |---|---|
-//! | sums, products | `+ - * /` from the left, `^` with an integer, parentheses |
+//! | sums, products | `+ - * /` from the left, `^` with an integer exponent, parentheses |
 //! | numbers | `3`, `0.25`, `1e-4`: exact decimals |
-//! | functions | `sqrt`, `cos`, `sin`, and those that the caller knows |
-//! | names | letters of any script, digits, `_`, primes, stars and marks on letters |
+//! | functions | `sqrt`, `cos`, `sin` |
+//! | names | letters of any script, digits, `_`, primes, stars and combining marks |
 //!
-//! Juxtaposition is no product: `2x` and `a b` are refused, since a name may hold digits.
+//! A product needs its sign `*`: `2x` and `a b` are errors, since a name may contain digits.
 
 mod token;
 
@@ -17,45 +17,45 @@ use std::fmt;
 use std::ops::Range;
 use token::{Token, tokens};
 
-/// The deepest nesting of parentheses and signs: a text beyond it is not written by a person.
+/// The largest depth of nested parentheses.
 const DEEPEST: usize = 100;
 /// The largest exponent of `^`.
 const LARGEST: i32 = 64;
-/// The digits of the largest power of a number.
+/// The largest number of digits of a power of a number.
 const DIGITS: usize = 1000;
 
-/// Why a text is no expression, and where.
+/// The reason why a text is not an expression, with the position.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NotExpression {
-    /// The bytes of the text that cannot be read.
+    /// The range of bytes that cannot be read.
     pub span: Range<usize>,
     pub reason: Reason,
 }
 
-/// The error at that place.
+/// The kinds of errors in an expression.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Reason {
-    /// The text ends, or another sign stands, where an operand must.
+    /// The text ends, or an operator occurs, where an operand is required.
     Operand,
-    /// Two operands without a sign between them.
+    /// Two operands have no operator between them.
     Operator,
-    /// A letter that no expression has.
+    /// A character that does not occur in expressions.
     Letter(char),
-    /// Digits that are no number, or one beyond 60 digits or 1e60; a power of a number beyond 1000 digits.
+    /// An invalid number: malformed, longer than 60 digits, or with an exponent beyond 60; or a power of a number with more than 1000 digits.
     Number,
-    /// A name unknown to the caller.
+    /// A name that the caller does not know.
     Name(String),
-    /// A name before parentheses that is no function.
+    /// A name before parentheses that is not a function.
     Function(String),
     /// A parenthesis without its partner.
     Parenthesis,
-    /// An exponent that is no integer from -64 to 64.
+    /// An exponent that is not an integer from -64 to 64.
     Exponent,
     /// A division by zero.
     Zero,
-    /// Parentheses deeper than a hundred.
+    /// Parentheses nested deeper than 100 levels.
     Depth,
-    /// The caller does not accept this part, for the reason given.
+    /// The [`Vocabulary`] rejects this part; the text gives the reason.
     Refused(String),
 }
 
@@ -85,24 +85,24 @@ impl fmt::Display for NotExpression {
 
 impl std::error::Error for NotExpression {}
 
-/// The names and parts that a caller accepts in expressions.
+/// The names and subexpressions that a caller accepts.
 pub trait Vocabulary {
-    /// The meaning of a name; `in_angle` inside of a cosine or sine.
+    /// Returns the expression that a name stands for. `in_angle` is true inside the argument of a cosine or sine.
     ///
     /// # Errors
-    /// Why the name must not stand there.
+    /// The reason why the name is not accepted here.
     fn name(&self, name: &str, in_angle: bool) -> Result<Sym, Reason>;
 
-    /// Judges a part of the expression; the parts of which it is made were judged before.
+    /// Checks a subexpression; its operands were checked before.
     ///
     /// # Errors
-    /// Why the part must not stand there: reported at its place, for a sum at the last term.
+    /// The reason why the subexpression is not accepted. It is reported at the position of the subexpression, for a sum at that of the last term.
     fn judge(&self, _part: Sym) -> Result<(), Reason> {
         Ok(())
     }
 }
 
-/// Names with their meaning, and no further rules.
+/// A vocabulary of names without further rules.
 struct Names<'a>(&'a dyn Fn(&str) -> Option<Sym>);
 
 impl Vocabulary for Names<'_> {
@@ -111,18 +111,18 @@ impl Vocabulary for Names<'_> {
     }
 }
 
-/// Reads an expression; `known` gives the meaning of each name.
+/// Parses an expression; `known` gives the expression that each name stands for.
 ///
 /// # Errors
-/// [`NotExpression`]: the first place that cannot be read, and why.
+/// [`NotExpression`] contains the first position that cannot be read, and the reason.
 pub fn parse(text: &str, known: &dyn Fn(&str) -> Option<Sym>) -> Result<Sym, NotExpression> {
     parse_in(text, &Names(known))
 }
 
-/// Reads an expression whose names and parts a vocabulary judges.
+/// Parses an expression whose names and subexpressions are checked by a vocabulary.
 ///
 /// # Errors
-/// [`NotExpression`]: the first place that cannot be read or must not stand there, and why.
+/// [`NotExpression`] contains the first position that cannot be read or is not accepted, and the reason.
 pub fn parse_in(text: &str, vocabulary: &dyn Vocabulary) -> Result<Sym, NotExpression> {
     let mut reader = Reader { tokens: tokens(text)?, at: 0, end: text.len(), depth: 0, angles: 0, vocabulary };
     let expression = reader.sum()?;
@@ -138,7 +138,7 @@ struct Reader<'a> {
     at: usize,
     end: usize,
     depth: usize,
-    /// The number of cosines and sines around the place.
+    /// The number of enclosing cosines and sines.
     angles: usize,
     vocabulary: &'a dyn Vocabulary,
 }
@@ -148,7 +148,7 @@ impl<'a> Reader<'a> {
         self.tokens.get(self.at).map(|(_, token)| token)
     }
 
-    /// The place of the next token, or the end.
+    /// Returns the range of bytes of the next token; an empty range at the end of the text.
     fn span(&self) -> Range<usize> {
         self.tokens.get(self.at).map_or(self.end..self.end, |(span, _)| span.clone())
     }
@@ -163,7 +163,7 @@ impl<'a> Reader<'a> {
         found
     }
 
-    /// The part that was read from a place on, once it is judged.
+    /// Passes a subexpression that begins at the byte `from` to the vocabulary, and returns it if it is accepted.
     fn judged(&self, part: Sym, from: usize) -> Result<Sym, NotExpression> {
         let end = self.at.checked_sub(1).and_then(|last| self.tokens.get(last)).map_or(self.end, |(span, _)| span.end);
         let refused = |reason| NotExpression { span: from..end, reason };
@@ -203,7 +203,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A minus binds less tightly than a power: -x^2 is -(x^2).
+    /// Reads signs before a power. A minus binds less tightly than a power: -x^2 is -(x^2).
     fn signed(&mut self) -> Result<Sym, NotExpression> {
         let mut negative = false;
         loop {
@@ -277,7 +277,7 @@ impl<'a> Reader<'a> {
         self.judged(meaning(argument), span.start)
     }
 
-    /// A sum in parentheses.
+    /// Reads a sum in parentheses.
     fn inside(&mut self) -> Result<Sym, NotExpression> {
         let open = self.span();
         if self.depth >= DEEPEST {

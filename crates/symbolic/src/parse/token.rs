@@ -1,10 +1,10 @@
-//! A text as numbers, names and signs.
+//! Tokens of an expression: numbers, names and operators.
 
 use super::{NotExpression, Reason};
 use field::{Rational, Scalar};
 use std::ops::Range;
 
-/// Digits of a number, and decimals of its size.
+/// The largest number of digits of a number, and the largest absolute exponent of ten.
 const MOST: usize = 60;
 
 #[derive(Clone, Debug, PartialEq)]
@@ -15,7 +15,7 @@ pub(super) enum Token<'a> {
     Sign(char),
 }
 
-/// Every token with its place.
+/// Splits a text into tokens with their ranges of bytes.
 pub(super) fn tokens(text: &str) -> Result<Vec<(Range<usize>, Token<'_>)>, NotExpression> {
     let mut tokens = Vec::new();
     let mut start = 0;
@@ -32,7 +32,7 @@ pub(super) fn tokens(text: &str) -> Result<Vec<(Range<usize>, Token<'_>)>, NotEx
         let span = start..start + length;
         let token = match first {
             '+' | '-' | '*' | '/' | '^' | '(' | ')' => Token::Sign(first),
-            // as it is printed
+            // the minus sign of printed mathematics, U+2212
             '−' => Token::Sign('-'),
             _ if first.is_ascii_digit() || first == '.' => Token::Number(&text[span.clone()]),
             _ if begins_name(first) => Token::Name(&text[span.clone()]),
@@ -48,12 +48,12 @@ fn begins_name(letter: char) -> bool {
     letter.is_alphabetic() || letter == '_'
 }
 
-/// Letters, digits, marks on letters; superscripts, stars and primes belong to names too.
+/// Returns whether a character may continue a name: a letter, digit, combining mark, superscript, star or prime.
 fn continues_name(letter: char) -> bool {
     begins_name(letter) || letter.is_numeric() || matches!(letter, '\u{300}'..='\u{36f}' | '′' | '″' | '\'' | '⋆' | '°')
 }
 
-/// Digits, a point, an exponent.
+/// Returns the length of the number at the start of the text: digits, an optional decimal point, an optional exponent.
 fn number_length(text: &str) -> usize {
     let digits = |from: usize| text[from..].find(|c: char| !c.is_ascii_digit()).map_or(text.len(), |n| from + n);
     let mut end = digits(0);
@@ -71,7 +71,7 @@ fn number_length(text: &str) -> usize {
     end
 }
 
-/// The decimal, exactly.
+/// Returns the exact value of a decimal number.
 pub(super) fn number(text: &str) -> Option<Rational> {
     let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
     let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));

@@ -1,15 +1,15 @@
-//! Constants as decimals, where these are shorter than fractions.
+//! Constants as decimals, if these are shorter than fractions.
 
 use field::Rational;
 
-/// Denominators up to this one make fractions that people write.
+/// Fractions with denominators up to this one are not converted to decimals.
 const LARGEST_DENOMINATOR: u64 = 16;
 
-/// The number of digits that are exact in every float.
+/// Decimals of at most this number of digits are exactly represented by their text after rounding to `f64`.
 const DIGITS: usize = 15;
 
-/// The decimal of a constant, which reads as this constant: a decimal of few digits, or a float in the fewest digits that read as
-/// it. `None` where a fraction is shorter or nothing else is exact.
+/// Returns a decimal that reads as exactly this constant: one of few digits, or the shortest representation of a floating-point number. Returns `None`
+/// if a fraction is shorter, or if no such decimal exists.
 pub(super) fn shorter(value: Rational) -> Option<String> {
     let big = value.to_big()?;
     if u64::try_from(big.denominator()).is_ok_and(|below| below <= LARGEST_DENOMINATOR) {

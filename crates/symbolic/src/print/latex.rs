@@ -1,4 +1,4 @@
-//! LaTeX: `l_2\omega_3 - l_3\omega_2`.
+//! LaTeX notation: `l_2\omega_3 - l_3\omega_2`.
 
 use super::names::latex_name;
 use super::{Bond, Name, Notation, Printed};
@@ -34,8 +34,8 @@ impl Notation for Latex {
         if inside.contains("\\frac") { format!("\\left({inside}\\right)") } else { format!("({inside})") }
     }
 
-    /// Juxtaposition, with a space where a command would swallow a letter, a thin space after an argument without
-    /// parentheses, about a name of several letters and before parentheses that read as arguments, and a dot between numbers.
+    /// Returns the factors side by side. A space separates a command from a letter. A thin space follows an argument without parentheses, surrounds a name
+    /// of several letters, and precedes parentheses that would read as arguments. A dot separates numbers.
     fn product(&self, factors: &[String]) -> String {
         let mut product = String::new();
         let mut before = "";
@@ -101,12 +101,12 @@ fn is_letter_before(before: &str) -> bool {
     !before.is_empty() && !before.ends_with(')')
 }
 
-/// Whether it is a name of several letters, or a rate or a power of one.
+/// Returns whether the factor is a name of several letters, or a rate or power of such a name.
 fn is_word(factor: &str) -> bool {
     factor.contains("\\mathrm{") && !factor.starts_with('(')
 }
 
-/// Whether parentheses without a sum would read as the arguments of a letter before them.
+/// Returns whether the factor is a group in parentheses without a sum, which would read as the argument of a preceding letter.
 fn is_like_arguments(factor: &str) -> bool {
     let inside = factor.strip_prefix('(').and_then(|rest| rest.split_once(')')).map_or("", |(inside, _)| inside);
     !inside.is_empty() && !inside.contains(['+', '-'])

@@ -1,4 +1,4 @@
-//! Expressions as text, LaTeX and SymPy, in the order in which they were written.
+//! Printing of expressions as text, LaTeX and SymPy. Terms and factors are printed in the order in which they were written.
 
 mod decimal;
 mod latex;
@@ -14,7 +14,7 @@ use field::{Elementary, Rational};
 use rustc_hash::FxHashMap;
 use std::fmt;
 
-/// The number of symbols and signs beyond which an expression is replaced by its size.
+/// The size, in symbols and operators, beyond which only the size of an expression is printed.
 const LONGEST: u64 = 200_000;
 
 impl fmt::Display for Sym {
@@ -27,7 +27,7 @@ impl fmt::Display for Sym {
 }
 
 impl Sym {
-    /// The expression in LaTeX, for mathematical mode.
+    /// Returns the expression in LaTeX, for mathematical mode.
     pub fn latex(self) -> String {
         match written_size(self) {
             size if size > LONGEST => format!("\\text{{(an expression of {size} operations)}}"),
@@ -37,7 +37,7 @@ impl Sym {
 }
 
 impl Sym {
-    /// The expression as text, with decimals where these are shorter than fractions: 0.35 and not 7/20, but 1/2.
+    /// Returns the expression as text, with decimals where these are shorter than fractions: 0.35 in place of 7/20, but 1/2.
     pub fn decimal_text(self) -> String {
         match written_size(self) {
             size if size > LONGEST => self.to_string(),
@@ -45,7 +45,7 @@ impl Sym {
         }
     }
 
-    /// The expression in LaTeX, with decimals where these are shorter than fractions.
+    /// Returns the expression in LaTeX, with decimals where these are shorter than fractions.
     pub fn decimal_latex(self) -> String {
         match written_size(self) {
             size if size > LONGEST => self.latex(),
@@ -53,7 +53,7 @@ impl Sym {
         }
     }
 
-    /// The expression in Python, over the names of SymPy: `Rational`, `sqrt`, `cos`, `sin` and [`Sym::identifier`]s.
+    /// Returns the expression in Python with the functions of SymPy: `Rational`, `sqrt`, `cos`, `sin`. Symbols are printed as their [`Sym::identifier`].
     pub fn sympy(self) -> String {
         match written_size(self) {
             size if size > LONGEST => format!("# an expression of {size} operations\n"),
@@ -61,7 +61,7 @@ impl Sym {
         }
     }
 
-    /// The identifier of a symbol in that notation; `None` for other expressions.
+    /// Returns the Python identifier of a symbol; `None` for other expressions.
     pub fn identifier(self) -> Option<String> {
         self.symbol_name().map(|name| sympy::identifier(&name))
     }
@@ -76,13 +76,13 @@ enum Bond {
     Atom,
 }
 
-/// A printed part, without its sign.
+/// A printed expression without its sign.
 struct Printed {
     text: String,
     bond: Bond,
 }
 
-/// The differences between notations; on one line unless they say otherwise.
+/// The notation of a printed language. The provided methods give the notation of programming languages, on one line.
 trait Notation {
     fn symbol(&self, name: Name) -> String;
     fn number(&self, size: Rational) -> Printed;
@@ -115,7 +115,7 @@ trait Notation {
         format!("{}({arguments})", function.name())
     }
 
-    /// `cos` or `sin` of an argument, and its power.
+    /// Prints a power of a cosine or sine; `function` is `cos` or `sin`.
     fn circle(&self, function: &str, angle: Printed, exponent: u32) -> Printed {
         let base = Printed { text: format!("{function}({})", angle.text), bond: Bond::Atom };
         if exponent == 1 { base } else { self.power(base, exponent) }
@@ -126,12 +126,12 @@ trait Notation {
     }
 }
 
-/// The form in which constants are written.
+/// The notation of rational constants.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Numbers {
-    /// Always fractions.
+    /// Fractions only.
     Fractions,
-    /// Decimals where they are shorter: see [`decimal`].
+    /// Decimals where these are shorter: see [`decimal`].
     Decimals,
 }
 
@@ -143,7 +143,7 @@ impl Writer<'_> {
         format!("{}{}", if negative { "-" } else { "" }, printed.text)
     }
 
-    /// The expression with its sign inside.
+    /// Prints an expression including its sign.
     fn unsigned(&self, expression: Sym) -> Printed {
         match self.signed(expression) {
             (false, printed) => printed,
@@ -151,7 +151,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The sign and the rest.
+    /// Returns whether the printed expression is negative, and its absolute part.
     fn signed(&self, expression: Sym) -> (bool, Printed) {
         if matches!(expression.node(), Node::Sum(..) | Node::Difference(..)) {
             return (false, self.sum(expression));
@@ -172,7 +172,7 @@ impl Writer<'_> {
         (negative, printed)
     }
 
-    /// Terms from the left; a part in parentheses on the right of a minus keeps them.
+    /// Prints a sum from left to right. A sum that is subtracted stays in parentheses.
     fn sum(&self, expression: Sym) -> Printed {
         let mut terms = Vec::new();
         let mut open = vec![(expression, false)];
@@ -228,7 +228,7 @@ impl Writer<'_> {
     }
 }
 
-/// The sign of a product and its factors, with equal neighbours gathered into a power.
+/// Returns whether a product is negative, and its factors with exponents. Equal neighbouring factors become one power.
 fn factors(expression: Sym) -> (bool, Vec<(Sym, u32)>) {
     let mut negative = false;
     let mut factors: Vec<(Sym, u32)> = Vec::new();
@@ -266,7 +266,7 @@ fn factors(expression: Sym) -> (bool, Vec<(Sym, u32)>) {
     (negative, factors)
 }
 
-/// The size of the expression written out, every shared part as often as it occurs.
+/// Returns the number of symbols and operators of the printed expression, in which shared subexpressions are repeated.
 fn written_size(expression: Sym) -> u64 {
     let mut sizes: FxHashMap<Sym, u64> = FxHashMap::default();
     for each in Sym::ascending(&[expression]) {

@@ -1,10 +1,10 @@
-//! Names: their LaTeX, and the order in which people sort them.
+//! Names: conversion to LaTeX, and natural sort order.
 
-/// The Greek letters that LaTeX has as commands.
+/// The Greek letters with a LaTeX command.
 const GREEK: &str = "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi \
     rho sigma tau upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega";
 
-/// `omega1` is \omega_1, `u_d` is u_d, `A12` is A_{12}; other words stand upright.
+/// Converts a name to LaTeX: `omega1` to \omega_1, `u_d` to u_d, `A12` to A_{12}. Other names of several letters are set upright.
 pub(super) fn latex_name(name: &str) -> String {
     let (base, index) = match name.split_once('_') {
         Some(parts) => parts,
@@ -18,7 +18,7 @@ pub(super) fn latex_name(name: &str) -> String {
         format!("\\mathrm{{{base}}}")
     };
     match index.chars().count() {
-        // `lambda_` is another letter than `lambda`
+        // `lambda_` and `lambda` are different letters
         0 if name.ends_with('_') => format!("{letter}_{{\\_}}"),
         0 => letter,
         1 => format!("{letter}_{index}"),
@@ -26,7 +26,7 @@ pub(super) fn latex_name(name: &str) -> String {
     }
 }
 
-/// A key under which names sort as people sort them: digits by their number.
+/// Returns a sort key for natural order: digits are compared by their numerical value.
 pub(crate) fn natural_key(name: &str) -> Vec<(u64, char)> {
     let mut key = Vec::with_capacity(name.len());
     let mut number = None;

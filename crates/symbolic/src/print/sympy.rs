@@ -1,19 +1,19 @@
-//! SymPy, and any Python that has its functions: `l2*omega3 - Rational(1, 2)*l3**2`.
+//! Notation of SymPy, which is also valid Python with functions of these names: `l2*omega3 - Rational(1, 2)*l3**2`.
 
 use super::{Bond, Name, Notation, Printed};
 use field::{Elementary, Rational};
 
 pub(super) struct SymPy;
 
-/// Greek letters by their names; `lambda` is a word of Python's.
+/// Pairs of a Greek letter and its identifier. `lambda` is a keyword of Python, hence `lamda`.
 const GREEK: &str = "α alpha β beta γ gamma δ delta ε epsilon ζ zeta η eta θ theta ϑ vartheta ι iota κ kappa λ lamda μ mu ν nu \
     ξ xi π pi_ ρ rho σ sigma τ tau υ upsilon φ phi ϕ varphi χ chi ψ psi ω omega Γ Gamma Δ Delta Θ Theta Λ Lambda Ξ Xi Π Pi \
     Σ Sigma Υ Upsilon Φ Phi Ψ Psi Ω Omega";
-/// Marks on letters and behind them.
+/// Accents and superscript marks, with the text that replaces them.
 const MARKS: [(char, &str); 6] =
     [('\u{307}', "dot"), ('\u{308}', "ddot"), ('′', "prime"), ('\'', "prime"), ('*', "star"), ('°', "_0")];
 
-/// The name as an identifier of Python: `γ̇` is gammadot, `φ′` is phiprime, which SymPy prints with their marks.
+/// Converts a name to a Python identifier: `γ̇` to gammadot, `φ′` to phiprime. SymPy prints these identifiers with their marks.
 pub(super) fn identifier(name: &str) -> String {
     let mut text = String::with_capacity(name.len());
     for letter in name.chars() {
@@ -56,7 +56,7 @@ impl Notation for SymPy {
         let function = format!("Function('{}')", identifier(&name.text()));
         match order {
             0 => format!("{function}({argument})"),
-            // the derivative at a value, by a letter that no name has
+            // the derivative is taken with respect to a dummy symbol, at which the argument is then substituted
             _ => format!("Subs(Derivative({function}(_x), (_x, {order})), _x, {argument})"),
         }
     }

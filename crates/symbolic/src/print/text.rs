@@ -1,4 +1,4 @@
-//! Plain text: `l2*omega3 - l3*omega2`.
+//! Plain text notation: `l2*omega3 - l3*omega2`.
 
 use super::{Bond, Name, Notation, Printed};
 use field::Rational;

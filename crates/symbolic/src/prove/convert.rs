@@ -1,4 +1,4 @@
-//! From expressions to fractions of polynomials and back.
+//! Conversion of expressions to quotients of polynomials, and back.
 
 use super::failure::Failure;
 use super::fraction::{Arithmetic, Fraction};
@@ -16,7 +16,7 @@ use std::rc::Rc;
 
 type Shared<C, const W: usize> = Rc<Fraction<C, W>>;
 
-/// Converts expressions over common generators. Equal subexpressions are converted once.
+/// Converts expressions over a common list of generators. Equal subexpressions are converted once.
 pub(super) struct Converter<'a, C, const W: usize> {
     pub generators: &'a Generators,
     pub arithmetic: Arithmetic<C, W>,
@@ -26,7 +26,7 @@ pub(super) struct Converter<'a, C, const W: usize> {
 impl<'a, C: Coefficient, const W: usize> Converter<'a, C, W> {
     pub fn new(generators: &'a Generators) -> Result<Self, Failure> {
         let mut converter = Converter { generators, arithmetic: Arithmetic::new(), done: FxHashMap::default() };
-        // The last rules first: a tail is reduced by those that come after.
+        // The last rules first: the tail of a rule is reduced by the rules that follow it.
         for rule in generators.rules.iter().rev() {
             let tail = converter.fraction(rule.tail)?;
             let generator = generators.index[&rule.lead];
@@ -46,10 +46,10 @@ impl<'a, C: Coefficient, const W: usize> Converter<'a, C, W> {
         Ok(converter)
     }
 
-    /// The expression as a fraction in normal form under the rules.
+    /// Converts an expression to a quotient in normal form under the rules.
     ///
-    /// Works upwards from the generators without recursion. Sums that serve one sum alone are not formed: their
-    /// summands go to the outermost sum, which adds all of them at once.
+    /// The conversion proceeds from the generators upwards, without recursion. A sum that occurs only once, in another sum, is not formed separately:
+    /// its terms are added together with those of the outermost sum.
     pub fn fraction(&mut self, expression: Sym) -> Result<Shared<C, W>, Failure> {
         let expression = self.generators.rewrite(expression);
         let order = self.generators.inside(expression);
@@ -118,7 +118,7 @@ impl<'a, C: Coefficient, const W: usize> Converter<'a, C, W> {
         Ok((1..exponent).try_fold(base.clone(), |product, _| self.arithmetic.product(&product, base))?)
     }
 
-    /// Divides by a denominator factor by factor, as it is written.
+    /// Divides by the factors of a denominator one after another, in the given factorisation.
     fn divide(&mut self, numerator: Fraction<C, W>, denominator: Sym) -> Result<Fraction<C, W>, Failure> {
         let mut quotient = numerator;
         let mut open = vec![(denominator, 1)];
@@ -142,13 +142,13 @@ impl<'a, C: Coefficient, const W: usize> Converter<'a, C, W> {
         Ok(quotient)
     }
 
-    /// The factors of all denominators met so far, as expressions.
+    /// Returns the factors of all denominators that occurred so far, as expressions.
     pub fn requirements(&self) -> Vec<Sym> {
         self.arithmetic.factors.iter().map(|factor| expression_of(factor, &self.generators.leaves)).collect()
     }
 }
 
-/// The sums, differences and negations that are used once, by another of their kind.
+/// Returns the sums, differences and negations that occur exactly once, as a term of another one.
 fn inner_sums(order: &[Sym], root: Sym, generators: &Generators) -> FxHashMap<Sym, ()> {
     let additive = |node: Node| matches!(node, Node::Sum(..) | Node::Difference(..) | Node::Negation(_));
     let mut uses: FxHashMap<Sym, (u32, bool)> = FxHashMap::default();
@@ -177,17 +177,17 @@ fn constant<C: Coefficient, const W: usize>(each: Sym) -> Result<Fraction<C, W>,
     })
 }
 
-/// An integer as an expression.
+/// Converts an integer to an expression.
 pub(super) fn integer(value: IBig) -> Sym {
     Sym::constant(Rational::from(RBig::from_parts(value, UBig::ONE)))
 }
 
-/// The polynomial written out: terms by falling powers of the generators in their order.
+/// Converts a polynomial to an expression, with terms in descending powers of the generators.
 pub(super) fn expression_of<C: Coefficient, const W: usize>(poly: &Poly<C, W>, leaves: &[Sym]) -> Sym {
     poly.terms().iter().fold(integer(IBig::ZERO), |sum, (m, c)| {
         let (negative, size) = if c.is_negative() { (true, c.negated()) } else { (false, c.clone()) };
         let powers = monomial::support(m).map(|(generator, exponent)| leaves[generator].powi(exponent as i32));
-        // the coefficient stays apart: angles recognise the multiples that they are
+        // the coefficient is one factor, by which multiples of angles are recognised
         let product = integer(size.to_big()) * powers.fold(Sym::one(), |product, power| product * power);
         if negative { sum - product } else { sum + product }
     })

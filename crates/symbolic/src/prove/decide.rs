@@ -1,4 +1,4 @@
-//! Deciding whether an expression vanishes.
+//! Decision whether an expression vanishes.
 
 use super::convert::Converter;
 use super::failure::Failure;
@@ -10,33 +10,33 @@ use crate::Sym;
 use algebra::multivariate::Coefficient;
 use std::fmt;
 
-/// Whether an expression vanishes wherever it is defined and the hypotheses hold.
+/// The decision whether an expression vanishes wherever it is defined and the hypotheses hold.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Decision {
-    /// The expression vanishes.
+    /// The expression vanishes identically.
     Zero(Proof),
-    /// The expression does not vanish, with a point that shows it.
+    /// The expression does not vanish at the given point, which satisfies the hypotheses.
     NonZero(Witness),
-    /// This denominator vanishes identically.
+    /// This denominator vanishes identically under the hypotheses.
     Undefined(Sym),
-    /// The question was not decided, for this reason.
+    /// No decision was reached; the text gives the reason.
     GaveUp(String),
 }
 
-/// The assumptions of a proof that an expression vanishes.
+/// The assumptions under which an expression was proved to vanish.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Proof {
-    /// The denominators met on the way, none of which may vanish: factors, as far as they are known.
+    /// Factors of the denominators that occurred in the proof; none of them may vanish.
     pub requires: Vec<Sym>,
 }
 
 impl Decision {
-    /// Whether the expression was proved to vanish.
+    /// Returns whether the expression was proved to vanish.
     pub fn is_zero(&self) -> bool {
         matches!(self, Decision::Zero(_))
     }
 
-    /// Whether a point was found where the expression does not vanish.
+    /// Returns whether a point was found at which the expression does not vanish.
     pub fn is_nonzero(&self) -> bool {
         matches!(self, Decision::NonZero(_))
     }
@@ -54,13 +54,13 @@ impl fmt::Display for Decision {
 }
 
 impl Hypotheses {
-    /// Whether two expressions are equal under these hypotheses.
+    /// Decides whether two expressions are equal under these hypotheses.
     pub fn equal(&self, a: Sym, b: Sym) -> Decision {
         decide(a - b, self)
     }
 }
 
-/// Decides whether the expression vanishes: by its normal form, and where this is not zero by a point.
+/// Decides whether the expression vanishes: if its normal form is not zero, an exact point is searched at which the expression differs from zero.
 pub fn decide(expression: Sym, hypotheses: &Hypotheses) -> Decision {
     match proof(expression, hypotheses) {
         Ok(Some(proof)) => Decision::Zero(proof),
@@ -73,8 +73,8 @@ pub fn decide(expression: Sym, hypotheses: &Hypotheses) -> Decision {
     }
 }
 
-/// Decides whether the expression equals the sum of cofactor * h over the given pairs, identically. If it does, it
-/// vanishes wherever all h do.
+/// Decides whether the expression equals the sum of cofactor * h over the given pairs (cofactor, h) identically. If so, it
+/// vanishes wherever all h vanish.
 pub fn decide_modulo(expression: Sym, combination: &[(Sym, Sym)], hypotheses: &Hypotheses) -> Decision {
     decide(combination.iter().fold(expression, |rest, &(cofactor, h)| rest - cofactor * h), hypotheses)
 }

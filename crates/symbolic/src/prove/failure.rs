@@ -1,19 +1,19 @@
-//! The ways in which a normal form is not reached.
+//! Failures of the computation of a normal form.
 
 use crate::Sym;
 use algebra::multivariate::Limit;
 use std::fmt;
 
-/// Why a computation with expressions ended without a result.
+/// The reason why a computation with expressions has no result.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Failure {
-    /// A limit of the polynomials.
+    /// A size limit of the polynomials was exceeded.
     Polynomial(Limit),
-    /// More generators than are provided for.
+    /// There are more generators than the limit allows; the value is their number.
     Generators(usize),
     /// This denominator vanishes identically.
     Undefined(Sym),
-    /// The hypotheses do not make a canonical set of rules.
+    /// The rules of the hypotheses do not define a canonical normal form.
     Hypotheses(String),
 }
 

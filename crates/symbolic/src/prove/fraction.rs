@@ -1,26 +1,26 @@
-//! Fractions whose denominators stay products of known factors.
+//! Quotients of polynomials whose denominators are products of known factors.
 //!
-//! A proof needs no greatest common divisors: over a common denominator the numerator is zero or it is not. Factors met
-//! before are tried as divisors, which keeps numerators small where derivations cancel.
+//! A proof needs no greatest common divisors, since over a common denominator the numerator either is zero or is not. Known factors are tried
+//! as divisors, which keeps numerators small when terms cancel.
 
 use super::reduce::{PolyRule, reduce};
 use algebra::multivariate::{Budget, Coefficient, Limit, Poly, monomial};
 use std::rc::Rc;
 
-/// numerator / (constant * product of factors^powers); the constant is positive.
+/// The quotient numerator / (constant * product of factors^powers), with a positive constant.
 #[derive(Clone, Debug)]
 pub(super) struct Fraction<C, const W: usize> {
     pub numerator: Poly<C, W>,
     pub constant: C,
-    /// Numbers of factors, rising, with their exponents.
+    /// (index of a factor in [`Arithmetic::factors`], exponent), in ascending order of the index.
     pub powers: Vec<(usize, u32)>,
 }
 
-/// Fractions modulo rules, with the factors of all denominators so far.
+/// Arithmetic of quotients modulo rules, with the factors of all denominators that occurred so far.
 pub(super) struct Arithmetic<C, const W: usize> {
     pub budget: Budget,
     pub rules: Vec<PolyRule<C, W>>,
-    /// Primitive, the first coefficient positive.
+    /// Primitive polynomials with positive leading coefficients.
     pub factors: Vec<Poly<C, W>>,
 }
 
@@ -29,7 +29,7 @@ impl<C: Coefficient, const W: usize> Fraction<C, W> {
         Fraction { numerator, constant: C::of(1), powers: Vec::new() }
     }
 
-    /// The fraction without the common factors of the coefficients above and below.
+    /// Divides numerator and denominator by the common factor of their coefficients.
     pub fn without_content(mut self) -> Self {
         if !self.constant.is_one() {
             let mut common = self.constant.clone();
@@ -54,7 +54,7 @@ impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
         Arithmetic { budget: Budget::default(), rules: Vec::new(), factors: Vec::new() }
     }
 
-    /// The sum of fractions; those that are marked have their signs changed.
+    /// Returns the sum of the quotients; those marked `true` are subtracted.
     pub fn sum(&mut self, mut summands: Vec<(Rc<Fraction<C, W>>, bool)>) -> Result<Fraction<C, W>, Limit> {
         summands.retain(|(each, _)| !each.numerator.is_zero());
         if summands.iter().all(|(each, _)| each.constant.is_one() && each.powers.is_empty()) {
@@ -78,7 +78,7 @@ impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
             numerators.push(raised.times_constant(&scale)?);
         }
         let numerator = Poly::sum(numerators, &self.budget)?;
-        // Raised by factors that contain a rule's generator, the numerators are no longer reduced.
+        // multiplication by factors that contain a rule's generator may undo the reduction
         self.reduced(Fraction { numerator, constant, powers })
     }
 
@@ -98,9 +98,9 @@ impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
         self.reduced_product(Fraction { numerator, constant, powers: merged(&left, &right, |a, b| a + b) })
     }
 
-    /// a / b for a `b` with a numerator that is not zero.
+    /// Returns a / b; the numerator of b must not be zero.
     pub fn quotient(&mut self, a: &Fraction<C, W>, b: &Fraction<C, W>) -> Result<Fraction<C, W>, Limit> {
-        // The denominator of b against that of a, factor by factor.
+        // first cancels the denominators of a and b, factor by factor
         let common = merged(&a.powers, &b.powers, u32::min);
         let mut powers = merged(&a.powers, &common, |all, own| all - own);
         let upward = merged(&b.powers, &common, |all, own| all - own);
@@ -119,7 +119,7 @@ impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
         self.reduced_product(Fraction { numerator, constant, powers })
     }
 
-    /// The fraction with its numerator modulo the rules, and with the factors that then cancel.
+    /// Reduces the numerator modulo the rules, then cancels common factors.
     fn reduced(&mut self, mut fraction: Fraction<C, W>) -> Result<Fraction<C, W>, Limit> {
         let (numerator, constant) = reduce(fraction.numerator, &self.rules, &self.budget)?;
         fraction.numerator = numerator;
@@ -127,7 +127,7 @@ impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
         self.cancelled(fraction)
     }
 
-    /// [`Arithmetic::reduced`] for a product whose factors were tried already: without rules nothing more cancels.
+    /// Like [`Arithmetic::reduced`], for a product whose factors were cancelled already: without rules nothing else cancels.
     fn reduced_product(&mut self, product: Fraction<C, W>) -> Result<Fraction<C, W>, Limit> {
         if self.rules.is_empty() && !product.numerator.is_zero() {
             return Ok(product.without_content());
@@ -143,7 +143,7 @@ impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
         Ok(fraction.without_content())
     }
 
-    /// Divides out the factors that divide.
+    /// Cancels the factors of the denominator that divide the numerator.
     fn cancel(&self, numerator: &mut Poly<C, W>, powers: &mut Vec<(usize, u32)>) -> Result<(), Limit> {
         for (factor, exponent) in powers.iter_mut() {
             while *exponent > 0 {
@@ -167,7 +167,7 @@ impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
         Ok(poly)
     }
 
-    /// 1 / poly: its content, its generators, the known factors that divide it, and the rest as a new factor.
+    /// Returns 1 / poly, factorised into content, generators, known factors, and the rest as a new factor.
     fn inverse(&mut self, poly: &Poly<C, W>) -> Result<Inverse<C, W>, Limit> {
         let mut content = poly.content();
         let common = poly.common_monomial();
@@ -177,7 +177,7 @@ impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
         for (generator, exponent) in monomial::support(&common) {
             let root = self.rules.iter().find(|rule| rule.generator == generator && rule.tail.as_constant().is_some());
             match root {
-                // The root of a number: 1/g = scale g^(k-1) / tail.
+                // the generator is the root of a number: 1/g = scale g^(k-1) / tail
                 Some(rule) => {
                     let inverse = Poly::term(monomial::power(generator, rule.power - 1)?, rule.scale.clone());
                     multiplier = multiplier.times(&inverse.power(exponent, &self.budget)?, &self.budget)?;
@@ -214,14 +214,14 @@ impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
     }
 }
 
-/// multiplier / (content * product of factors^powers).
+/// The reciprocal multiplier / (content * product of factors^powers).
 struct Inverse<C, const W: usize> {
     content: C,
     multiplier: Poly<C, W>,
     powers: Vec<(usize, u32)>,
 }
 
-/// Exponents of the same factors combined; a factor that is missing has the exponent zero.
+/// Combines the exponents of equal factors; a missing factor has the exponent zero.
 fn merged(a: &[(usize, u32)], b: &[(usize, u32)], combine: fn(u32, u32) -> u32) -> Vec<(usize, u32)> {
     let (mut a, mut b) = (a.iter().copied().peekable(), b.iter().copied().peekable());
     let mut result = Vec::new();

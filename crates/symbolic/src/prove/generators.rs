@@ -1,7 +1,7 @@
-//! The generators of the ring of an expression: symbols, coordinates of angles, roots, functions.
+//! The generators of the polynomial ring of an expression: symbols, cosines and sines, roots, functions.
 //!
-//! Arguments are brought to normal form: cos(a*b) and cos(b*a) are one generator, and the root of a square sum that the
-//! hypotheses make 1 is 1.
+//! Arguments are brought to normal form first. Therefore cos(a*b) and cos(b*a) are one generator, and the root of a sum of squares that equals 1 under the
+//! hypotheses is 1.
 
 use super::failure::Failure;
 use super::hypotheses::{Hypotheses, Refused, Rule, circle_rule};
@@ -18,7 +18,7 @@ pub(crate) struct Generators {
     /// The generators, sorted by name.
     pub leaves: Vec<Sym>,
     pub index: FxHashMap<Sym, usize>,
-    /// The rules whose leads occur, a rule before those that rewrite its tail.
+    /// The rules whose leading generators occur. A rule precedes those that rewrite its tail.
     pub rules: Vec<Rule>,
     aliases: FxHashMap<Sym, Sym>,
 }
@@ -41,7 +41,7 @@ impl Generators {
         Ok(generators)
     }
 
-    /// Whether the rules of the hypotheses alone have one admissible order.
+    /// Checks that the rules of the hypotheses alone have an admissible order.
     pub fn check(hypotheses: &Hypotheses) -> Result<(), Refused> {
         let leads: Vec<Sym> = hypotheses.rules.iter().map(|rule| rule.lead).collect();
         match Self::of(&leads, hypotheses) {
@@ -50,7 +50,7 @@ impl Generators {
         }
     }
 
-    /// The expression over the generators alone.
+    /// Rewrites the expression in terms of the generators.
     pub fn rewrite(&self, expression: Sym) -> Sym {
         if self.aliases.is_empty() {
             return expression;
@@ -58,8 +58,8 @@ impl Generators {
         rewrite(expression, &self.aliases, &|each| self.index.contains_key(&each))
     }
 
-    /// The rules in an order in which none brings back a power that an earlier one removed: all of them fall under the
-    /// lexicographic order of their leads.
+    /// Sorts the rules so that no rule reintroduces a power which an earlier rule removed. Every rule then decreases the
+    /// lexicographic order of the leading generators.
     fn ordered(&self, mut rules: Vec<Rule>) -> Result<Vec<Rule>, Refused> {
         if rules.len() < 2 {
             return Ok(rules);
@@ -90,7 +90,7 @@ impl Generators {
         Ok(sorted)
     }
 
-    /// All expressions inside the given one, generators not opened up, each after those it is made of.
+    /// Returns the expression and its subexpressions down to the generators. Operands precede the operations on them.
     pub fn inside(&self, expression: Sym) -> Vec<Sym> {
         Sym::reached(&[expression], |each, node| !node.is_leaf() && !self.index.contains_key(&each))
     }
@@ -109,7 +109,7 @@ fn rewrite(expression: Sym, aliases: &FxHashMap<Sym, Sym>, generator: &impl Fn(S
     new[&expression]
 }
 
-/// The cosine x/r or the sine y/r of atan2(y, x), with r = sqrt(x^2 + y^2).
+/// Returns cos = x/r or sin = y/r of the angle atan2(y, x), with r = sqrt(x^2 + y^2); `None` for other angles.
 fn of_direction(leaf: Sym) -> Option<Sym> {
     let (Node::Cos(angle) | Node::Sin(angle)) = leaf.node() else { return None };
     let Node::Elementary(Elementary::Atan2, y, x) = angle.node() else { return None };
@@ -122,9 +122,9 @@ struct Gathering<'a> {
     found: FxHashSet<Sym>,
     aliases: FxHashMap<Sym, Sym>,
     rules: Vec<Rule>,
-    /// Arguments with their normal forms.
+    /// Normal forms of arguments.
     normal: FxHashMap<Sym, Sym>,
-    /// The number of parts into which an angle is divided, such that x/2 and x/3 are both whole numbers of parts of x.
+    /// The number of equal parts into which each angle is divided: for x/2 and x/3 the parts of x are x/6.
     parts: FxHashMap<Sym, i64>,
 }
 
@@ -140,7 +140,7 @@ impl<'a> Gathering<'a> {
         }
     }
 
-    /// Finds the common parts of all angles, also of those inside arguments.
+    /// Determines the common parts of all angles, including those inside arguments.
     fn survey(&mut self, expressions: &[Sym]) -> Result<(), Failure> {
         let tails = self.hypotheses.rules.iter().map(|rule| rule.tail);
         let all: Vec<Sym> = expressions.iter().copied().chain(tails).collect();
@@ -151,7 +151,7 @@ impl<'a> Gathering<'a> {
                 for (term, coefficient) in linear_terms(self.canonical(angle)?) {
                     let denominator = small_quotient(coefficient).map_or(1, |(_, denominator)| denominator);
                     let parts = self.parts.entry(term).or_insert(1);
-                    // beyond a moderate number the angles stay apart, and no refutation is attempted
+                    // above a limit the angles have no common part: proofs remain valid, but refutations become impossible
                     *parts = least_common_multiple(*parts, denominator).unwrap_or(*parts);
                 }
             }
@@ -213,7 +213,7 @@ impl<'a> Gathering<'a> {
         }
     }
 
-    /// A coordinate of an angle, as an expression in coordinates of canonical angles.
+    /// Expresses a cosine or sine through those of canonical angles.
     fn coordinate(&mut self, each: Sym, angle: Sym) -> Result<(), Failure> {
         let canonical = self.canonical(angle)?;
         let point = circle_in_steps(canonical, |term, denominator| match self.parts.get(&term) {
@@ -241,7 +241,7 @@ impl<'a> Gathering<'a> {
         Ok(())
     }
 
-    /// sqrt(c N/D) = sqrt(c) s/D with the positive constant c taken out and s = D sqrt(N/D), whose square N D is a
+    /// Rewrites sqrt(c N/D) = sqrt(c) s/D, with a positive constant c and the generator s = D sqrt(N/D), whose square N D is a
     /// polynomial.
     fn root(&mut self, each: Sym, square: Sym) -> Result<(), Failure> {
         if square.as_constant().is_some() {

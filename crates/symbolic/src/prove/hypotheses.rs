@@ -1,4 +1,4 @@
-//! Hypotheses of a statement.
+//! Hypotheses of a statement: relations between its symbols.
 
 use crate::Sym;
 use crate::graph::Node;
@@ -8,10 +8,10 @@ use std::fmt;
 
 /// Relations between symbols under which a statement is decided.
 ///
-/// A relation is a *rule* g^k -> tail, a pure power of a symbol rewritten by lower terms, or a symbol *given* by an
-/// expression. Rules with different leading symbols that fall under one admissible order are a Groebner basis: the
-/// normal form under them is canonical; a set of rules without such an order is refused. The rules sin^2 -> 1 - cos^2
-/// for every angle and r^2 -> a for every root are always included.
+/// A relation is either a *rule* g^k -> tail, which rewrites a power of a symbol by lower terms, or a symbol *given* by an
+/// expression. Rules with different leading symbols and one admissible term order are a Groebner basis, hence the
+/// normal form modulo the rules is canonical. A set of rules without such an order is rejected. The rules sin^2 -> 1 - cos^2
+/// for every angle and r^2 -> a for every root r = sqrt(a) always apply.
 #[derive(Clone, Debug, Default)]
 pub struct Hypotheses {
     pub(super) rules: Vec<Rule>,
@@ -21,7 +21,7 @@ pub struct Hypotheses {
     refused: Option<Refused>,
 }
 
-/// lead^power = tail.
+/// The rule lead^power -> tail.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Rule {
     pub lead: Sym,
@@ -29,7 +29,7 @@ pub(super) struct Rule {
     pub tail: Sym,
 }
 
-/// Hypotheses that do not make a canonical set of rules.
+/// The reason why hypotheses do not define a canonical normal form.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refused(pub String);
 
@@ -42,12 +42,12 @@ impl fmt::Display for Refused {
 impl std::error::Error for Refused {}
 
 impl Hypotheses {
-    /// No hypotheses.
+    /// Returns the empty set of hypotheses.
     pub fn none() -> Self {
         Self::default()
     }
 
-    /// A vector has length one: the square of its last component is rewritten.
+    /// Adds the hypothesis that a vector has length one. The square of its last component is rewritten.
     pub fn unit_vector<const N: usize>(mut self, vector: [Sym; N]) -> Self {
         let Some((&last, others)) = vector.split_last() else {
             return self;
@@ -58,17 +58,17 @@ impl Hypotheses {
         self.add_rule(last, 2, tail, (square.unwrap_or(Sym::ZERO), Sym::one()))
     }
 
-    /// A point lies on the unit circle.
+    /// Adds the hypothesis cos^2 + sin^2 = 1 for a pair of expressions.
     pub fn on_circle(self, point: Circle<Sym>) -> Self {
         self.unit_vector([point.cos, point.sin])
     }
 
-    /// The rule lead^power = tail, for a symbol `lead` and a polynomial `tail` of lower terms.
+    /// Adds the rule lead^power = tail, for a symbol `lead` and a polynomial `tail` of lower degree in `lead`.
     pub fn rule(self, lead: Sym, power: u32, tail: Sym) -> Self {
         self.add_rule(lead, power, tail, (lead.powi(power as i32), tail))
     }
 
-    /// The symbol stands for the expression, which must not contain the symbol.
+    /// Adds the hypothesis symbol = expression. The expression must not contain the symbol.
     pub fn given(mut self, symbol: Sym, expression: Sym) -> Self {
         let value = expression.substitute(&self.given);
         if !matches!(symbol.node(), Node::Symbol(_)) {
@@ -91,15 +91,15 @@ impl Hypotheses {
         self
     }
 
-    /// The hypotheses as equations, in the order in which they were made.
+    /// Returns the hypotheses as equations (left, right), in the order in which they were added.
     pub fn statements(&self) -> &[(Sym, Sym)] {
         &self.statements
     }
 
-    /// Whether the rules are canonical: different leading symbols, one admissible order.
+    /// Checks that the rules define a canonical normal form: different leading symbols, one admissible order.
     ///
     /// # Errors
-    /// [`Refused`] names the rules that conflict.
+    /// [`Refused`] describes the rules that conflict.
     pub fn check(&self) -> Result<(), Refused> {
         match &self.refused {
             Some(refused) => Err(refused.clone()),
@@ -130,14 +130,14 @@ impl Hypotheses {
         self
     }
 
-    /// Only the first reason is kept.
+    /// Stores the reason of a rejection, unless an earlier one is stored.
     fn refuse(mut self, reason: String) -> Self {
         self.refused.get_or_insert(Refused(reason));
         self
     }
 }
 
-/// sin^2 = 1 - cos^2.
+/// Returns the rule sin^2 -> 1 - cos^2.
 pub(super) fn circle_rule(cos: Sym, sin: Sym) -> Rule {
     Rule { lead: sin, power: 2, tail: Sym::int(1) - cos.powi(2) }
 }

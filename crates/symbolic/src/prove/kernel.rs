@@ -1,17 +1,17 @@
-//! The choice of the width of monomials and the size of coefficients for a computation.
+//! Choice of the width of monomials and of the size of coefficients.
 
 use super::failure::Failure;
 use algebra::multivariate::{Coefficient, Limit};
 use dashu_int::IBig;
 
-/// A computation with polynomials of any width and coefficients of any size.
+/// A computation with polynomials that is generic in the width of monomials and the type of coefficients.
 pub(super) trait Computation {
     type Output;
     fn run<C: Coefficient, const W: usize>(&self) -> Result<Self::Output, Failure>;
 }
 
-/// Runs with monomials that suffice for the generators, and with machine integers if they do. Every pair of a width
-/// and a coefficient is compiled by itself, so there are few: big integers cost more than wide monomials.
+/// Runs a computation with monomials that are wide enough for the generators: first with 128-bit coefficients, after an overflow with big integers. Each
+/// combination is compiled separately; for big integers there are only two, since the width matters less there.
 pub(super) fn compute<T: Computation>(computation: &T, generators: usize) -> Result<T::Output, Failure> {
     let by_machine_integers = match generators {
         0..=16 => computation.run::<i128, 2>(),

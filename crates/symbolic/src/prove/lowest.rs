@@ -1,17 +1,17 @@
-//! Fractions brought to lowest terms, with denominators free of the leads of rules.
+//! Quotients in lowest terms, whose denominators contain no leading generator of a rule.
 //!
-//! Where a rule g^2 = t holds, every element is a + b g, and a denominator a + b g is made free of g by its conjugate:
-//! (a + b g)(a - b g) = a^2 - b^2 t. The result is a fraction over a polynomial ring, whose lowest terms are unique.
-//! For reading, powers of t in the denominator are then written as powers of g again: 1/sin(x), not sin(x)/(1 - cos(x)^2).
+//! With a rule g^2 = t every element has the form a + b g. A denominator a + b g is made free of g by its conjugate:
+//! (a + b g)(a - b g) = a^2 - b^2 t. The result is a quotient over a polynomial ring, whose lowest terms are unique.
+//! For readability, powers of t in the denominator are then replaced by powers of g: 1/sin(x) in place of sin(x)/(1 - cos(x)^2).
 
 use super::fraction::{Arithmetic, Fraction};
 use super::reduce::PolyRule;
 use algebra::multivariate::{Coefficient, Limit, Poly, monomial};
 
-/// Conjugates are formed as long as the new denominator has no more terms than this.
+/// A denominator is not rationalised if the result would have more terms.
 const LONGEST_NORM: usize = 400;
 
-/// numerator / (constant * denominator) with nothing in common.
+/// The quotient numerator / (constant * denominator) in lowest terms.
 pub(super) struct LowestTerms<C, const W: usize> {
     pub numerator: Poly<C, W>,
     pub constant: C,
@@ -43,12 +43,12 @@ pub(super) fn lowest_terms<C: Coefficient, const W: usize>(
     readable(LowestTerms { numerator, constant, denominator }, arithmetic)
 }
 
-/// A rule of the form scale g^2 = t, t free of g and not a number, that `poly` is subject to.
+/// Returns whether a rule has the form scale g^2 = t with t free of g.
 fn is_quadratic<C: Coefficient, const W: usize>(rule: &PolyRule<C, W>) -> bool {
     rule.power == 2 && monomial::exponent(&rule.tail.degrees(), rule.generator) == 0
 }
 
-/// The fraction with a denominator free of the leads of quadratic rules.
+/// Makes the denominator free of the leading generators of quadratic rules.
 fn rationalised<C: Coefficient, const W: usize>(
     mut fraction: Fraction<C, W>,
     arithmetic: &mut Arithmetic<C, W>,
@@ -82,7 +82,7 @@ fn rationalised<C: Coefficient, const W: usize>(
     Ok(fraction)
 }
 
-/// Tails of rules in the denominator replaced by the squares of their leads.
+/// Replaces tails of rules in the denominator by the squares of their leading generators.
 fn readable<C: Coefficient, const W: usize>(
     mut terms: LowestTerms<C, W>,
     arithmetic: &Arithmetic<C, W>,
@@ -92,7 +92,7 @@ fn readable<C: Coefficient, const W: usize>(
         let (content, primitive) = (rule.tail.content(), rule.tail.primitive()?);
         let lead = monomial::power(rule.generator, 1)?;
         while let Some(rest) = terms.denominator.exact_quotient(&primitive, budget)? {
-            // primitive = scale g^2 / content.
+            // primitive = scale g^2 / content
             let LowestTerms { mut numerator, mut constant, denominator: _ } = terms;
             numerator = numerator.times_constant(&content)?;
             constant = constant.times(&rule.scale)?;

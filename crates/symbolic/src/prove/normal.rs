@@ -13,14 +13,14 @@ use field::Rational;
 use num_traits::Zero;
 use std::fmt;
 
-/// An expression as one fraction of polynomials in lowest terms: terms by falling powers of the generators, which are
-/// in natural order of their names, over a denominator whose first coefficient is positive.
+/// An expression as a quotient of polynomials in lowest terms. Terms are sorted by descending powers of the generators, which are
+/// sorted by name in natural order. The leading coefficient of the denominator is positive.
 ///
-/// It is zero exactly where the expression vanishes, and equal expressions have the same normal form; only a
-/// denominator with so many angles and roots that their conjugates outgrow a limit is left as it came.
+/// The normal form is zero exactly if the expression vanishes, and equal expressions have equal normal forms. The exception is a
+/// denominator with so many angles and roots that its rationalisation exceeds a limit: it is left unchanged, and equal expressions may then differ.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NormalForm {
-    /// The common rational factor of the coefficients above and below, positive.
+    /// The positive rational common factor of the coefficients.
     content: Rational,
     primitive: Sym,
     numerator: Sym,
@@ -28,12 +28,12 @@ pub struct NormalForm {
     requires: Vec<Sym>,
 }
 
-/// Why there is no normal form.
+/// The reason why an expression has no normal form.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NotNormal {
     /// This denominator vanishes identically.
     Undefined(Sym),
-    /// The hypotheses are refused or a limit was reached.
+    /// The hypotheses were rejected or a limit was exceeded; the text gives the reason.
     GaveUp(String),
 }
 
@@ -48,10 +48,10 @@ impl fmt::Display for NotNormal {
 
 impl std::error::Error for NotNormal {}
 
-/// The normal form under the hypotheses.
+/// Computes the normal form under the hypotheses.
 ///
 /// # Errors
-/// [`NotNormal`] where the expression is undefined, the hypotheses are refused, or a limit was reached.
+/// [`NotNormal`] if the expression is undefined, the hypotheses are rejected, or a limit was exceeded.
 pub fn normal(expression: Sym, hypotheses: &Hypotheses) -> Result<NormalForm, NotNormal> {
     normal_form(expression, hypotheses).map_err(|failure| match failure {
         Failure::Undefined(denominator) => NotNormal::Undefined(denominator),
@@ -66,33 +66,33 @@ pub(super) fn normal_form(expression: Sym, hypotheses: &Hypotheses) -> Result<No
 }
 
 impl NormalForm {
-    /// Whether the expression vanishes.
+    /// Returns whether the expression vanishes.
     pub fn is_zero(&self) -> bool {
         self.numerator.is_zero()
     }
 
-    /// The numerator, written out, with integer coefficients.
+    /// Returns the expanded numerator, with integer coefficients.
     pub fn numerator(&self) -> Sym {
         self.numerator
     }
 
-    /// The denominator: an integer times the generators that divide it times the rest, written out.
+    /// Returns the denominator: an integer, times the generators that divide the denominator, times the expanded rest.
     pub fn denominator(&self) -> Sym {
         let (_, below) = parts(self.content);
         below * self.denominator
     }
 
-    /// The denominators met in the expression, none of which may vanish, also where they cancelled in the end.
+    /// Returns all denominators of the expression, including those that cancelled. The normal form is valid where none of them vanishes.
     pub fn requires(&self) -> &[Sym] {
         &self.requires
     }
 
-    /// The normal form as an expression.
+    /// Returns the normal form as an expression.
     pub fn to_sym(&self) -> Sym {
         self.numerator / self.denominator()
     }
 
-    /// The value of a constant.
+    /// Returns the value if the expression is constant.
     pub fn as_constant(&self) -> Option<Rational> {
         self.to_sym().as_constant()
     }
@@ -116,7 +116,7 @@ impl fmt::Display for NormalForm {
     }
 }
 
-/// Numerator and denominator of a number.
+/// Splits a rational number into numerator and denominator.
 fn parts(value: Rational) -> (Sym, Sym) {
     let (above, below) = value.to_big().unwrap_or_default().into_parts();
     (integer(above), integer(below.into()))

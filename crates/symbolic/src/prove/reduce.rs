@@ -1,8 +1,8 @@
-//! Polynomials modulo rewriting rules.
+//! Reduction of polynomials modulo rewriting rules.
 
 use algebra::multivariate::{Budget, Coefficient, Limit, Poly, monomial};
 
-/// scale * generator^power = tail.
+/// The rule scale * generator^power -> tail.
 pub(super) struct PolyRule<C, const W: usize> {
     pub generator: usize,
     pub power: u32,
@@ -10,7 +10,7 @@ pub(super) struct PolyRule<C, const W: usize> {
     pub tail: Poly<C, W>,
 }
 
-/// A polynomial rewritten until no rule applies: it equals the first result divided by the second.
+/// Rewrites a polynomial until no rule applies. The given polynomial equals the first result divided by the second.
 pub(super) fn reduce<C: Coefficient, const W: usize>(
     mut poly: Poly<C, W>,
     rules: &[PolyRule<C, W>],

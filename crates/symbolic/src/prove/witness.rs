@@ -14,13 +14,13 @@ use std::fmt;
 /// A point that satisfies the hypotheses, and the value of the expression there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Witness {
-    /// Symbols, coordinates of angles, roots and functions with their values: rational numbers, or roots of them where
-    /// the hypotheses leave no other.
+    /// Symbols, cosines and sines, roots and functions with their values: rational numbers, or square roots of these if the hypotheses
+    /// allow no rational values.
     pub point: Vec<(Sym, Sym)>,
-    /// The value of the expression, different from zero.
+    /// The value of the expression at the point, different from zero.
     pub value: Sym,
-    /// Coordinates of angles whose arguments also have a value at the point. As functions they are independent of their
-    /// arguments, on which the refutation rests; the point is then not literally one.
+    /// Cosines and sines whose arguments also have a value at the point. As functions they are algebraically independent of their
+    /// arguments, which suffices for the refutation; but their values are not those of the printed arguments.
     pub formal: Vec<Sym>,
 }
 
@@ -34,11 +34,11 @@ impl fmt::Display for Witness {
     }
 }
 
-/// The numbers of points that are tried with rational coordinates only, and then with roots.
+/// The number of points tried with rational values only, and the total number including values with roots.
 const RATIONAL_POINTS: u32 = 400;
 const POINTS: u32 = 600;
 
-/// A point at which the expression is defined and not zero. The search takes small numbers in a fixed order.
+/// Searches a point at which the expression is defined and not zero, among small numbers in a fixed order.
 pub(super) fn search(expression: Sym, hypotheses: &Hypotheses) -> Option<Witness> {
     let inside = expression.substitute(&hypotheses.given);
     let mut all = vec![inside];
@@ -55,12 +55,12 @@ pub(super) fn search(expression: Sym, hypotheses: &Hypotheses) -> Option<Witness
     })
 }
 
-/// Whether the points of all angles may be chosen, and no elementary function has a value that is not exact: the coordinates of a number, cos 1, have
-/// no exact value, and parts of one angle without a common step depend on each other.
+/// Returns whether the values of all cosines and sines can be chosen freely and all functions have exact values. The cosine of a number, cos 1, has no exact
+/// value, and angles that are different multiples of one term depend on each other.
 fn angles_are_free(generators: &Generators) -> bool {
     let mut steps: FxHashMap<Sym, Sym> = FxHashMap::default();
     generators.leaves.iter().all(|leaf| match leaf.node() {
-        // its values and those of its argument depend on each other
+        // the value of an elementary function depends on that of its argument
         Node::Elementary(..) => false,
         Node::Cos(angle) | Node::Sin(angle) => linear_terms(angle).into_iter().all(|(term, _)| {
             term != Sym::ONE && !holds_direction(term) && *steps.entry(term).or_insert(angle) == angle
@@ -69,13 +69,13 @@ fn angles_are_free(generators: &Generators) -> bool {
     })
 }
 
-/// Whether an angle holds an atan2, whose sine and cosine depend on its arguments.
+/// Returns whether an angle contains atan2, whose sine and cosine depend on its arguments.
 fn holds_direction(angle: Sym) -> bool {
     Sym::ascending(&[angle]).iter().any(|part| matches!(part.node(), Node::Elementary(Elementary::Atan2, ..)))
 }
 
-/// Small numbers in a fixed order, different for every attempt and growing slowly; positive in the first ones, as most
-/// quantities of mechanics are.
+/// Small numbers in a fixed order, different for every attempt and slowly growing; positive in the first attempts, since most
+/// quantities of mechanics are positive.
 struct Numbers {
     state: u32,
     attempt: u32,
@@ -92,7 +92,7 @@ impl Numbers {
             4..8 => Rational::new(numerator, 1 + draw / 64 % 3),
             _ => {
                 let sign = draw / 4096 % 8;
-                // zeros hide too much for frequent use
+                // a value of zero makes many terms vanish, hence zeros are rare
                 let numerator = if sign == 0 { 0 } else { numerator * (1 - 2 * (sign % 2)) };
                 Rational::new(numerator, 1 + draw / 64 % (1 + size / 2))
             }
@@ -101,21 +101,21 @@ impl Numbers {
 }
 
 impl Numbers {
-    /// The tangent of half an angle; in the first attempts of an acute one, as most angles in drawings are.
+    /// Returns the tangent of half an angle; in the first attempts the angle is acute.
     fn half_tangent(&mut self) -> Rational {
         let number = self.next();
         if self.attempt < 8 { Rational::one() / (Rational::one() + number) } else { number }
     }
 }
 
-/// Values of the generators.
+/// A point: the values of the generators.
 struct Point {
     values: FxHashMap<Sym, Sym>,
 }
 
 impl Point {
-    /// Free generators take numbers; spheres and circles their rational points; every other rule is solved for its
-    /// lead, which takes a root.
+    /// Chooses a point. Free generators get numbers, vectors of length one and angles rational points of the sphere or circle. Every other rule is
+    /// solved for its leading generator, which gets the root.
     fn at(generators: &Generators, hypotheses: &Hypotheses, mut numbers: Numbers, rational: bool) -> Option<Self> {
         let mut values: FxHashMap<Sym, Sym> = FxHashMap::default();
         for sphere in &hypotheses.spheres {
@@ -141,7 +141,7 @@ impl Point {
         let led = |leaf: &Sym| generators.rules.iter().any(|rule| rule.lead == *leaf);
         for &leaf in &generators.leaves {
             if !values.contains_key(&leaf) && !led(&leaf) {
-                // A lone cosine must lie between -1 and 1.
+                // the cosine of an angle whose sine does not occur must lie between -1 and 1
                 let bounded = match leaf.node() {
                     Node::Cos(_) => {
                         let t = numbers.half_tangent();
@@ -170,7 +170,7 @@ impl Point {
         generators.leaves.iter().all(|leaf| point.values.contains_key(leaf)).then_some(point)
     }
 
-    /// The generator of a root of N/D is D sqrt(N/D): it has the sign of D.
+    /// Gives the value of a root its sign: the generator of sqrt(N/D) is D sqrt(N/D), which has the sign of D.
     fn with_sign(&self, lead: Sym, value: Sym, generators: &Generators) -> Option<Sym> {
         match lead.node() {
             Node::Product(denominator, _) => {
@@ -185,7 +185,7 @@ impl Point {
         }
     }
 
-    /// The exact value of an expression over the generators.
+    /// Returns the exact value of an expression at the point.
     fn exact(&self, expression: Sym, generators: &Generators) -> Option<Sym> {
         let rational = self.rational(expression, generators);
         if let Some(value) = rational {
@@ -221,7 +221,7 @@ impl Point {
         Some(values[&expression])
     }
 
-    /// Whether no function has two values at arguments that are equal at the point.
+    /// Returns whether no function occurs at two arguments that are equal at the point.
     fn functions_are_single_valued(&self, generators: &Generators) -> bool {
         let mut seen: Vec<(Name, u32, Sym)> = Vec::new();
         generators.leaves.iter().all(|leaf| {

@@ -1,10 +1,10 @@
-//! A tape of field operations alone, over every scalar, also over one without roots and angles.
+//! Tapes with field operations only, for scalars without roots and angles.
 
 use super::{Operation, Register, Tape};
 use field::{Rational, Scalar};
 
-/// One value as sums, products and quotients of its inputs. A constant is the quotient of two integers: every field
-/// holds it as exactly as it can.
+/// A program for one value that consists of sums, products and quotients of its inputs. Constants are stored as quotients of two integers, which every field
+/// represents as exactly as it can.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Algebraic {
     inputs: usize,
@@ -15,8 +15,8 @@ pub struct Algebraic {
 }
 
 impl Tape {
-    /// The first output's program; `None` where the tape has roots, circle points or elementary functions, no output, or a constant whose
-    /// numerator or denominator is beyond 64 bits.
+    /// Returns the program of the first output. Returns `None` if the tape contains roots, sines, cosines or elementary functions, has no output, or contains a constant
+    /// whose numerator or denominator exceeds 64 bits.
     pub fn algebraic(&self) -> Option<Algebraic> {
         let beyond = |operation: &Operation| {
             matches!(operation, Operation::Root(_) | Operation::Circle(_) | Operation::Elementary(..))
@@ -34,19 +34,19 @@ impl Tape {
     }
 }
 
-/// Numerator and denominator, where both are within 64 bits.
+/// Returns numerator and denominator, if both fit into 64 bits.
 fn integers(value: Rational) -> Option<(i64, i64)> {
     let big = value.to_big()?;
     Some((i64::try_from(big.numerator()).ok()?, i64::try_from(big.denominator()).ok()?))
 }
 
 impl Algebraic {
-    /// The number of registers that an evaluation needs.
+    /// Returns the number of registers that an evaluation needs.
     pub fn registers(&self) -> usize {
         self.registers
     }
 
-    /// The value at the inputs, with N registers on the stack; `None` where N are too few or inputs are missing.
+    /// Evaluates the program with N registers on the stack. Returns `None` if N is too small or inputs are missing.
     pub fn evaluate<S: Scalar, const N: usize>(&self, inputs: impl Iterator<Item = S>) -> Option<S> {
         let mut registers = [S::zero(); N];
         let mut next = 0;

@@ -1,8 +1,8 @@
-//! A program in an order that is fast on processors: equal numbers but for rounding, and equal bits on every processor.
+//! Reordering of a program for speed: results change only by rounding, and are equal bit for bit on all processors.
 
 use super::{Operation, Register, Tape};
 
-/// The latency of an operation, in steps of a processor: only the order of these numbers matters.
+/// Returns the approximate latency of an operation in processor cycles. Only the order of these numbers matters.
 fn wait(operation: Operation) -> u32 {
     match operation {
         Operation::Circle(_) | Operation::Elementary(..) => 45,
@@ -11,7 +11,7 @@ fn wait(operation: Operation) -> u32 {
     }
 }
 
-/// A term of a sum: its register, whether it is subtracted, and the time at which it is ready.
+/// A term of a sum: its register, whether it is subtracted, and the time in cycles at which it is available.
 #[derive(Clone, Copy)]
 struct Term {
     register: Register,
@@ -20,19 +20,19 @@ struct Term {
 }
 
 impl Tape {
-    /// The program for a processor with instruction-level parallelism: constant divisors become factors, long sums are
-    /// formed pair by pair, terms that are ready first coming first, and products are computed in their sums
+    /// Returns the program reordered for processors with instruction-level parallelism. Divisions by constants become multiplications, long sums
+    /// are formed pairwise, with the terms that are available first, and products are fused with sums
     /// ([`Self::fused`]).
     pub fn arranged(&self) -> Tape {
         self.by_factors().by_pairs().fused()
     }
 
-    /// Sums of more than two terms by pairs.
+    /// Forms sums of more than two terms pairwise.
     fn by_pairs(&self) -> Tape {
         let first = self.inputs + self.constants.len();
         let readings = self.readings();
         let mut ready = vec![0; self.registers];
-        // sums that another sum alone may read: their terms, and the registers of their partial sums
+        // sums that only another sum reads: their terms, and the registers of their partial sums
         let mut open: Vec<Option<(Vec<Term>, Vec<Register>)>> = vec![None; self.registers];
         let absorbed = self.absorbed(&readings);
         let mut ordered: Vec<(usize, Operation)> = Vec::with_capacity(self.operations.len());
@@ -73,7 +73,7 @@ impl Tape {
         self.renumbered(&ordered)
     }
 
-    /// Whether each register holds a sum that is read once, by a sum.
+    /// Returns for each register whether it is read exactly once, by a sum or difference.
     fn absorbed(&self, readings: &[u32]) -> Vec<bool> {
         let mut absorbed = vec![false; self.registers];
         for operation in &self.operations {
@@ -85,10 +85,10 @@ impl Tape {
     }
 }
 
-/// The sum of terms, one of which is not subtracted: the two that are ready first make a term of their own, until there is one.
-/// Returns the time at which it is ready.
+/// Emits the operations of a sum: the two terms that are available first are added, until one term is left. At least one term is not
+/// subtracted. Returns the time at which the sum is available.
 fn paired(mut terms: Vec<Term>, mut room: Vec<Register>, ordered: &mut Vec<(usize, Operation)>, wait: u32) -> u32 {
-    // the last partial sum is the sum: it has the register that others read
+    // the last partial sum must be in the register that other operations read
     room.reverse();
     let mut places = room.into_iter();
     while terms.len() > 1 {

@@ -1,11 +1,11 @@
-//! Places at which a program may have no value, or jump: zeros of its divisors and of its radicands, and half turns of its angles.
+//! Singularities of a program: zeros of its divisors and radicands, and the discontinuities of its angles.
 
 use super::{Operation, Register, Tape};
 use field::Elementary;
 
 impl Tape {
-    /// The program of the tape's divisors, each once, then of its radicands, then of its angles atan2(y, x), with the number of each; `None`
-    /// where it divides by constants only and has neither roots nor angles.
+    /// Returns a program whose outputs are the distinct divisors, then the radicands, then the angles atan2(y, x), and the number of each. Returns `None`
+    /// if there are none, except constant divisors.
     pub fn singular_places(&self) -> Option<(Tape, [usize; 3])> {
         let mut lists: [Vec<Register>; 3] = [const { Vec::new() }; 3];
         let mut result = (self.inputs + self.constants.len()) as Register;

@@ -1,4 +1,4 @@
-//! Constants moved to cheaper places: divisors become factors, signs become those of factors.
+//! Constant factors: divisions by constants become multiplications, and signs are moved into constant factors.
 
 use super::{Operation, Register, Tape};
 use field::Rational;
@@ -29,12 +29,12 @@ impl Step {
 }
 
 impl Tape {
-    /// Divisions by a constant as products with its reciprocal, and the negative of a product with a constant, or a product with
-    /// the negative of something, as a product with the negative constant.
+    /// Replaces divisions by a constant by products with its reciprocal. The negative of a product with a constant, and a product of a constant with
+    /// a negative, become products with the negative constant.
     pub(super) fn by_factors(&self) -> Tape {
         let readings = self.readings();
         let value = |register: Register| self.constants[register as usize - self.inputs];
-        // for each register the product that it is, and the register whose negative it is
+        // for each register: the product with a constant that it is, and the register whose negative it is
         let mut factors: Vec<Option<(Rational, Register)>> = vec![None; self.registers];
         let mut negatives: Vec<Option<Register>> = vec![None; self.registers];
         let mut next = self.inputs + self.constants.len();
@@ -62,7 +62,7 @@ impl Tape {
         self.of_steps(steps)
     }
 
-    /// The steps that outputs need, with the constants that these need.
+    /// Removes steps and constants that no output needs, and adds new constants.
     fn of_steps(&self, mut steps: Vec<(usize, Step)>) -> Tape {
         let first = self.inputs + self.constants.len();
         let mut needed = vec![false; self.registers];

@@ -1,20 +1,20 @@
-//! Fused products and sums, which round once.
+//! Fused multiply-add operations, which round once.
 
 use super::{Operation, Register, Tape};
 
 impl Tape {
-    /// The program with each product that a single sum or difference reads computed within it: two roundings become one
-    /// in a field that can, and two instructions one on a processor that can. No other operation moves.
+    /// Returns the program in which each product that only one sum or difference reads is fused with it. In a field with fused operations
+    /// this saves a rounding, on a processor with such instructions also an instruction. No other operation changes its order.
     pub fn fused(&self) -> Tape {
         let readings = self.readings();
-        // products whose sum was not met yet
+        // products whose sum did not occur yet
         let mut products: Vec<Option<[Register; 2]>> = vec![None; self.registers];
         let mut next = self.inputs + self.constants.len();
         let mut fused: Vec<(usize, Operation)> = Vec::with_capacity(self.operations.len());
         let mut taken = vec![false; self.registers];
         for &operation in &self.operations {
             let terms = match operation {
-                // the later of two products is fused: the other is there before it
+                // the product that is computed later is fused, since the other operand must be available
                 Operation::Sum(a, b) | Operation::Difference(a, b) => [a.max(b), a.min(b)].map(Some),
                 _ => [None; 2],
             };
@@ -35,7 +35,7 @@ impl Tape {
         Tape { once: true, ..self.renumbered(&fused) }
     }
 
-    /// The number of times that each register is read, outputs among the readers.
+    /// Returns how often each register is read; an output counts as one reading.
     pub(super) fn readings(&self) -> Vec<u32> {
         let mut readings = vec![0; self.registers];
         let operands = self.operations.iter().flat_map(|operation| operation.reads());
@@ -43,7 +43,7 @@ impl Tape {
         readings
     }
 
-    /// These operations with the registers that they had, renumbered without gaps.
+    /// Returns a tape of the given (register, operation) pairs, with registers renumbered without gaps.
     pub(super) fn renumbered(&self, kept: &[(usize, Operation)]) -> Tape {
         let first = self.inputs + self.constants.len();
         let mut number: Vec<Register> = (0..self.registers as Register).collect();
@@ -62,7 +62,7 @@ impl Tape {
 }
 
 impl Operation {
-    /// A sum or difference one of whose terms is a product.
+    /// Fuses a sum or difference with the product in its register `term`.
     fn around(self, term: Register, product: [Register; 2]) -> Self {
         match self {
             Operation::Sum(a, b) => Operation::ProductAnd(product, if term == a { b } else { a }),
@@ -89,7 +89,7 @@ mod tests {
         assert_eq!(steps(&[a * b + c]), [Operation::ProductAnd([0, 1], 2)]);
         assert_eq!(steps(&[a * b - c]), [Operation::ProductLess([0, 1], 2)]);
         assert_eq!(steps(&[c - a * b]), [Operation::LessProduct([0, 1], 2)]);
-        // one of two, the other before it
+        // only one of two products is fused
         assert_eq!(steps(&[a * b + c * d]), [Operation::Product(0, 1), Operation::ProductAnd([2, 3], 4)]);
     }
 

@@ -19,27 +19,27 @@ pub use source::{Language, Source, Statements};
 
 use field::{Elementary, Rational, Scalar};
 
-/// A straight-line program without branches for the values of expressions; every common part is computed once.
+/// A straight-line program without branches that computes the values of expressions. Every common subexpression is computed once.
 ///
-/// A tape is independent of the expression graph and may be sent to other threads. [`Tape::over`] prepares it for a
+/// A tape does not refer to the expression graph, and can be sent to other threads. [`Tape::over`] prepares it for a
 /// field.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tape {
     inputs: usize,
     constants: Vec<Rational>,
-    /// The constants to the nearest `f64`.
+    /// The constants, rounded to `f64`.
     rounded: Vec<f64>,
     operations: Vec<Operation>,
     outputs: Vec<Register>,
     registers: usize,
-    /// Whether products and sums round once, those within a circle point too: see [`Tape::fused`].
+    /// Whether fused operations round once, also inside sines and cosines: see [`Tape::fused`].
     once: bool,
 }
 
-/// A place for a number: inputs first, then constants, then results in the order of the operations.
+/// The index of a number: inputs first, then constants, then results in the order of the operations.
 pub type Register = u32;
 
-/// An operation on earlier registers.
+/// An operation on registers with smaller indices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Operation {
     Sum(Register, Register),
@@ -52,20 +52,20 @@ pub enum Operation {
     Part(Register, Register),
     Negation(Register),
     Root(Register),
-    /// Cosine and sine of one angle, in two registers.
+    /// Cosine and sine of an angle in radians, in two consecutive registers.
     Circle(Register),
-    /// An elementary function; one of a single argument reads it twice.
+    /// An elementary function. A function of one argument reads it twice.
     Elementary(Elementary, Register, Register),
-    /// The product and the other, rounded once where the field can: see [`Tape::fused`].
+    /// a b + c, rounded once if the field can: see [`Tape::fused`].
     ProductAnd([Register; 2], Register),
-    /// The product less the other.
+    /// a b - c.
     ProductLess([Register; 2], Register),
-    /// The other less the product.
+    /// c - a b.
     LessProduct([Register; 2], Register),
 }
 
 impl Operation {
-    /// The registers that it reads; the only one, or the second, more than once.
+    /// Returns the registers that the operation reads. If it reads fewer than three, the last one is repeated.
     #[inline(always)]
     pub fn operands(self) -> [Register; 3] {
         match self {
@@ -83,7 +83,7 @@ impl Operation {
         }
     }
 
-    /// The registers that it reads, each as often as it is read.
+    /// Returns the registers that the operation reads, each as often as it is read.
     fn reads(self) -> impl Iterator<Item = Register> {
         let count = match self {
             Operation::Negation(_) | Operation::Root(_) | Operation::Circle(_) => 1,
@@ -93,7 +93,7 @@ impl Operation {
         self.operands().into_iter().take(count)
     }
 
-    /// The operation on other registers.
+    /// Returns the operation with its registers renumbered.
     fn through(self, other: impl Fn(Register) -> Register) -> Self {
         let [a, b, c] = self.operands().map(other);
         match self {
@@ -113,10 +113,10 @@ impl Operation {
         }
     }
 
-    /// The result of a field operation; `None` for a root, a circle point or an elementary function.
+    /// Computes a field operation; `None` for roots, sines and cosines, and elementary functions.
     #[inline(always)]
     fn of_field<S: Scalar>(self, value: impl Fn(Register) -> S) -> Option<S> {
-        // each operation reads the numbers that it needs only: they may be wide
+        // each branch reads only its operands, since numbers may be large
         match self {
             Operation::Sum(a, b) => Some(value(a) + value(b)),
             Operation::Difference(a, b) => Some(value(a) - value(b)),
@@ -130,7 +130,7 @@ impl Operation {
         }
     }
 
-    /// The number of registers that it fills: two by cosine and sine, else one.
+    /// Returns the number of result registers: two for cosine and sine, otherwise one.
     #[inline(always)]
     pub fn results(self) -> usize {
         if matches!(self, Operation::Circle(_)) { 2 } else { 1 }
@@ -138,44 +138,44 @@ impl Operation {
 }
 
 impl Tape {
-    /// The number of inputs.
+    /// Returns the number of inputs.
     pub fn inputs(&self) -> usize {
         self.inputs
     }
 
-    /// The number of outputs.
+    /// Returns the number of outputs.
     pub fn outputs(&self) -> usize {
         self.outputs.len()
     }
 
-    /// The number of operations; a cosine with its sine is one.
+    /// Returns the number of operations; cosine and sine of one angle count as one.
     pub fn operations(&self) -> usize {
         self.operations.len()
     }
 
-    /// The operations in their order, for translation into another language.
+    /// Returns the operations in order, for translation into another language.
     pub fn steps(&self) -> &[Operation] {
         &self.operations
     }
 
-    /// Whether a circle point is [`field::Analytic::circle_once`].
+    /// Returns whether sines and cosines are computed by [`field::Analytic::circle_once`].
     pub fn rounds_once(&self) -> bool {
         self.once
     }
 
-    /// The first constant that `f64` cannot represent: beyond its range, or so small that it is rounded to zero.
+    /// Returns the first constant that `f64` cannot represent: it is too large, or so small that it is rounded to zero.
     pub fn beyond_range(&self) -> Option<Rational> {
         let lost =
             |(exact, rounded): &(&Rational, &f64)| !rounded.is_finite() || **rounded == 0.0 && exact.sign() != Some(0);
         self.constants.iter().zip(&self.rounded).find(lost).map(|(exact, _)| *exact)
     }
 
-    /// The constants to the nearest `f64`.
+    /// Returns the constants, rounded to `f64`.
     pub fn rounded(&self) -> &[f64] {
         &self.rounded
     }
 
-    /// The registers of the outputs after the last operation.
+    /// Returns the registers of the outputs.
     pub fn results(&self) -> &[Register] {
         &self.outputs
     }

@@ -1,4 +1,4 @@
-//! Ranges of inputs at which all outputs of a tape may be zero: forwards through its operations, and back (Benhamou and others 1999).
+//! Interval constraint propagation through a tape, forwards and backwards: narrows a box to the part that may contain zeros of all outputs (HC4; Benhamou et al. 1999).
 
 use super::{Operation, Tape};
 use field::{Analytic, Circle, Elementary, Interval, Scalar};
@@ -10,16 +10,16 @@ pub struct Propagation<'a> {
     tape: &'a Tape,
     constants: Vec<Interval>,
     registers: Vec<Interval>,
-    /// The operand of each register that is a negation.
+    /// For each register that is a negation, the register of its operand.
     negated: Vec<Option<usize>>,
-    /// Whether some range was narrowed by much.
+    /// Whether a range became substantially narrower in this pass.
     narrows: bool,
 }
 
-/// The most passes over a box, forwards and back.
+/// The largest number of passes over a box, each forwards and backwards.
 const PASSES: usize = 6;
 
-/// A range that becomes narrower than this part of itself justifies another pass.
+/// Another pass follows if a range became narrower than this part of itself.
 const WORTH: f64 = 0.7;
 
 impl<'a> Propagation<'a> {
@@ -36,10 +36,10 @@ impl<'a> Propagation<'a> {
         Propagation { tape, constants, registers: vec![Interval::EVERYTHING; tape.registers], negated, narrows: false }
     }
 
-    /// Narrows a box to the part in which zeros of the outputs may be; false where there are none.
+    /// Narrows a box of inputs to the part that may contain common zeros of the outputs. Returns false if it contains none.
     ///
-    /// The range of an intermediate result, as of a difference of two inputs, is kept while the box is narrowed: no box
-    /// contains it.
+    /// The ranges of intermediate results persist while the box is narrowed. A range such as that of the difference of two inputs is
+    /// information that no box of inputs contains.
     pub fn narrow(&mut self, inputs: &mut [Interval]) -> bool {
         let Tape { inputs: given, operations, outputs, .. } = self.tape;
         self.registers.fill(Interval::EVERYTHING);
@@ -77,7 +77,7 @@ impl<'a> Propagation<'a> {
         let value = |register: u32| self.registers[register as usize];
         let found = match operation {
             Operation::Product(a, b) if a == b => value(a).squared(),
-            // roots and logarithms have values on a part of the range only, and zeros are sought there
+            // roots and logarithms are restricted to their domain, since no zeros exist outside
             Operation::Root(a) => match value(a).and(not_negative()) {
                 Some(part) => part.sqrt(),
                 None => return false,
@@ -96,12 +96,12 @@ impl<'a> Propagation<'a> {
         self.meet(result, found)
     }
 
-    /// Intersects the range of a register with another; false where the intersection is empty.
+    /// Intersects the range of a register with another range; false if the intersection is empty.
     fn meet(&mut self, register: usize, range: Interval) -> bool {
         self.meet_any(register, [Some(range), None])
     }
 
-    /// Intersects the range of a register with each of two ranges and keeps the hull; false where both are empty.
+    /// Intersects the range of a register with the union of two ranges, and stores the hull; false if both intersections are empty.
     fn meet_any(&mut self, register: usize, ranges: [Option<Interval>; 2]) -> bool {
         let own = self.registers[register];
         let [one, other] = ranges.map(|range| range.and_then(|range| own.and(range)));
@@ -116,12 +116,12 @@ impl<'a> Propagation<'a> {
         true
     }
 
-    /// Narrows operands by the result and the others.
+    /// Narrows the operands by the result and the other operands.
     fn backwards(&mut self, operation: Operation, result: usize) -> bool {
         let [a, b, _] = operation.operands().map(|register| register as usize);
         let [x, y, r] = [self.registers[a], self.registers[b], self.registers[result]];
         match operation {
-            // twice one operand is no sum of two: derivatives of squares leave such sums
+            // equal operands need formulas of their own, a + a = r and a - (-a) = r, which derivatives of squares contain
             Operation::Sum(..) if a == b => self.meet(a, r / Interval::point(2.0)),
             Operation::Difference(..) if self.negated[a] == Some(b) => self.meet(b, -r / Interval::point(2.0)),
             Operation::Sum(..) => self.meet(a, r - y) && self.meet(b, r - x),
@@ -164,22 +164,22 @@ impl<'a> Propagation<'a> {
     }
 }
 
-/// The numbers that have a root.
+/// Returns the domain of the square root.
 fn not_negative() -> Interval {
     Interval::new(0.0, f64::INFINITY)
 }
 
-/// The logarithms of the positive numbers of a range without negative ones.
+/// Returns the logarithm of the positive part of a range without negative numbers.
 fn logarithm(range: Interval) -> Interval {
     let of = |end: f64| Interval::point(end).elementary(Elementary::Ln, Interval::point(1.0));
     let low = if range.low() > 0.0 { of(range.low()).low() } else { f64::NEG_INFINITY };
     Interval::new(low, if range.high().is_finite() { of(range.high()).high() } else { f64::INFINITY })
 }
 
-/// Arcs of more turns than this are not examined one by one.
+/// Wider angle ranges, in radians, are not narrowed.
 const MOST_TURNS: f64 = 64.0;
 
-/// The angles of a range whose cosine and sine lie in ranges.
+/// Narrows a range of angles to those whose cosine and sine lie in the given ranges; `None` if there are none.
 fn angles(range: Interval, Circle { cos, sin }: Circle<Interval>) -> Option<Interval> {
     if range.width() > MOST_TURNS {
         return Some(range);
@@ -189,10 +189,10 @@ fn angles(range: Interval, Circle { cos, sin }: Circle<Interval>) -> Option<Inte
     by_cosine(left - quarter, sin).and_then(|turned| (turned + quarter).and(left))
 }
 
-/// The smallest interval with all angles of a range whose cosine lies in another.
+/// Returns the smallest interval that contains all angles of a range whose cosine lies in `cosine`; `None` if there are none.
 fn by_cosine(range: Interval, cosine: Interval) -> Option<Interval> {
     let within = cosine.and(Interval::new(-1.0, 1.0))?;
-    // rounding of arcs and turns
+    // accounts for rounding errors of the arccosine and of multiples of 2 pi
     let slack = 1e-14 * (1.0 + range.size());
     let [near, far] = [within.high().acos() - slack, within.low().acos() + slack];
     let turns = |angle: f64| angle / (2.0 * PI);
@@ -217,7 +217,7 @@ mod tests {
     #[test]
     fn ranges_are_narrowed_to_where_zeros_may_be_and_never_beyond() {
         let [x, y, a] = symbols(["x", "y", "a"]);
-        // x = 2 cos a, y = x^2 - 1, a between -1 and 1
+        // x = 2 cos a, y = x^2 - 1, a in [-1, 1]
         let tape =
             Tape::record(&[x, y, a], &[x - Sym::int(2) * a.circle().cos, y - x * x + Sym::ONE]).expect("it has values");
         let mut propagation = Propagation::of(&tape);
@@ -232,7 +232,7 @@ mod tests {
             let x = 2.0 * angle.cos();
             assert!(at[0].contains(x) && at[1].contains(x * x - 1.0) && at[2].contains(angle));
         }
-        // from the result to the angle
+        // propagates from the result to the angle
         let mut at = [Interval::new(1.9, 2.5), Interval::new(-9.0, 9.0), Interval::new(-3.0, 3.0)];
         assert!(propagation.narrow(&mut at));
         assert!(at[2].size() < 0.32 && at[2].contains(0.31), "{at:?}");
@@ -258,19 +258,19 @@ mod tests {
     #[test]
     fn a_factor_of_known_sign_is_bounded_by_a_product_away_from_zero_whatever_the_other() {
         let [x, y] = symbols(["x", "y"]);
-        // x y = 2, y between -1 and 1, x from 0 on
+        // x y = 2, y in [-1, 1], x >= 0
         let tape = Tape::record(&[x, y], &[x * y - Sym::int(2)]).expect("it has values");
         let mut propagation = Propagation::of(&tape);
         let mut at = [Interval::new(0.0, f64::INFINITY), Interval::new(-1.0, 1.0)];
         assert!(propagation.narrow(&mut at));
         assert!(at[0].low() > 1.999_999 && at[0].low() <= 2.0 && at[0].high() == f64::INFINITY, "{at:?}");
         assert!(propagation.narrow(&mut at) && at[1].low() > -1e-9, "{at:?}");
-        // twice x - y is zero, (x - y)^2 + x^2 = 4: the difference is known where x and y are not
+        // 2 (x - y) = 0 and (x - y)^2 + x^2 = 4: the difference is known before x and y are
         let less = x - y;
         let tape = Tape::record(&[x, y], &[less + less, less * less + x * x - Sym::int(4)]).expect("it has values");
         let mut at = [Interval::new(0.1, 9.0), Interval::new(-9.0, 9.0)];
         assert!(Propagation::of(&tape).narrow(&mut at) && at[0].low() > 1.999_999, "{at:?}");
-        // x^2 = 4, x from -1 on
+        // x^2 = 4, x >= -1
         let tape = Tape::record(&[x], &[x * x - Sym::int(4)]).expect("it has values");
         let mut at = [Interval::new(-1.0, 9.0)];
         assert!(Propagation::of(&tape).narrow(&mut at) && at[0].low() > 1.999_999, "{at:?}");

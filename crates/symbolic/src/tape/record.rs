@@ -1,4 +1,4 @@
-//! Recording a tape.
+//! Recording of expressions as a tape.
 
 use super::{Operation, Register, Tape};
 use crate::Sym;
@@ -8,16 +8,16 @@ use field::{Analytic, Elementary, Rational};
 use rustc_hash::FxHashMap;
 use std::fmt;
 
-/// Why expressions have no straight-line program.
+/// The reason why expressions have no straight-line program.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Untapeable {
-    /// The symbol is not among the inputs.
+    /// This symbol is not among the inputs.
     Unbound(String),
-    /// An arbitrary function has no values.
+    /// This arbitrary function has no values.
     Function(String),
-    /// A division by the constant zero.
+    /// An expression contains a division by the constant zero.
     Undefined,
-    /// A differential equation needs one rate for each state.
+    /// The number of rates of a differential equation differs from the number of its states.
     Shape { rates: usize, states: usize },
 }
 
@@ -34,7 +34,7 @@ impl fmt::Display for Untapeable {
 
 impl std::error::Error for Untapeable {}
 
-/// Operations are recorded with registers numbered as they come; inputs and constants have numbers of their own kind.
+/// A number during recording: inputs, constants and results are numbered separately, each in order of occurrence.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 enum Place {
     Input(u32),
@@ -72,12 +72,11 @@ enum Kind {
 }
 
 impl Tape {
-    /// The program that computes the outputs from the inputs: parts that do not contribute are left out, common parts
-    /// are computed once, a + b and b + a are the same, cosine and sine of an angle are computed together. An input is
-    /// usually a symbol; any other expression is read as an input wherever it occurs.
+    /// Records the program that computes the outputs from the inputs. Common subexpressions are computed once, including a + b and b + a, and cosine and sine
+    /// of an angle are computed together. An input is usually a symbol; any other expression counts as an input wherever it occurs.
     ///
     /// # Errors
-    /// [`Untapeable`] where a symbol is not among the inputs, or a function is arbitrary, or a division by zero.
+    /// [`Untapeable`] if a symbol is not among the inputs, a function is arbitrary, or an expression divides by the constant zero.
     pub fn record(inputs: &[Sym], outputs: &[Sym]) -> Result<Tape, Untapeable> {
         let mut recorder = Recorder::default();
         let mut places: FxHashMap<Sym, Place> =
@@ -137,7 +136,7 @@ impl Recorder {
         Ok(place)
     }
 
-    /// Repeated squaring: x^5 = (x^2)^2 x.
+    /// Computes a power by repeated squaring: x^5 = (x^2)^2 x.
     fn power(&mut self, base: Place, exponent: u32) -> Place {
         let mut power = base;
         for bit in (0..exponent.ilog2()).rev() {
@@ -162,7 +161,7 @@ impl Recorder {
         place
     }
 
-    /// Drops operations that no output needs and numbers the registers.
+    /// Removes operations that no output needs, and assigns registers.
     fn finish(self, inputs: usize, outputs: &[Place]) -> Tape {
         let mut needed = vec![false; self.results as usize];
         let need = |place: &Place, needed: &mut Vec<bool>| {

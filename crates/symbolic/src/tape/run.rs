@@ -1,11 +1,11 @@
-//! Running a tape.
+//! Evaluation of a tape.
 
 use super::{Operation, Register, Tape};
 use crate::evaluate::constant;
 use field::{Analytic, Over};
 use std::borrow::Cow;
 
-/// A tape over a field, with its registers: evaluation allocates nothing.
+/// A tape over a field, with its registers. An evaluation does not allocate memory.
 #[derive(Clone, Debug)]
 pub struct Program<'a, S> {
     tape: Cow<'a, Tape>,
@@ -13,7 +13,7 @@ pub struct Program<'a, S> {
 }
 
 impl Tape {
-    /// The program over a field.
+    /// Prepares the tape for evaluation over a field.
     pub fn over<S: Analytic>(&self) -> Program<'_, S> {
         let mut registers = vec![S::zero(); self.registers];
         for (register, value) in registers[self.inputs..].iter_mut().zip(&self.constants) {
@@ -22,18 +22,18 @@ impl Tape {
         Program { tape: Cow::Borrowed(self), registers }
     }
 
-    /// The constants over a field, for [`Tape::evaluate`].
+    /// Returns the constants over a field, for [`Tape::evaluate`].
     pub fn constants<S: Analytic>(&self) -> Vec<S> {
         self.constants.iter().map(|value| constant(*value)).collect()
     }
 
-    /// The number of registers that an evaluation needs.
+    /// Returns the number of registers that an evaluation needs.
     pub fn registers(&self) -> usize {
         self.registers
     }
 
-    /// The outputs at the inputs, with registers of its own on the stack: for a law that is shared between threads.
-    /// `None` where there are not enough registers.
+    /// Computes the outputs with N registers on the stack, so that several threads can share the tape. `constants` are those of [`Tape::constants`].
+    /// Returns `None` if N is smaller than [`Tape::registers`].
     #[inline]
     pub fn evaluate<S: Analytic, const N: usize>(
         &self,
@@ -49,13 +49,13 @@ impl Tape {
         Some(())
     }
 
-    /// The outputs with registers on the heap, for a tape of any length: each evaluation allocates and frees them.
+    /// Computes the outputs with registers on the heap, for a tape of any length. Each evaluation allocates and frees them.
     pub fn evaluate_long<S: Analytic>(&self, constants: &[S], inputs: impl Iterator<Item = S>, outputs: &mut [S]) {
         self.evaluate_in(&mut Vec::new(), constants, inputs, outputs);
     }
 
-    /// The outputs with registers that are kept from evaluation to evaluation of this tape with these constants; the first one
-    /// makes them.
+    /// Computes the outputs with registers in a vector, which the first evaluation fills. Later evaluations of this tape with these constants
+    /// reuse it.
     pub fn evaluate_in<S: Analytic>(
         &self,
         registers: &mut Vec<S>,
@@ -74,7 +74,7 @@ impl Tape {
         self.follow(registers, outputs);
     }
 
-    /// The outputs by registers that hold the inputs.
+    /// Computes the outputs from registers that contain the inputs and constants.
     #[inline(always)]
     fn follow<S: Analytic>(&self, registers: &mut [S], outputs: &mut [S]) {
         let Tape { inputs, constants, operations, outputs: results, .. } = self;
@@ -99,7 +99,7 @@ impl Tape {
         }
     }
 
-    /// The program over a field that is no finer than `f64`: its constants need not be computed again.
+    /// Prepares the tape for a field whose precision does not exceed `f64`, with the rounded constants of the tape.
     pub fn over_rounded<S: Analytic + Over<f64>>(&self) -> Program<'_, S> {
         let mut registers = vec![S::zero(); self.registers];
         for (register, value) in registers[self.inputs..].iter_mut().zip(&self.rounded) {
@@ -110,19 +110,19 @@ impl Tape {
 }
 
 impl<S> Program<'_, S> {
-    /// The program with a tape of its own.
+    /// Returns the program with its own copy of the tape.
     pub fn kept(self) -> Program<'static, S> {
         Program { tape: Cow::Owned(self.tape.into_owned()), registers: self.registers }
     }
 }
 
 impl<S: Analytic> Program<'_, S> {
-    /// The outputs at the inputs; numbers that are missing in `inputs` keep their values, superfluous ones are ignored,
-    /// and as many outputs are written as there is room for.
-    // always inlined: code compiled for wide registers then evaluates with them
+    /// Computes the outputs. Missing inputs keep the values of the previous evaluation, superfluous ones are ignored,
+    /// and outputs are written as far as `outputs` has room.
+    // always inlined, so that callers compiled for vector registers evaluate the tape with these
     #[inline(always)]
     pub fn evaluate(&mut self, inputs: &[S], outputs: &mut [S]) {
-        // as a whole: wide numbers taken one by one out of an iterator go through memory, and are waited for there
+        // copied as a slice: an iterator over wide vectors would pass them through memory and wait for it
         let given = inputs.len().min(self.tape.inputs);
         self.registers[..given].copy_from_slice(&inputs[..given]);
         self.tape.follow(&mut self.registers, outputs);

@@ -1,10 +1,10 @@
-//! A tape as source text: straight-line code of other languages, every common part once.
+//! Translation of a tape to source code of other languages.
 
 use super::{Operation, Register, Tape};
 use field::Elementary;
 use std::fmt::{self, Write};
 
-/// A language in which a tape can be written.
+/// A target language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Language {
     C,
@@ -13,50 +13,50 @@ pub enum Language {
     Modelica,
 }
 
-/// A tape as a function of a language, for display.
+/// A tape as a function in a target language; prints itself by [`Display`](fmt::Display).
 ///
 /// | language | signature | needs |
 /// |---|---|---|
 /// | C | `void NAME(const double *y, double *dy)` | `math.h` |
-/// | Python | `def NAME(y, cos=cos, sin=sin, sqrt=sqrt)`, gives a list | the three functions: of floats, arrays or symbols |
+/// | Python | `def NAME(y, cos=cos, sin=sin, sqrt=sqrt)`, returns a list | these functions, for floats, arrays or symbols; other elementary functions by their names |
 /// | Rust | `pub fn NAME(y: &[f64; N], dy: &mut [f64; M])` | |
 /// | Modelica | `function NAME`, from y to dy | |
 ///
-/// The constants are rounded to `f64`: the code agrees with the law to round-off.
+/// The constants are rounded to `f64`, hence the code agrees with the tape up to rounding errors.
 #[derive(Clone, Copy, Debug)]
 pub struct Source<'a> {
     tape: &'a Tape,
     language: Language,
     name: &'a str,
-    /// The texts of the inputs, instead of the components of y.
+    /// Texts that replace the components of y.
     inputs: Option<&'a [String]>,
 }
 
-/// A tape as statements of a language, for a function whose head and end are written elsewhere.
+/// A tape as statements of a language. The caller writes the head and the end of the function.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Statements {
-    /// One a line, each after those that it reads.
+    /// The statements. Each follows those whose results it reads.
     pub lines: Vec<String>,
-    /// The outputs: names or numbers.
+    /// The outputs: names of results, or numbers.
     pub outputs: Vec<String>,
 }
 
 impl Tape {
-    /// The tape as a function with this name.
+    /// Returns the tape as a function with the given name.
     pub fn source<'a>(&'a self, language: Language, name: &'a str) -> Source<'a> {
         Source { tape: self, language, name, inputs: None }
     }
 
-    /// The tape as statements over inputs with these texts, one for each; results have the names r0, r1, ...; in Modelica the statements
-    /// are equations of a model, which declares the results.
+    /// Returns the tape as statements. `inputs` are the texts of the inputs, one for each. The results are named r0, r1, ... In Modelica the statements
+    /// are equations of a model, which must declare the results.
     pub fn statements(&self, language: Language, inputs: &[String]) -> Statements {
         let source = Source { tape: self, language, name: "", inputs: Some(inputs) };
         let outputs = self.outputs.iter().map(|&output| source.number(output)).collect();
         Statements { lines: source.lines(), outputs }
     }
 
-    /// The numbers of additions, multiplications, divisions and roots; a circle point is counted apart, negations are
-    /// free.
+    /// Returns the number of additions, multiplications, divisions and roots of an evaluation. Negations, sines and cosines, and elementary functions are not
+    /// counted.
     pub fn flops(&self) -> usize {
         let of = |operation: &Operation| match operation {
             Operation::Circle(_) | Operation::Elementary(..) | Operation::Negation(_) => 0,
@@ -68,13 +68,13 @@ impl Tape {
 }
 
 impl Source<'_> {
-    /// The text of an operand: in brackets where it begins with a sign.
+    /// Returns the text of an operand, in parentheses if it begins with a sign.
     fn operand(&self, register: Register) -> String {
         let text = self.number(register);
         if text.starts_with('-') { format!("({text})") } else { text }
     }
 
-    /// The text of a number.
+    /// Returns the text of an input, constant or result.
     fn number(&self, register: Register) -> String {
         let number = register as usize;
         let Tape { inputs, rounded, .. } = self.tape;
@@ -90,7 +90,7 @@ impl Source<'_> {
         }
     }
 
-    /// Whether each result is an operand or an output: often only one coordinate of a circle point is.
+    /// Returns whether each result is an operand or an output. Often only one of cosine and sine is.
     fn used(&self) -> Vec<bool> {
         let Tape { inputs, constants, operations, outputs, registers, .. } = self.tape;
         let first = inputs + constants.len();
@@ -104,14 +104,14 @@ impl Source<'_> {
         used
     }
 
-    /// A call of an elementary function.
+    /// Returns a call of an elementary function.
     fn elementary(&self, function: Elementary, a: &str, b: &str) -> String {
         let name = match (self.language, function) {
             (Language::C | Language::Python | Language::Modelica, Elementary::Ln) => "log",
             _ => function.name(),
         };
         match (self.language, function.arguments()) {
-            // a literal has no methods
+            // a method call on a literal would not compile in Rust
             (Language::Rust, 1) => format!("f64::{name}({a})"),
             (Language::Rust, _) => format!("f64::{name}({a}, {b})"),
             (_, 1) => format!("{name}({a})"),
@@ -119,7 +119,7 @@ impl Source<'_> {
         }
     }
 
-    /// A statement for every operation.
+    /// Returns a statement for each operation.
     fn lines(&self) -> Vec<String> {
         let (mut next, used) = (0, self.used());
         let mut lines = Vec::with_capacity(self.tape.operations.len());
@@ -130,7 +130,7 @@ impl Source<'_> {
         lines
     }
 
-    /// The statement that computes one operation into registers from `next` on.
+    /// Returns the statement for one operation, whose first result has the number `next`.
     fn statement(&self, operation: Operation, next: usize, used: &[bool]) -> String {
         let [a, b, c] = operation.operands().map(|operand| self.operand(operand));
         let (start, end) = match self.language {
@@ -139,7 +139,7 @@ impl Source<'_> {
             Language::Modelica => ("", ";"),
             Language::Rust => ("let ", ";"),
         };
-        // equations of a model, statements of a function
+        // equations of a model need `=`, statements of a function `:=`
         let is = if self.language == Language::Modelica && self.inputs.is_none() { ":=" } else { "=" };
         let value = match operation {
             Operation::Sum(..) => format!("{a} + {b}"),
@@ -151,7 +151,6 @@ impl Source<'_> {
             Operation::ProductLess(..) => format!("{a} * {b} - {c}"),
             Operation::LessProduct(..) => format!("{c} - {a} * {b}"),
             Operation::Elementary(function, ..) => self.elementary(function, &a, &b),
-            // a literal has no methods
             Operation::Root(_) if self.language == Language::Rust => format!("f64::sqrt({a})"),
             Operation::Root(_) => format!("sqrt({a})"),
             Operation::Circle(_) => {

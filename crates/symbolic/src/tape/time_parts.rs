@@ -1,22 +1,22 @@
-//! Functions of the last input alone, such as the time, that a tape computes, and their ranges over intervals of it.
+//! Functions of the last input alone (usually the time) within a tape, and their ranges over intervals.
 
 use super::{Operation, Register, Tape};
 use field::{Analytic, Circle, Elementary, Interval, Scalar, Tangent};
 
-/// The way in which a register depends on the inputs.
+/// The dependence of a register on the inputs.
 #[derive(Clone, Copy, PartialEq)]
 enum Dependence {
     Constant,
     /// A linear function of the last input.
     Line,
-    /// Another function of the last input alone.
+    /// A nonlinear function of the last input alone.
     Curve,
     Others,
 }
 
 impl Tape {
-    /// Functions of the last input alone that are not linear: the terms of sums, cofactors of other inputs, and elementary functions and
-    /// quotients within these. Each is a tape with the same inputs and one output.
+    /// Returns the nonlinear functions of the last input alone: terms of sums, coefficients of other inputs, and elementary functions and
+    /// quotients inside these. Each is a tape with all inputs and one output.
     pub fn parts_of_last_input(&self) -> Vec<Tape> {
         let mut depends = vec![Dependence::Others; self.registers];
         if let Some(last) = self.inputs.checked_sub(1) {
@@ -45,8 +45,8 @@ impl Tape {
         places.map(|place| Tape { outputs: vec![place as Register], ..self.clone() }.by_factors()).collect()
     }
 
-    /// The range of the first output over an interval of the last input, where it depends on no other: by the values over the interval, and
-    /// from the middle by their derivatives there, whichever is narrower at each operation.
+    /// Returns an enclosure of the range of the first output over an interval of the last input; the output must not depend on other inputs. Each operation uses the
+    /// narrower of two enclosures: its interval evaluation, and the mean value form about the midpoint.
     pub fn range_over_last_input(&self, over: Interval) -> Interval {
         let mut ranges = vec![Tangent::fixed(Interval::EVERYTHING); self.registers];
         let mut middles = vec![Interval::EVERYTHING; self.registers];
@@ -73,7 +73,7 @@ impl Tape {
     }
 }
 
-/// The way in which a result depends on the inputs, from those of its operands.
+/// Returns the dependence of a result from those of its operands.
 fn dependence(operation: Operation, of: impl Fn(Register) -> Dependence) -> Dependence {
     use Dependence::{Constant, Curve, Line, Others};
     let all: Vec<Dependence> = operation.reads().map(of).collect();
@@ -95,7 +95,7 @@ fn dependence(operation: Operation, of: impl Fn(Register) -> Dependence) -> Depe
     }
 }
 
-/// Whether an operation only multiplies its operands: the terms of sums are taken whole.
+/// Returns whether an operation passes a factor on to its result, so that only the whole term of a sum is examined.
 fn is_product(operation: Operation) -> bool {
     match operation {
         Operation::Product(..)
@@ -114,7 +114,7 @@ fn is_product(operation: Operation) -> bool {
     }
 }
 
-/// The results over intervals; the second of cosine and sine alone.
+/// Returns the results of an operation over intervals; only cosine with sine has a second result.
 fn over_values(operation: Operation, of: impl Fn(Register) -> Interval) -> [Interval; 2] {
     let one = match operation {
         Operation::Product(a, b) if a == b => of(a).squared(),
@@ -129,7 +129,7 @@ fn over_values(operation: Operation, of: impl Fn(Register) -> Interval) -> [Inte
     [one, Interval::EVERYTHING]
 }
 
-/// The results and their derivatives over intervals.
+/// Returns the results of an operation over intervals, with their derivatives.
 fn over_tangents(operation: Operation, of: impl Fn(Register) -> Tangent<Interval>) -> [Tangent<Interval>; 2] {
     let [first, second] = over_values(operation, |register| of(register).value);
     let slope = match operation {
@@ -160,7 +160,7 @@ mod tests {
         let parts = |outputs: &[Sym]| Tape::record(&[x, t], outputs).expect("it has values").parts_of_last_input();
         assert_eq!(parts(&[x * t + Sym::int(3) * t, x]).len(), 0);
         assert_eq!(parts(&[x * pulse]).len(), 1);
-        // the cosine and the pulse are examined apart, not their sum
+        // the cosine and the pulse are separate terms; their sum contains another input
         assert!(parts(&[t.circle().cos + pulse + x]).len() >= 2);
         assert!(parts(&[t.circle().cos * t + t * t * t + x]).len() >= 2);
     }
@@ -197,7 +197,7 @@ mod tests {
     #[test]
     fn ranges_hold_all_values_and_powers_written_out_stay_narrow() {
         let [x, t] = symbols(["x", "t"]);
-        // (t - 4)^2 written out: its terms are large beside it
+        // (t - 4)^2 expanded: its terms are much larger than the sum
         let square = t * t - Sym::int(8) * t + Sym::int(16);
         let pulse = (-square * Sym::int(10_000)).elementary(Elementary::Exp, t);
         let tape = Tape::record(&[x, t], &[pulse]).expect("it has values");

@@ -1,4 +1,4 @@
-//! Bounds of degrees and coefficients, operation by operation.
+//! Bounds of degrees and coefficients, computed operation by operation.
 
 use super::denominators::{Denominator, Denominators};
 use super::program::{Part, Program};
@@ -8,16 +8,16 @@ use dashu_int::ops::{BitTest, UnsignedAbs};
 use field::Rational;
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// Bounds of the numerator over the common denominator, in the random numbers.
+/// Bounds of the numerator of an expression over its common denominator, as a polynomial in the random numbers of the test.
 pub(super) struct Bounds {
     pub degree: f64,
-    /// The logarithm of the sum of the sizes of its coefficients.
+    /// The binary logarithm of a bound for the sum of the absolute values of the coefficients.
     pub bits: f64,
-    /// Differences of two arguments that are not the same; `None` where no two may be taken for one.
+    /// Bounds for the differences of distinct arguments of functions; `None` if there are fewer than two arguments, so that none can be confused.
     pub mistaken: Option<Bounded>,
 }
 
-/// Bounds of any of so many pairs.
+/// Bounds that are valid for each of `pairs` differences.
 pub(super) struct Bounded {
     pub degree: f64,
     pub bits: f64,
@@ -57,7 +57,7 @@ pub(super) fn bounds(program: &Program) -> Bounds {
     let constant = |bits: f64| Polynomial { degree: 0.0, bits };
     let (mut all, one) = Denominators::new();
     let generator = Quotient { above: Polynomial { degree: 1.0, bits: 0.0 }, below: one };
-    // numbers below fractions, and parts that something is divided by
+    // denominators of rational constants, and expressions used as divisors
     let mut numbers: FxHashMap<UBig, Denominator> = FxHashMap::default();
     let mut divisors: FxHashMap<usize, Denominator> = FxHashMap::default();
     for &Part { is, node, arguments: [a, b] } in &program.parts {
@@ -84,7 +84,7 @@ pub(super) fn bounds(program: &Program) -> Bounds {
                 }
             }
             Node::Symbol(_) | Node::Elementary(..) | Node::Function(..) => generator,
-            // no larger than its square
+            // a root has at most the degree and the coefficients of its square
             Node::Root(_) => {
                 let Quotient { above, below } = of(a);
                 Quotient { above: above.times(generator.above), below }
@@ -108,7 +108,7 @@ pub(super) fn bounds(program: &Program) -> Bounds {
             Node::Quotient(..) => {
                 let divisor = *divisors.entry(b).or_insert_with(|| all.divisor(known[b].above));
                 let [a, b] = [of(a), of(b)];
-                // the denominators of both cancel
+                // common factors of the two denominators cancel
                 let [above, below] = [all.excess(b.below, a.below), all.excess(a.below, b.below)];
                 Quotient { above: a.above.times(all.bound(above)), below: all.product(below, divisor) }
             }
@@ -126,14 +126,14 @@ pub(super) fn bounds(program: &Program) -> Bounds {
     };
     let results = || program.results.iter();
     let (degree, bits) = (most(&mut results(), |part| part.degree), most(&mut results(), |part| part.bits));
-    // a cosine is (1 - t^2)/(1 + t^2): each angle brings its denominator to a power of at most the degree
+    // cosines are (1 - t^2)/(1 + t^2) with random t: each angle contributes (1 + t^2) to a power of at most the degree
     let by_angles = |degree: f64, bits: f64| {
         let angles = angles.len() as f64 + 1.0;
         (2.0 * degree * angles, bits + degree * angles)
     };
     arguments.extend(&angles);
     let pairs = arguments.len() as f64 * (arguments.len() as f64 - 1.0) / 2.0;
-    // one argument over its denominator less another
+    // the difference of two arguments, over their common denominator
     let (of_pair, bits_of_pair) = by_angles(
         2.0 * most(&mut arguments.iter(), |part| part.degree),
         2.0 * most(&mut arguments.iter(), |part| part.bits) + 1.0,

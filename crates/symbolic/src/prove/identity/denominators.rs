@@ -1,12 +1,13 @@
 //! Common denominators as products of powers of divisors.
+//! Common denominators as products of powers of divisors.
 //!
-//! Sums of quotients with the same divisors keep these divisors once. Without that, the bound of a degree doubles with every sum, and an
-//! elimination of a few unknowns has a degree beyond any field.
+//! A sum of quotients with common divisors contains each divisor only once. Without this, every sum would double the bound of the degree, and the
+//! elimination of a few unknowns would exceed the degree that any field can test.
 
 use super::bounds::Polynomial;
 use rustc_hash::FxHashMap;
 
-/// A product of powers of divisors, by its place among those that are known.
+/// A product of powers of divisors, given by its index in [`Denominators`].
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub(super) struct Denominator(u32);
 
@@ -18,7 +19,7 @@ pub(super) struct Denominators {
     joined: FxHashMap<(Operation, Denominator, Denominator), Denominator>,
 }
 
-/// A power of a divisor; exponents of towers of powers are beyond integers.
+/// A power of a divisor. The exponent is a floating-point number because powers of powers exceed integers.
 #[derive(Clone, Copy)]
 struct Factor {
     divisor: u32,
@@ -33,7 +34,7 @@ enum Operation {
 }
 
 impl Denominators {
-    /// The denominator 1 alone.
+    /// Returns an empty list of divisors, and the denominator 1.
     pub fn new() -> (Self, Denominator) {
         let mut all = Denominators {
             divisors: Vec::new(),
@@ -45,14 +46,14 @@ impl Denominators {
         (all, one)
     }
 
-    /// A new divisor.
+    /// Adds a divisor with the given bound.
     pub fn divisor(&mut self, bound: Polynomial) -> Denominator {
         let divisor = self.divisors.len() as u32;
         self.divisors.push(bound);
         self.placed(vec![Factor { divisor, exponent: 1.0 }])
     }
 
-    /// The least common multiple of two denominators.
+    /// Returns the least common multiple of two denominators.
     pub fn multiple(&mut self, a: Denominator, b: Denominator) -> Denominator {
         self.join(Operation::Multiple, a, b)
     }
@@ -61,7 +62,7 @@ impl Denominators {
         self.join(Operation::Product, a, b)
     }
 
-    /// The factors of the first that the second has not.
+    /// Returns a / gcd(a, b): the factors of `a` that `b` lacks.
     pub fn excess(&mut self, a: Denominator, b: Denominator) -> Denominator {
         self.join(Operation::Excess, a, b)
     }
@@ -72,7 +73,7 @@ impl Denominators {
         self.placed(factors)
     }
 
-    /// The product written out.
+    /// Returns the bound of the expanded product.
     pub fn bound(&self, a: Denominator) -> Polynomial {
         let one = Polynomial { degree: 0.0, bits: 0.0 };
         self.products[a.0 as usize].iter().fold(one, |product, &Factor { divisor, exponent }| {

@@ -1,16 +1,19 @@
-//! Identity testing: an expression that vanishes at random points of random prime fields vanishes, but for a small probability of
-//! error that is computed (Schwartz 1980; Zippel 1979).
+//! Identity testing at random points of random prime fields: an expression that vanishes at all of them is zero, up to a computed probability of
+//! error (Schwartz 1980; Zippel 1979).
 //!
-//! Symbols take random values, each angle a random point of the circle by the tangent of its half. Functions take random values of their own, as
-//! if they were independent of their arguments: an expression that vanishes even then vanishes for the true values. Angles, and arguments of
-//! functions, count as equal where their values are: w t and t w. Different ones have equal values at few points, and the error includes the
-//! chance of this. An expression that does not vanish is not zero where its angles are linearly independent: cos (a + b) t is no new function
-//! beside those of a t and b t. A root takes both roots of its argument at the point, and the expression must vanish for all of them; a point
-//! where one has none in the field is drawn again. If the expression does not vanish then some symmetric function of its conjugates does not
-//! either, with twice the degree for each root, and twice the chance where all roots exist. Where there are more than four, roots are taken as
-//! functions. The expression is then a quotient of polynomials in random numbers, with a degree d and coefficients of b bits, both bounded
-//! operation by operation. A quotient that is not zero is zero in a random field of the set with a probability of at most (b/60)/2^54, since it
-//! has no more than b/60 such primes as divisors; where it is not, it vanishes at a random point with a probability of at most d/2^60. No product
+//! Random values: each symbol gets a random value. Each angle gets a random point of the unit circle, by the tangent of its half. Each function gets a random
+//! value, as if it were independent of its arguments; an expression that vanishes even then vanishes for the true values. Two angles, or two arguments of a
+//! function, count as equal if their values are equal, as for w t and t w. Different arguments have equal values with a small probability, which the error
+//! includes. A value that is not zero proves that the expression is not zero only if its angles are linearly independent, since cos (a + b) t depends on
+//! the functions of a t and b t.
+//!
+//! Roots: a root takes both square roots of its argument, and the expression must vanish for all choices of signs. A point at which an argument has no
+//! root in the field is replaced by another one. An expression that is not zero has a symmetric function of its conjugates that is not zero. For each root this
+//! doubles the degree, and the probability, since all roots must exist. If there are more than four roots, they count as functions.
+//!
+//! Bounds: the expression is a quotient of polynomials in the random numbers. Its degree d and the number b of bits of its coefficients are bounded operation by
+//! operation. If it is not zero, it vanishes modulo a random prime with probability at most (b/60)/2^54, since at most b/60 primes of the set divide its
+//! coefficients; otherwise it vanishes at a random point with probability at most d/2^60. Products are not expanded: the cost is one operation per node and point.
 //! is expanded: the cost is one operation for each node and point.
 
 mod bounds;
@@ -26,43 +29,43 @@ use point::{angles_are_independent, different_roots, values};
 use prime_field::{Field, Random};
 use program::{Part, Program};
 
-/// Primes lie between 2^60 and 2^61: more than 2^54 of them (their density is one in 42).
+/// Primes lie between 2^60 and 2^61, which contain more than 2^54 primes (a density of 1/42).
 const BITS: f64 = 60.0;
 const PRIMES: f64 = 54.0;
 
-/// The allowed error, as a power of two.
+/// The accepted probability of error, as a power of two.
 const ALLOWED: f64 = -100.0;
 
-/// The number of points beyond which the degree is too high for a test.
+/// The largest number of points. If more are needed, the degree is too high for a test.
 const MOST_POINTS: usize = 64;
 
-/// The most roots that are taken in the field.
+/// The largest number of roots that are computed in the field.
 const MOST_ROOTS: usize = 4;
 
-/// The number of points at which a denominator vanishes after which it is taken to vanish everywhere; four times as many for each root, where a root
-/// is not in the field.
+/// After this number of points with a vanishing denominator, the denominator counts as zero everywhere. The number is multiplied by four for each root,
+/// since a root may not exist in the field.
 const MOST_IN_VAIN: usize = 16;
 
 /// The result of a test at random points.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Identity {
-    /// The expression vanishes at every point: it is zero, but for a probability of error of at most 2^`error`.
+    /// The expression vanished at every point. It is zero, with a probability of error of at most 2^`error`.
     Identified { degree: f64, points: usize, error: f64 },
-    /// The expression does not vanish; its angles are linearly independent.
+    /// The expression is not zero. Its angles are linearly independent.
     NotZero,
-    /// The expression was not tested, for this reason.
+    /// The test gave no result; the text gives the reason.
     Untested(&'static str),
 }
 
-/// Tests whether expressions vanish, all at the same points.
+/// Tests whether all expressions are zero, at common random points.
 pub fn identified(expressions: &[Sym]) -> Identity {
     IdentityTest::of(expressions).outcome()
 }
 
-/// A planned test: its work is known before it begins.
+/// A planned test; its cost is known before it is run.
 pub struct IdentityTest {
     program: Program,
-    /// The roots that are taken in the field.
+    /// The number of roots that are computed in the field.
     taken: usize,
     degree: f64,
     /// The probability of error at one point, as a power of two.
@@ -71,7 +74,7 @@ pub struct IdentityTest {
 }
 
 impl IdentityTest {
-    /// Counts operations and bounds degrees.
+    /// Plans a test: counts the operations and bounds the degree.
     pub fn of(expressions: &[Sym]) -> Self {
         let program = Program::of(expressions);
         let roots = different_roots(&program);
@@ -81,29 +84,29 @@ impl IdentityTest {
         let each = (chance(degree, bits)
             + mistaken.map_or(0.0, |Bounded { degree, bits, pairs }| pairs * chance(degree, bits)))
         .log2();
-        // conjugates, and the points at which all roots are in the field
+        // factors for the conjugates and the existence of all roots, and for the primes 3 modulo 4, which are half of all primes
         let each = each + 2.0 * taken as f64 + if taken > 0 { 1.0 } else { 0.0 };
         let points = if each < 0.0 { (ALLOWED / each).ceil() } else { f64::INFINITY };
         let points = (1.0..=MOST_POINTS as f64).contains(&points).then_some(points as usize);
         IdentityTest { program, taken, degree, each, points }
     }
 
-    /// The number of different parts of all expressions.
+    /// Returns the number of distinct subexpressions of all expressions.
     pub fn operations(&self) -> usize {
         self.program.parts.len()
     }
 
-    /// The bound of the degree of the numerator over the common denominator.
+    /// Returns a bound of the degree of the numerator over the common denominator.
     pub fn degree(&self) -> f64 {
         self.degree
     }
 
-    /// The points of prime fields that are needed; none where the degree is too high for these fields.
+    /// Returns the required number of points; `None` if the degree is too high for these fields.
     pub fn points(&self) -> Option<usize> {
         self.points
     }
 
-    /// Evaluates at random points, until one shows that an expression does not vanish.
+    /// Evaluates the expressions at random points until one point shows that an expression is not zero, or all points are used.
     pub fn outcome(&self) -> Identity {
         let IdentityTest { ref program, taken, degree, each, points } = *self;
         let is_opaque = |part: &Part| match part.node {
@@ -117,7 +120,7 @@ impl IdentityTest {
         }
         let Some(points) = points else { return Identity::Untested("the degree is too high for these fields") };
         let (mut random, mut in_vain, mut done) = (Random(0x9e37_79b9_7f4a_7c15), 0, 0);
-        // for each choice of signs of the roots
+        // one entry per choice of signs of the roots
         let mut vanishes = vec![true; 1 << taken];
         while done < points && vanishes.contains(&true) {
             let field = Field(random.prime(taken > 0));
@@ -176,7 +179,7 @@ mod tests {
         ] {
             assert!(matches!(identified(&[zero]), Identity::Identified { .. }), "{zero}: {:?}", identified(&[zero]));
         }
-        // a sum of angles in parentheses is no angle of its own
+        // the sum of angles in parentheses is expanded
         let (a, b) = (point(w * t), point(v * t));
         let sum = point((w + v) * t).cos - (a.cos * b.cos - a.sin * b.sin);
         assert!(matches!(identified(&[sum]), Identity::Untested(_)), "{:?}", identified(&[sum]));
@@ -213,7 +216,7 @@ mod tests {
         let unit = x / length * (x / length) + y / length * (y / length) - Sym::ONE;
         assert!(matches!(identified(&[unit, length * length - x * x - y * y]), Identity::Identified { .. }));
         assert_eq!(identified(&[length - x - y]), Identity::NotZero);
-        // a root of a square has one of two signs
+        // the root of a square has one of two signs
         assert!(matches!(identified(&[(x * x).sqrt() - x]), Identity::Untested(_)));
         assert_eq!(identified(&[(x * x).sqrt() - y]), Identity::NotZero);
     }
@@ -224,7 +227,7 @@ mod tests {
         let (one, other) = (((x + y) * (x + y)).sqrt(), (x * x + (x + x + y) * y).sqrt());
         assert!(matches!(identified(&[one - other]), Identity::Identified { .. }));
         assert_eq!(identified(&[one - (x * x + y).sqrt()]), Identity::NotZero);
-        // as many as are different are taken in the field
+        // equal roots count once
         let many: Vec<Sym> = (1..9).map(|k| (x * Sym::int(k) - x * Sym::int(k - 1) + y).sqrt()).collect();
         let differences: Vec<Sym> = many.windows(2).map(|pair| pair[0] * pair[0] - pair[1] * pair[0]).collect();
         assert!(matches!(identified(&differences), Identity::Identified { .. }));
@@ -236,10 +239,10 @@ mod tests {
         let divisor = x * y + z;
         let sum = (1..50).fold(Sym::ZERO, |sum, k| sum + (x + Sym::int(k)) / divisor * (y / divisor));
         assert!(IdentityTest::of(&[sum]).degree() < 10.0, "{}", IdentityTest::of(&[sum]).degree());
-        // numbers too: the halves of a sum have one denominator
+        // constant denominators are shared too: the halves of a sum have one denominator
         let halves = (1..2000).fold(x, |sum, k| (sum + y * Sym::int(k)) * Sym::ratio(1, 2) + z);
         assert!(IdentityTest::of(&[halves]).points().is_some());
-        // elimination of twelve unknowns from a band of equations
+        // Gaussian elimination of twelve unknowns from a banded system
         let pivot = (0..12).fold(x, |pivot, k| x + y / (pivot + Sym::int(k)));
         assert!(matches!(identified(&[pivot - pivot * (z / z)]), Identity::Identified { .. }));
     }

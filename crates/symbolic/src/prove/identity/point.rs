@@ -1,4 +1,4 @@
-//! Values at a random point of a field.
+//! Evaluation at a random point of a prime field.
 
 use super::MOST_IN_VAIN;
 use super::prime_field::{Field, Random};
@@ -8,8 +8,8 @@ use crate::graph::{Name, Node};
 use field::Elementary;
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// The values at a random point; `None` where a denominator vanishes. Roots have these signs, one bit each, or are taken as
-/// functions.
+/// Evaluates all parts of a program at a random point; `None` if a denominator vanishes or a root does not exist. Bit k of `signs` selects the sign of
+/// the k-th root; without `signs`, roots count as functions.
 pub(super) fn values(program: &Program, field: &Field, random: &mut Random, signs: Option<u32>) -> Option<Vec<u64>> {
     let mut roots: FxHashMap<u64, u64> = FxHashMap::default();
     let mut values: Vec<u64> = Vec::with_capacity(program.parts.len());
@@ -64,7 +64,7 @@ pub(super) fn values(program: &Program, field: &Field, random: &mut Random, sign
     Some(values)
 }
 
-/// The number of roots whose arguments differ.
+/// Returns the number of roots with different arguments.
 pub(super) fn different_roots(program: &Program) -> usize {
     let arguments: Vec<usize> =
         program.parts.iter().filter(|part| matches!(part.node, Node::Root(_))).map(|part| part.arguments[0]).collect();
@@ -84,7 +84,7 @@ pub(super) fn different_roots(program: &Program) -> usize {
     }
 }
 
-/// A function whose values are taken as independent of its argument.
+/// A function whose values count as independent of its argument.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 enum Opaque {
     Root,
@@ -92,7 +92,7 @@ enum Opaque {
     Named(Name, u32),
 }
 
-/// Whether no integer combination of angles vanishes: their values at as many random points make a matrix of full rank.
+/// Returns whether no integer combination of the angles vanishes: their values at random points form a matrix of full rank.
 pub(super) fn angles_are_independent(program: &Program, random: &mut Random) -> bool {
     let mut angles: Vec<Sym> = Vec::new();
     for part in &program.parts {
@@ -116,7 +116,7 @@ pub(super) fn angles_are_independent(program: &Program, random: &mut Random) -> 
             continue;
         };
         if rows.is_empty() {
-            // equal angles are one
+            // equal angles count once
             let mut known = Vec::new();
             for &angle in &inside.results {
                 if !known.contains(&values[angle]) {

@@ -1,10 +1,10 @@
-//! Fields of primes between 2^60 and 2^61, and random numbers in them.
+//! Prime fields between 2^60 and 2^61, and random numbers in them.
 
 use dashu_int::UBig;
 use dashu_int::ops::UnsignedAbs;
 use field::Rational;
 
-/// The field of a prime.
+/// The field of integers modulo a prime.
 pub(super) struct Field(pub u64);
 
 impl Field {
@@ -33,7 +33,7 @@ impl Field {
         product
     }
 
-    /// A square root in a field whose prime is 3 beyond a multiple of 4; `None` for a number without one.
+    /// Returns a square root modulo a prime p with p = 3 (mod 4); `None` if the number is not a square.
     pub fn root(&self, a: u64) -> Option<u64> {
         let root = self.power(a, self.0.div_ceil(4));
         (self.times(root, root) == a).then_some(root)
@@ -43,7 +43,7 @@ impl Field {
         (a != 0).then(|| self.power(a, self.0 - 2))
     }
 
-    /// Whether a square matrix is regular.
+    /// Returns whether a square matrix is regular.
     pub fn has_full_rank(&self, mut rows: Vec<Vec<u64>>) -> bool {
         for at in 0..rows.len() {
             let Some(pivot) = (at..rows.len()).find(|&row| rows[row][at] != 0) else { return false };
@@ -60,7 +60,7 @@ impl Field {
         true
     }
 
-    /// A rational number; `None` where its denominator is zero in the field.
+    /// Returns a rational number modulo the prime; `None` if its denominator is divisible by the prime.
     pub fn reduced(&self, value: Rational) -> Option<u64> {
         let (numerator, denominator) = value.to_big()?.into_parts();
         let modulo = |n: UBig| n % self.0;
@@ -69,7 +69,7 @@ impl Field {
     }
 }
 
-/// Whether an odd number below 2^64 is prime: Miller and Rabin's test by bases that are known to suffice there.
+/// Tests whether an odd number below 2^64 is prime, by the Miller-Rabin test with bases that are proved sufficient in this range.
 pub(super) fn is_prime(n: u64) -> bool {
     let bases = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
     let (field, twos) = (Field(n), (n - 1).trailing_zeros());
@@ -84,7 +84,7 @@ pub(super) fn is_prime(n: u64) -> bool {
     })
 }
 
-/// Random numbers that are the same in every run (splitmix64).
+/// Pseudorandom numbers with a fixed seed (splitmix64), hence equal in every run.
 pub(super) struct Random(pub u64);
 
 impl Random {
@@ -105,7 +105,7 @@ impl Random {
         }
     }
 
-    /// Between 2^60 and 2^61; where roots are taken, 3 beyond a multiple of 4, as every second one is.
+    /// Returns a random prime between 2^60 and 2^61; with `for_roots` one with p = 3 (mod 4), as about half of all primes.
     pub fn prime(&mut self, for_roots: bool) -> u64 {
         loop {
             let drawn = (1 << 60) | (self.next() >> 4) | if for_roots { 3 } else { 1 };

@@ -1,4 +1,4 @@
-//! Expressions as a straight-line program: parts in the order in which they are evaluated, each with the places of its arguments.
+//! Expressions as a straight-line program: operations in order of evaluation, each with the indices of its arguments.
 
 use crate::Sym;
 use crate::graph::Node;
@@ -6,16 +6,16 @@ use rustc_hash::FxHashMap;
 
 pub(super) struct Program {
     pub parts: Vec<Part>,
-    /// The places of the expressions.
+    /// The indices of the given expressions.
     pub results: Vec<usize>,
 }
 
-/// One operation.
+/// One operation of the program.
 #[derive(Clone, Copy)]
 pub(super) struct Part {
     pub is: Sym,
     pub node: Node,
-    /// The places of its arguments; a place that it does not have is zero.
+    /// The indices of the arguments; zero for missing arguments.
     pub arguments: [usize; 2],
 }
 
