@@ -2,7 +2,7 @@
 //!
 //!   M u' + h = J^T lambda,    J u' + c = 0,    u = q'
 //!
-//! with h = inertia that depends on speeds less all forces. A constraint on positions enters twice differentiated, one on speeds
+//! Here h contains the inertia terms without accelerations, minus all forces. A constraint on positions is differentiated twice, one on speeds
 //! once.
 
 mod articulated_bodies;
@@ -32,7 +32,7 @@ use crate::Trace;
 use crate::principles::{NotApplicable, Principle};
 use symbolic::{Sym, substitute_all};
 
-/// Those of some equations of constraints that depend on the others at a general point too, and not on a branch of their positions alone.
+/// Returns those of the equations `among` that depend on the other equations at a generic point, and not only on a branch of the constraints' positions.
 pub fn dependent_everywhere(trace: &Trace<'_>, among: &[[usize; 2]]) -> Vec<[usize; 2]> {
     let (these, others): (Vec<Equation>, Vec<Equation>) =
         constraints_of(trace).into_iter().partition(|one| among.contains(&one.of));
@@ -40,17 +40,16 @@ pub fn dependent_everywhere(trace: &Trace<'_>, among: &[[usize; 2]]) -> Vec<[usi
     these.into_iter().filter(|one| depends(&one.row, &others)).map(|one| one.of).collect()
 }
 
-/// Accelerations u' and multipliers lambda; otherwise the first coordinate, or constraint, whose pivot is the constant zero.
+/// The accelerations u' and the multipliers lambda; the error is the first coordinate or constraint whose pivot is the constant zero.
 pub type Solved = Result<(Vec<Sym>, Vec<Sym>), Singular>;
 
-/// The number of speeds beyond which the tree of bodies is used instead of the mass matrix, where there is one: the
-/// result is shorter.
+/// If there are more speeds, and the bodies form a tree, only the recursion over the tree is used. Otherwise its result is compared with that of the mass matrix.
 pub const MOST_COMPARED: usize = 8;
 
-/// Accelerations and multipliers: over the tree of bodies, or from the mass matrix where that is shorter or there is no tree.
+/// Solves for accelerations and multipliers, by recursion over the tree of bodies or by elimination in the mass matrix, whichever result is shorter.
 ///
 /// # Errors
-/// The first coordinate, or constraint, without a pivot that is not zero as it stands.
+/// The first coordinate or constraint whose pivots are all the constant zero.
 pub fn solved(trace: &Trace<'_>) -> Solved {
     let by_matrix = || Equations::of(trace).solved();
     let Some(Ok(over_tree)) = solved_over_tree(trace) else { return by_matrix() };
@@ -63,38 +62,38 @@ pub fn solved(trace: &Trace<'_>) -> Solved {
     Ok(by_matrix().ok().filter(|other| length(other) <= length(&over_tree)).unwrap_or(over_tree))
 }
 
-/// Accelerations and multipliers over the tree of bodies; none where there is no tree.
+/// Solves for accelerations and multipliers by recursion over the tree of bodies; `None` if the bodies do not form a tree.
 pub fn solved_over_tree(trace: &Trace<'_>) -> Option<Solved> {
     articulated_bodies::solved(trace)
 }
 
-/// Whether the accelerations of a model are found over a tree of bodies.
+/// Returns whether the recursion over a tree of bodies applies to a model.
 pub fn has_tree(trace: &Trace<'_>) -> bool {
     articulated_bodies::are_of(trace)
 }
 
-/// The equations of motion of a model, over the symbols of a trace.
+/// The equations of motion of a model with n speeds, over the symbols of a trace.
 #[derive(Clone, Debug)]
 pub struct Equations {
-    /// M, row after row; symmetric.
+    /// The mass matrix M, n x n by rows; symmetric.
     pub mass: Vec<Vec<Sym>>,
-    /// h.
+    /// The vector h, of length n.
     pub bias: Vec<Sym>,
-    /// One for each scalar constraint.
+    /// One equation for each scalar constraint.
     pub constraints: Vec<Equation>,
 }
 
 impl Equations {
-    /// The equations by a principle.
+    /// Forms the equations by a principle.
     ///
     /// # Errors
-    /// Where the principle does not apply to the model.
+    /// The principle does not apply to the model.
     pub fn by(principle: Principle, trace: &Trace<'_>) -> Result<Self, NotApplicable> {
         let residual = principle.residual(trace)?;
         let n = residual.len();
         let mass = residual.iter().map(|row| (0..n).map(|j| trace.by_acceleration(*row, j)).collect()).collect();
         let constraints = constraints::equations(trace);
-        // multipliers drop out where a principle contains the constraints
+        // principles that contain the constraints have no multipliers
         let none = constraints.iter().map(|constraint| constraint.multiplier);
         let at_rest: Vec<(Sym, Sym)> =
             trace.accelerations.iter().copied().chain(none).map(|symbol| (symbol, Sym::ZERO)).collect();
@@ -102,7 +101,7 @@ impl Equations {
         Ok(Equations { mass, bias, constraints })
     }
 
-    /// The equations by the first principle that applies: the bodies' projected ones, or Lagrange's where an energy is given.
+    /// Forms the equations by virtual power, or by Lagrange's principle if a kinetic energy is given.
     pub fn of(trace: &Trace<'_>) -> Self {
         let given = trace.model.energies.kinetic.is_some();
         let principle = if given { Principle::Lagrange } else { Principle::VirtualPower };
@@ -113,18 +112,18 @@ impl Equations {
         })
     }
 
-    /// The accelerations u' and the multipliers lambda.
+    /// Solves for the accelerations u' and the multipliers lambda.
     ///
     /// # Errors
-    /// The first coordinate, or constraint, without a pivot that is not zero as it stands.
+    /// The first coordinate or constraint whose pivots are all the constant zero.
     pub fn solved(&self) -> Solved {
         elimination::solved(self)
     }
 
-    /// The accelerations with unknown multipliers.
+    /// Solves for the accelerations as linear functions of unknown multipliers.
     ///
     /// # Errors
-    /// The first coordinate without a pivot that is not zero as it stands.
+    /// The first coordinate whose pivots are all the constant zero.
     pub fn pushes(&self) -> Result<Pushes, Singular> {
         elimination::pushes(self)
     }

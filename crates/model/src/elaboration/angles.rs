@@ -1,4 +1,4 @@
-//! Angles without a unit: radians, where degrees may have been meant.
+//! Warnings about angles without a unit: they are in radians, but degrees may have been meant.
 
 use super::Elaborator;
 use crate::expression::{Expression, Form, Part, read};
@@ -6,10 +6,10 @@ use crate::{Entry, Fault, Text};
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-/// A turn and a little more, in radians: larger numbers may be degrees.
+/// Larger numbers, slightly more than a full turn in radians, may be degrees.
 const MOST: f64 = 6.3;
 
-/// The warning of an angle at a place that has no unit and is more than a turn; `degrees` is the text with degrees, with {} for
+/// Returns a warning if a number without a unit exceeds a full turn. `degrees` is the text for the same angle in degrees, with {} in place of
 /// the number.
 pub fn bare_angle(place: Range<usize>, written: &str, degrees: &str) -> Option<Fault> {
     let written = written.trim();
@@ -20,22 +20,22 @@ pub fn bare_angle(place: Range<usize>, written: &str, degrees: &str) -> Option<F
 }
 
 impl<'s> Elaborator<'s> {
-    /// Warns of a bare number that is an angle of more than a turn; `degrees` is the text with degrees, with {} for the
-    /// number.
+    /// Warns if a number without a unit, used as an angle, exceeds a full turn. `degrees` is the text for the angle in degrees, with {} in place of
+    /// the number.
     pub(super) fn judge_angle(&mut self, place: Range<usize>, written: &str, degrees: &str) {
         let is_known = self.model.warnings.iter().any(|known| known.span == place);
         self.model.warnings.extend(bare_angle(place, written, degrees).filter(|_| !is_known));
     }
 
-    /// Warns of bare numbers in an expression that is an angle, such as that of a turn.
+    /// Warns about numbers without a unit in an expression that is an angle.
     pub(super) fn judge_angle_text(&mut self, text: &Text) {
         if let Ok(expression) = read(&text.text) {
             self.judge_terms(text, &expression, expression.whole());
         }
     }
 
-    /// Warns likewise wherever an expression holds an angle: in `sin`, `cos` and `tan`, and beside a letter that is
-    /// one.
+    /// Warns about numbers without a unit wherever an expression contains an angle: in `sin`, `cos` and `tan`, and in sums and comparisons with a symbol
+    /// that is an angle.
     pub(super) fn judge_angles(&mut self, text: &Text, expression: &Expression) {
         let mut inner = vec![false; expression.parts.len()];
         for (place, form) in expression.parts.iter().enumerate().rev() {
@@ -74,7 +74,7 @@ impl<'s> Elaborator<'s> {
         }
     }
 
-    /// Whether a letter has a unit of angles.
+    /// Returns whether a symbol has an angular unit.
     fn is_angle(&self, form: &Form) -> bool {
         let Form::Name(name) = form else { return false };
         let of_angle = |written: &str| ["rad", "deg", "rev"].iter().any(|unit| written.ends_with(unit));
@@ -83,7 +83,7 @@ impl<'s> Elaborator<'s> {
     }
 }
 
-/// The terms of a sum, or of both sides of a comparison; the sums inside are marked.
+/// Returns the terms of a sum, or of both sides of a comparison. The sums inside are marked in `inner`.
 fn terms_of(expression: &Expression, part: Part, inner: &mut [bool]) -> Vec<Part> {
     let (mut open, mut terms) = (vec![part], Vec::new());
     while let Some(part) = open.pop() {

@@ -1,9 +1,9 @@
-//! Bodies whose inertia is one moment of inertia, about the z axis of their frame.
+//! Bodies whose inertia is given by a single moment of inertia, about the z axis of their frame.
 
 use crate::{Body, Fault, FrameId, Inertia, Model, Trace, Turn};
 use symbolic::apart;
 
-/// The bodies among them that turn about another axis too: one moment of inertia does not determine their motion.
+/// Returns a fault for each of these bodies that also turns about another axis, since one moment of inertia does not determine this motion.
 pub(super) fn tilted(model: &Model) -> Vec<Fault> {
     let may_tilt = |body: &Body| {
         matches!(body.inertia, Some(Inertia::Axial(_))) && body.frame.is_some_and(|frame| leaves_axis(model, frame))
@@ -26,7 +26,7 @@ pub(super) fn tilted(model: &Model) -> Vec<Fault> {
     })
 }
 
-/// Whether a frame, or one that it turns in, turns about another axis than z.
+/// Returns whether a frame, or one of its parent frames, turns about another axis than z.
 fn leaves_axis(model: &Model, frame: FrameId) -> bool {
     let mut next = Some(frame);
     while let Some((parent, turn)) = next.and_then(|frame| model.frames[frame.0].parent.as_ref()) {

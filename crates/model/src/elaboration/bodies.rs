@@ -1,11 +1,11 @@
-//! Bodies: their motion first, then masses and moments of inertia, once every name is known.
+//! Bodies: first their motion; masses and moments of inertia after all names are known.
 
 use super::{Elaborator, Sound};
 use crate::{Body, BodyId, BodySource, Fault, FrameId, Inertia, InertiaSource, Text, Turn};
 use symbolic::Dimension;
 
 impl Elaborator<'_> {
-    /// The motion of a body: its frame and its centre.
+    /// Adds a body with its frame and its centre of mass.
     pub(super) fn moved(&mut self, body: &BodySource) -> Sound<BodyId> {
         let frame = match (&body.turns, &body.frame) {
             (Some(turns), Some(_)) => {
@@ -36,7 +36,7 @@ impl Elaborator<'_> {
         Ok(BodyId(self.model.bodies.len() - 1))
     }
 
-    /// Masses and moments of inertia, once every name is known.
+    /// Reads the masses and moments of inertia, after all names are known.
     pub(super) fn bodies(&mut self) {
         for body in &self.source.bodies {
             let of_inertia: Vec<&Text> = match &body.inertia {
@@ -46,7 +46,7 @@ impl Elaborator<'_> {
             };
             let texts = body.mass.iter().chain(of_inertia);
             let Some(place) = self.model.bodies.iter().position(|known| known.name == body.name.text) else {
-                // its motion has a fault, which is reported already
+                // the fault in its motion is already reported
                 let missing: Sound<()> = Err(Box::new(Fault::consequence(body.name.span())));
                 let _ = self.beside(missing, texts);
                 continue;

@@ -1,4 +1,4 @@
-//! Momenta of one body, in outputs: m v of its centre of mass, and I w + (C - P) x m v about a point P.
+//! Momenta of one body in outputs: m v of the centre of mass C, and I w + (C - P) x m v about a point P.
 
 use super::expressions::Meaning;
 use super::loads::joule;
@@ -10,11 +10,11 @@ use crate::{BodyId, Fault, FrameId, Inertia, Material, VectorId};
 use std::ops::Range;
 use symbolic::Dimension;
 
-/// The entries of a tensor of inertia by their axes.
+/// The axes (row, column) of the six entries of an inertia tensor.
 const ENTRIES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
 impl Elaborator<'_> {
-    /// `momentum(bob)`: the mass times the velocity of the centre of mass.
+    /// Reads `momentum(bob)`: the mass times the velocity of the centre of mass.
     pub(super) fn momentum_of_body(&mut self, span: &Range<usize>, body: BodyId) -> Sound<Value> {
         let Some(momentum) = self.linear_momentum(span, body)? else {
             let name = &self.model.bodies[body.0].name;
@@ -24,7 +24,7 @@ impl Elaborator<'_> {
         Ok(Value::Vector(momentum))
     }
 
-    /// `angular_momentum(top)` about the centre of mass, `angular_momentum(top, P)` about a point.
+    /// Reads `angular_momentum(top)` about the centre of mass, or `angular_momentum(top, P)` about a point.
     pub(super) fn angular_momentum(&mut self, span: &Range<usize>, arguments: &[Meaning]) -> Sound<Value> {
         let (body, about) = match arguments {
             [Meaning::Body(body)] => (*body, None),
@@ -59,7 +59,7 @@ impl Elaborator<'_> {
         Ok(Some(self.vector(Vector::Scaled(mass, velocity), Some(Dimension::mass() * speed))))
     }
 
-    /// The angular momentum about the centre of mass.
+    /// Returns the angular momentum of a body about its centre of mass.
     fn spin(&mut self, body: BodyId) -> VectorId {
         let none = self.vector(Vector::Zero, Some(angular()));
         let known = &self.model.bodies[body.0];

@@ -1,5 +1,5 @@
-//! Piecewise functions: `if`, `abs`, `sign`, `min`, `max`, `table`. A condition becomes a switch, 1 or 0, and each of these
-//! functions a polynomial in switches: the law is smooth between two events.
+//! Piecewise functions: `if`, `abs`, `sign`, `min`, `max`, `table`. A condition becomes a switch with the value 1 or 0, and each
+//! function a polynomial in switches. Between two events the law is smooth.
 
 use super::expressions::Meaning;
 use super::operations::no_operation;
@@ -12,7 +12,7 @@ use std::ops::Range;
 use symbolic::Dimension;
 
 impl Elaborator<'_> {
-    /// The switch of `a < b`: 1 where b - a is positive, and of `a <= b` where both are equal too.
+    /// Returns the switch of a comparison: 1 if `b - a` is positive, for `a <= b` also if it is zero.
     pub(super) fn comparison(
         &mut self,
         span: &Range<usize>,
@@ -22,7 +22,7 @@ impl Elaborator<'_> {
     ) -> Sound<ScalarId> {
         let (Value::Scalar(a), Value::Scalar(b)) = (a, b) else { return Err(no_operation(span, "compared", &[a, b])) };
         let dimension = self.common(span, a.0, b.0)?;
-        // in a law an instant at which both are equal decides nothing
+        // equality decides only the value in outputs; in a law it holds at isolated instants
         let (less, more) = match relation {
             Relation::Less | Relation::LessOrEqual => (a, b),
             Relation::Greater | Relation::GreaterOrEqual => (b, a),
@@ -35,7 +35,7 @@ impl Elaborator<'_> {
         Ok(self.switch(difference, at_zero, span))
     }
 
-    /// 1 where an expression is positive, 0 where it is negative.
+    /// Returns the switch that is 1 where an expression is positive and 0 where it is negative.
     fn switch(&mut self, positive: ScalarId, at_zero: AtZero, span: &Range<usize>) -> ScalarId {
         let known = self.model.switches.iter().position(|known| *known == positive);
         let switch = known.unwrap_or_else(|| {
@@ -53,7 +53,7 @@ impl Elaborator<'_> {
         self.scalar(Scalar::Number(Number { value, times: 1.0, per: 1.0 }), Some(Dimension::none()))
     }
 
-    /// s a + (1 - s) b
+    /// Returns s a + (1 - s) b for the switch s.
     fn chosen(&mut self, switch: ScalarId, a: ScalarId, b: ScalarId, dimension: Option<Dimension>) -> ScalarId {
         let one = self.whole(1.0);
         let off = self.scalar(Scalar::Difference(one, switch), Some(Dimension::none()));
@@ -61,7 +61,7 @@ impl Elaborator<'_> {
         self.scalar(Scalar::Sum(a, b), dimension)
     }
 
-    /// `if(condition, a, b)`
+    /// Reads `if(condition, a, b)`.
     pub(super) fn choice(&mut self, span: &Range<usize>, condition: Meaning, a: Value, b: Value) -> Sound<Value> {
         let Meaning::Condition(switch) = condition else {
             let accepted = "if(t < (2 s), a, b)";
@@ -72,7 +72,7 @@ impl Elaborator<'_> {
         Ok(Value::Scalar(self.chosen(switch, a, b, dimension)))
     }
 
-    /// `sign(a)` = 2 s - 1, `abs(a)` = (2 s - 1) a.
+    /// Returns `sign(a)` = 2 s - 1 or `abs(a)` = (2 s - 1) a.
     pub(super) fn sign(&mut self, span: &Range<usize>, of: Value, absolute: bool) -> Sound<Value> {
         let of = self.as_scalar(span, "the argument", of)?;
         let switch = self.switch(of, AtZero::Half, span);
@@ -87,7 +87,7 @@ impl Elaborator<'_> {
         Ok(Value::Scalar(self.scalar(Scalar::Product(sign, of), dimension)))
     }
 
-    /// `min(a, b)`, `max(a, b)`
+    /// Reads `min(a, b)` or `max(a, b)`.
     pub(super) fn extreme(&mut self, span: &Range<usize>, a: Value, b: Value, least: bool) -> Sound<Value> {
         let (a, b) = (self.as_scalar(span, "an argument", a)?, self.as_scalar(span, "an argument", b)?);
         let dimension = self.common(span, a.0, b.0)?;
@@ -97,7 +97,7 @@ impl Elaborator<'_> {
         Ok(Value::Scalar(self.chosen(switch, a, b, dimension)))
     }
 
-    /// `table(x, x1, y1, x2, y2, ...)`: straight lines through points in ascending order of x, constant outside.
+    /// Reads `table(x, x1, y1, x2, y2, ...)`: linear interpolation between points with ascending x, constant outside.
     pub(super) fn table(&mut self, span: &Range<usize>, at: Value, points: &[Value]) -> Sound<Value> {
         let at = self.as_scalar(span, "the first argument", at)?;
         let wrong = |title: &str| {
@@ -122,7 +122,7 @@ impl Elaborator<'_> {
             return wrong("the places x1, x2, ... of a table must increase");
         }
         let along = self.dimension_of(at.0);
-        // max(x - place, 0) for each place of the table
+        // max(x - x_k, 0) for each knot x_k
         let beyond: Vec<ScalarId> = knots
             .iter()
             .map(|[x, _]| {
@@ -146,7 +146,7 @@ impl Elaborator<'_> {
         Ok(Value::Scalar(sum))
     }
 
-    /// The value of a number as it stands, or of its negative.
+    /// Returns the value of a number, its negative, or a parameter.
     fn number_of(&self, id: ScalarId) -> Option<f64> {
         match self.model.arena.scalar_at(id)? {
             Scalar::Number(Number { value, times, per }) => Some(value * times / per),

@@ -1,10 +1,10 @@
-//! Conditions of the law. Conditions in outputs alone become steps of their expressions.
+//! Conditions that the law contains. Conditions in outputs only are replaced by step functions.
 
 use super::parts::reached;
 use crate::arena::{Part, Scalar};
 use crate::{Energies, Inertia, Model, ScalarId, Turn, Zero};
 
-/// Takes the switches that no law holds out of the list.
+/// Removes the switches that the law does not contain.
 pub(super) fn keep_those_of_law(model: &mut Model) {
     if model.switches.is_empty() {
         return;
@@ -33,7 +33,7 @@ pub(super) fn keep_those_of_law(model: &mut Model) {
     model.switch_units.retain(|_| kept.next() == Some(&true));
 }
 
-/// Whether the motion depends on each part of the arena: through bodies, frames and points, forces, constraints, contacts, events or
+/// Returns for each node whether the motion depends on it: through bodies, frames, points, forces, constraints, contacts, events or
 /// quasi-velocities.
 fn parts_of_law(model: &Model) -> Vec<bool> {
     let mut open: Vec<usize> = Vec::new();

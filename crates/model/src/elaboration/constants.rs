@@ -1,8 +1,8 @@
-//! Constants: their exact values, and a bound on their length.
+//! Constants: their exact values, and a bound of their length.
 //!
-//! A constant is folded exactly, as it is written: 0.1 + 0.2 is 0.3. Products and powers grow: a decimal of seventeen digits to the
-//! power of forty has seven hundred. A constant longer than [`MOST_BITS`] becomes the nearest number in double precision. Values of
-//! parameters stay letters here, and are folded where a system runs; a constant of them that no run could hold is refused.
+//! Constants are computed exactly in decimal notation: 0.1 + 0.2 is 0.3. Products and powers become long: a decimal of 17 digits to the
+//! power 40 has 700 digits. A constant longer than [`MOST_BITS`] is replaced by the nearest number in double precision. Parameters
+//! remain symbols here and get values when a system is run; a constant formed from parameters that is too long for a run is an error.
 
 use super::{Elaborator, Sound};
 use crate::arena::{Number, Scalar};
@@ -15,13 +15,13 @@ use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 use symbolic::Dimension;
 
-/// Bits of the numerator or the denominator of a constant that is made of decimals: 38 digits.
+/// The largest number of bits of numerator and denominator of a constant formed from decimals; this is 38 digits.
 const MOST_BITS: usize = 128;
 
-/// The limit for a constant that holds parameters or pi, which stays exact.
+/// The limit for a constant that contains parameters or pi, which stays exact.
 const MOST_BITS_OF_DATA: usize = 10_000;
 
-/// Pi to 48 digits, as the sum of three floats.
+/// Pi to 48 digits, as the sum of three numbers in double precision.
 pub const HALF_TURN: [f64; 3] = [PI, 1.224_646_799_147_353_2e-16, -2.994_769_809_718_339_7e-33];
 
 /// An exact constant.
@@ -31,7 +31,7 @@ pub(super) struct Constant {
     of: Data,
 }
 
-/// The ingredients of a constant beside decimals.
+/// The ingredients of a constant; a later variant includes the earlier ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Data {
     Decimals,
@@ -49,7 +49,7 @@ impl Constant {
         Constant { value, of: self.of.max(other.of) }
     }
 
-    /// A decimal in its unit.
+    /// Returns the exact value of a decimal number with its unit.
     fn of_number(&Number { value, times, per }: &Number) -> Option<Self> {
         let factor = |value: f64| match value {
             PI => Some((half_turn()?, Data::Pi)),
@@ -66,7 +66,7 @@ fn half_turn() -> Option<RBig> {
 }
 
 impl Elaborator<'_> {
-    /// The exact value of a part made of constants; `None` for another part, and where it has no value.
+    /// Returns the exact value of a node formed from constants; `None` for other nodes, and for undefined values.
     pub(super) fn constant_of(&self, scalar: &Scalar) -> Option<Constant> {
         let of = |id: &ScalarId| self.constants[id.0].as_ref();
         let both = |a: &ScalarId, b: &ScalarId| of(a).zip(of(b));
@@ -93,7 +93,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// A part of the text: as it stands, or the nearest number in double precision where it is a constant that would become too long.
+    /// Adds a node. If the node is a constant longer than the limit, it is replaced by the nearest number in double precision.
     pub(super) fn bounded(
         &mut self,
         span: &Range<usize>,
@@ -101,7 +101,7 @@ impl Elaborator<'_> {
         dimension: Option<Dimension>,
     ) -> Sound<ScalarId> {
         let long = match scalar {
-            // a root of a whole power
+            // the square root of an integer power
             Scalar::Power(a, Exponent { numerator, denominator: 2 }) => {
                 let square = Scalar::Power(a, Exponent { numerator, denominator: 1 });
                 self.constant_of(&square).filter(|square| square.value >= RBig::ZERO && !square.is_short())

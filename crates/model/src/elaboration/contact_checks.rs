@@ -1,26 +1,26 @@
-//! Checks of contacts once the whole model is known: whether their parts fit together.
+//! Checks of contacts after the whole model is known.
 
 use crate::equations::vanishes;
 use crate::trace::Vector;
 use crate::{Contact, Fault, Force, FrameId, Model, Sides, Trace};
 use symbolic::{Identity, Sym, apart, identified};
 
-/// The reason why a contact has no meaning.
+/// The reason why a contact is invalid.
 #[derive(Clone, Copy)]
 enum Wrong {
-    /// A guide along an axis leaves the plane, or a force presses its body against it across the plane.
+    /// A guide along an axis moves out of the plane N.x, N.y, or a force perpendicular to this plane loads it.
     Line,
-    /// A point of the plane moves with coordinates, and no body has the plane.
+    /// A point of the plane moves with coordinates, but the plane belongs to no body.
     Carried,
-    /// The gap does not grow along the normal.
+    /// The rate of the gap is not proportional to the normal velocity.
     Askew,
-    /// No speed changes the gap of a contact that pushes on one side.
+    /// No speed changes the gap of a unilateral contact.
     Fixed,
-    /// The speed of a diode or a freewheel is constant zero, or not linear.
+    /// The speed of a diode or freewheel is identically zero, or not linear in the speeds.
     Bent,
 }
 
-/// Refuses contacts without a meaning.
+/// Returns a fault for each invalid contact.
 pub(super) fn checked(model: &Model) -> Result<(), Vec<Fault>> {
     let wrong: Vec<Option<Wrong>> = apart(|| {
         let trace = Trace::of(model);
@@ -61,7 +61,7 @@ fn wrong(trace: &Trace<'_>, contact: &Contact) -> Option<Wrong> {
     is_askew.then_some(Wrong::Askew)
 }
 
-/// Whether the body of a guide leaves the plane of N.x and N.y, or is pressed across it where friction would feel that.
+/// Returns whether the point of a guide moves out of the plane N.x, N.y, or a load perpendicular to this plane acts on a guide with friction.
 fn is_in_space(trace: &Trace<'_>, contact: &Contact, own: [Vector; 2]) -> bool {
     let model = trace.model;
     let across = |vector: Vector| varies(trace.dot(vector, Vector::axis(FrameId::GROUND, 2)));
@@ -79,7 +79,7 @@ fn varies(expression: Sym) -> bool {
     expression != Sym::ZERO && !vanishes(expression)
 }
 
-/// Whether an expression is shown to have another value than zero.
+/// Returns whether an expression is proved to differ from zero.
 fn is_not_zero(expression: Sym) -> bool {
     expression != Sym::ZERO && matches!(identified(&[expression]), Identity::NotZero)
 }

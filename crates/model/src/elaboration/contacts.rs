@@ -1,4 +1,4 @@
-//! Contacts: the gap, the sliding velocity, and the pair of forces that they put on bodies.
+//! Contacts: the gap, the sliding velocity, and the pair of forces on the two bodies.
 
 use super::forces::Acted;
 use super::loads::newton;
@@ -13,10 +13,10 @@ use symbolic::{Dimension, Sym, apart};
 
 const AGAINST: &str = "of = \"ladder at B\", through = \"O\", normal = \"N.y\"; or between = \"slider, N along x\"";
 
-/// A plane, a curve or a guide that a point touches.
+/// The plane, curve or guide that a point touches.
 struct Plane {
     normal: VectorId,
-    /// The body that has it; none of the ground.
+    /// The body to which the plane belongs; `None` for the ground.
     body: Option<BodyId>,
     sides: Sides,
 }
@@ -62,7 +62,7 @@ impl Elaborator<'_> {
         let speed = Some(Dimension::length() / Dimension::time());
         let seen = FrameId::GROUND;
         let mut velocity = self.vector(Vector::Velocity { of: on, seen }, speed);
-        // a plane of the ground may be moved with the time
+        // a plane of the ground may move as a prescribed function of time
         let carried =
             beside.or_else(|| Some(Material { body: None, point: through.filter(|at| *at != PointId::ORIGIN)? }));
         if let Some(of) = carried {
@@ -119,7 +119,7 @@ impl Elaborator<'_> {
         Err(Box::new(Fault::at(name.span(), title, "again", "a name of its own for each")))
     }
 
-    /// The plane of a contact that has `of`.
+    /// Reads the plane of a contact that is defined by `of`.
     fn plane(&mut self, source: &ContactSource) -> Sound<Plane> {
         let Some(text) = &source.normal else {
             return Err(refused(source, "a contact has a normal", "`normal` is missing"));
@@ -137,7 +137,7 @@ impl Elaborator<'_> {
         Ok(Plane { normal, body, sides: Sides::One })
     }
 
-    /// The gap, and the point of the plane where it is found from one.
+    /// Returns the gap, in metres, and the point of the plane from which it is measured, if there is one.
     fn gap(
         &mut self,
         source: &ContactSource,
@@ -180,7 +180,7 @@ impl Elaborator<'_> {
         text.map(|text| self.scalar_value(text, what, Some(Dimension::none()))).transpose()
     }
 
-    /// Whether a vector is zero in every position.
+    /// Returns whether a vector is zero in every position.
     fn is_zero(&self, vector: VectorId) -> bool {
         let model = &self.model;
         self.faults.is_empty()
@@ -190,7 +190,7 @@ impl Elaborator<'_> {
             })
     }
 
-    /// N n + T t, in space N n + T1 t1 + T2 t2, on a point of a body, and the opposite on the same place of the other one.
+    /// Adds the contact force N n + T t (in space N n + T1 t1 + T2 t2) on a point of one body, and its reaction at the coincident point of the other body.
     fn pair_of_forces(&mut self, on: Material, beside: Option<Material>, reactions: &[ScalarId], axes: &[VectorId]) {
         let newton = Some(newton());
         let is = self.along_axes(reactions, axes, newton);
@@ -220,6 +220,7 @@ fn sides_of(text: &Text) -> Sound<Sides> {
 fn law_of(source: &ContactSource) -> Sound<Restitution> {
     let Some(text) = &source.impact else { return Ok(Restitution::default()) };
     match text.text.trim() {
+        // Moreau's law also applies to contacts that are already closed
         "moreau" => Ok(Restitution::Moreau),
         "newton" => Ok(Restitution::Newton),
         "poisson" => Ok(Restitution::Poisson),

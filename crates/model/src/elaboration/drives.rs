@@ -1,7 +1,7 @@
 //! Drives: motors between two bodies, with gears and windings.
 //!
-//! The rotor of a motor is a frame that turns by n times the angle of the shaft, beside the body on which the motor sits. Its torque acts
-//! between these two frames: the gear does no work and the reaction acts on that body.
+//! The rotor of a motor is a frame that turns, relative to the body that carries the motor, by n times the angle of the shaft. The torque of the motor acts
+//! between these two frames. Hence the gear does no work, and the reaction acts on the carrying body.
 
 use super::loads::joule;
 use super::windings::ampere;
@@ -15,26 +15,26 @@ use symbolic::Dimension;
 const EXAMPLE: &str = "turns = \"theta\", or between = [\"carriage\", \"wheel\"], in [[drive]]";
 const WINDING: &str = "inductance = \"L\", resistance = \"R\", supply = \"U\", motional = \"k\" in [[drive.winding]]";
 
-/// A drive in expressions.
+/// The quantities of a drive that expressions can use.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Drive {
     pub name: String,
-    /// Names of currents, each with the place of its charge.
+    /// The names of the currents, each with the index of its charge among the coordinates.
     pub currents: Vec<(String, usize)>,
-    /// Angle, speed and torque of the motor, known once the bodies stand.
+    /// Angle, speed and torque of the motor; `None` until the bodies are known.
     angle: Option<ScalarId>,
     pub speed: Option<ScalarId>,
     torque: Option<ScalarId>,
 }
 
-/// The shaft of a drive: the frame on which the motor sits, the axis in that frame, and the angle of the driven part.
+/// The shaft of a drive: the frame that carries the motor, the axis in that frame, and the angle of the driven part.
 struct Shaft {
     base: FrameId,
     axis: usize,
     angle: ScalarId,
 }
 
-/// The rotor of a drive.
+/// The rotor of a drive: its frame `frame` turns about `axis` of the frame `base`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rotor {
     drive: usize,
@@ -44,12 +44,12 @@ pub(super) struct Rotor {
 }
 
 impl Elaborator<'_> {
-    /// The charges of all windings, and the names of drives.
+    /// Adds the charges of all windings as coordinates, and the names of the drives.
     pub(super) fn charges(&mut self) {
         for (place, source) in self.source.drives.iter().enumerate() {
             let found = self.named_drive(place, source);
             if self.kept(found).is_none() {
-                // those behind it keep their places
+                // a placeholder preserves the indices of the following drives
                 self.drives.push(Drive::default());
             }
         }
@@ -91,14 +91,14 @@ impl Elaborator<'_> {
         Ok(())
     }
 
-    /// The fault of a drive's name alone.
+    /// Returns the fault for a drive's name that is used as a quantity.
     pub(super) fn bare_drive(&self, span: &Range<usize>, drive: usize) -> Box<Fault> {
         let name = &self.drives[drive].name;
         let title = format!("`{name}` is a drive, which is no quantity");
         Box::new(Fault::at(span.clone(), title, "a part of it is one", format!("{name}.speed, {name}.torque")))
     }
 
-    /// `left.i`, `left.angle`, `left.speed`, `left.torque`.
+    /// Reads `left.i`, `left.angle`, `left.speed` or `left.torque`.
     pub(super) fn of_drive(&self, span: &Range<usize>, drive: usize, name: &str) -> Sound<Value> {
         let known = &self.drives[drive];
         if let Some((_, charge)) = known.currents.iter().find(|(current, _)| current == name) {
@@ -124,10 +124,10 @@ impl Elaborator<'_> {
         })
     }
 
-    /// The rotors of all drives, with their loads.
+    /// Adds the rotors of all drives.
     pub(super) fn rotors(&mut self) {
         for (place, source) in self.source.drives.iter().enumerate() {
-            // one without a name is reported
+            // a drive without a name is already reported
             if !self.drives[place].name.is_empty() {
                 let found = self.rotor(place, source);
                 self.kept(found);
@@ -135,7 +135,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// The torques and the windings of all drives, whose laws may hold quantities of each of them.
+    /// Adds the torques and windings of all drives, whose laws may contain quantities of any drive.
     pub(super) fn windings(&mut self) {
         for (place, source) in self.source.drives.iter().enumerate() {
             if self.drives.get(place).is_some_and(|drive| drive.speed.is_some()) {
@@ -196,7 +196,7 @@ impl Elaborator<'_> {
         Ok(())
     }
 
-    /// A number of positions, which no speed changes.
+    /// Reads a dimensionless number that depends on positions only.
     fn position(&mut self, text: &Text, what: &str) -> Sound<ScalarId> {
         let found = self.scalar_value(text, what, Some(Dimension::none()))?;
         if self.orders.of(found.0).is_some_and(|order| order > 0) {
@@ -206,7 +206,7 @@ impl Elaborator<'_> {
         Ok(found)
     }
 
-    /// An angle of a frame inside one that moves: a motor that turned by it would sit on the ground.
+    /// Warns if `turns` is the angle of a frame inside a moving frame, since this motor is mounted on the ground.
     fn warn_of_a_shaft_that_is_carried(&mut self, turns: &Text, angle: ScalarId) {
         let carried = self.model.frames.iter().find_map(|frame| match frame.parent {
             Some((parent, Turn::About { angle: own, .. })) if own == angle && parent != FrameId::GROUND => {
@@ -226,7 +226,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// The shaft between two frames: one turns in the other about one axis of both, or each turns about z in the ground.
+    /// Returns the shaft between two frames: either one frame turns in the other about a common axis, or each turns about z of the ground.
     fn shaft(&mut self, [first, second]: [FrameId; 2], texts: [&Text; 2]) -> Sound<Shaft> {
         let number = Some(Dimension::none());
         if let Some((axis, angle)) = self.turned_in(second, first) {
@@ -240,7 +240,7 @@ impl Elaborator<'_> {
         Ok(Shaft { base: first, axis: 2, angle: self.scalar(Scalar::Difference(of, on), number) })
     }
 
-    /// The axis about which a frame turns in one above it, and the angle; none where it turns about several, or freely.
+    /// Returns the axis and the angle of a frame's rotation relative to a parent frame `above`; `None` for rotations about several axes, or free ones.
     fn turned_in(&mut self, mut frame: FrameId, above: FrameId) -> Option<(usize, ScalarId)> {
         let mut found: Option<(usize, ScalarId)> = None;
         while frame != above {
@@ -258,7 +258,7 @@ impl Elaborator<'_> {
         found
     }
 
-    /// The angle of a frame beside the ground, of turns about z alone.
+    /// Returns the angle of a frame relative to the ground; all its rotations must be about z.
     fn about_z(&mut self, mut frame: FrameId, text: &Text) -> Sound<ScalarId> {
         let number = Some(Dimension::none());
         let mut sum: Option<ScalarId> = None;

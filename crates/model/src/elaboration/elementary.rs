@@ -1,4 +1,4 @@
-//! Elementary functions: exponentials, logarithms, hyperbolic and inverse circular functions, from four of them.
+//! Elementary functions: exponentials, logarithms, hyperbolic and inverse trigonometric functions, expressed by exp, ln, tanh and atan2.
 
 use super::value::Value;
 use super::{Elaborator, Sound};
@@ -9,11 +9,11 @@ use field::Elementary;
 use std::ops::Range;
 use symbolic::Dimension;
 
-/// Functions of one number.
+/// Functions of one argument.
 pub(super) const OF_ONE: [&str; 9] = ["exp", "ln", "tanh", "sinh", "cosh", "asin", "acos", "atan", "log"];
 
 impl Elaborator<'_> {
-    /// One of [`OF_ONE`].
+    /// Reads one of the functions [`OF_ONE`].
     pub(super) fn elementary(&mut self, span: &Range<usize>, name: &str, of: Value) -> Sound<Value> {
         let of = self.as_scalar(span, "the argument", of)?;
         self.must_measure(span, of.0, &format!("the argument of `{name}`"), Some(Dimension::none()))?;
@@ -32,7 +32,7 @@ impl Elaborator<'_> {
                 let one = self.pure(1.0);
                 self.called(Elementary::Atan2, of, one)
             }
-            // the other leg of a right triangle with the hypotenuse one
+            // asin and acos by atan2, with the other leg of a right triangle with hypotenuse one
             _ => {
                 let (one, half) = (self.pure(1.0), Exponent { numerator: 2, denominator: 1 });
                 let square = self.unmeasured(Scalar::Power(of, half));
@@ -45,14 +45,14 @@ impl Elaborator<'_> {
         }))
     }
 
-    /// `atan2(y, x)` of two numbers of one dimension.
+    /// Reads `atan2(y, x)` for two numbers of equal dimension.
     pub(super) fn angle_of(&mut self, span: &Range<usize>, y: Value, x: Value) -> Sound<Value> {
         let (y, x) = (self.as_scalar(span, "an argument", y)?, self.as_scalar(span, "an argument", x)?);
         self.common(span, y.0, x.0)?;
         Ok(Value::Scalar(self.called(Elementary::Atan2, y, x)))
     }
 
-    /// (e^a -+ e^-a)/2
+    /// Returns (e^a - e^-a)/2, or with `even` (e^a + e^-a)/2.
     fn hyperbolic(&mut self, span: &Range<usize>, of: ScalarId, even: bool) -> ScalarId {
         let back = self.unmeasured(Scalar::Negation(of));
         [of, back].into_iter().for_each(|exponent| self.must_not_be_large(span, exponent));

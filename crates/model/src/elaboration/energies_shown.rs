@@ -1,4 +1,4 @@
-//! Energies and momenta of the whole system, in outputs.
+//! Energies and momenta of the whole system in outputs.
 
 use super::loads::joule;
 use super::value::Value;
@@ -9,7 +9,7 @@ use crate::{Fault, ScalarId};
 use std::ops::Range;
 
 impl Elaborator<'_> {
-    /// `kinetic_energy`, `potential_energy`: the columns of a run, where nothing of the file has such a name; none of other names.
+    /// Reads `kinetic_energy` or `potential_energy` in an output; `None` for other names. A name of the file takes precedence.
     pub(super) fn energy_shown(&mut self, span: &Range<usize>, name: &str) -> Sound<Option<ScalarId>> {
         let energy = match name {
             "kinetic_energy" => Scalar::KineticEnergy,
@@ -20,7 +20,7 @@ impl Elaborator<'_> {
         Ok(Some(self.scalar(energy, Some(joule()))))
     }
 
-    /// `momentum(theta)` = dT/d(theta'), `momentum(F.wx)` = dT/d(F.wx).
+    /// Reads `momentum(theta)` = dT/d(theta'), or `momentum(F.wx)` = dT/d(F.wx) for a free frame F.
     pub(super) fn momentum(&mut self, span: &Range<usize>, of: Value) -> Sound<Value> {
         let ordinary = self.model.coordinates.len();
         let part = match of {

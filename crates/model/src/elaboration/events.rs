@@ -1,10 +1,10 @@
-//! Events: the instants at which an expression passes zero, and the state after them.
+//! Events: instants at which an expression passes through zero, and the state after them.
 
 use super::{Elaborator, Sound};
 use crate::expression::{Form, read};
 use crate::{Assignment, Direction, Entry, Event, EventSource, Fault, Text};
 
-/// The two sides of a text that is a comparison as a whole.
+/// Returns the two sides if the whole text is a comparison.
 pub(super) fn compared(text: &Text) -> Option<[&str; 2]> {
     let expression = read(&text.text).ok()?;
     match expression.parts.last() {
@@ -15,7 +15,7 @@ pub(super) fn compared(text: &Text) -> Option<[&str; 2]> {
     }
 }
 
-/// Whether a text is a name, a number, or stands in parentheses of its own.
+/// Returns whether a text is a name, a number, or in parentheses.
 fn is_whole(text: &str) -> bool {
     let is_word = text.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '.' | '\''));
     let closes = |inner: &str| {
@@ -72,7 +72,7 @@ impl Elaborator<'_> {
         Ok(Event { name, when, direction, set, ends: source.ends, at: source.at.clone() })
     }
 
-    /// `"x'" = "-e*x'"`: the value after the event, from those before it.
+    /// Reads `"x'" = "-e*x'"`: the value after the event, from the values before it.
     fn assignment(&mut self, Entry { name, value }: &Entry) -> Sound<Assignment> {
         let (coordinate, order) = self.of_state(name)?;
         let needed = self.dimension_of_state(coordinate, order);

@@ -1,4 +1,4 @@
-//! Parts of an expression, each from those that it is made of.
+//! Nodes of expressions, each built from its operands.
 
 use super::operations::no_operation;
 use super::value::Value;
@@ -11,14 +11,14 @@ use field::Rational;
 use std::ops::Range;
 use symbolic::Dimension;
 
-/// The meaning of a part: a value, or a body, which is no value of its own.
+/// The meaning of a subexpression: a value, or a body, which has no value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Meaning {
     Value(Value),
     Body(crate::BodyId),
-    /// A comparison, as its switch.
+    /// A comparison, represented by its switch.
     Condition(crate::ScalarId),
-    /// A name or a number of a constraint, by its bytes: it is looked up among constraints alone.
+    /// The name or number of a constraint, as a range of bytes. It is looked up among the constraints only.
     Literal {
         start: usize,
         end: usize,
@@ -26,7 +26,7 @@ pub(super) enum Meaning {
 }
 
 impl Elaborator<'_> {
-    /// The value of an expression that stands in a text.
+    /// Returns the value of an expression that occurs in a text.
     pub(super) fn value_of(&mut self, text: &Text, expression: &Expression) -> Sound<Value> {
         let mut meanings: Vec<Meaning> = Vec::with_capacity(expression.parts.len());
         let of_constraints = constraint_names(expression);
@@ -240,7 +240,7 @@ impl Elaborator<'_> {
         Ok(Value::Vector(self.vector(Vector::Axis { frame, axis }, Some(Dimension::none()))))
     }
 
-    /// The fault of `P.z` where P is no frame, with the expression that is meant.
+    /// Returns the fault of `P.z` where P is not a frame, with a proposed expression.
     fn component_of_no_frame(&self, span: &Range<usize>, of: &str, name: &str) -> Option<Fault> {
         let axis = if matches!(name, "x" | "y" | "z") { name } else { "x" };
         let (kind, accepted) = match self.names.get(of)? {
@@ -249,7 +249,7 @@ impl Elaborator<'_> {
             }
             Named::Value(Value::Vector(_)) => ("a vector", format!("{of} . N.{axis} is its component along an axis")),
             Named::Value(Value::Scalar(_)) => ("a scalar", format!("`{of}` alone")),
-            // a body stands for the frame that it turns with
+            // a body stands for the frame in which it is fixed
             Named::Value(Value::Frame(_)) | Named::Body(_) | Named::Drive(_) => return None,
         };
         Some(Fault::at(span.clone(), format!("`{of}` is {kind}, and only frames have axes"), "no axis", accepted))
@@ -259,7 +259,7 @@ impl Elaborator<'_> {
         self.model.free.iter().position(|free| *free == frame)
     }
 
-    /// A scalar part by its id.
+    /// Returns the index of a scalar value; other values are a fault.
     pub(super) fn as_scalar(&self, span: &Range<usize>, what: &str, value: Value) -> Sound<ScalarId> {
         match value {
             Value::Scalar(id) => Ok(id),
@@ -267,7 +267,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// The frame of a name in an expression.
+    /// Returns the frame with this name.
     pub(super) fn seen_from(&self, name: &str, span: Range<usize>) -> Sound<FrameId> {
         self.frame(&Text::at(name, span.start))
     }
@@ -278,10 +278,10 @@ pub(super) fn lone_condition(span: Range<usize>) -> Box<Fault> {
     Box::new(Fault::at(span, "a condition stands in `if` alone", "a condition", accepted))
 }
 
-/// Functions of names of constraints and contacts.
+/// Functions whose arguments are names of constraints and contacts.
 const OF_NAMES: [&str; 4] = ["reaction", "friction", "gap", "sliding"];
 
-/// The arguments of these functions, names and numbers as they stand in the text.
+/// Returns the arguments of these functions that are names or numbers.
 fn constraint_names(expression: &Expression) -> Vec<usize> {
     let calls = expression.parts.iter().filter_map(|form| match form {
         Form::Call { function, arguments } if OF_NAMES.contains(&function.as_str()) => Some(arguments),

@@ -1,4 +1,4 @@
-//! Forces and torques: on one thing, or equal and opposite between two.
+//! Forces and torques: on one point or body, or with opposite signs on two.
 
 use super::loads::{joule, newton};
 use super::{Elaborator, Named, Sound, TARGET, TORQUE, Value, mismatch};
@@ -6,15 +6,15 @@ use crate::arena::{Scalar, Vector};
 use crate::{Fault, Force, LoadSource, Material, PointId, ScalarId, Text, Torque, VectorId};
 use symbolic::Dimension;
 
-/// Receiver of a force.
+/// The target of a force.
 pub(super) enum Acted {
     Moving(Material),
-    /// The ground, at a place: it gives the line of action and does no work.
+    /// A point of the ground. It determines the line of action; the reaction on it does no work.
     Ground(PointId),
 }
 
 impl Elaborator<'_> {
-    /// `on` or `between`, one of them.
+    /// Returns the value of `on` (as `Ok`) or of `between` (as `Err`); exactly one of them must be present.
     fn places<'a>(&self, load: &'a LoadSource, kind: &str) -> Sound<Result<&'a Text, &'a [Text; 2]>> {
         let accepted = match kind {
             "force" => "on = \"disc at P\", or between = [\"a at P\", \"b at Q\"], in [[force]]",
@@ -79,7 +79,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// A vector of a given size along the line from one point to another.
+    /// Returns a vector of magnitude `size` along the line from one point to another.
     fn away(&mut self, from: PointId, to: PointId, size: ScalarId) -> VectorId {
         let Some(dimension) = self.dimension_of(size.0) else { return self.vector(Vector::Zero, None) };
         let line = self.between(from, to);
@@ -111,7 +111,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// A frame or a body; a point of a body is refused: a torque acts on the whole body.
+    /// Returns the frame of a name or body. A point of a body is an error, since a torque acts on the whole body.
     pub(super) fn turning_frame(&self, text: &Text) -> Sound<crate::FrameId> {
         if let Some((body, _)) = text.text.split_once(" at ") {
             let title = "a torque acts on a body as a whole, at no point of it";
@@ -121,8 +121,8 @@ impl Elaborator<'_> {
         self.frame(text)
     }
 
-    /// A point of a body, or one that moves by itself: `disc at G`, `P`, or a body's centre of mass by the body alone;
-    /// `ground at P` for a place of the ground.
+    /// Reads the target of a force: `disc at G` for a point of a body, `P` for a point that moves by itself, `disc` for a body's centre of mass,
+    /// `ground at P` for a point of the ground.
     pub(super) fn acted(&mut self, text: &Text) -> Sound<Acted> {
         let is_ground = |name: &str| matches!(name.trim(), "ground" | "N");
         if is_ground(&text.text) {

@@ -1,4 +1,4 @@
-//! Free frames placed by three angles, for methods that need as many coordinates as speeds.
+//! Free frames described by three angles, for methods that require as many coordinates as speeds.
 
 use super::Elaborator;
 use super::value::Value;
@@ -8,7 +8,7 @@ use crate::{Coordinate, FrameId, Text, Turn};
 use symbolic::Dimension;
 
 impl Elaborator<'_> {
-    /// Turns a frame about three axes one after the other.
+    /// Adds a frame that results from three successive rotations about the given axes.
     pub(super) fn turned_by_angles(&mut self, name: &Text, parent: FrameId, angles: &FrameAngles) -> FrameId {
         let none = Some(Dimension::none());
         let mut frame = parent;
@@ -28,7 +28,7 @@ impl Elaborator<'_> {
         frame
     }
 
-    /// The component of the angular velocity of such a frame in its parent, along its own axis.
+    /// Returns a component of the angular velocity of a frame described by angles, relative to its parent, along its own axis.
     pub(super) fn turning_by_angles(&mut self, frame: FrameId, axis: usize) -> Value {
         let per_second = Some(Dimension::none() / Dimension::time());
         let seen = self.parent_before_angles(frame);
@@ -37,14 +37,14 @@ impl Elaborator<'_> {
         Value::Scalar(self.scalar(Scalar::Dot(turning, along), per_second))
     }
 
-    /// Whether the start of such a frame, or of its angular velocity, has this name: a start of the angles takes its
-    /// place.
+    /// Returns whether `name` is the start of a frame described by angles, or of its angular velocity. Start values of the angles
+    /// replace it.
     pub(super) fn places_by_angles(&self, name: &str) -> bool {
         let frame = name.rsplit_once('.').map_or(name, |(frame, _)| frame);
         self.by_angles.iter().any(|FrameId(own)| self.model.frames[*own].name == frame)
     }
 
-    /// The frame in which such a frame turned freely.
+    /// Returns the parent frame before the three rotations.
     pub(super) fn parent_before_angles(&self, frame: FrameId) -> FrameId {
         let parent =
             |FrameId(own): FrameId| self.model.frames[own].parent.map_or(FrameId::GROUND, |(parent, _)| parent);

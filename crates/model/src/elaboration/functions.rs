@@ -1,4 +1,4 @@
-//! Functions in expressions: of numbers, of vectors, of motions.
+//! Functions in expressions: of numbers, vectors and motions.
 
 use super::elementary::OF_ONE;
 use super::expressions::{Meaning, not_yet};
@@ -13,10 +13,10 @@ use field::Rational;
 use std::ops::Range;
 use symbolic::Dimension;
 
-/// Functions that the language will have.
+/// Planned functions that are not supported yet.
 const LATER: [&str; 1] = ["angular_acceleration"];
 
-/// An argument as it was found.
+/// An argument with its optional preposition `at` or `in`.
 struct Found {
     meaning: Meaning,
     place: Option<(Preposition, String, Range<usize>)>,
@@ -189,12 +189,12 @@ impl Elaborator<'_> {
         Ok(Value::Scalar(self.scalar(Scalar::Function(function, of), dimension)))
     }
 
-    /// Notes an expression on one side of whose zeros alone a function has values.
+    /// Records an expression that must not be negative, since a function is defined only there.
     pub(super) fn must_not_be_negative(&mut self, span: &Range<usize>, margin: ScalarId) {
         self.note(Domain { margin, end: DomainEnd::Negative, at: span.clone() });
     }
 
-    /// Notes the exponent of an exponential.
+    /// Records the exponent of an exponential function, which overflows if it is large.
     pub(super) fn must_not_be_large(&mut self, span: &Range<usize>, margin: ScalarId) {
         self.note(Domain { margin, end: DomainEnd::Large, at: span.clone() });
     }
@@ -222,7 +222,7 @@ impl Elaborator<'_> {
         Ok(Value::Scalar(self.scalar(Scalar::Norm(between), Some(Dimension::length()))))
     }
 
-    /// The length of a vector, or the vector of length one along it.
+    /// Returns the length of a vector, or with `along` the unit vector along it.
     pub(super) fn length(&mut self, span: &Range<usize>, along: bool, of: Value) -> Sound<Value> {
         let Value::Vector(of) = of else { return Err(no_operation(span, "measured", &[of])) };
         let dimension = self.dimension_of(of.0);
@@ -236,7 +236,7 @@ impl Elaborator<'_> {
         Ok(Value::Vector(self.vector(Vector::Scaled(inverse, of), dimension.map(|_| Dimension::none()))))
     }
 
-    /// `velocity(P)`, `velocity(disc)`, `velocity(disc at P)`, `velocity(P in B)`.
+    /// Reads `velocity(P)`, `velocity(disc)`, `velocity(disc at P)` or `velocity(P in B)`, and the same forms of `acceleration`.
     fn motion(&mut self, span: &Range<usize>, function: &str, found: &Found) -> Sound<Value> {
         let of = match (found.meaning, &found.place) {
             (Meaning::Body(body), Some((Preposition::At, point, place))) => {
@@ -264,7 +264,7 @@ impl Elaborator<'_> {
         }))
     }
 
-    /// The frame from which a motion is seen: the ground where none is named.
+    /// Returns the frame of reference named after `in`; by default the ground.
     fn seen(&mut self, span: &Range<usize>, function: &str, found: &Found) -> Sound<FrameId> {
         match &found.place {
             Some((Preposition::In, name, place)) => self.seen_from(name, place.clone()),
@@ -282,7 +282,7 @@ impl Elaborator<'_> {
         self.frame(&Text::at(name, span.start))
     }
 
-    /// Rates of accelerations and of reactions are third rates of coordinates, which no law gives.
+    /// Returns a fault for the rate of an acceleration or reaction: it would contain third derivatives of coordinates, which the law does not give.
     fn must_have_rate(&self, span: &Range<usize>, part: usize) -> Sound<()> {
         if self.orders.of(part).is_none_or(|order| order < ACCELERATIONS) {
             return Ok(());

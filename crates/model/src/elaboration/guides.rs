@@ -1,4 +1,4 @@
-//! Guides: a body that slides along an axis of a frame.
+//! Guides: a body slides along an axis of a frame.
 
 use super::{Elaborator, Sound};
 use crate::arena::Vector;
@@ -7,16 +7,16 @@ use symbolic::{Dimension, Sym, apart};
 
 const GUIDE: &str = "between = \"slider, N along x\": a body, and an axis of a frame";
 
-/// `slider, N along x`.
+/// The text `slider, N along x` in its parts: body, frame and axis.
 pub(super) struct Guide {
     pub body: Text,
     pub frame: Text,
-    /// 0 or 1: x or y of the frame.
+    /// The axis x (0) or y (1) of the frame.
     axis: usize,
 }
 
 impl Guide {
-    /// The parts of a text; the reason why it is none.
+    /// Splits a text into its parts. The error is the reason for a message.
     pub fn of(between: &Text) -> Result<Self, &'static str> {
         let (body, rest) = between.text.split_once(',').ok_or("no comma")?;
         let (frame, axis) = rest.split_once(" along ").ok_or("no axis")?;
@@ -26,7 +26,7 @@ impl Guide {
         Ok(Guide { body: between.slice(0..body.trim_end().len()), frame, axis })
     }
 
-    /// The normal as a text: x has the normal y, y the normal -x.
+    /// Returns the normal of the guide as a text: y for the axis x, -x for the axis y.
     pub fn normal(&self) -> String {
         let frame = if self.frame.text == "ground" { "N" } else { &self.frame.text };
         match self.axis {
@@ -37,7 +37,7 @@ impl Guide {
 }
 
 impl Elaborator<'_> {
-    /// The body in a guide, the normal of the axis, and the body that has the guide.
+    /// Returns the body in a guide, the normal vector of the guide, and the body to which the guide belongs.
     pub(super) fn guide(&mut self, between: &Text, source: &ContactSource) -> Sound<(Text, VectorId, Option<BodyId>)> {
         for (key, text) in [("normal", &source.normal), ("with", &source.with)] {
             if let Some(text) = text {
@@ -62,7 +62,7 @@ impl Elaborator<'_> {
         Ok((guide.body, normal, body))
     }
 
-    /// The body on which a guide that is fixed in a frame acts; none where the frame belongs to the ground, or is turned with the time.
+    /// Returns the body on which the reaction of a guide acts, given the frame of the guide; `None` if the frame belongs to the ground or moves as a function of time only.
     fn carrier(&self, frame: FrameId, name: &Text) -> Sound<Option<BodyId>> {
         if let Some(super::Named::Body(body)) = self.names.get(name.text.trim()) {
             return Ok(Some(*body));
@@ -80,7 +80,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// Whether a coordinate turns a frame.
+    /// Returns whether the orientation of a frame depends on coordinates.
     fn turns_with_coordinates(&self, frame: FrameId) -> bool {
         let model = &self.model;
         apart(|| {

@@ -1,9 +1,9 @@
-//! Keys under the heading of another table: their own heading is missing.
+//! Detection of keys below the wrong heading, usually because their own heading is missing.
 
 use super::{Elaborator, Sound};
 use crate::{Fault, Text};
 
-/// Keys, and the heading that they stand under.
+/// Keys, and the heading below which they belong.
 const KEYS: [(&[&str], &str); 5] = [
     (&["centre", "mass", "inertia", "frame", "turns"], "[bodies.NAME]"),
     (&["on", "between", "is"], "[[force]] or [[torque]]"),
@@ -12,7 +12,7 @@ const KEYS: [(&[&str], &str); 5] = [
     (&["span", "tolerance", "method", "samples", "through_singular_positions"], "[run]"),
 ];
 
-/// The fault of a key under the heading of another table; `None` where no other table has this key.
+/// Returns the fault of a key below the heading of another table; `None` if no other table has this key.
 pub fn misplaced(key: &Text, table: &str) -> Option<Fault> {
     let (_, heading) = KEYS.iter().find(|(keys, _)| keys.contains(&key.text.as_str()))?;
     let title = format!("`{}` stands under [{table}]", key.text);
@@ -21,11 +21,11 @@ pub fn misplaced(key: &Text, table: &str) -> Option<Fault> {
 }
 
 impl Elaborator<'_> {
-    /// A value of a table; if it is wrong and its name is a key of another table, the message says so.
+    /// Replaces the fault of a wrong value by a fault of the heading, if the name is a key of another table.
     pub(super) fn under<T>(&mut self, table: &str, name: &Text, found: Sound<T>) -> Sound<T> {
         found.map_err(|fault| match misplaced(name, table) {
             Some(heading) => {
-                // once for each table: the keys below share the heading
+                // reported once per table, since all its keys have this cause
                 if !self.headless.iter().any(|(known, _)| known == table) {
                     self.headless.push((table.to_owned(), heading));
                 }

@@ -1,4 +1,4 @@
-//! Gravity, energies, constraints, outputs, and the start; forces and torques stand in `forces`.
+//! Gravity, energies, constraints, outputs and the start. Forces and torques are in the module `forces`.
 
 use super::one_sided_loads::Load;
 use super::value::Value;
@@ -118,7 +118,7 @@ impl Elaborator<'_> {
         Ok(())
     }
 
-    /// `along = "theta"`: power per rate of the coordinate.
+    /// Reads a generalised force such as `along = "theta"`; its unit is power per unit of the coordinate's rate.
     fn generalised(&mut self, along: &Text, load: &LoadSource) -> Sound<GeneralisedForce> {
         if load.on.is_some() || load.between.is_some() {
             let accepted = "along = \"theta\" alone: a generalised force acts on a coordinate, not at a place";
@@ -182,7 +182,7 @@ impl Elaborator<'_> {
         Ok(())
     }
 
-    /// g1 and g2 of f'' + g1 f' + g2 f = 0, or g1 alone of f' + g1 f = 0.
+    /// Reads the gains g1, g2 of f'' + g1 f' + g2 f = 0, or g1 of f' + g1 f = 0.
     fn gains(&mut self, texts: &[Text]) -> Sound<Vec<ScalarId>> {
         let mut gains = Vec::new();
         for (order, text) in texts.iter().enumerate() {
@@ -195,7 +195,7 @@ impl Elaborator<'_> {
     fn output(&mut self, Entry { name, value }: &Entry) -> Sound<()> {
         let is = self.scalar_value(value, &format!("the output `{}`", name.text), None)?;
         let dimension = self.dimension_of(is.0).unwrap_or(Dimension::none());
-        // a quasi-velocity is an output already
+        // quasi-velocities are outputs already
         if self.model.outputs.iter().any(|known| known.name == name.text && known.is == is) {
             return Ok(());
         }
@@ -208,7 +208,7 @@ impl Elaborator<'_> {
         Ok(())
     }
 
-    /// The column of a run that has a name already.
+    /// Returns a description of the existing column of a run with this name.
     fn column_of(&self, name: &str) -> Option<&'static str> {
         let is_state = || self.model.state_names().iter().any(|(own, _)| own == name);
         match name {
@@ -227,7 +227,7 @@ impl Elaborator<'_> {
                 continue;
             }
             if let Some(of) = self.quasi_velocity_of(&entry.name.text) {
-                // a number that does not fit a wrong definition is no fault of its own
+                // a start value that contradicts a wrong definition is not reported separately
                 if self.is_faulty(&entry.name.text) {
                     continue;
                 }
@@ -246,7 +246,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// A coordinate, or with a prime its speed: which one, and the order of its rate.
+    /// Reads the name of a coordinate or, with a prime, of its speed. Returns the index and the order of differentiation, 0 or 1.
     pub(super) fn of_state(&self, name: &Text) -> Sound<(usize, usize)> {
         let base = name.text.trim_end_matches(['\'', '′']);
         let primes = name.text[base.len()..].chars().count();
@@ -274,7 +274,7 @@ impl Elaborator<'_> {
             return Err(Box::new(Fault::at(name.span(), title, "no part of the state", accepted)));
         }
         let known: Vec<String> = self.model.state_names().into_iter().map(|(name, _)| name).collect();
-        // the orientation of a frame is no single coordinate; a name without a part means the frame
+        // the orientation of a frame is not a single coordinate; a name without a component denotes the frame
         let frames = self.model.free.iter().map(|frame| self.model.frames[frame.0].name.clone());
         let known: Vec<String> = match name.text.contains('.') {
             true => known,
@@ -286,13 +286,13 @@ impl Elaborator<'_> {
         Err(Box::new(super::unknown(&self.broken, name.span(), &name.text, "coordinate", known)))
     }
 
-    /// The dimension of a coordinate or a speed; a free frame's angular velocity has no coordinate.
+    /// Returns the dimension of a coordinate (order 0) or speed (order 1). The angular velocity of a free frame has no coordinate; its dimension is 1/time.
     pub(super) fn dimension_of_state(&self, coordinate: usize, order: usize) -> Dimension {
         let own = self.model.coordinates.get(coordinate).map_or(Dimension::none(), |known| known.dimension);
         if order == 0 { own } else { own / Dimension::time() }
     }
 
-    /// `theta = "30 deg"`, `theta' = "guess 2 rad/s"`.
+    /// Reads a start value, such as `theta = "30 deg"` or `theta' = "guess 2 rad/s"`.
     fn start_value(&mut self, Entry { name, value }: &Entry) -> Sound<StartValue> {
         let (coordinate, order) = self.of_state(name)?;
         if self.model.start.iter().any(|known| (known.coordinate, known.order) == (coordinate, order)) {

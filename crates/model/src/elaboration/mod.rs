@@ -1,4 +1,4 @@
-//! Elaboration of a system from its texts to a model: names are resolved in order of dependence, dimensions checked.
+//! Elaboration of a system from its texts to a model: resolves names in the order of their dependence, and checks dimensions.
 
 mod absent;
 mod angles;
@@ -70,23 +70,23 @@ pub use headings::misplaced;
 pub(crate) use inertialess::with_changing_laws;
 pub(crate) use resolution::elaborate;
 
-/// The names for vectors in messages.
+/// Names of vectors in messages.
 const TORQUE: &str = "a torque";
 const TARGET: &str = "the target of a force";
 const GRAVITY: &str = "the acceleration of free fall";
 
-/// Names that have a meaning of their own.
+/// Names with a predefined meaning.
 const RESERVED: [&str; 5] = ["t", "pi", "N", "O", "ground"];
 
-/// Whether a name has a meaning of its own.
+/// Returns whether a name has a predefined meaning.
 pub fn is_reserved(name: &str) -> bool {
     RESERVED.contains(&name)
 }
 
-/// The largest number of coordinates, of bodies, of points and of each other kind in one system.
+/// The largest number of coordinates, of bodies, of points, and of each other kind of items in a system.
 const MOST: usize = 1000;
 
-/// The meaning of a name of the system.
+/// The meaning of a name in the system.
 #[derive(Clone, Debug)]
 enum Named {
     Value(Value),
@@ -94,48 +94,48 @@ enum Named {
     Drive(usize),
 }
 
-/// A torque with the place of its expression, where it has one.
+/// A torque of a drive, with the position of its expression if it has one.
 type DrivingTorque = (Torque, Option<Range<usize>>);
 
-/// A fault stops the elaboration of its own part, and nothing else.
+/// The result of elaborating one part. A fault ends the elaboration of this part only.
 type Sound<T> = Result<T, Box<Fault>>;
 
 struct Elaborator<'s> {
     source: &'s Source,
     model: Model,
     names: FxHashMap<String, Named>,
-    /// The dimension of each part of an expression; none for zero, which has every dimension.
+    /// The dimension of each node; `None` for zero, which has every dimension.
     dimensions: Vec<Option<Dimension>>,
-    /// The exact value of each part that is made of constants.
+    /// The exact value of each node that is formed from constants.
     constants: Vec<Option<Constant>>,
-    /// The highest rate of a coordinate in each part.
+    /// The highest time derivative of a coordinate in each node.
     orders: Orders,
-    /// Whether reactions and loads of joints may stand here: in outputs.
+    /// Whether reactions and joint loads are allowed here, as in outputs.
     shows_loads: bool,
-    /// Names with a wrong definition: no more faults of them are reported.
+    /// Names with a wrong definition; uses of them are not reported.
     broken: FxHashSet<String>,
     faults: Vec<Fault>,
     drives: Vec<Drive>,
-    /// The letter of each current, by the place of its charge.
+    /// For each charge, given by the index of its coordinate, the current.
     currents: FxHashMap<usize, ScalarId>,
-    /// For each drive the frame on which the motor sits, and that of its rotor.
+    /// For each drive, the frame that carries the motor, and the frame of the rotor.
     rotor_frames: Vec<drives::Rotor>,
-    /// The loads of the file, each with its expression.
+    /// The loads of the file, each with the position of its expression.
     loads: Vec<(Load, Range<usize>)>,
-    /// Torques and voltages of drives, which stand behind the loads of the file; a torque with its expression, where it has one.
+    /// Torques and voltages of drives, added after the loads of the file.
     driving: (Vec<DrivingTorque>, Vec<GeneralisedForce>),
-    /// Tables with keys of another one, whose heading is missing.
+    /// Tables that contain keys of another table, whose heading is missing.
     headless: Vec<(String, Fault)>,
-    /// Reactions that loads and events hold.
+    /// Reactions that loads and events depend on.
     reaction_letters: Vec<ReactionLetter>,
-    /// Names of constraints that are read for their reactions.
+    /// Names of constraints whose reactions occur in expressions.
     constraints_read: Vec<String>,
-    /// Free frames that angles place.
+    /// Free frames described by three angles.
     by_angles: Vec<FrameId>,
 }
 
 impl<'s> Elaborator<'s> {
-    /// Resolves the names of a system; the letters of reactions that its loads hold, where these are known, are rates of coordinates.
+    /// Starts the elaboration with the predefined names. Each entry of `reaction_letters`, a reaction on which the loads depend, becomes the rate of a coordinate.
     fn new(source: &'s Source, reaction_letters: Vec<ReactionLetter>) -> Self {
         let mut model = Model::default();
         model.frames.push(Frame { name: "N".to_owned(), parent: None });
@@ -179,7 +179,7 @@ impl<'s> Elaborator<'s> {
         let constant = self.constant_of(&scalar);
         let order = self.orders.of_scalar(&self.model, &scalar);
         let id = self.arena().scalar(scalar, dimension);
-        // a scalar that was there before has its dimension already
+        // an existing scalar has its dimension already
         if id.0 == self.dimensions.len() {
             self.dimensions.push(dimension);
             self.constants.push(constant);
@@ -203,7 +203,7 @@ impl<'s> Elaborator<'s> {
         self.dimensions[part]
     }
 
-    /// Keeps a fault, and goes on with independent parts.
+    /// Stores a fault. Elaboration continues with independent parts.
     fn kept<T>(&mut self, found: Sound<T>) -> Option<T> {
         match found {
             Ok(found) => Some(found),
@@ -214,7 +214,7 @@ impl<'s> Elaborator<'s> {
         }
     }
 
-    /// Keeps a fault of the definition of a name.
+    /// Stores the fault of a definition, and marks its name as broken.
     fn kept_as<T>(&mut self, name: &Text, found: Sound<T>) -> Option<T> {
         if found.is_err() {
             self.broken.insert(name.text.clone());
@@ -222,7 +222,7 @@ impl<'s> Elaborator<'s> {
         self.kept(found)
     }
 
-    /// Gives a name its meaning, once.
+    /// Assigns a name its meaning; a second meaning is a fault.
     fn give(&mut self, name: &Text, named: Named) {
         let text = name.text.as_str();
         let refused = |why: &str, accepted: &str| Fault::at(name.span(), format!("`{text}` {why}"), "here", accepted);
@@ -240,7 +240,7 @@ impl<'s> Elaborator<'s> {
         };
         match fault {
             Some(fault) => {
-                // uses of this name elsewhere are ambiguous and not reported
+                // the name is ambiguous, hence its other uses are not reported
                 self.broken.insert(text.to_owned());
                 self.faults.push(fault);
             }
@@ -257,13 +257,13 @@ impl<'s> Elaborator<'s> {
         })
     }
 
-    /// The value of an expression.
+    /// Returns the value of an expression.
     fn value(&mut self, text: &Text) -> Sound<Value> {
         let expression = self.read(text)?;
         self.value_of(text, &expression)
     }
 
-    /// A scalar; of a dimension, where one is needed.
+    /// Returns the value of a scalar expression. Its dimension must be `needed`, if given.
     fn scalar_value(&mut self, text: &Text, what: &str, needed: Option<Dimension>) -> Sound<ScalarId> {
         match self.value(text)? {
             Value::Scalar(id) => {
@@ -274,7 +274,7 @@ impl<'s> Elaborator<'s> {
         }
     }
 
-    /// A vector; of a dimension, where one is needed.
+    /// Returns the value of a vector expression. Its dimension must be `needed`, if given.
     fn vector_value(&mut self, text: &Text, what: &str, needed: Option<Dimension>) -> Sound<VectorId> {
         match self.value(text)? {
             Value::Vector(id) => {
@@ -315,7 +315,7 @@ impl<'s> Elaborator<'s> {
     fn centre(&self, body: BodyId, span: &Range<usize>) -> Sound<PointId> {
         self.model.bodies[body.0].centre.ok_or_else(|| {
             let name = &self.model.bodies[body.0].name;
-            // a mass without a centre is reported at its place
+            // a mass without a centre is reported at the body
             if self.source.bodies.iter().any(|body| body.name.text == *name && body.mass.is_some()) {
                 return Box::new(Fault::consequence(span.clone()));
             }
@@ -335,14 +335,14 @@ impl<'s> Elaborator<'s> {
         }
     }
 
-    /// A new point, displaced from another by a vector.
+    /// Returns the point displaced from `base` by the vector `way`; a new one if `way` is given.
     fn point_of(&mut self, base: PointId, way: Option<VectorId>) -> PointId {
         let Some(way) = way else { return base };
         self.model.points.push(Point { name: String::new(), base: Some((base, way)) });
         PointId(self.model.points.len() - 1)
     }
 
-    /// A frame by its name; for a body the frame with which it turns.
+    /// Returns a frame by its name; for a body, the frame in which it is fixed.
     fn frame(&self, name: &Text) -> Sound<FrameId> {
         match self.names.get(name.text.trim()).filter(|_| !self.broken.contains(name.text.trim())) {
             Some(Named::Value(Value::Frame(frame))) => Ok(*frame),

@@ -1,10 +1,10 @@
-//! Faults of names: not known, defined twice; one fault for each name.
+//! Faults of names: unknown names and names defined twice. Each name is reported once.
 
 use crate::{Fault, Source, Text};
 use rustc_hash::FxHashSet;
 use std::ops::Range;
 
-/// The fault of a name that has a meaning already, and which.
+/// Returns the fault of a name that has two definitions, with the kind of the other one.
 pub(super) fn defined_twice(source: &Source, name: &Text) -> Fault {
     let Source { parameters, coordinates, definitions, frames, points, speeds, bodies, inputs, .. } = source;
     let tables = [
@@ -24,7 +24,7 @@ pub(super) fn defined_twice(source: &Source, name: &Text) -> Fault {
     Fault::at(name.span(), format!("`{}` is defined twice", name.text), label, "each name stands for one thing")
 }
 
-/// Leaves of several faults about one name that is not known the first.
+/// Removes repeated faults about one unknown name.
 pub(super) fn once_for_each_name(faults: &mut Vec<Fault>) {
     let mut told: FxHashSet<String> = FxHashSet::default();
     faults.retain(|fault| match fault.title.split_once(" is called ") {
@@ -33,7 +33,7 @@ pub(super) fn once_for_each_name(faults: &mut Vec<Fault>) {
     });
 }
 
-/// A name that is not known; of a name whose definition is wrong, a consequence of that.
+/// Returns the fault of an unknown name, with the most similar known name. If the definition of the name is wrong, this is only a consequence.
 pub(super) fn unknown<'a>(
     broken: &FxHashSet<String>,
     span: Range<usize>,
@@ -57,7 +57,7 @@ pub(super) fn unknown<'a>(
     Fault::at(span, format!("no {kind} is called `{name}`"), "not known", accepted)
 }
 
-/// `thdot`, `th_dot` and `thddot` as they are written: th' and th''.
+/// Recognises `thdot`, `th_dot` and `thddot`, and returns the notation of this program: th' and th''.
 fn rate_in_letters(name: &str, known: &[&str]) -> Option<String> {
     let of = |ends: [&str; 2], primes: &str| {
         let base = ends.into_iter().find_map(|end| name.strip_suffix(end))?;

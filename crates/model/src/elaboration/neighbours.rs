@@ -1,11 +1,11 @@
-//! Faults in several texts: a fault in one text of a table, or in one name of a text, hides no fault of another.
+//! Independent faults in several texts: a fault in one text of a table, or at one name of an expression, does not hide other faults.
 
 use super::{Elaborator, Sound};
 use crate::Text;
 use crate::expression::{Expression, Form};
 
 impl Elaborator<'_> {
-    /// A part of the system; where one of its texts is wrong, the others are checked for faults of their own.
+    /// Returns `found`. If it is a fault, the other texts of the same item are checked for faults of their own.
     pub(super) fn beside<'t, T>(&mut self, found: Sound<T>, texts: impl IntoIterator<Item = &'t Text>) -> Sound<T> {
         if let Err(fault) = &found {
             let place = fault.span.clone();
@@ -18,7 +18,7 @@ impl Elaborator<'_> {
         found
     }
 
-    /// Reports unknown names from a place of an expression on.
+    /// Reports the unknown names of an expression from the node `from` on, except the nodes in `but`.
     pub(super) fn later_names(&mut self, text: &Text, expression: &Expression, from: usize, but: &[usize]) {
         for place in (from..expression.parts.len()).filter(|place| !but.contains(place)) {
             let span = text.part(&expression.spans[place]);

@@ -1,6 +1,7 @@
-//! Loads that brake a motion one way and drive it the other way: the resistance of a fan as -c w^2.
+//! Loads that resist a motion in one direction and drive it in the other, such as the resistance -c w^2 of a fan.
 //!
-//! Where speeds change their signs, the part of a load's power with their even powers stays: viscous friction takes energy either way. The part with
+//! If all speeds change their signs, the terms of a load's power with even powers of the speeds stay: viscous friction dissipates in both directions. The
+//! terms with the third and higher odd powers change their sign. Terms with the first power belong to loads that do not depend on speeds.
 //! their third power, and with higher odd ones, changes its sign. The first power belongs to a load that does not depend on speeds.
 
 use crate::equations::vanishes;
@@ -8,7 +9,7 @@ use crate::{Along, Fault, Force, Model, Torque, Trace};
 use std::ops::Range;
 use symbolic::{Dimension, Sym, apart};
 
-/// A load as a file has it, by its place in the model.
+/// A load of the file, by its index in the model.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Load {
     Force(usize),
@@ -16,10 +17,10 @@ pub(super) enum Load {
     Generalised(usize),
 }
 
-/// The highest power of speeds that is looked for.
+/// The highest power of the speeds that is examined.
 const HIGHEST: usize = 8;
 
-/// A warning for each such load.
+/// Returns a warning for each such load.
 pub(super) fn one_sided(model: &Model, loads: &[(Load, Range<usize>)]) -> Vec<Fault> {
     let warning = |at: &Range<usize>| {
         Fault::at(
@@ -29,7 +30,7 @@ pub(super) fn one_sided(model: &Model, loads: &[(Load, Range<usize>)]) -> Vec<Fa
             "`-c*abs(w)*w`, which brakes both ways; of a motion that goes one way alone it may stay",
         )
     };
-    // in energies without bodies speeds have no ways that loads could brake
+    // in a system given by energies only, speeds have no direction in space
     if model.bodies.is_empty() {
         return Vec::new();
     }
@@ -40,7 +41,7 @@ pub(super) fn one_sided(model: &Model, loads: &[(Load, Range<usize>)]) -> Vec<Fa
     })
 }
 
-/// The power of a load; none of one along a quasi-velocity.
+/// Returns the power of a load; `None` for a load along a quasi-velocity.
 fn power(trace: &Trace<'_>, load: Load) -> Option<Sym> {
     let model = trace.model;
     Some(match load {
@@ -49,7 +50,7 @@ fn power(trace: &Trace<'_>, load: Load) -> Option<Sym> {
             Force::Between { points, is } => {
                 let [first, second] = points.map(|point| trace.material_velocity(point));
                 let line = trace.between(points[0].point, points[1].point);
-                // its length has no speed
+                // the magnitude of the vector cancels with the normalisation of the direction
                 trace.scalar(*is) * (trace.dot(line, second) - trace.dot(line, first))
             }
         },
@@ -68,8 +69,8 @@ fn power(trace: &Trace<'_>, load: Load) -> Option<Sym> {
     })
 }
 
-/// Whether a power is a sum of powers of the speeds, with an odd one beyond the first. Currents and reactions are no speeds here, and an `abs` or a `sign`
-/// depends on the direction.
+/// Returns whether a power is a polynomial in the speeds with an odd power above the first. Currents and rates of reaction impulses do not count as speeds, and
+/// a power that contains a switch (`abs`, `sign`) is excluded.
 fn changes_sign(trace: &Trace<'_>, power: Sym) -> bool {
     if power.symbols_of().iter().any(|symbol| trace.switches.contains(symbol)) {
         return false;

@@ -1,7 +1,7 @@
-//! Diodes and freewheels: a speed u that does not fall below zero, u >= 0, N >= 0, N u = 0.
+//! Diodes and freewheels: a speed u that does not become negative, u >= 0, N >= 0, N u = 0.
 //!
-//! N is the voltage with which a diode blocks, or the torque with which a freewheel holds its shaft. The voltage or torque of the
-//! conducting state acts all the time: it is a part of N where the speed is zero.
+//! N is the blocking voltage of a diode, or the torque by which a freewheel blocks its shaft. The voltage drop or torque of the
+//! conducting state acts always; at zero speed it is included in N.
 
 use super::loads::joule;
 use super::orders::{ACCELERATIONS, SPEEDS};

@@ -1,4 +1,4 @@
-//! Operations of scalars, vectors and points: sums, products, powers, with the dimensions of their results.
+//! Operations on scalars, vectors and points: sums, products and powers, with the dimensions of their results.
 
 use super::value::Value;
 use super::{Elaborator, Sound};
@@ -10,7 +10,7 @@ use std::ops::Range;
 use symbolic::Dimension;
 
 impl Elaborator<'_> {
-    /// The dimension of two parts that are added; zero fits to everything.
+    /// Returns the common dimension of two terms. Zero has every dimension.
     pub(super) fn common(&self, span: &Range<usize>, a: usize, b: usize) -> Sound<Option<Dimension>> {
         match (self.dimension_of(a), self.dimension_of(b)) {
             (Some(left), Some(right)) if left != right => Err(Box::new(Fault::at(
@@ -151,7 +151,7 @@ impl Elaborator<'_> {
         if matches!(exponent.denominator, 1 | 2) {
             return Ok(Value::Scalar(self.bounded(span, Scalar::Power(a, exponent), dimension)?));
         }
-        // any other power of a positive number, in SI units: exp(ln(a) n/d)
+        // other rational powers of a positive number, in SI units: exp(ln(a) n/d)
         let number = |value: i32| Scalar::Number(Number { value: f64::from(value), times: 1.0, per: 1.0 });
         let none = Some(Dimension::none());
         let logarithm = self.bounded(span, Scalar::Elementary(Elementary::Ln, a, a), none)?;
@@ -172,7 +172,7 @@ pub(super) fn no_operation(span: &Range<usize>, done: &str, values: &[Value]) ->
     Box::new(Fault::at(span.clone(), format!("{found} cannot be {done}"), found, accepted))
 }
 
-/// The operands that an operation has.
+/// Returns a description of the operands that an operation accepts.
 fn operands(done: &str) -> &'static str {
     match done {
         "added" => "scalar + scalar, vector + vector, point + vector",

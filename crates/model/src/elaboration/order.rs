@@ -1,10 +1,10 @@
-//! The order of definitions by their dependence: a file may have any order, only a cycle is wrong.
+//! The order of definitions by dependence. A file may list them in any order without cycles.
 
 use crate::expression::{Expression, Form, read};
 use crate::{Fault, Source, Text};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// Something that has a name and may need other names: its place in the table of its kind.
+/// A named definition, by its index in the table of its kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Definition {
     Value(usize),
@@ -15,7 +15,7 @@ pub(super) enum Definition {
     Speed(usize),
 }
 
-/// All definitions, each after those that it needs; those of a cycle are left out and reported.
+/// Returns all definitions in an order in which each follows those it depends on. Definitions in a cycle are reported and omitted.
 pub(super) fn ordered(source: &Source, faults: &mut Vec<Fault>, broken: &mut FxHashSet<String>) -> Vec<Definition> {
     let mut all: Vec<(Definition, &Text, Vec<&Text>)> = Vec::new();
     let entries = |entries: &'_ [crate::Entry]| entries.len();
@@ -44,10 +44,10 @@ pub(super) fn ordered(source: &Source, faults: &mut Vec<Fault>, broken: &mut FxH
         all.push((Definition::Input(at), &input.name, input.value.iter().collect()));
     }
     without_second(source, &mut all, faults, broken);
-    // a reserved name keeps its meaning against definitions of a file
+    // a definition of the file does not change the meaning of a reserved name
     let named = all.iter().enumerate().filter(|(_, (_, name, _))| !super::is_reserved(&name.text));
     let places: FxHashMap<&str, usize> = named.map(|(place, (_, name, _))| (name.text.as_str(), place)).collect();
-    // x' is a rate of a coordinate, v' that of a quasi-velocity
+    // x' is the rate of a coordinate; v' depends on the quasi-velocity v
     let place = |name: &String| {
         let base = name.trim_end_matches(['\'', '′', '″']);
         let is_rate = base.len() < name.len() && source.coordinates.iter().any(|entry| entry.name.text == base);
@@ -69,7 +69,7 @@ pub(super) fn ordered(source: &Source, faults: &mut Vec<Fault>, broken: &mut FxH
     let mut order = Vec::new();
     let mut told: FxHashSet<usize> = FxHashSet::default();
     for first in 0..all.len() {
-        // a path through dependences, without recursion: each with the place of the next one to examine
+        // depth-first search without recursion: each definition on the path, with the index of its next dependence
         let mut path: Vec<(usize, usize)> = vec![(first, 0)];
         while let Some((at, next)) = path.last().copied() {
             if done[at] {
@@ -101,7 +101,7 @@ pub(super) fn ordered(source: &Source, faults: &mut Vec<Fault>, broken: &mut FxH
     order
 }
 
-/// Removes and reports definitions whose name another definition has already.
+/// Removes and reports definitions whose name has another definition.
 fn without_second<'s>(
     source: &'s Source,
     all: &mut Vec<(Definition, &'s Text, Vec<&'s Text>)>,
@@ -131,12 +131,12 @@ fn circular<'a>(circle: &[usize], name: impl Fn(usize) -> &'a Text) -> Fault {
     )
 }
 
-/// Every name in a text of a definition.
+/// Returns every name in the text of a definition.
 fn names_in(text: &str) -> Vec<String> {
     let words = || text.split(|c: char| !(c.is_alphanumeric() || c == '_' || c == '\'')).map(str::to_owned);
     match read(text) {
         Ok(expression) => names_of(&expression),
-        // `N turned theta about z` is none
+        // texts such as `N turned theta about z` are not expressions
         Err(_) => words().filter(|word| !word.is_empty()).collect(),
     }
 }

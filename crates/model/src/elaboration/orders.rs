@@ -1,4 +1,4 @@
-//! The highest rate of a coordinate in each part of an expression, as the parts are read.
+//! The highest time derivative of a coordinate in each node, determined as the nodes are added.
 
 use crate::arena::{Scalar, Vector};
 use crate::{FrameId, Material, Model, PointId, ScalarId, Turn, VectorId};
@@ -6,27 +6,27 @@ use crate::{FrameId, Material, Model, PointId, ScalarId, Turn, VectorId};
 /// The order of speeds.
 pub(super) const SPEEDS: usize = 1;
 
-/// The order of accelerations, and of reactions, which hold these.
+/// The order of accelerations, and of reactions, which depend on accelerations.
 pub(super) const ACCELERATIONS: usize = 2;
 
-/// The highest rate of a coordinate in each part: none of one that no coordinate moves.
+/// The highest order of a coordinate's time derivative in each node; `None` for nodes that depend on no coordinate.
 #[derive(Default)]
 pub(super) struct Orders {
     of_parts: Vec<Option<usize>>,
 }
 
 impl Orders {
-    /// The highest rate in a part that stands already.
+    /// Returns the highest order in an existing node.
     pub fn of(&self, part: usize) -> Option<usize> {
         self.of_parts[part]
     }
 
-    /// Adds the part that is read next.
+    /// Adds the order of the next node.
     pub fn push(&mut self, order: Option<usize>) {
         self.of_parts.push(order);
     }
 
-    /// The highest rate in a scalar, from those of the parts before it.
+    /// Returns the highest order in a scalar node, from those of its operands.
     pub fn of_scalar(&self, model: &Model, scalar: &Scalar) -> Option<usize> {
         let of = |id: &ScalarId| self.of_parts[id.0];
         match scalar {
@@ -47,7 +47,7 @@ impl Orders {
         }
     }
 
-    /// The highest rate in a vector, from those of the parts before it.
+    /// Returns the highest order in a vector node, from those of its operands.
     pub fn of_vector(&self, model: &Model, vector: &Vector) -> Option<usize> {
         let of = |id: &VectorId| self.of_parts[id.0];
         let rate = |order: Option<usize>| order.map(|order| order + 1);

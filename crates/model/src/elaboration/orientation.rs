@@ -1,4 +1,4 @@
-//! The orientation of a free frame at time zero: turns one after the other.
+//! The orientation of a free frame at time zero, given by successive rotations.
 
 use super::{Elaborator, Sound};
 use crate::trace::quaternion_product;
@@ -9,12 +9,12 @@ use symbolic::Dimension;
 const ACCEPTED: &str = "turns one after the other: \"30 deg about x, then 10 deg about z\"";
 
 impl Elaborator<'_> {
-    /// The free frame of a name.
+    /// Returns the number of the free frame with this name.
     pub(super) fn free_frame(&self, name: &str) -> Option<usize> {
         self.model.free.iter().position(|FrameId(frame)| self.model.frames[*frame].name == name)
     }
 
-    /// `F = "30 deg about x, then 10 deg about z"`, or a guess of it: the parts of a quaternion.
+    /// Reads an orientation such as `F = "30 deg about x, then 10 deg about z"`, or a guess of one. Returns the four components of the quaternion.
     pub(super) fn orientation(&mut self, number: usize, Entry { name, value }: &Entry) -> Sound<Vec<StartValue>> {
         let (is_guess, text) = match value.text.trim_start().strip_prefix("guess ") {
             Some(rest) => (true, value.slice(value.text.len() - rest.len()..value.text.len())),
@@ -32,7 +32,7 @@ impl Elaborator<'_> {
         Ok(quaternion.into_iter().enumerate().map(part).collect())
     }
 
-    /// `30 deg about x`
+    /// Reads one rotation, such as `30 deg about x`. Returns its quaternion.
     fn turn(&mut self, name: &Text, whole: &Text, turn: &str, place: Range<usize>) -> Sound<[f64; 4]> {
         let fault = |label: String| {
             let title = format!("the start of `{}` is a turn", name.text);

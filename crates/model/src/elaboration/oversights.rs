@@ -1,11 +1,11 @@
-//! Forgotten parameters: unused ones, and those without a unit in expressions whose dimensions do not fit.
+//! Warnings about parameters that are unused, and about parameters without a unit in expressions of inconsistent dimensions.
 
 use crate::{
     ContactSource, DriveSource, Entry, Fault, InertiaSource, LoadSource, OneWaySource, Source, Text, WindingSource,
 };
 use rustc_hash::FxHashSet;
 
-/// A warning for each parameter whose name occurs nowhere.
+/// Returns a warning for each parameter that occurs in no expression.
 pub(super) fn unused(source: &Source) -> Vec<Fault> {
     let used: FxHashSet<&str> = texts(source).into_iter().flat_map(|text| words(&text.text)).collect();
     let is_unused = |entry: &&Entry| !used.contains(entry.name.text.as_str());
@@ -21,7 +21,7 @@ pub(super) fn unused(source: &Source) -> Vec<Fault> {
     source.parameters.iter().filter(is_unused).map(warning).collect()
 }
 
-/// Adds to a fault of dimensions the parameter in its expression that has no unit.
+/// Extends a fault of dimensions by the parameter without a unit that its expression contains.
 pub(super) fn name_bare_parameters(source: &Source, faults: &mut [Fault]) {
     let texts = texts(source);
     for fault in faults.iter_mut().filter(|fault| fault.title.contains("dimension")) {
@@ -41,12 +41,12 @@ pub(super) fn name_bare_parameters(source: &Source, faults: &mut [Fault]) {
     }
 }
 
-/// The names in a text, and its units.
+/// Returns the words of a text: names, and units.
 fn words(text: &str) -> impl Iterator<Item = &str> {
     text.split(|c: char| !(c.is_alphanumeric() || c == '_'))
 }
 
-/// Every text in which names of parameters may stand.
+/// Returns every text that may contain parameters.
 fn texts(source: &Source) -> Vec<&Text> {
     let Source { speeds, definitions, frames, points, energies, outputs, start, .. } = source;
     let entries = [speeds, definitions, frames, points, energies, outputs, start].into_iter().flatten();

@@ -1,9 +1,9 @@
-//! The parts that expressions of a model are made of.
+//! Traversal of the expressions of a model.
 
 use crate::arena::{Part, Scalar, Vector};
 use crate::{Model, VectorId};
 
-/// For each part of a model's expressions whether it is one of some parts or stands in one.
+/// Returns for each node whether it is among the given nodes or occurs in one of them.
 pub(super) fn reached(model: &Model, mut open: Vec<usize>) -> Vec<bool> {
     let mut reached = vec![false; model.arena.parts.len()];
     while let Some(part) = open.pop() {
@@ -17,7 +17,7 @@ pub(super) fn reached(model: &Model, mut open: Vec<usize>) -> Vec<bool> {
     reached
 }
 
-/// The parts that a scalar is made of.
+/// Appends the operands of a scalar node.
 fn of_scalar(model: &Model, scalar: &Scalar, open: &mut Vec<usize>) {
     match scalar {
         Scalar::Switch(switch, _) => open.push(model.switches[*switch].0),
@@ -36,7 +36,7 @@ fn of_scalar(model: &Model, scalar: &Scalar, open: &mut Vec<usize>) {
     }
 }
 
-/// The parts that a vector is made of; the points and frames that it stands on are there already.
+/// Appends the operands of a vector node. Its points and frames are not followed, since the given nodes include their expressions.
 fn of_vector(vector: &Vector, open: &mut Vec<usize>) {
     let of = |id: &VectorId| id.0;
     match vector {

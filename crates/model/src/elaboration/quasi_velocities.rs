@@ -1,4 +1,4 @@
-//! Quasi-velocities: names, dimensions and starts. Their independence is judged once the system is whole.
+//! Quasi-velocities: names, dimensions and start values. Their independence is checked after the whole system is known.
 
 use super::{Elaborator, Sound};
 use crate::quasi_velocities::faults;
@@ -6,7 +6,7 @@ use crate::{Entry, Fault, Model, Output, QuasiVelocity, ScalarId, StartSpeed, Tr
 use symbolic::{Dimension, apart};
 
 impl Elaborator<'_> {
-    /// `v = "velocity(G) . A.x"`
+    /// Adds a quasi-velocity such as `v = "velocity(G) . A.x"`.
     pub(super) fn quasi_velocity(&mut self, Entry { name, value }: &Entry) -> Sound<ScalarId> {
         let is = self.scalar_value(value, &format!("the quasi-velocity `{}`", name.text), None)?;
         let dimension = self.dimension_of(is.0).unwrap_or_else(Dimension::none);
@@ -14,12 +14,12 @@ impl Elaborator<'_> {
         Ok(is)
     }
 
-    /// The place of a quasi-velocity by its name.
+    /// Returns the index of the quasi-velocity with this name.
     pub(super) fn quasi_velocity_of(&self, name: &str) -> Option<usize> {
         self.model.quasi_velocities.iter().position(|speed| speed.name == name)
     }
 
-    /// Whether a fault is known of the definition of a quasi-velocity.
+    /// Returns whether a fault in the definition of a quasi-velocity is known.
     pub(super) fn is_faulty(&self, name: &str) -> bool {
         let definition = self.source.speeds.iter().find(|entry| entry.name.text == name);
         definition.is_some_and(|Entry { name, value }| {
@@ -30,7 +30,7 @@ impl Elaborator<'_> {
         })
     }
 
-    /// Every quasi-velocity is an output.
+    /// Adds every quasi-velocity to the outputs.
     pub(super) fn show_quasi_velocities(&mut self) {
         let shown =
             |speed: &QuasiVelocity| Output { name: speed.name.clone(), is: speed.is, dimension: speed.dimension };
@@ -38,7 +38,7 @@ impl Elaborator<'_> {
         self.model.outputs.extend(shown);
     }
 
-    /// `v = "1 m/s"` under `[start]`.
+    /// Reads the start value of a quasi-velocity, such as `v = "1 m/s"` under `[start]`.
     pub(super) fn start_speed(&mut self, of: usize, Entry { name, value }: &Entry) -> Sound<StartSpeed> {
         if self.model.start_speeds.iter().any(|known| known.of == of) {
             let title = format!("`{}` starts twice", name.text);
@@ -65,7 +65,7 @@ impl Elaborator<'_> {
         Ok(StartSpeed { of, value: si, at: value.span() })
     }
 
-    /// Whether quasi-velocities determine all speeds; judged where nothing else is wrong.
+    /// Checks that the quasi-velocities determine all speeds, unless there are other faults.
     pub(super) fn quasi_velocities(&mut self) {
         if !self.faults.is_empty() || !self.headless.is_empty() || self.model.quasi_velocities.is_empty() {
             return;
@@ -81,7 +81,7 @@ impl Elaborator<'_> {
 }
 
 impl Model {
-    /// Judges the quasi-velocities again, where constraints that follow from others have been left out.
+    /// Repeats the check of the quasi-velocities after redundant constraints were removed.
     pub fn settle(&mut self) {
         if !self.unsettled.is_empty() {
             self.unsettled = apart(|| faults(&Trace::of(self)).0);

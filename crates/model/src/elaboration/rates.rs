@@ -1,16 +1,16 @@
-//! Rates where a law does not admit them: positions, potentials and angles of turns hold coordinates and the time alone; constraints,
-//! loads, masses and the other energies hold speeds, and no accelerations, which a symmetric mass matrix would lose.
+//! Orders of time derivatives that a law does not allow. Points, potential energies and angles of rotation may depend on coordinates and time only. Constraints,
+//! loads, masses and other energies may also depend on speeds, but not on accelerations, which would change the mass matrix.
 
 use super::Elaborator;
 use super::orders::Orders;
 use crate::{Constraint, Fault, Force, Inertia, ScalarId, Text, Torque, Turn, VectorId, Zero};
 use std::ops::Range;
 
-/// An expression whose rates are bounded.
+/// An expression with a bound of the order of its time derivatives.
 struct Bounded {
     what: String,
     order: Option<usize>,
-    /// The highest rate that may stand in it.
+    /// The highest allowed order.
     most: usize,
     span: Option<Range<usize>>,
 }
@@ -26,12 +26,12 @@ impl Bounded {
     }
 }
 
-/// The highest rate in some parts.
+/// Returns the highest order in some nodes.
 fn highest(orders: &Orders, ids: &[ScalarId]) -> Option<usize> {
     ids.iter().filter_map(|id| orders.of(id.0)).max()
 }
 
-/// Moments and products of inertia.
+/// Returns the moments and products of inertia of a body.
 pub(super) fn moments(body: &crate::Body) -> Vec<ScalarId> {
     match &body.inertia {
         None => Vec::new(),
@@ -41,7 +41,7 @@ pub(super) fn moments(body: &crate::Body) -> Vec<ScalarId> {
 }
 
 impl Elaborator<'_> {
-    /// Refuses rates where a law does not admit them; faults of frames, then of points, explain others, and other faults these.
+    /// Reports orders that a law does not allow. Only the first affected group is reported (angles of frames, then points, laws, loads), since it may cause the others.
     pub(super) fn rates(&mut self) {
         if !self.faults.is_empty() || !self.headless.is_empty() {
             return;
@@ -55,7 +55,7 @@ impl Elaborator<'_> {
         self.model.warnings.extend(solidified.into_iter().chain(weightless));
     }
 
-    /// The text that gives a name its meaning.
+    /// Returns the position of the text that defines a name.
     fn written(&self, name: &str) -> Option<Range<usize>> {
         let entries = [&self.source.points, &self.source.frames, &self.source.definitions];
         let entry = entries.into_iter().flatten().find(|entry| entry.name.text == name).map(|entry| &entry.value);
@@ -63,7 +63,7 @@ impl Elaborator<'_> {
         entry.or(turns).map(Text::span)
     }
 
-    /// Warnings of masses and moments of inertia that depend on coordinates or speeds.
+    /// Returns warnings about masses and moments of inertia that depend on coordinates or speeds.
     fn solidified(&self, orders: &Orders) -> Vec<Fault> {
         let varies = |body: &&crate::Body| {
             let mass = body.mass.and_then(|mass| orders.of(mass.0));
@@ -84,7 +84,7 @@ impl Elaborator<'_> {
         self.model.bodies.iter().filter(varies).map(warning).collect()
     }
 
-    /// Warnings of bodies with an inertia about a centre that moves, and without a mass.
+    /// Returns warnings about bodies with inertia and a moving centre of mass, but without mass.
     fn weightless(&self, orders: &Orders) -> Vec<Fault> {
         let moves = |body: &&crate::Body| {
             let centre = body.centre.and_then(|centre| orders.of_point(&self.model, centre));
@@ -116,7 +116,7 @@ impl Elaborator<'_> {
         self.model.points.iter().filter_map(of).collect()
     }
 
-    /// Gravity, forces and torques.
+    /// Returns the bounds for gravity, forces and torques.
     fn acting(&self, orders: &Orders) -> Vec<Bounded> {
         let model = &self.model;
         let at_places = model.forces.iter().map(|force| match force {
@@ -140,7 +140,7 @@ impl Elaborator<'_> {
         forces.chain(torques).chain(gravity).map(bounded).collect()
     }
 
-    /// Energies, constraints, masses and moments of inertia.
+    /// Returns the bounds for energies, constraints, quasi-velocities, masses and moments of inertia.
     fn laws(&self, orders: &Orders) -> Vec<Bounded> {
         let model = &self.model;
         let highest = |ids: &[ScalarId]| highest(orders, ids);
@@ -174,7 +174,7 @@ impl Elaborator<'_> {
     }
 }
 
-/// An energy as sentences call it.
+/// Returns the name of an energy in sentences.
 pub(super) fn called(energy: &str) -> String {
     match energy {
         "coenergy" => "the co-energy".to_owned(),

@@ -1,4 +1,4 @@
-//! The criterion of an optimal regulator, with its inputs and its initial deviations.
+//! The cost function of an optimal regulator, its inputs and its initial deviations.
 
 use super::orders::ACCELERATIONS;
 use super::{Elaborator, Sound};
@@ -76,7 +76,7 @@ impl Elaborator<'_> {
         Ok(found)
     }
 
-    /// A number with a unit, in coherent units.
+    /// Reads a number with a unit of the given dimension, in SI units.
     fn quantity(&self, text: &Text, what: &str, needed: Dimension) -> Sound<f64> {
         let fault = |label: String| {
             let accepted = format!("a number with a unit of the dimension {needed}");

@@ -1,7 +1,7 @@
-//! The system with its guides released: a reaction that the coordinates satisfy already is found as the force along one coordinate more,
-//! which stays at zero (an auxiliary speed).
+//! The system with its guides released. The coordinates satisfy a guide identically, so that its reaction is not determined by a multiplier. It is computed as the
+//! force along an additional coordinate that stays at zero (an auxiliary speed, Kane).
 //!
-//! The point of a body from which others are found, S = O + s N.x, becomes S = (O + s N.x) + guide N.y. All that hangs on S moves along.
+//! The point of a body from which its other points are defined, S = O + s N.x, becomes S = (O + s N.x) + guide N.y. All points that depend on S move with it.
 
 use super::guides::Guide;
 use super::resolution::elaborated;
@@ -9,7 +9,7 @@ use crate::equations::constraints_of;
 use crate::{Entry, Fault, Model, PointId, Source, Trace};
 use symbolic::{Sym, apart};
 
-/// Gives a model its released one, where it has a guide that its coordinates satisfy.
+/// Adds the released system to a model with a guide that its coordinates satisfy identically.
 pub(super) fn release(source: &Source, model: &mut Model) -> Result<(), Vec<Fault>> {
     let guides: Vec<usize> = apart(|| {
         let trace = Trace::of(model);
@@ -43,7 +43,7 @@ pub(super) fn release(source: &Source, model: &mut Model) -> Result<(), Vec<Faul
         };
         entry.value.text = format!("({}) + {name}*({normal})", entry.value.text);
         released.coordinates.push(Entry { name: name.as_str().into(), value: "m".into() });
-        // charges of drives stand behind them
+        // the charges of drives follow the coordinates of the file
         model.contacts[place].guide = Some(source.coordinates.len() + number);
     }
     let released = elaborated(&released).map_err(|_| {
@@ -66,7 +66,7 @@ fn is_zero(slope: Sym) -> bool {
     slope == Sym::ZERO || crate::equations::vanishes(slope)
 }
 
-/// A name that nothing has.
+/// Returns an unused name for the coordinate of a guide.
 fn free_name(source: &Source, number: usize) -> String {
     let taken = |name: &String| {
         let Source { parameters, coordinates, definitions, frames, points, speeds, .. } = source;
@@ -80,7 +80,7 @@ fn free_name(source: &Source, number: usize) -> String {
     name
 }
 
-/// The normal of a contact, as a text.
+/// Returns the normal of a contact as text.
 fn normal_of(contact: &crate::ContactSource) -> Option<String> {
     match (&contact.normal, &contact.between) {
         (Some(normal), _) => Some(format!("unit({})", normal.text)),
@@ -89,7 +89,7 @@ fn normal_of(contact: &crate::ContactSource) -> Option<String> {
     }
 }
 
-/// The name of the point that moves: the last before the ground on the way to a point, or the point itself beside another body.
+/// Returns the name of the point that must be displaced: the last named point between `point` and the ground, or for a contact with another body the first one.
 fn base_of(model: &Model, point: PointId, on_ground: bool) -> Option<String> {
     let (mut at, mut found) = (point, None);
     loop {

@@ -1,4 +1,4 @@
-//! Resolution of a system from its texts: one pass, or two where its loads hold reactions.
+//! Elaboration of a system: one pass, or two if its loads contain reactions.
 
 use super::one_sided_loads::{Load, one_sided};
 use super::reactions::{ReactionLetter, with_laws};
@@ -9,7 +9,7 @@ use super::{
 use crate::{Fault, Model, Source};
 use std::ops::Range;
 
-/// Resolves a system.
+/// Elaborates a system, including the checks of contacts and the released guides.
 pub(crate) fn elaborate(source: &Source) -> Result<Model, Vec<Fault>> {
     let mut model = elaborated(source)?;
     if !model.contacts.is_empty() {
@@ -19,8 +19,8 @@ pub(crate) fn elaborate(source: &Source) -> Result<Model, Vec<Fault>> {
     Ok(model)
 }
 
-/// Resolves a system with its guides as they are. Where loads or events hold reactions, the system is read again with
-/// these as rates.
+/// Elaborates a system without releasing guides. If loads or events contain reactions, a second pass represents these
+/// as rates of coordinates.
 pub(super) fn elaborated(source: &Source) -> Result<Model, Vec<Fault>> {
     let first = Elaborator::new(source, Vec::new()).resolved()?;
     if first.reaction_letters.is_empty() {
@@ -33,7 +33,7 @@ pub(super) fn elaborated(source: &Source) -> Result<Model, Vec<Fault>> {
     settled(source, second)
 }
 
-/// A model whose names are resolved, with the laws of its coordinates without inertia, and its warnings.
+/// Completes an elaborated model: simplifications, laws of coordinates without inertia, checks and warnings.
 fn settled(source: &Source, Resolved { mut model, loads, .. }: Resolved) -> Result<Model, Vec<Fault>> {
     model.hold(&source.rigid)?;
     model.leave_out(&source.absent);
@@ -75,7 +75,7 @@ impl Elaborator<'_> {
         self.rates();
         self.events();
         self.quasi_velocities();
-        // the impulses of reactions, which may start somewhere, are known when they are read again
+        // the impulses of reactions, which may have start values, exist only in the second pass
         if !reads_again || self.reaction_letters.is_empty() {
             self.start();
         }
@@ -84,7 +84,7 @@ impl Elaborator<'_> {
         self.model.equilibrium.clone_from(&self.source.equilibrium);
         let Elaborator { source, mut model, mut faults, headless, loads, reaction_letters, .. } = self;
         model.warnings.sort_by_key(|warning| warning.span.start);
-        // keys under a wrong heading are missing elsewhere: these faults explain others
+        // keys below a wrong heading are missing elsewhere, hence these faults may cause the others
         if !headless.is_empty() {
             faults = headless.into_iter().map(|(_, fault)| fault).collect();
         }

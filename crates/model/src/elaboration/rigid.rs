@@ -1,10 +1,10 @@
-//! Springs and viscous forces that a smaller model takes as rigid: the elongation of a spring, and the resisted speed, are zero.
+//! Springs and dampers that a reduced model treats as rigid: the elongation of the spring, or the damped speed, is zero.
 //!
-//! A parameter k without bound that stands with a square in the potential energy, or in Rayleigh's function, gives
+//! A parameter k that tends to infinity, and multiplies a square in the potential energy or in Rayleigh's dissipation function, gives the constraint
 //!
-//!   V = k/2 g^2  ->  g = 0 ,
+//!   V = k/2 g^2  ->  g = 0 .
 //!
-//! and so does a load Q_i = -k g g_i, the g_i in the ratio of the derivatives of g.
+//! A generalised force Q_i = -k g g_i, with g_i in the ratio of the derivatives of g, gives the same constraint.
 
 use super::loads::joule;
 use super::reactions::transcribed;
@@ -15,20 +15,20 @@ use field::Rational;
 use rustc_hash::FxHashMap;
 use symbolic::{Dimension, Node, Sym, apart};
 
-/// The expressions that a parameter without bound keeps at zero.
+/// The expressions that vanish as a parameter tends to infinity.
 #[derive(Default)]
 struct Held {
-    /// Elongations of springs.
+    /// Elongations of springs, functions of positions.
     positions: Vec<Sym>,
-    /// Speeds of viscous forces.
+    /// Speeds of dampers.
     speeds: Vec<Sym>,
 }
 
 impl Model {
-    /// Lets parameters grow without bound.
+    /// Replaces parameters that tend to infinity by constraints.
     ///
     /// # Errors
-    /// The parameter that is no stiffness of a spring and no coefficient of a viscous force.
+    /// The parameter is not only the stiffness of a spring or the coefficient of a viscous force.
     pub(super) fn hold(&mut self, names: &[String]) -> Result<(), Vec<Fault>> {
         for name in names {
             let Some(place) = self.parameters.iter().position(|parameter| parameter.name == *name) else { continue };
@@ -64,7 +64,7 @@ impl Model {
     }
 }
 
-/// The expressions that a parameter keeps at zero; `None` where it has another effect too.
+/// Returns the expressions that vanish as a parameter tends to infinity; `None` if the parameter has another effect too.
 fn held(model: &Model, trace: &Trace<'_>, parameter: usize) -> Option<Held> {
     let letter = trace.parameters[parameter];
     if !vanishes(trace.kinetic_and_coenergy().diff(letter)) {
@@ -89,7 +89,7 @@ fn held(model: &Model, trace: &Trace<'_>, parameter: usize) -> Option<Held> {
         .collect();
     while let Some(load) = loads.first() {
         let (zero, of_it) = common_factors(load).into_iter().find_map(|zero| {
-            // an action and its reaction may stand apart
+            // an action and its reaction may be separate loads
             let of_it: Vec<usize> = (0..loads.len()).filter(|&at| has_factor(&loads[at], zero)).collect();
             let sum: Vec<Sym> =
                 (0..load.len()).map(|i| of_it.iter().fold(Sym::ZERO, |sum, &at| sum + loads[at][i])).collect();
@@ -116,7 +116,7 @@ fn held(model: &Model, trace: &Trace<'_>, parameter: usize) -> Option<Held> {
     (is_any && all.clone().all(is_free)).then_some(held)
 }
 
-/// The model with each of its loads alone, and without its dissipation.
+/// Returns one model for each load, with this load only and without dissipation.
 fn loads_alone(model: &Model) -> impl Iterator<Item = Model> + '_ {
     let bare = move || {
         let mut bare = model.clone();
@@ -130,7 +130,7 @@ fn loads_alone(model: &Model) -> impl Iterator<Item = Model> + '_ {
     forces.chain(torques).chain(generalised)
 }
 
-/// The roots of a sum of squares with positive factors.
+/// Returns the square roots of the terms of a sum of squares with positive factors; `None` if the sum has another form.
 fn squares(sum: Sym, is_parameter: &impl Fn(Sym) -> bool) -> Option<Vec<Sym>> {
     if let Node::Sum(a, b) = sum.node() {
         return Some([squares(a, is_parameter)?, squares(b, is_parameter)?].concat());
@@ -148,7 +148,7 @@ fn squares(sum: Sym, is_parameter: &impl Fn(Sym) -> bool) -> Option<Vec<Sym>> {
     (root != Sym::ONE).then(|| vec![root])
 }
 
-/// The factors that all parts of a load have.
+/// Returns the factors that all components of a load have in common.
 fn common_factors(load: &[Sym]) -> Vec<Sym> {
     let mut acting = load.iter().filter(|part| !vanishes(**part));
     let mut common = acting.next().map_or_else(Vec::new, |first| factors(*first));
@@ -164,12 +164,12 @@ fn has_factor(load: &[Sym], zero: Sym) -> bool {
     common_factors(load).into_iter().any(|own| is_same(own, zero))
 }
 
-/// Whether two expressions vanish together, being one up to its sign.
+/// Returns whether two expressions are equal up to their sign.
 fn is_same(one: Sym, other: Sym) -> bool {
     one == other || vanishes(one + other) || vanishes(one - other)
 }
 
-/// Whether a load is -c g g_i, with the derivatives g_i of a factor g and one number c.
+/// Returns whether a load is -c g g_i, with the derivatives g_i of a factor g and one constant c.
 fn is_deflection(trace: &Trace<'_>, zero: Sym, load: &[Sym], letter: Sym) -> bool {
     let letters = zero.symbols_of();
     let of_speeds = trace.speeds.iter().any(|speed| letters.contains(speed));
@@ -182,7 +182,7 @@ fn is_deflection(trace: &Trace<'_>, zero: Sym, load: &[Sym], letter: Sym) -> boo
     !letters.contains(&letter) && is_number() && (0..load.len()).all(|i| (0..i).all(|j| is_along(i, j)))
 }
 
-/// The factors of an expression as it is written, each with its power; of a sum those that all its terms have.
+/// Returns the factors of an expression with their powers, without expansion. For a sum these are the common factors of its terms.
 fn factors(of: Sym) -> Vec<(Sym, i32)> {
     let mut found: FxHashMap<Sym, i32> = FxHashMap::default();
     let mut order: Vec<Sym> = Vec::new();

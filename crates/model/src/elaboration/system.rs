@@ -1,4 +1,4 @@
-//! Letters, frames and points.
+//! Parameters, coordinates, definitions, frames and points.
 
 use super::order::Definition;
 use super::value::Value;
@@ -11,7 +11,7 @@ use crate::{
 use symbolic::Dimension;
 
 impl Elaborator<'_> {
-    /// Parameters and coordinates: names that need no others.
+    /// Reads parameters and coordinates, which depend on no other names.
     pub(super) fn letters(&mut self) {
         for entry in &self.source.parameters {
             let found = self.parameter(entry);
@@ -54,7 +54,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// The fault of a text that is no unit, with the table where such a text stands.
+    /// Replaces the fault of a text that is not a unit by a hint to the table where the text belongs.
     fn elsewhere(&self, text: &Text, fault: Box<Fault>) -> Box<Fault> {
         let accepted = if is_frame(&text.text) {
             "a frame stands under [frames]"
@@ -68,7 +68,7 @@ impl Elaborator<'_> {
         Box::new(Fault { accepted: accepted.to_owned(), ..*fault })
     }
 
-    /// Whether a text is an expression in which names of the system stand.
+    /// Returns whether a text is an expression that contains names of the system.
     fn has_names(&self, text: &Text) -> bool {
         let Ok(expression) = crate::expression::read(&text.text) else { return false };
         let source = self.source;
@@ -101,7 +101,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// Warns of a unit in which no column of a run is: units of coordinates and inputs name dimensions.
+    /// Warns about a unit in which no column of a run is given: units of coordinates and inputs only declare dimensions.
     fn judge_unit(&mut self, name: &str, written: &Text, coherent: &str) {
         let unit = written.text.trim();
         if unit == coherent {
@@ -112,7 +112,7 @@ impl Elaborator<'_> {
         self.model.warnings.push(Fault::at(written.span(), title, "a unit names the dimension", accepted));
     }
 
-    /// `"2 kg"` with a value, `"N/m"` or `"[1]"` without.
+    /// Reads a parameter: `"2 kg"` has a value, `"N/m"` or `"[1]"` has none.
     fn parameter(&self, Entry { name, value }: &Entry) -> Sound<Parameter> {
         let trimmed = value.text.trim();
         let bracketed = trimmed.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')).map(str::trim);
@@ -149,7 +149,7 @@ impl Elaborator<'_> {
         Ok(Parameter { name: name.text.clone(), dimension, unit, written, value: value_in_si, at })
     }
 
-    /// One definition, after those that it needs.
+    /// Elaborates one definition, after those it depends on.
     pub(super) fn define(&mut self, definition: Definition) {
         match definition {
             Definition::Value(at) => {
@@ -210,7 +210,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// Keeps a vector or a point for reading.
+    /// Stores a vector or a point for later queries.
     fn keep_definition(&mut self, name: &str, value: Value) {
         let defined = match value {
             Value::Vector(vector) => Defined::Vector(vector),
@@ -224,7 +224,7 @@ impl Elaborator<'_> {
         self.model.definitions.push((name.to_owned(), defined));
     }
 
-    /// `u = { unit = "N", value = "if(t < (2 s), Fmax, 0)" }`
+    /// Reads an input, such as `u = { unit = "N", value = "if(t < (2 s), Fmax, 0)" }`.
     fn input(&mut self, InputSource { name, unit: written, value }: &InputSource) -> Sound<Input> {
         let (dimension, unit) =
             self.unit(written, "an input has a unit", "u = { unit = \"N\", value = \"F*sin(w*t)\" }")?;
@@ -248,7 +248,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// `N turned theta about z`, `A turned -lean about x`.
+    /// Reads a frame, such as `N turned theta about z` or `A turned -lean about x`.
     fn turned(&mut self, entry: &Entry) -> Sound<FrameId> {
         let text = &entry.value;
         let wrong = |title: &str, label: &str| {
@@ -293,7 +293,7 @@ impl Elaborator<'_> {
     }
 }
 
-/// The coherent unit of the dimension that a unit has by its text: values are in it, for every unit that names the dimension.
+/// Returns the coherent SI unit in which values are given, in the notation of the file where that is coherent.
 fn coherent(unit: units::Unit, text: &str) -> String {
     let ([times, per], dimension) = (unit.factors(), unit.dimension());
     match text.split_whitespace().collect::<Vec<_>>().join(" ") {
@@ -303,7 +303,7 @@ fn coherent(unit: units::Unit, text: &str) -> String {
     }
 }
 
-/// `kg s^-1` as `kg/s`; a unit with several negative powers, or with those alone, as it is.
+/// Writes `kg s^-1` as `kg/s`. A unit with several negative powers, or without positive ones, is unchanged.
 fn with_slash(unit: &str) -> String {
     let (below, above): (Vec<&str>, Vec<&str>) = unit.split(' ').partition(|power| power.contains("^-"));
     match below.as_slice() {
@@ -315,7 +315,7 @@ fn with_slash(unit: &str) -> String {
     }
 }
 
-/// Whether a definition is a frame.
+/// Returns whether the text of a definition is a frame.
 fn is_frame(text: &str) -> bool {
     text.contains(" turned ") || text.trim_end().ends_with(" free")
 }

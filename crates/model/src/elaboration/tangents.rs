@@ -1,4 +1,4 @@
-//! The tangents along which a contact slides: one in the plane of N.x and N.y, two at right angles where it leaves that plane.
+//! The tangents along which a contact slides: one in the plane N.x, N.y; two perpendicular ones if the contact leaves this plane.
 
 use super::Elaborator;
 use super::value::Value;
@@ -7,11 +7,11 @@ use crate::equations::vanishes;
 use crate::{FrameId, ScalarId, Trace, VectorId};
 use symbolic::{Dimension, Sym, apart};
 
-/// Components of a direction that is no axis, and in no plane or cone about one that has a short name.
+/// Components of a vector in general position, used as an auxiliary direction.
 const ASLANT: [f64; 3] = [211.0, 373.0, 541.0];
 
 impl Elaborator<'_> {
-    /// The tangents of a normal of length one, for a velocity of sliding.
+    /// Returns the tangents for a unit normal and a sliding velocity.
     pub(super) fn tangents(&mut self, is_rough: bool, normal: VectorId, velocity: VectorId) -> Vec<VectorId> {
         if !(is_rough && self.leaves_the_plane(&[normal, velocity])) {
             let up = self.axis(FrameId::GROUND, 2);
@@ -21,14 +21,14 @@ impl Elaborator<'_> {
             Some(Vector::Negation(of)) => *of,
             _ => normal,
         };
-        // axes of one frame have no singular position
+        // tangents along the axes of a frame have no singular position
         if let Some(Vector::Axis { frame, axis }) = self.model.arena.vector_at(own) {
             let (frame, axis) = (*frame, *axis);
             return [1, 2].map(|next| self.axis(frame, (axis + next) % 3)).to_vec();
         }
         let across = (0..3).find(|&axis| !self.has_component(&[normal], &[axis]));
         let first = match across {
-            // an axis to which the normal is perpendicular in every position
+            // an axis of the ground that is perpendicular to the normal in every position
             Some(axis) => self.axis(FrameId::GROUND, axis),
             None => {
                 let beside = self.aslant();
@@ -39,7 +39,7 @@ impl Elaborator<'_> {
         vec![first, self.across(normal, first)]
     }
 
-    /// A direction in which no normal of a surface that somebody writes down points: tangents that are perpendicular to it have no value there.
+    /// Returns an auxiliary direction to which no usual normal is parallel: tangents formed with it are undefined where the normal is parallel to it.
     fn aslant(&mut self) -> VectorId {
         let mut sum = None;
         for (axis, part) in ASLANT.into_iter().enumerate() {
@@ -52,7 +52,7 @@ impl Elaborator<'_> {
         sum.unwrap_or_else(|| self.vector(Vector::Zero, None))
     }
 
-    /// The sum of axes by factors.
+    /// Returns the linear combination of axes with the given factors.
     pub(super) fn along_axes(
         &mut self,
         factors: &[ScalarId],
@@ -75,7 +75,7 @@ impl Elaborator<'_> {
         self.vector(Vector::Cross(one, other), Some(Dimension::none()))
     }
 
-    /// A vector over its length; an axis as it is.
+    /// Returns the unit vector along a vector; axes of frames are unchanged.
     pub(super) fn unit_of(&mut self, vector: VectorId) -> VectorId {
         let is_axis = |of: VectorId| matches!(self.model.arena.vector_at(of), Some(Vector::Axis { .. }));
         let is_unit = match self.model.arena.vector_at(vector) {
@@ -91,7 +91,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// Whether one of some vectors has a component along N.z.
+    /// Returns whether any of the vectors has a component along N.z.
     fn leaves_the_plane(&self, vectors: &[VectorId]) -> bool {
         self.faults.is_empty() && self.has_component(vectors, &[2])
     }

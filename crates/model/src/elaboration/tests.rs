@@ -1,9 +1,9 @@
-//! Functions of the language beside those of numbers.
+//! Tests of piecewise and elementary functions of the language.
 
 use crate::{Model, Source, Trace};
 use symbolic::apart;
 
-/// The value of an expression in x and y, with its switches where their conditions say.
+/// Evaluates an expression in x and y, with switches set by their conditions.
 fn value(expression: &str, x: f64, y: f64) -> f64 {
     let one = |name: &str, value: &str| vec![(name, value).into()];
     let source = Source {
@@ -60,7 +60,7 @@ fn a_table_goes_through_its_points_on_straight_lines_and_is_constant_outside() {
     }
 }
 
-/// Beside the functions of the standard library.
+/// Compares with the standard library.
 #[test]
 fn elementary_functions_are_those_of_numbers() {
     for (x, y) in [(0.3_f64, -0.8_f64), (-0.6, 0.2)] {

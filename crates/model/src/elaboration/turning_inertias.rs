@@ -1,17 +1,17 @@
-//! Bodies that turn in the axes of their inertia.
+//! Check of bodies that rotate relative to the axes of their inertia tensor.
 //!
-//! An inertia I that rests in axes beside which the body turns at the angular velocity s changes in the body at the rate
+//! Let the inertia tensor I be constant in axes relative to which the body has the angular velocity s. In the body it changes at the rate
 //!
-//!   s x I - I x s ,
+//!   s x I - I x s .
 //!
-//! unless it is the same about all axes across s, as a disc's is that spins in the axes of its fork.
+//! This rate is zero if I has equal moments about all axes perpendicular to s, as for a disc that spins in the axes of its fork.
 
 use crate::equations::vanishes;
 use crate::{Body, Fault, Inertia, Model, Trace};
 use field::Rational;
 use symbolic::{Sym, apart, substitute_all};
 
-/// Faults of bodies whose inertia changes as they turn, as that of no rigid body does.
+/// Returns the faults of bodies whose inertia tensor would change in the body, which is impossible for a rigid body.
 pub(super) fn turning(model: &Model) -> Vec<Fault> {
     let in_other_axes = |body: &&Body| matches!(&body.inertia, Some(Inertia::Tensor { axes, .. }) if body.frame.is_some_and(|frame| frame != *axes));
     if !model.bodies.iter().any(|body| in_other_axes(&body)) {
@@ -44,7 +44,7 @@ fn fault(model: &Model, body: &Body) -> Fault {
     )
 }
 
-/// Whether the inertia of a body changes in it, parameters by their values where they have one.
+/// Returns whether the inertia tensor changes in the body. Parameters with values are replaced by these.
 fn changes(trace: &Trace<'_>, body: &Body) -> bool {
     let (Some(inertia @ Inertia::Tensor { axes, .. }), Some(frame)) = (&body.inertia, body.frame) else { return false };
     let [x, y, z] = trace.express(trace.turning_beside(frame, *axes), *axes);

@@ -1,12 +1,12 @@
-//! Outputs with the reaction of a vector constraint along an axis along which its component vanishes identically: the constraint has no
-//! effect there, and its reaction no such component.
+//! Warnings about outputs with a reaction component of a vector constraint along an axis on which the constraint vanishes identically: there it has
+//! no reaction.
 
 use crate::arena::{Part, Vector};
 use crate::equations::{held_of, vanishes};
 use crate::{Entry, Fault, FrameId, Model, Source, Trace, Turn};
 use symbolic::apart;
 
-/// A warning for each such output.
+/// Returns a warning for each such output.
 pub(super) fn unheld_axes(source: &Source, model: &Model) -> Vec<Fault> {
     let reactions: Vec<(usize, usize)> = model.arena.parts.iter().enumerate().filter_map(reaction).collect();
     if reactions.is_empty() {
@@ -43,7 +43,7 @@ pub(super) fn unheld_axes(source: &Source, model: &Model) -> Vec<Fault> {
     })
 }
 
-/// The place of a part, and the constraint, of a part that is the reaction of a vector constraint.
+/// Returns the index of a node that is the reaction of a vector constraint, and the constraint.
 fn reaction((place, part): (usize, &Part)) -> Option<(usize, usize)> {
     match part {
         Part::Vector(Vector::Reaction { constraint }) => Some((place, *constraint)),
@@ -51,7 +51,7 @@ fn reaction((place, part): (usize, &Part)) -> Option<(usize, usize)> {
     }
 }
 
-/// The axes along which the components of a constraint vanish; of a plane system not that across the plane, where nobody asks for forces.
+/// Returns the axes along which the components of a constraint vanish identically. The axis perpendicular to the plane of a planar system is omitted.
 fn unheld(trace: &Trace<'_>, constraint: usize) -> Vec<(FrameId, usize)> {
     let axes: Vec<crate::Vector> = held_of(trace, constraint).into_iter().filter_map(|held| held.axis).collect();
     let Some(frame) = axes.first().map(|axis| axis.frame) else { return Vec::new() };
@@ -62,7 +62,7 @@ fn unheld(trace: &Trace<'_>, constraint: usize) -> Vec<(FrameId, usize)> {
     (0..3).filter(|&axis| !is_held(axis) && !is_across(axis)).map(|axis| (frame, axis)).collect()
 }
 
-/// The outputs where another vector stands in the place of a reaction.
+/// Returns the outputs with a reaction replaced by another vector.
 fn outputs_with(model: &Model, part: usize, vector: Vector) -> Vec<symbolic::Sym> {
     let mut other = model.clone();
     other.arena.parts[part] = Part::Vector(vector);

@@ -1,15 +1,15 @@
-//! Values of expressions and of their parts.
+//! Values of expressions.
 
 use super::{GRAVITY, TARGET, TORQUE};
 use crate::{Fault, FrameId, PointId, ScalarId, VectorId};
 use std::ops::Range;
 
-/// The value of an expression.
+/// The value of an expression or subexpression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Value {
     Scalar(ScalarId),
     Vector(VectorId),
-    /// A point, or one displaced from it by a vector.
+    /// A point, or the point displaced from `base` by the vector `way`.
     Point {
         base: PointId,
         way: Option<VectorId>,
@@ -18,7 +18,7 @@ pub(super) enum Value {
 }
 
 impl Value {
-    /// In words.
+    /// Returns the kind of the value for messages.
     pub fn describe(&self) -> &'static str {
         match self {
             Value::Scalar(_) => "a scalar",
@@ -29,14 +29,14 @@ impl Value {
     }
 }
 
-/// The fault of a value of another kind.
+/// Returns the fault of a value of the wrong kind.
 pub(super) fn mismatch(span: &Range<usize>, what: &str, needed: &str, found: &Value) -> Box<Fault> {
     let found = found.describe();
     let accepted = instead(what, needed, found);
     Box::new(Fault::at(span.clone(), format!("{what} is {needed}"), format!("this is {found}"), accepted))
 }
 
-/// An expression that would be accepted in the place of another.
+/// Returns an example of an accepted expression.
 fn instead(what: &str, needed: &str, found: &str) -> String {
     let example = match (needed, found) {
         ("a vector", "a scalar") if what == TORQUE => ", such as a*N.x; about the axis of a planar system a*N.z",

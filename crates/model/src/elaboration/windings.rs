@@ -1,4 +1,4 @@
-//! Windings of a motor: a charge with the current i as its rate,
+//! Windings of a motor. The coordinate of a winding is a charge; its rate is the current i, with v the supply voltage, k the motional constant and w the motor's speed:
 //!
 //!   (dW'/di)' = v - R i - k w,    W' = L i^2/2,    torque k i .
 
@@ -22,7 +22,7 @@ fn ohm() -> Dimension {
 }
 
 impl Elaborator<'_> {
-    /// A law of positions, speeds and currents.
+    /// Reads a law that depends on positions, speeds and currents.
     pub(super) fn law(&mut self, text: &Text, what: &str, dimension: Dimension) -> Sound<ScalarId> {
         let found = self.scalar_value(text, what, Some(dimension))?;
         if self.orders.of(found.0).is_some_and(|order| order >= ACCELERATIONS) {
@@ -34,7 +34,7 @@ impl Elaborator<'_> {
         Ok(found)
     }
 
-    /// The law of a winding; its torque, where it has one.
+    /// Adds the law of a winding. Returns its torque, if it has one.
     pub(super) fn winding(&mut self, drive: usize, charge: usize, source: &WindingSource) -> Sound<Option<ScalarId>> {
         let henry = ohm() * Dimension::time();
         let inductance = self.scalar_value(&source.inductance, "the inductance of a winding", Some(henry))?;

@@ -1,11 +1,11 @@
-//! Directions of coordinates without inertia that constraints leave free, as whole numbers.
+//! Directions in the space of coordinates without inertia, compatible with the constraints, as vectors of integers.
 
 use crate::Trace;
 use field::{Rational, Scalar as _};
 use symbolic::{Sym, substitute_all};
 
-/// Rows that vanish on directions along whose speeds no law changes: derivatives of laws at points of whole numbers; `None` where these
-/// have no value there.
+/// Returns rows that vanish on the directions along which no law depends on the speeds: derivatives of the laws at three points with integer values; `None` if
+/// a derivative is undefined there.
 pub(super) fn speed_free(trace: &Trace<'_>, laws: &[Sym], open: &[usize]) -> Option<Vec<Vec<Rational>>> {
     let slopes: Vec<Vec<Sym>> =
         laws.iter().map(|law| open.iter().map(|&place| trace.by_speed(*law, place)).collect()).collect();
@@ -22,7 +22,7 @@ pub(super) fn speed_free(trace: &Trace<'_>, laws: &[Sym], open: &[usize]) -> Opt
     Some([1, 5, 13].map(at).into_iter().collect::<Option<Vec<_>>>()?.concat())
 }
 
-/// A basis of the null space of rows, directions along which more rows vanish first.
+/// Returns a basis of the null space of `rows`. Directions in the null space of `more` come first.
 pub(super) fn basis(rows: &[Vec<Rational>], more: &Option<Vec<Vec<Rational>>>, columns: usize) -> Vec<Vec<Rational>> {
     let all = null_space(rows.to_vec(), columns);
     let first = more.as_ref().map(|more| null_space([rows, more].concat(), columns)).unwrap_or_default();
@@ -36,7 +36,7 @@ pub(super) fn basis(rows: &[Vec<Rational>], more: &Option<Vec<Vec<Rational>>>, c
     chosen
 }
 
-/// A basis of the null space of rows.
+/// Returns a basis of the null space of `rows`, by Gauss-Jordan elimination.
 fn null_space(mut rows: Vec<Vec<Rational>>, columns: usize) -> Vec<Vec<Rational>> {
     let is_zero = |value: Rational| value.sign() == Some(0);
     let mut pivots: Vec<usize> = Vec::new();
@@ -65,7 +65,7 @@ fn null_space(mut rows: Vec<Vec<Rational>>, columns: usize) -> Vec<Vec<Rational>
     .collect()
 }
 
-/// The direction by whole numbers; `None` where they are large.
+/// Scales a direction to integers; `None` if they exceed 64 bits.
 pub(super) fn whole(factors: &[Rational]) -> Option<Vec<i64>> {
     let denominator = |factor: &Rational| i64::try_from(factor.to_big()?.denominator().clone()).ok();
     let common = factors.iter().try_fold(1_i64, |common, factor| {

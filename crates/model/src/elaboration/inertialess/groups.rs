@@ -1,11 +1,11 @@
-//! Groups of coupled coordinates without inertia: their speeds are found together.
+//! Groups of coupled coordinates without inertia, whose speeds are determined together.
 
 use crate::Trace;
 use field::Rational;
 use symbolic::Sym;
 
-/// For each open coordinate the number of its group: coordinates are coupled by constraints, or by the speeds in their laws, or by
-/// positions where a law holds no speeds.
+/// Returns the group number of each coordinate. Coordinates are coupled by constraints, by speeds in their laws, or, in a law without speeds, by
+/// positions.
 pub(super) fn groups(trace: &Trace<'_>, laws: &[Sym], open: &[usize], rows: &[Vec<Rational>]) -> Vec<usize> {
     let mut groups: Vec<usize> = (0..open.len()).collect();
     let mut join = |members: Vec<usize>| {

@@ -1,15 +1,15 @@
-//! Coordinates without inertia: the charge of a capacitor behind a resistor, a point between an elastic and a viscous element.
+//! Coordinates without inertia, such as the charge of a capacitor behind a resistor, or a point between an elastic and a viscous element.
 //!
-//! The law of such a coordinate holds no acceleration: r(q, u, t) = 0, inertia less forces, is an equation of speeds, or of positions. It
+//! The law of such a coordinate contains no acceleration: r(q, u, t) = 0, inertia minus forces, is an equation for speeds or positions. It
 //! becomes a constraint of the system. In
 //!
 //!   r = J lambda ,    J = dr/du
 //!
-//! its multiplier vanishes along every motion: it moves the coordinate and has no other effect. Where constraints couple several such
-//! coordinates, as Kirchhoff's law couples the currents of a node, the combinations that remain free have a law each.
+//! the multiplier lambda vanishes along every motion, hence the constraint exerts no force. If constraints couple several such
+//! coordinates, as Kirchhoff's current law couples the currents at a node, each remaining free combination has one law.
 //!
-//! A law that contains a condition or the voltage of a diode has a solution of its own in each of their cases. It is no constraint: the
-//! speeds which it determines, and those coupled to them, are algebraic unknowns of the case.
+//! A law that contains a condition or the voltage of a diode has a different solution in each case. It does not become a constraint: the
+//! speeds that it determines, and those coupled to them, are algebraic unknowns of each case.
 
 mod directions;
 mod groups;
@@ -24,7 +24,7 @@ use groups::groups;
 use std::borrow::Cow;
 use symbolic::{Sym, apart};
 
-/// Gives a model a constraint for each law without accelerations; the faults of quasi-velocities that are then too many.
+/// Adds a constraint to the model for each law without accelerations. Returns the faults of quasi-velocities that are then too many.
 pub(super) fn settle(model: &mut Model) -> Vec<Fault> {
     let (open, found) = apart(|| {
         let trace = Trace::of(model);
@@ -44,7 +44,7 @@ pub(super) fn settle(model: &mut Model) -> Vec<Fault> {
     apart(|| QuasiVelocities::of(&Trace::of(model)).err().unwrap_or_default())
 }
 
-/// Makes a combination of laws a constraint.
+/// Adds a combination of laws as a constraint.
 fn keep(model: &mut Model, combination: Combination) {
     let Some(&(first, _)) = combination.first() else { return };
     let names: Vec<&str> = combination.iter().map(|(place, _)| model.coordinates[*place].name.as_str()).collect();
@@ -65,7 +65,7 @@ fn keep(model: &mut Model, combination: Combination) {
     });
 }
 
-/// The model with the laws that change as constraints: they hold while no condition changes.
+/// Returns the model with its case-dependent laws as constraints, valid while no condition changes.
 pub(crate) fn with_changing_laws(model: &Model) -> Cow<'_, Model> {
     if model.changing_laws.is_empty() {
         return Cow::Borrowed(model);
@@ -75,13 +75,13 @@ pub(crate) fn with_changing_laws(model: &Model) -> Cow<'_, Model> {
     Cow::Owned(with)
 }
 
-/// The coordinates on whose speeds no inertia depends.
+/// Returns the coordinates whose speeds occur in no kinetic energy or co-energy.
 fn open(trace: &Trace<'_>) -> Vec<usize> {
     let moved = trace.kinetic_and_coenergy().symbols_of();
     (0..trace.model.coordinates.len()).filter(|&place| !moved.contains(&trace.speeds[place])).collect()
 }
 
-/// The laws, and the constraints of speeds that hold one without inertia.
+/// Returns the indices of the constraints that determine coordinates without inertia: their laws, and constraints of speeds that contain their speeds.
 fn determining(trace: &Trace<'_>, open: &[usize]) -> Vec<usize> {
     let holds = |one: &Equation| one.level == Level::Speed && open.iter().any(|&place| one.row[place] != Sym::ZERO);
     let own = constraints_of(trace).into_iter().filter(|one| one.law.is_some() || holds(one));
@@ -90,22 +90,22 @@ fn determining(trace: &Trace<'_>, open: &[usize]) -> Vec<usize> {
     places
 }
 
-/// Laws that hold no acceleration.
+/// The laws without accelerations, classified.
 #[derive(Default)]
 struct Laws {
-    /// Combinations without multipliers that determine a motion.
+    /// Combinations that are constraints; their multipliers vanish.
     found: Vec<Combination>,
-    /// Combinations that change, or are coupled with such ones, and hold speeds or switches.
+    /// Combinations that depend on the case, or are coupled with such ones, and contain speeds or switches.
     changing: Vec<Combination>,
-    /// Coordinates whose speeds follow from these.
+    /// Coordinates whose speeds are determined by the combinations in `changing`.
     algebraic: Vec<usize>,
-    /// A coordinate with a law that changes and cannot be solved.
+    /// A coordinate whose case-dependent law cannot be solved.
     unsolved: Option<(usize, UnsolvedLaw)>,
 }
 
 impl Laws {
     fn of(trace: &Trace<'_>, open: &[usize]) -> Self {
-        // no constraint holds a reaction
+        // constraints do not contain reactions
         let (impulses, others): (Vec<usize>, Vec<usize>) =
             open.iter().copied().partition(|place| trace.model.impulses.contains(place));
         let mut laws = Laws::among(trace, &impulses, &[]);
@@ -122,7 +122,7 @@ impl Laws {
         laws
     }
 
-    /// The laws of some coordinates, on whose speeds constraints have these rows.
+    /// Classifies the laws of the coordinates `open`; `rows` are the coefficients of their speeds in the constraints.
     fn among(trace: &Trace<'_>, open: &[usize], rows: &[Vec<Rational>]) -> Self {
         let own: Vec<Sym> = open.iter().map(|&place| trace.law(&[(place, 1)])).collect();
         let directions = basis(rows, &speed_free(trace, &own, open), open.len());
@@ -163,14 +163,14 @@ impl Laws {
 
 enum Kind {
     Determines,
-    /// The law determines a motion by positions, and holds no speeds.
+    /// The law contains no speeds, and determines positions.
     DeterminesByPlaces,
-    /// The law holds a condition, or the reaction of a contact.
+    /// The law contains a condition or the reaction of a contact.
     Piecewise,
     DeterminesNothing,
 }
 
-/// Whether a law changes with a speed or a position along its own combination.
+/// Determines whether a law depends on its own speeds, on its own positions, or on neither.
 fn kind(trace: &Trace<'_>, combination: &Combination) -> Kind {
     let law = trace.law(combination);
     let along = |derivative: &dyn Fn(usize) -> Sym| {
@@ -192,7 +192,7 @@ fn kind(trace: &Trace<'_>, combination: &Combination) -> Kind {
     }
 }
 
-/// The first coordinate among those with algebraic speeds whose law cannot be solved for them.
+/// Returns the first coordinate with an algebraic speed whose law cannot be solved for it, and the reason.
 fn unsolved(trace: &Trace<'_>, algebraic: &[usize], piecewise: &[Combination]) -> Option<(usize, UnsolvedLaw)> {
     let model = trace.model;
     let speeds: Vec<Sym> = algebraic.iter().map(|&place| trace.speeds[place]).collect();
@@ -207,7 +207,7 @@ fn unsolved(trace: &Trace<'_>, algebraic: &[usize], piecewise: &[Combination]) -
     let constraints = if algebraic.is_empty() { Vec::new() } else { constraints_of(trace) };
     let own = algebraic.iter().find_map(|&place| {
         let law = trace.law(&[(place, 1)]);
-        // a reaction is found by Newton's method
+        // reactions are computed by Newton's method, hence their laws may be nonlinear
         let is_reaction = model.impulses.contains(&place);
         let bends = |&other: &usize| !is_reaction && knows(trace.by_speed(law, other), &speeds);
         if model.contacts.iter().any(|contact| touches(contact, &[trace.speeds[place]])) {
@@ -220,7 +220,7 @@ fn unsolved(trace: &Trace<'_>, algebraic: &[usize], piecewise: &[Combination]) -
             None
         }
     });
-    // a switch whose condition holds a speed takes the place of one
+    // a switch whose condition contains a speed counts as an unknown
     let is_of_speeds = |place: usize| knows(trace.scalar(model.switches[place]), &speeds);
     let follows = (0..trace.switches.len()).filter(|&place| is_of_speeds(place)).map(|place| trace.switches[place]);
     let unknown: Vec<Sym> = speeds.iter().copied().chain(one_ways).chain(follows).collect();

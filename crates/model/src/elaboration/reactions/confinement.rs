@@ -1,4 +1,4 @@
-//! Places where the reaction of a constraint has no meaning: constraints, energies, inertias, quasi-velocities.
+//! Checks that reactions do not occur where they have no meaning: in constraints, energies, inertias, quasi-velocities, assignments of events and gravity.
 
 use super::ReactionLetter;
 use crate::elaboration::Elaborator;
@@ -6,14 +6,14 @@ use crate::elaboration::parts::reached;
 use crate::{Fault, Zero};
 use std::ops::Range;
 
-/// The fault of something that holds a reaction.
+/// Returns the fault of an item that contains a reaction.
 pub(super) fn fault(what: &str, at: Range<usize>) -> Fault {
     let accepted = "reactions in [[force]], [[torque]], [definitions] for these, [outputs], and `when` of [[event]]";
     Fault::at(at, format!("{what} holds a reaction"), "here", accepted)
 }
 
 impl Elaborator<'_> {
-    /// Refuses reactions in parts that determine the motion, and with it the reactions.
+    /// Reports reactions in expressions that determine the motion and thereby the reactions themselves.
     pub(in crate::elaboration) fn confine_reactions(&mut self) {
         let letters: Vec<usize> = self.reaction_letters.iter().filter_map(|one| Some(one.letter?.0)).collect();
         let Some(ReactionLetter { at, .. }) = self.reaction_letters.first() else { return };

@@ -1,8 +1,8 @@
-//! Reactions in loads and events: the letters that stand for them, and the laws of these letters.
+//! Reactions in loads and events: the symbols that represent them, and the laws of these symbols.
 //!
-//! A load that depends on a reaction lambda makes the law implicit. The reaction becomes the rate r' of a coordinate of its own, its impulse
-//! r, which has no inertia and the force lambda(q, u, r', t) - r' along it: a law without accelerations. The system is read twice. At first
-//! each such reaction is an input without a value, and the equations of motion give lambda; then it is that rate.
+//! A load that depends on a reaction lambda makes the law implicit. The reaction is represented as the rate r' of an additional coordinate r, its impulse.
+//! This coordinate has no inertia, and the force lambda(q, u, r', t) - r' along it: a law without accelerations. The system is elaborated twice. At first
+//! each such reaction is an input without a value, and the equations of motion give lambda; the second time the reaction is that rate.
 
 use super::transcription::transcribed;
 use crate::arena::{Scalar, Vector};
@@ -15,27 +15,27 @@ use crate::{
 use std::ops::Range;
 use symbolic::{Dimension, Sym, apart};
 
-/// A component of a reaction that stands in a load or an event.
+/// A component of a reaction on which a load or an event depends.
 #[derive(Clone, Debug)]
 pub(in crate::elaboration) struct ReactionLetter {
-    /// The constraint's name, and the place of its expression in a list.
+    /// The name of the constraint, and the index of the equation in its list.
     constraint: String,
     entry: usize,
-    /// The axis along which it is a component, of a vector, and its place among those that do not vanish.
+    /// For a vector constraint: the axis of the component, and the index among the components that do not vanish identically.
     axis: Option<(FrameId, usize)>,
     component: usize,
-    /// The name of its impulse.
+    /// The name of the impulse's coordinate.
     impulse: String,
     /// The dimension of the reaction.
     dimension: Dimension,
-    /// The first position in the file.
+    /// The position of the first occurrence in the file.
     pub(super) at: Range<usize>,
-    /// The letter in the expressions of the model that is read now.
+    /// The symbol in the expressions of the model that is being elaborated.
     pub(super) letter: Option<ScalarId>,
 }
 
 impl Elaborator<'_> {
-    /// Coordinates of the impulses of reactions that loads and events hold, behind those of the file and the charges.
+    /// Adds a coordinate for the impulse of each such reaction, after the coordinates of the file and the charges.
     pub(in crate::elaboration) fn impulses(&mut self) {
         for place in 0..self.reaction_letters.len() {
             let ReactionLetter { impulse, dimension, at, .. } = self.reaction_letters[place].clone();
@@ -48,7 +48,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// `reaction(pin)` in a load, a definition or an event.
+    /// Reads `reaction(pin)` in a load, a definition or an event.
     pub(super) fn held_reaction(&mut self, text: &Text, span: &Range<usize>, arguments: &[Meaning]) -> Sound<Value> {
         let (name, place) = super::named(text, span, arguments)?;
         if self.source.constraints.iter().all(|one| one.name.as_ref().is_none_or(|own| own.text != name)) {
@@ -74,7 +74,7 @@ impl Elaborator<'_> {
         Ok(sum)
     }
 
-    /// Inputs in the place of a reaction: one for each component.
+    /// Adds an input for each component of a reaction.
     fn add_letters(
         &mut self,
         name: &str,
@@ -92,7 +92,7 @@ impl Elaborator<'_> {
         self.constraints_read.push(name.to_owned());
         let value = self.value(zero);
         self.constraints_read.pop();
-        // a wrong constraint is reported at its place
+        // a wrong constraint is reported where it is defined
         let value = value.map_err(|_| Box::new(Fault::consequence(span.clone())))?;
         let (Value::Scalar(ScalarId(part)) | Value::Vector(crate::VectorId(part))) = value else {
             return Err(Box::new(Fault::consequence(span.clone())));
@@ -140,16 +140,16 @@ impl Elaborator<'_> {
     }
 }
 
-/// The expressions of the constraints of a name.
+/// Returns the expressions of all constraints with a name.
 fn entries<'s>(source: &'s Source, name: &'s str) -> impl Iterator<Item = &'s Text> {
     let own = move |one: &&ConstraintSource| one.name.as_ref().is_some_and(|own| own.text == name);
     source.constraints.iter().filter(own).flat_map(|one| &one.zero)
 }
 
-/// Gives each impulse of a model its law, by the multipliers of the model in which reactions are inputs.
+/// Adds the law of each impulse, from the multipliers of the model `open`, in which the reactions are inputs.
 ///
 /// # Errors
-/// Where a reaction is not determined.
+/// A reaction is not determined, or the system has contacts.
 pub(in crate::elaboration) fn with_laws(
     model: &mut Model,
     open: &Model,
@@ -172,7 +172,7 @@ pub(in crate::elaboration) fn with_laws(
             let named = |place: &usize| open.constraints[*place].name.as_deref() == Some(letter.constraint.as_str());
             let constraint = (0..open.constraints.len()).filter(named).nth(letter.entry)?;
             let row = equations.iter().position(|one| one.of == [constraint, letter.component]);
-            // one that follows from others has none
+            // a redundant constraint has the multiplier zero
             Some(row.map_or(Sym::ZERO, |row| multipliers[row]))
         };
         let multipliers = letters.iter().map(of).collect::<Option<Vec<Sym>>>()?;

@@ -1,4 +1,4 @@
-//! Reactions of constraints, and loads of joints, which outputs alone show.
+//! Reactions of constraints, and joint loads; both are shown in outputs.
 
 mod confinement;
 mod letters;
@@ -17,14 +17,14 @@ use crate::{BodyId, Constraint, ConstraintSource, Fault, Source, Text, Trace, Ze
 use std::ops::Range;
 use symbolic::{Dimension, apart};
 
-/// A fault at the place of a call.
+/// Returns a fault at the position of a call.
 fn refused(span: &Range<usize>, title: String, label: &str, accepted: &str) -> Box<Fault> {
     Box::new(Fault::at(span.clone(), title, label, accepted))
 }
 
 const ACCEPTED: &str = "reaction(name) of a named [[constraint]]; reaction(name, 2) where its `zero` is a list";
 
-/// The name of a constraint, and the place in its list where one is given.
+/// Returns the name of a constraint, and the number in its list if one is given.
 fn named(text: &Text, span: &Range<usize>, arguments: &[Meaning]) -> Sound<(String, Option<Option<usize>>)> {
     let written: Vec<&str> = arguments
         .iter()
@@ -40,7 +40,7 @@ fn named(text: &Text, span: &Range<usize>, arguments: &[Meaning]) -> Sound<(Stri
     }
 }
 
-/// The place of an equation among so many of a name.
+/// Returns the index of an equation among the `count` equations of a name.
 fn entry_of(span: &Range<usize>, name: &str, place: Option<Option<usize>>, count: usize) -> Sound<usize> {
     match (place, count) {
         (None, 1) => Ok(0),
@@ -52,7 +52,7 @@ fn entry_of(span: &Range<usize>, name: &str, place: Option<Option<usize>>, count
     }
 }
 
-/// The constraints whose reactions stand in a text.
+/// Returns the constraints whose reactions occur in a text.
 pub(super) fn constraints_in<'s>(source: &'s Source, text: &str) -> Vec<&'s ConstraintSource> {
     let Ok(expression) = read(text) else { return Vec::new() };
     let argument = |form: &Form| match form {
@@ -69,7 +69,7 @@ pub(super) fn constraints_in<'s>(source: &'s Source, text: &str) -> Vec<&'s Cons
     source.constraints.iter().filter(held).collect()
 }
 
-/// Power per rate of a constraint: of f' where f holds positions, of f itself where it holds speeds.
+/// Returns the dimension of a multiplier: power per f' for a constraint f = 0 of positions, power per f for one of speeds.
 fn of_multiplier(level: Level, of_zero: Dimension) -> Dimension {
     match level {
         Level::Position => joule() / of_zero,
@@ -78,7 +78,7 @@ fn of_multiplier(level: Level, of_zero: Dimension) -> Dimension {
 }
 
 impl Elaborator<'_> {
-    /// Loads are known once the motion is: in outputs, and nowhere else.
+    /// Checks that a reaction or joint load occurs in an output, since it is known only after the motion.
     pub(super) fn must_be_output(&self, span: &Range<usize>, function: &str) -> Sound<()> {
         match self.shows_loads {
             true => Ok(()),
@@ -91,7 +91,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// `reaction(pin)`, `reaction(rolling, 2)`: the multiplier of a scalar constraint, the vector of those of a vector.
+    /// Reads `reaction(pin)` or `reaction(rolling, 2)`: the multiplier of a scalar constraint, or the multipliers of a vector constraint as a vector.
     pub(super) fn reaction(&mut self, text: &Text, span: &Range<usize>, arguments: &[Meaning]) -> Sound<super::Value> {
         if !self.shows_loads {
             return self.held_reaction(text, span, arguments);
@@ -103,7 +103,7 @@ impl Elaborator<'_> {
             let crate::Contact { reactions, drop, .. } = &self.model.contacts[contact];
             let (normal, drop) = (reactions[0], *drop);
             let dimension = self.dimension_of(normal.0);
-            // the voltage across a diode: its normal reaction less its conducting voltage
+            // the voltage across a diode is its blocking voltage minus its conducting voltage
             let across = drop.map(|drop| self.scalar(Scalar::Difference(normal, drop), dimension));
             return Ok(super::Value::Scalar(across.unwrap_or(normal)));
         }
@@ -129,7 +129,7 @@ impl Elaborator<'_> {
         })
     }
 
-    /// The fault of a name that no constraint has. In a load a contact has no reaction.
+    /// Returns the fault of a name that no constraint has. With `in_load`, names of contacts are not accepted.
     fn unknown_constraint(&self, span: &Range<usize>, name: &str, in_load: bool) -> Box<Fault> {
         let contacts = self.source.contacts.iter().map(|one| &one.name);
         let contacts = contacts.chain(self.source.one_ways.iter().map(|one| &one.name)).flatten();
@@ -141,15 +141,15 @@ impl Elaborator<'_> {
         }
         let own = self.source.constraints.iter().filter_map(|one| one.name.as_ref()).map(|name| name.text.as_str());
         let names: Vec<&str> = if in_load { own.collect() } else { own.chain(contacts).collect() };
-        // the name exists, and its fault is reported already
+        // the name exists, and its fault is reported elsewhere
         if names.contains(&name) {
             return Box::new(Fault::consequence(span.clone()));
         }
         Box::new(unknown(&self.broken, span.clone(), name, "constraint", names.into_iter()))
     }
 
-    /// `friction(floor)`, `gap(floor)`, `sliding(floor)`: the tangential reaction of a contact, its gap, its sliding velocity; where it
-    /// slides in space the first and the last are vectors.
+    /// Reads `friction(floor)`, `gap(floor)` or `sliding(floor)`: the tangential reaction, the gap or the sliding velocity of a contact. Reaction and velocity are
+    /// vectors for contacts in space.
     pub(super) fn of_contact(
         &mut self,
         text: &Text,
@@ -188,7 +188,7 @@ impl Elaborator<'_> {
         })
     }
 
-    /// Power per rate of the constraint: f' of one of positions, f itself of one of speeds.
+    /// Returns the dimension of the multiplier of a constraint; see [`of_multiplier`].
     fn multiplier_dimension(&self, constraint: usize, zero: usize) -> Option<Dimension> {
         let of_zero = self.dimension_of(zero)?;
         if !self.faults.is_empty() {
@@ -203,7 +203,7 @@ impl Elaborator<'_> {
         Some(of_multiplier(level, of_zero))
     }
 
-    /// `joint_force(disc)`, `joint_torque(disc)`: from the body, or the ground, that a body is joined to.
+    /// Reads `joint_force(disc)` or `joint_torque(disc)`: the load on a body from the body, or the ground, to which it is joined.
     pub(super) fn joint_load(&mut self, span: &Range<usize>, force: bool, body: BodyId) -> Sound<super::Value> {
         let name = self.model.bodies[body.0].name.clone();
         let energies = &self.model.energies;

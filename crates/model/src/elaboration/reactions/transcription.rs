@@ -1,4 +1,4 @@
-//! Expressions over symbols as expressions of a model, operation by operation.
+//! Conversion of expressions over symbols to expressions of a model, operation by operation.
 
 use crate::arena::{Arena, AtZero, Function, Number, Scalar, Vector};
 use crate::expression::Exponent;
@@ -7,11 +7,11 @@ use field::Rational;
 use rustc_hash::FxHashMap;
 use symbolic::{Node, Sym};
 
-/// Digits of a whole number that a number of a model holds exactly.
+/// The number of digits of an integer that one number of a model represents exactly.
 const DIGITS: usize = 15;
 
-/// The expressions of a model with scalars that hold the letters of its trace, and the place of each of these; `None` where one holds a
-/// letter which the model does not have.
+/// Converts expressions over the symbols of a trace. Returns the extended list of expressions, and the index of each result; `None` if an expression contains a
+/// symbol that the model does not have.
 pub(in crate::elaboration) fn transcribed(trace: &Trace<'_>, scalars: &[Sym]) -> Option<(Arena, Vec<ScalarId>)> {
     let mut arena = trace.model.arena.clone();
     let mut known = letters(trace.model, trace, &mut arena);
@@ -43,7 +43,7 @@ pub(in crate::elaboration) fn transcribed(trace: &Trace<'_>, scalars: &[Sym]) ->
     Some((arena, found))
 }
 
-/// The letters of a trace, each with the expression of its model.
+/// Returns the model's expression for each symbol of a trace.
 fn letters(model: &Model, trace: &Trace<'_>, arena: &mut Arena) -> FxHashMap<Sym, ScalarId> {
     let own = &trace.coordinates[..model.coordinates.len()];
     let coordinates = own.iter().enumerate().map(|(place, &letter)| (letter, Scalar::Coordinate(place)));
@@ -69,7 +69,7 @@ fn letters(model: &Model, trace: &Trace<'_>, arena: &mut Arena) -> FxHashMap<Sym
     known
 }
 
-/// A fraction, exactly; none where it has no value.
+/// Converts a rational number exactly; `None` if it is undefined.
 fn constant(arena: &mut Arena, value: Rational) -> Option<ScalarId> {
     let big = value.to_big()?;
     let above = whole(arena, &big.numerator().to_string());
@@ -83,7 +83,7 @@ fn constant(arena: &mut Arena, value: Rational) -> Option<ScalarId> {
     })
 }
 
-/// A whole number from its digits: by groups that decimals hold.
+/// Converts an integer, given by its digits, as a sum of groups of digits.
 fn whole(arena: &mut Arena, written: &str) -> ScalarId {
     let number =
         |arena: &mut Arena, value: f64| arena.scalar(Scalar::Number(Number { value, times: 1.0, per: 1.0 }), None);

@@ -1,4 +1,4 @@
-//! The inertia of a link about its joint, as a symmetric matrix between its twist (w, v) and its wrench (torque,
+//! Articulated-body inertia (Featherstone 1983): a symmetric matrix that maps the twist (w, v) of a link at its joint to the wrench (torque,
 //! force):
 //!
 //!   torque = A w + B v ,    force = B^T w + C v
@@ -11,7 +11,7 @@ pub(super) type Matrix = [[Sym; 3]; 3];
 
 const NONE: Matrix = [[Sym::ZERO; 3]; 3];
 
-/// The three blocks, in the axes of a frame.
+/// The blocks A (`turning`), B (`coupling`) and C (`mass`) in the axes of a frame.
 #[derive(Clone, Copy)]
 pub(super) struct Inertia {
     pub frame: FrameId,
@@ -20,8 +20,7 @@ pub(super) struct Inertia {
     pub mass: Matrix,
 }
 
-/// A twist or a wrench in the axes of a frame: the angular velocity of a twist, and the torque of a wrench, comes
-/// first.
+/// A twist (angular velocity, velocity) or a wrench (torque, force) in the axes of a frame.
 #[derive(Clone, Copy)]
 pub(super) struct Pair(pub [[Sym; 3]; 2]);
 
@@ -33,7 +32,7 @@ impl Pair {
         products.fold(Sym::ZERO, |sum, each| sum + each)
     }
 
-    /// The sum of this and a multiple of another.
+    /// Returns `self + factor * other`.
     pub fn and(&self, factor: Sym, other: &Pair) -> Pair {
         Pair(std::array::from_fn(|half| std::array::from_fn(|k| self.0[half][k] + factor * other.0[half][k])))
     }
@@ -48,7 +47,7 @@ impl Inertia {
         Inertia { frame, turning: NONE, coupling: NONE, mass: NONE }
     }
 
-    /// The inertia of a body about a point of it, from which its centre has an arm.
+    /// Returns the inertia of a body about a point; `arm` is the vector from this point to the centre of mass.
     pub fn of(trace: &Trace<'_>, body: &Body, frame: FrameId, arm: Vector) -> Self {
         let mut all = Inertia::none(frame);
         if let Some(inertia) = body.inertia.as_ref().filter(|_| body.frame.is_some()) {
@@ -69,7 +68,7 @@ impl Inertia {
         all
     }
 
-    /// The wrench of the inertia under a twist.
+    /// Returns the wrench for a twist.
     pub fn times(&self, Pair([turning, velocity]): &Pair) -> Pair {
         let by = |matrix: &Matrix, vector: &[Sym; 3]| matrix.map(|row| dot(&row, vector));
         let sum = |a: [Sym; 3], b: [Sym; 3]| std::array::from_fn(|k| a[k] + b[k]);
@@ -79,7 +78,7 @@ impl Inertia {
         ])
     }
 
-    /// The inertia without its part along a direction: less u u^T/d.
+    /// Returns the inertia minus u u^T/d, for a wrench u and `inverse` = 1/d.
     pub fn without(&self, Pair([torque, force]): &Pair, inverse: Sym) -> Self {
         let less = |matrix: &Matrix, a: &[Sym; 3], b: &[Sym; 3]| -> Matrix {
             std::array::from_fn(|i| std::array::from_fn(|j| matrix[i][j] - a[i] * inverse * b[j]))
@@ -102,7 +101,8 @@ impl Inertia {
         }
     }
 
-    /// The inertia in the parent link: at the end of an arm of its own, with the link's turning or without.
+    /// Returns the inertia referred to the joint of the parent link; `arm` is the vector from that joint to the joint of this link. Without `is_carried`,
+    /// the angular velocity of the link does not contain that of the parent.
     pub fn carried(&self, trace: &Trace<'_>, is_carried: bool, (frame, arm): (FrameId, Vector)) -> Self {
         let turned = |matrix: &Matrix| -> Matrix {
             let rows = matrix.map(|row| trace.express(Vector { frame: self.frame, components: row }, frame));
@@ -114,7 +114,7 @@ impl Inertia {
         let mass = if is_of_one_mass { self.mass } else { symmetric(&turned(&self.mass)) };
         let across = cross_matrix(trace.express(arm, frame));
         let by_mass = product(&across, &mass);
-        // [r] C [r], symmetric
+        // [r] C [r] is symmetric
         let around = product(&by_mass, &across);
         if !is_carried {
             return Inertia { frame, turning: symmetric(&difference(&NONE, &around)), coupling: by_mass, mass };
@@ -133,12 +133,12 @@ fn multiple_of_one(factor: Sym) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| if i == j { factor } else { Sym::ZERO }))
 }
 
-/// The lower half as it is above: one expression for both.
+/// Replaces the lower triangle by the upper one, so that both use equal expressions.
 fn symmetric(matrix: &Matrix) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| matrix[i.min(j)][i.max(j)]))
 }
 
-/// The matrix [r] with [r] v = r x v.
+/// Returns the matrix [r] with [r] v = r x v.
 fn cross_matrix([x, y, z]: [Sym; 3]) -> Matrix {
     [[Sym::ZERO, -z, y], [z, Sym::ZERO, -x], [-y, x, Sym::ZERO]]
 }

@@ -1,7 +1,7 @@
-//! Links: bodies, and places without a mass between them, each after the one that it hangs on.
+//! Links of the tree: bodies, and massless points between them. Parents precede their children.
 //!
-//! Where the step from a place to another rests in the axes of a frame, both belong to one link with that frame. A body reaches from
-//! its centre over such steps to its joint; the joint is a place of the link that carries it.
+//! If the displacement between two points is constant in the axes of a frame, both points belong to one link with that frame. A body extends from
+//! its centre of mass over such displacements to its joint; the joint is a point of the parent link.
 
 use super::places::{Place, Places, Step};
 use crate::trace::{Trace, Vector};
@@ -9,37 +9,37 @@ use crate::{BodyId, FrameId, PointId, Turn};
 use std::collections::HashMap;
 use symbolic::Sym;
 
-/// A link with the motion of its joint beside the link that carries it.
+/// A link, and the motion of its joint relative to the parent link.
 pub(super) struct Link {
     pub body: Option<BodyId>,
-    /// The frame that turns with it; the ground's of a particle.
+    /// The frame in which the link is fixed; the ground's frame for a particle.
     pub frame: FrameId,
-    /// The place whose velocity stands for the link's.
+    /// The reference point of the link.
     pub joint: Place,
-    /// None for the ground.
+    /// The index of the parent link; `None` for the ground.
     pub parent: Option<usize>,
-    /// Whether the link's turning is that of its parent and its own; else it is its own alone.
+    /// Whether the angular velocity of the link is that of its parent plus its own; otherwise it is only its own.
     pub is_carried: bool,
-    /// The velocity of the joint beside the parent's place there, and the own turning.
+    /// The velocity of the joint relative to the parent link, and the own angular velocity.
     pub relative: [Vector; 2],
 }
 
-/// Links in their order.
+/// The links, parents first.
 pub(super) struct Links<'t, 'm> {
     trace: &'t Trace<'m>,
     places: Places<'t, 'm>,
     pub all: Vec<Link>,
-    /// Links by a place that belongs to them.
+    /// For each point, the links to which it belongs.
     holders: HashMap<Place, Vec<usize>>,
 }
 
 impl<'t, 'm> Links<'t, 'm> {
-    /// The links of all bodies.
+    /// Builds the links of all bodies.
     pub fn of(trace: &'t Trace<'m>) -> Self {
         let mut links = Links { trace, places: Places::of(trace), all: Vec::new(), holders: HashMap::new() };
         let mut order: Vec<usize> = (0..trace.model.bodies.len()).collect();
         let centre = |body: usize| trace.model.bodies[body].centre.map(|centre| links.places.of_point(centre));
-        // a link stands after those that its joint belongs to: their places have fewer steps; bodies that only turn are carried by them
+        // sorted by the number of displacements to the centre of mass, so that parents precede children; bodies without a centre of mass come last
         order.sort_by_cached_key(|&body| {
             let steps = centre(body).map(|centre| links.places.path(centre).count());
             (steps.is_none(), steps, body)
@@ -57,7 +57,7 @@ impl<'t, 'm> Links<'t, 'm> {
         links
     }
 
-    /// The last place before the origin that belongs to a link with a frame and a place.
+    /// Returns the joint of a link: the last point on the way to the origin that is fixed in the link's frame.
     fn joint(&self, frame: FrameId, place: Place) -> Place {
         let mut joint = place;
         while let Some(step) = self.places.step(joint) {
@@ -73,12 +73,12 @@ impl<'t, 'm> Links<'t, 'm> {
         step.way.map(|component| self.trace.rate_of(component))
     }
 
-    /// Whether a step is not fixed in its frame.
+    /// Returns whether a displacement varies in its frame.
     fn moves(&self, step: Step) -> bool {
         !self.velocity(step).is_zero()
     }
 
-    /// A new link with a frame at a place.
+    /// Adds a link with a frame and a point.
     fn join(&mut self, body: Option<BodyId>, frame: FrameId, at: Place) -> usize {
         let joint = self.joint(frame, at);
         let (parent, velocity) = self.carried(joint, frame);
@@ -91,7 +91,7 @@ impl<'t, 'm> Links<'t, 'm> {
         place
     }
 
-    /// A new link of a body that only turns.
+    /// Adds a link for a body that only rotates.
     fn turn(&mut self, body: BodyId, frame: FrameId) -> usize {
         let above = std::iter::successors(Some(frame), |&frame| self.above(frame));
         let mut above = above.take_while(|above| *above != FrameId::GROUND);
@@ -106,7 +106,7 @@ impl<'t, 'm> Links<'t, 'm> {
         self.trace.model.frames[frame.0].parent.map(|(parent, _)| parent)
     }
 
-    /// The link that a joint belongs to, and the velocity of the joint there, along ways in the ground too.
+    /// Returns the parent link of a joint, and the velocity of the joint relative to it.
     fn carried(&mut self, joint: Place, frame: FrameId) -> (Option<usize>, Vector) {
         let (mut at, mut velocity) = (joint, Vector::ZERO);
         loop {
@@ -128,25 +128,25 @@ impl<'t, 'm> Links<'t, 'm> {
         }
     }
 
-    /// Whether a place stands still in the ground.
+    /// Returns whether a point is fixed in the ground.
     fn is_at_rest(&self, place: Place) -> bool {
         let mut steps = self.places.path(place).filter_map(|place| self.places.step(place));
         steps.all(|step| step.way.frame == FrameId::GROUND && !self.moves(step))
     }
 
-    /// The link that a point belongs to.
+    /// Returns the link to which a point belongs.
     pub fn holder(&self, point: PointId) -> Option<usize> {
         self.holder_of(self.places.of_point(point), FrameId::GROUND)
     }
 
-    /// The link that a place belongs to; of several the one whose frame is the nearest above a frame.
+    /// Returns the link to which a point belongs; among several, the one whose frame is the nearest ancestor of `frame`.
     fn holder_of(&self, place: Place, frame: FrameId) -> Option<usize> {
         let above: Vec<FrameId> = std::iter::successors(Some(frame), |&frame| self.above(frame)).collect();
         let distance = |&place: &usize| above.iter().position(|above| *above == self.all[place].frame);
         self.holders_of(place).into_iter().min_by_key(|place| distance(place).unwrap_or(usize::MAX))
     }
 
-    /// The links that a place belongs to: those that reach to it, and the one in whose frame its step rests.
+    /// Returns the links to which a point belongs: those that extend to it, and the one in whose frame its displacement is constant.
     fn holders_of(&self, place: Place) -> Vec<usize> {
         let mut all = self.holders.get(&place).cloned().unwrap_or_default();
         if let Some(step) =
@@ -158,7 +158,7 @@ impl<'t, 'm> Links<'t, 'm> {
         all
     }
 
-    /// The own turning of a frame beside a link, and whether it is carried by that.
+    /// Returns whether a frame is carried by the parent link, and the angular velocity that it adds.
     fn turning(&self, frame: FrameId, parent: Option<usize>) -> (bool, Vector) {
         let beside = parent.map_or(FrameId::GROUND, |parent| self.all[parent].frame);
         let way: Vec<FrameId> = std::iter::successors(Some(frame), |&frame| self.above(frame)).collect();
@@ -168,7 +168,7 @@ impl<'t, 'm> Links<'t, 'm> {
         (is_carried, turning)
     }
 
-    /// The angular velocity of a frame in the one that it turns in.
+    /// Returns the angular velocity of a frame relative to its parent frame.
     fn turn_of(&self, frame: FrameId) -> Vector {
         let trace = self.trace;
         let mut components = [Sym::ZERO; 3];
@@ -183,17 +183,17 @@ impl<'t, 'm> Links<'t, 'm> {
         Vector { frame, components }
     }
 
-    /// The link of a body.
+    /// Returns the link of a body.
     pub fn of_body(&self, body: BodyId) -> Option<usize> {
         self.all.iter().position(|link| link.body == Some(body))
     }
 
-    /// From the joint of the link that carries one to its own.
+    /// Returns the vector from the joint of the parent to the joint of a link.
     pub fn arm(&self, link: &Link, parent: usize) -> Vector {
         self.places.between(self.all[parent].joint, link.joint)
     }
 
-    /// From the joint of a link to a point.
+    /// Returns the vector from the joint of a link to a point.
     pub fn arm_to(&self, link: &Link, point: PointId) -> Vector {
         self.places.between(link.joint, self.places.of_point(point))
     }
