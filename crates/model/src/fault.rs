@@ -1,22 +1,22 @@
-//! Faults of a system as it was written, each with its place.
+//! Errors and warnings about the text of a system, with their positions.
 
 use std::ops::Range;
 
-/// One fault.
+/// One error or warning.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
-    /// Bytes of the text that the system was read from.
+    /// The range of bytes in the text of the system.
     pub span: Range<usize>,
-    /// The fault in one line.
+    /// The fault, in one line.
     pub title: String,
-    /// A few words for the place itself.
+    /// A short text beside the marks at the position.
     pub label: String,
-    /// A text that would be accepted.
+    /// Input that would be accepted.
     pub accepted: String,
 }
 
 impl Fault {
-    /// A consequence of another fault that is reported: this one is not reported.
+    /// Creates a consequence of another fault; consequences are not reported.
     pub(crate) fn consequence(span: Range<usize>) -> Self {
         Fault { span, title: String::new(), label: String::new(), accepted: String::new() }
     }
@@ -25,7 +25,7 @@ impl Fault {
         self.title.is_empty()
     }
 
-    /// A fault at a place.
+    /// Creates a fault at a range of bytes.
     pub fn at(
         span: Range<usize>,
         title: impl Into<String>,

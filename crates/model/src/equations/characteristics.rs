@@ -1,8 +1,8 @@
-//! The motions that constraints leave: dependent speeds by independent ones.
+//! Independent and dependent speeds of a system with constraints.
 //!
-//! With the constraints' rates J u + b = 0 the dependent speeds are u_d = A w + a, and every admissible displacement is a
-//! combination of the directions N = du/dw, for which J N = 0. The dependent speeds are chosen at a random point, a pivot for each
-//! equation; those in whose columns the shortest expressions stand come first, unless they are no pivots at the start.
+//! With the rates J u + b = 0 of the constraints, the dependent speeds are u_d = A w + a, functions of the independent speeds w. Every admissible
+//! displacement is a combination of the columns of N = du/dw, with J N = 0. The dependent speeds are the pivots of J at a random point, one for each
+//! equation. Columns with short expressions are preferred, unless they cannot be pivots at the start.
 
 use super::constraints::Equation;
 use super::generic_point::pivots;
@@ -11,23 +11,23 @@ use crate::presentation::simplified;
 use crate::real_points::value_at_start;
 use symbolic::{Sym, substitute_all};
 
-/// The directions that constraints leave, and the equations that determine the other speeds.
+/// The admissible directions of a system with constraints, and the equations that determine the dependent speeds.
 #[derive(Clone, Debug)]
 pub struct Characteristics {
-    /// Places of the independent speeds w.
+    /// The indices of the independent speeds w.
     pub independent: Vec<usize>,
-    /// Places of the dependent ones, each with the equation that it is found from.
+    /// For each dependent speed: its index, and the index of the equation that determines it.
     pub dependent: Vec<(usize, usize)>,
-    /// Equations that follow from those before them.
+    /// The indices of equations that depend on earlier ones.
     pub redundant: Vec<usize>,
-    /// du_d/dw: for each dependent speed, by each independent one.
+    /// The matrix A = du_d/dw: a row for each dependent speed, a column for each independent one.
     pub slopes: Vec<Vec<Sym>>,
-    /// J, row after row, each short entry in normal form.
+    /// The rows of J, with short entries in normal form.
     rows: Vec<Vec<Sym>>,
 }
 
 impl Characteristics {
-    /// The characteristics of the constraints of a trace.
+    /// Chooses independent and dependent speeds for the constraints of a trace.
     pub fn of(trace: &Trace<'_>, constraints: &[Equation]) -> Self {
         let row = |constraint: &Equation| constraint.row.iter().map(|&slope| in_short(slope)).collect();
         let rows: Vec<Vec<Sym>> = constraints.iter().map(row).collect();
@@ -49,7 +49,7 @@ impl Characteristics {
         Characteristics { independent, dependent, redundant, slopes, rows }
     }
 
-    /// The columns of N: for each independent speed all speeds, where it is one and the other independent ones are
+    /// Returns the columns of N. Each is the vector of all `speeds` speeds if one independent speed is one and the other independent ones are
     /// zero.
     pub fn directions(&self, speeds: usize) -> Vec<Vec<Sym>> {
         let of = |(place, &j): (usize, &usize)| {
@@ -63,7 +63,7 @@ impl Characteristics {
         self.independent.iter().enumerate().map(of).collect()
     }
 
-    /// N^T v: a value for each speed, along each independent one.
+    /// Returns N^T v for a vector v with one entry per speed.
     pub fn along(&self, values: &[Sym]) -> Vec<Sym> {
         let of = |(place, &j): (usize, &usize)| {
             let dependent = self.dependent.iter().zip(&self.slopes);
@@ -72,8 +72,8 @@ impl Characteristics {
         self.independent.iter().enumerate().map(of).collect()
     }
 
-    /// The values along independent speeds by multipliers: J^T lambda = v on the dependent speeds, which leaves v - J^T
-    /// lambda on the others.
+    /// Eliminates multipliers: solves J^T lambda = v on the dependent speeds, and returns the entries of v - J^T lambda of the independent
+    /// speeds.
     pub fn without_reactions(&self, values: &[Sym]) -> Vec<Sym> {
         let matrix = square(&self.rows, &self.dependent);
         let k = matrix.len();
@@ -86,10 +86,10 @@ impl Characteristics {
         self.independent.iter().map(|&j| values[j] - reaction(j)).collect()
     }
 
-    /// The speeds and accelerations that the constraints determine, by the independent ones.
+    /// Returns the dependent speeds and accelerations as functions of the independent ones.
     ///
     /// # Errors
-    /// The place of the first constraint that is not linear.
+    /// The index of the first constraint that is not linear in the speeds.
     pub fn motion(&self, trace: &Trace<'_>, constraints: &[Equation]) -> Result<SolvedMotion, usize> {
         let moves = |row: &Vec<Sym>| {
             let mut symbols = row.iter().flat_map(|slope| slope.symbols_of());
@@ -116,7 +116,7 @@ impl Characteristics {
     }
 }
 
-/// Dependent speeds and accelerations by independent ones.
+/// Dependent speeds and accelerations as pairs (symbol, expression in the independent ones).
 #[derive(Clone, Debug)]
 pub struct SolvedMotion {
     pub speeds: Vec<(Sym, Sym)>,
@@ -124,20 +124,20 @@ pub struct SolvedMotion {
 }
 
 impl SolvedMotion {
-    /// Expressions at points on the constraints.
+    /// Restricts expressions to states that satisfy the constraints, by substitution.
     pub fn on_constraints(&self, expressions: &[Sym]) -> Vec<Sym> {
         let moved = substitute_all(expressions, &self.accelerations);
         substitute_all(&moved, &self.speeds)
     }
 }
 
-/// The least pivot relative to the largest entry of its row.
+/// The smallest accepted pivot, relative to the largest entry of its row.
 const LEAST_PIVOT: f64 = 0.05;
 
-/// The relative size of a row, compared with that before elimination, below which it depends on others.
+/// A row that elimination reduces to this fraction of its size counts as dependent.
 const ROUNDED: f64 = 1e-9;
 
-/// Pivots as at a random point, by the values at the start; none where these are not known.
+/// Chooses pivots by the values at the start; `None` if these are not known.
 fn pivots_at_start(trace: &Trace<'_>, rows: &[Vec<Sym>], order: &[usize]) -> Option<Vec<(usize, usize)>> {
     let size = |row: &[f64]| row.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
     let mut reduced: Vec<Vec<f64>> = Vec::new();
@@ -162,10 +162,10 @@ fn pivots_at_start(trace: &Trace<'_>, rows: &[Vec<Sym>], order: &[usize]) -> Opt
     Some(pivots)
 }
 
-/// Expressions of more operations are left as they are.
+/// Longer expressions, in operations, are not simplified.
 const MOST_SIMPLIFIED: usize = 200;
 
-/// Short expressions in normal form where that is shorter: a coefficient is 1, and not cos^2 + sin^2.
+/// Returns the normal form of a short expression if it is shorter: 1 in place of cos^2 + sin^2.
 fn in_short(expression: Sym) -> Sym {
     let operations = Sym::operations_of(&[expression]);
     if operations > MOST_SIMPLIFIED {
@@ -175,17 +175,17 @@ fn in_short(expression: Sym) -> Sym {
     if Sym::operations_of(&[normal]) < operations { normal } else { expression }
 }
 
-/// The columns of the dependent speeds in the equations that they are found from.
+/// Returns the square submatrix of the dependent speeds and the equations that determine them.
 fn square(rows: &[Vec<Sym>], dependent: &[(usize, usize)]) -> Vec<Vec<Sym>> {
     dependent.iter().map(|&(_, row)| dependent.iter().map(|&(d, _)| rows[row][d]).collect()).collect()
 }
 
-/// The solution of matrix * x = right, for every column of it, by elimination: pivots in order, none of which vanishes.
+/// Solves matrix * x = right for several right sides by Gaussian elimination, with the pivots in their given order.
 fn solved(matrix: &[Vec<Sym>], right: Vec<Vec<Sym>>) -> Vec<Vec<Sym>> {
     eliminated(matrix.to_vec(), right, in_short).0
 }
 
-/// The solution with the pivots, and short entries in normal form at every step: no denominator remains that cancels.
+/// Returns the solution and the pivots. Short entries are brought to normal form at every step, so that common factors cancel.
 pub(crate) fn solved_in_short(matrix: Vec<Vec<Sym>>, right: Vec<Vec<Sym>>) -> (Vec<Vec<Sym>>, Vec<Sym>) {
     eliminated(matrix, right, in_short)
 }

@@ -1,4 +1,4 @@
-//! Constraints as equations between accelerations.
+//! Constraints as linear equations for the accelerations.
 
 use super::vanishes;
 use crate::arena::Scalar;
@@ -6,7 +6,7 @@ use crate::{Constraint, FrameId, Trace, Vector, Zero};
 use std::ops::Range;
 use symbolic::Sym;
 
-/// Whether a constraint is on positions or on speeds.
+/// The level of a constraint: on positions or on speeds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Level {
     Position,
@@ -16,24 +16,24 @@ pub enum Level {
 /// A scalar constraint f = 0.
 #[derive(Clone, Debug)]
 pub struct Equation {
-    /// The name in the model; empty where there is none.
+    /// The name in the model; empty if there is none.
     pub name: String,
-    /// The constraint in the model, and the component of a vector.
+    /// The index of the constraint in the model, and the index of the component of a vector constraint.
     pub of: [usize; 2],
-    /// lambda, the symbol of its multiplier.
+    /// The symbol of the multiplier lambda.
     pub multiplier: Sym,
     pub level: Level,
-    /// f.
+    /// The expression f.
     pub zero: Sym,
-    /// df/dt of a constraint of positions; f itself of one of speeds.
+    /// df/dt for a constraint of positions, f for one of speeds.
     pub rate: Sym,
-    /// The row of J: the derivatives of that by the speeds.
+    /// The row of J: the derivatives of `rate` by the speeds.
     pub row: Vec<Sym>,
-    /// c: the next rate at zero accelerations, with the gains of a constraint that is led to zero.
+    /// The entry of c: the time derivative of `rate` at zero accelerations, plus the gain terms of a stabilised constraint.
     pub bias: Sym,
-    /// Gains of a constraint that is led to zero and may start elsewhere: of f' first, of positions.
+    /// The gains of a stabilised constraint (Baumgarte), which may be violated at the start: for positions the gain of f' comes first.
     pub gains: Option<Vec<Sym>>,
-    /// The combination of equations of motion, speeds with factors, for a law without inertia; it holds no acceleration, and its
+    /// For the law of coordinates without inertia: the combination of equations of motion as (speed, factor). It contains no acceleration, and its
     /// multiplier is zero.
     pub law: Option<Vec<(usize, i64)>>,
     /// The position in the file, in bytes.
@@ -41,27 +41,27 @@ pub struct Equation {
 }
 
 impl Equation {
-    /// The name in sentences, by its place among all: constraint 2 `rolling`.
+    /// Returns the name of the equation in sentences, such as "constraint 2 `rolling`"; `place` is its index.
     pub fn title(&self, place: usize) -> String {
         let name = if self.name.is_empty() { String::new() } else { format!(" `{}`", self.name) };
         format!("constraint {}{name}", place + 1)
     }
 }
 
-/// A scalar equation of a constraint.
+/// One scalar equation of a constraint.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ScalarConstraint {
     pub zero: Sym,
-    /// The axis along which it is a component, of a vector.
+    /// The axis of the component, for a vector constraint.
     pub axis: Option<Vector>,
-    /// The frame and the number of that axis.
+    /// The frame and the number of this axis.
     pub place: Option<(FrameId, usize)>,
-    /// The place among the components of a vector that do not vanish.
+    /// The index among the components that do not vanish identically.
     pub component: usize,
 }
 
-/// The equations of a constraint by its place: itself, or each component of a vector that does not vanish identically; none that
-/// follows from others.
+/// Returns the scalar equations of a constraint: the constraint itself, or the components of a vector that do not vanish identically. Redundant ones
+/// are omitted.
 pub(crate) fn held_of(trace: &Trace<'_>, place: usize) -> Vec<ScalarConstraint> {
     let mut held = match trace.model.constraints[place].zero {
         Zero::Scalar(zero) => {
@@ -73,7 +73,7 @@ pub(crate) fn held_of(trace: &Trace<'_>, place: usize) -> Vec<ScalarConstraint> 
     held
 }
 
-/// The constraints of positions that follow from others near the start, where they are left out: expressions that vanish along every motion.
+/// Returns the expressions of omitted constraints of positions, which follow from the others near the start and vanish along every motion.
 pub fn implied(trace: &Trace<'_>) -> Vec<Sym> {
     let of = |[place, component]: [usize; 2]| match trace.model.constraints[place].zero {
         Zero::Scalar(zero) => Some(trace.scalar(zero)),
@@ -85,7 +85,7 @@ pub fn implied(trace: &Trace<'_>) -> Vec<Sym> {
     trace.model.implied.iter().filter_map(|one| of(one.of)).collect()
 }
 
-/// One for each scalar, and for each component of a vector that does not vanish identically.
+/// Returns one equation for each scalar constraint, and for each component of a vector constraint that does not vanish identically.
 pub fn equations(trace: &Trace<'_>) -> Vec<Equation> {
     let mut all = Vec::new();
     for (place, constraint) in trace.model.constraints.iter().enumerate() {
@@ -96,11 +96,11 @@ pub fn equations(trace: &Trace<'_>) -> Vec<Equation> {
     all
 }
 
-/// The components of a vector that do not vanish, in the axes in which the most of them do: those of its frame, or of one that this
-/// turns in. A vector along a line has one there, and two that depend on each other in axes that turn.
+/// Returns the components of a vector that do not vanish identically, in the axes in which there are fewest: those of its frame or of one of its parent
+/// frames. A vector along a line has one component in suitable axes, and two dependent ones in axes that rotate relative to the line.
 ///
-/// Among axes with equally many those of its own frame are taken; of a vector of velocities those of the frame that all others turn in, since
-/// there a component that follows from other constraints, as the vertical one of rolling beside a contact, does so everywhere.
+/// If several frames give equally few components, the frame of the vector is used. For a vector of velocities it is the outermost frame, since
+/// there a redundant component, such as the vertical one of rolling next to a contact, is redundant everywhere.
 pub(crate) fn independent(trace: &Trace<'_>, vector: Vector) -> Vec<ScalarConstraint> {
     let above = |frame: &FrameId| trace.model.frames[frame.0].parent.map(|(parent, _)| parent);
     let frames = std::iter::successors(Some(vector.frame), above);
@@ -123,12 +123,12 @@ pub(crate) fn independent(trace: &Trace<'_>, vector: Vector) -> Vec<ScalarConstr
 }
 
 impl Trace<'_> {
-    /// The symbol of the multiplier of a constraint's equation: no name of a system can be this one.
+    /// Returns the symbol of a multiplier. Its name contains a space, hence no name of a system equals it.
     pub(crate) fn multiplier([constraint, component]: [usize; 2]) -> Sym {
         Sym::symbol(&format!("multiplier {constraint}.{component}"))
     }
 
-    /// Whether a scalar depends on speeds.
+    /// Returns the level of a constraint f = 0: speed if f depends on speeds.
     pub(crate) fn level_of(&self, zero: Sym) -> Level {
         let symbols = zero.symbols_of();
         match self.speeds.iter().any(|speed| symbols.contains(speed)) {

@@ -1,19 +1,19 @@
-//! Accelerations and multipliers by elimination, unrolled: M = L D L^T, then likewise J M^-1 J^T.
+//! Accelerations and multipliers by symbolic elimination: M = L D L^T, then J M^-1 J^T likewise.
 //!
-//! Pivots are taken in order. M is positive definite where the system is regular, and every pivot is positive there; entries
-//! which are the constant zero cost nothing.
+//! Pivots are taken in the given order. M is positive definite if the system is regular, so that every pivot is positive. Entries
+//! that are the constant zero cost no operations.
 
 use super::{Equations, Solved, vanishes};
 use std::collections::BTreeSet;
 use std::fmt;
 use symbolic::Sym;
 
-/// A pivot that is zero as it stands.
+/// The position of a pivot that is identically zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Singular {
-    /// No inertia resists this coordinate.
+    /// No inertia acts along this coordinate.
     Massless { coordinate: usize },
-    /// This constraint follows from others before it, or is empty.
+    /// This constraint depends on earlier ones, or is empty.
     Redundant { constraint: usize },
 }
 
@@ -26,14 +26,14 @@ impl fmt::Display for Singular {
     }
 }
 
-/// The factors of a symmetric matrix: rows of L without its ones, and D.
+/// The factorisation M = L D L^T of a symmetric matrix: the rows of L without the diagonal, and D.
 struct Factors {
     lower: Vec<Vec<Sym>>,
     pivots: Vec<Sym>,
 }
 
 impl Factors {
-    /// The factors, or the place of the first pivot that is zero.
+    /// Factorises a matrix; the error is the index of the first pivot that is zero.
     fn of(matrix: &[Vec<Sym>]) -> Result<Self, usize> {
         let (mut lower, mut pivots): (Vec<Vec<Sym>>, Vec<Sym>) = (Vec::new(), Vec::new());
         for (i, entries) in matrix.iter().enumerate() {
@@ -70,10 +70,10 @@ impl Factors {
     }
 }
 
-/// The solution of symmetric equations in an order that keeps their factors sparse: the row with the fewest other entries comes first.
+/// Solves a system with a symmetric matrix in an order that preserves sparsity (minimum degree).
 ///
 /// # Errors
-/// The row of the first pivot that is zero as it stands.
+/// The row of the first pivot that is identically zero.
 pub fn solve_sparse(matrix: &[Vec<Sym>], right: &[Sym]) -> Result<Vec<Sym>, usize> {
     let order = order(matrix);
     let arranged: Vec<Vec<Sym>> = order.iter().map(|&i| order.iter().map(|&j| matrix[i][j]).collect()).collect();
@@ -84,7 +84,7 @@ pub fn solve_sparse(matrix: &[Vec<Sym>], right: &[Sym]) -> Result<Vec<Sym>, usiz
     Ok(values)
 }
 
-/// The minimum degree order (Tinney and Walker 1967): neighbours of an eliminated row become neighbours of
+/// Returns the minimum degree order (Tinney and Walker 1967): the neighbours of an eliminated row become neighbours of
 /// each other.
 fn order(matrix: &[Vec<Sym>]) -> Vec<usize> {
     let entries =
@@ -105,9 +105,9 @@ fn order(matrix: &[Vec<Sym>]) -> Vec<usize> {
     order
 }
 
-/// M + J^T J and h + J^T c of all constraints that hold a coordinate without inertia: one of them alone may let go of it in a position.
-/// Along every motion J u' + c is zero, so that accelerations and multipliers stay as they are, and M becomes definite where the
-/// constraints determine the coordinate.
+/// Factorises M, after adding J^T J, and J^T c to h, for all constraints that contain a coordinate without inertia. Since J u' + c = 0 along every motion,
+/// accelerations and multipliers do not change, and M becomes definite if the constraints determine the coordinate. All of these constraints are
+/// added, since a single one may not determine the coordinate in every position.
 fn inertia_of(equations: &Equations) -> Result<(Factors, Vec<Sym>), Singular> {
     let Equations { mass, bias, constraints } = equations;
     let (mut mass, mut bias) = (mass.clone(), bias.clone());
@@ -141,12 +141,12 @@ fn inertia_of(equations: &Equations) -> Result<(Factors, Vec<Sym>), Singular> {
     }
 }
 
-/// Accelerations as an affine function of the multipliers.
+/// The accelerations u' = free + columns * lambda as an affine function of the multipliers.
 #[derive(Clone, Debug)]
 pub struct Pushes {
-    /// M^-1 (-h): those of multipliers that are zero.
+    /// M^-1 (-h), the accelerations for zero multipliers.
     pub free: Vec<Sym>,
-    /// A column of M^-1 J^T for each multiplier.
+    /// The columns of M^-1 J^T, one for each multiplier.
     pub columns: Vec<Vec<Sym>>,
 }
 

@@ -1,13 +1,13 @@
-//! A generic point: an expression that does not vanish everywhere does not vanish there, but for a small probability. It has
-//! random numbers in the field of 2^61 - 1 elements, each angle a random point of the circle.
+//! Generic ranks and pivots of matrices: the entries are evaluated at a random point of the field of 2^61 - 1 elements, where each angle is a random point of
+//! the unit circle. An expression that is not identically zero vanishes there only with a small probability.
 //!
-//! Pivots and ranks are decided there. Pivots that are found are true ones, since a quantity that vanishes everywhere vanishes there
-//! too; a rank is a lower bound of the true one.
+//! Pivots that are found are valid, since a quantity that vanishes identically vanishes at the point
+//! too. The computed rank is a lower bound of the true one.
 
 use rustc_hash::FxHashMap;
 use symbolic::{Node, Sym};
 
-/// 2^61 - 1, a prime.
+/// The prime 2^61 - 1.
 const PRIME: u64 = (1 << 61) - 1;
 
 fn times(a: u64, b: u64) -> u64 {
@@ -34,7 +34,7 @@ fn quotient(a: u64, b: u64) -> Option<u64> {
     (b != 0).then(|| times(a, power(b, PRIME - 2)))
 }
 
-/// Reproducible pseudo-random numbers (splitmix64).
+/// Reproducible pseudorandom numbers (splitmix64).
 struct Drawn(u64);
 
 impl Drawn {
@@ -47,7 +47,7 @@ impl Drawn {
     }
 }
 
-/// The values of parts of expressions at the point; none where a denominator vanishes.
+/// The values of subexpressions at the point; `None` if a denominator vanishes.
 struct Point {
     values: FxHashMap<Sym, Option<u64>>,
     circle: FxHashMap<Sym, Option<(u64, u64)>>,
@@ -59,7 +59,7 @@ impl Point {
         Point { values: FxHashMap::default(), circle: FxHashMap::default(), drawn: Drawn(1) }
     }
 
-    /// The value of an expression, its parts first and without recursion.
+    /// Evaluates an expression without recursion, its operands first.
     fn value(&mut self, expression: Sym) -> Option<u64> {
         let mut open = vec![expression];
         while let Some(&each) = open.last() {
@@ -100,7 +100,7 @@ impl Point {
         }
     }
 
-    /// A point of the circle that the value of the angle determines: angles of letters that stay do too.
+    /// Returns a point of the circle that is determined by the value of the angle, so that it is constant if the symbols of the angle are.
     fn on_circle(&mut self, angle: Sym) -> Option<(u64, u64)> {
         if let Some(known) = self.circle.get(&angle) {
             return *known;
@@ -116,16 +116,16 @@ impl Point {
     }
 }
 
-/// The dependence of expressions on the letters that move.
+/// The dependence of an expression on the symbols that vary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Dependence {
     Zero,
-    /// Equal at two points that differ in all letters but the constant ones.
+    /// Equal values at two points that differ in all varying symbols.
     Constant,
     Varying,
 }
 
-/// The courses of expressions, where these letters stay and all others and all angles move.
+/// Determines the dependence of expressions if the symbols `stay` are constant and all other symbols and angles vary.
 pub(crate) fn courses(expressions: &[Sym], stay: &[Sym]) -> Vec<Dependence> {
     let [first, second] = [2, 3].map(|seed| {
         let mut point = Point::new();
@@ -145,34 +145,34 @@ pub(crate) fn courses(expressions: &[Sym], stay: &[Sym]) -> Vec<Dependence> {
         .collect()
 }
 
-/// The rank of a matrix at the point.
+/// Returns the generic rank of a matrix.
 pub fn generic_rank(rows: &[Vec<Sym>]) -> usize {
     let columns = rows.first().map_or(0, Vec::len);
     pivots(rows, &(0..columns).collect::<Vec<_>>()).len()
 }
 
-/// Whether a row depends on others at the point.
+/// Returns whether a row is generically a combination of other rows.
 pub(crate) fn depends(row: &[Sym], others: &[Vec<Sym>]) -> bool {
     let all: Vec<Vec<Sym>> = others.iter().cloned().chain([row.to_vec()]).collect();
     generic_rank(&all) == generic_rank(others)
 }
 
-/// The pivots of a matrix at the point, (row, column) of each: rows from the first, in each the first column of an order that has
-/// one. A row without a pivot depends on those before it.
+/// Returns generic pivots (row, column) of a matrix. Rows are taken in order; each uses the first column of `order` that is possible.
+/// A row without a pivot depends on earlier rows.
 pub fn pivots(rows: &[Vec<Sym>], order: &[usize]) -> Vec<(usize, usize)> {
     Elimination::of(rows, order).pivots
 }
 
-/// For each row of a matrix without a pivot at the point, itself and the rows before it of which it is a combination.
+/// Returns, for each row without a generic pivot, the indices of this row and of the earlier rows of which it is a combination.
 pub(crate) fn circuits(rows: &[Vec<Sym>], order: &[usize]) -> Vec<Vec<usize>> {
     Elimination::of(rows, order).circuits
 }
 
-/// Gauss's elimination at the point.
+/// Gaussian elimination at the random point.
 struct Elimination {
-    /// (row, column) of each.
+    /// (row, column) of each pivot.
     pivots: Vec<(usize, usize)>,
-    /// Rows whose combination vanishes, for each row without a pivot.
+    /// For each row without a pivot, the rows of its vanishing combination.
     circuits: Vec<Vec<usize>>,
 }
 
@@ -180,7 +180,7 @@ impl Elimination {
     fn of(rows: &[Vec<Sym>], order: &[usize]) -> Self {
         let mut point = Point::new();
         let columns = rows.first().map_or(0, Vec::len);
-        // each row with its unit row behind it, which becomes the combination of rows that it is
+        // each row is extended by a unit row, which records the combination of rows
         let mut reduced: Vec<Vec<u64>> = Vec::new();
         let (mut pivots, mut circuits) = (Vec::<(usize, usize)>::new(), Vec::new());
         for (row, entries) in rows.iter().enumerate() {
@@ -211,7 +211,7 @@ mod tests {
     use field::{Analytic, Scalar};
     use symbolic::{Sym, apart, symbols};
 
-    /// The rank of a row that is zero by an identity is none.
+    /// An entry that is identically zero adds no rank.
     #[test]
     fn identities_of_numbers_powers_and_angles_hold_at_the_point() {
         apart(|| {
@@ -258,7 +258,7 @@ mod tests {
             let [x, y] = symbols(["x", "y"]);
             let rows =
                 [vec![x, y, Sym::ONE], vec![x * y, y * y, y], vec![Sym::ZERO, y, x], vec![x, y + y, Sym::ONE + x]];
-            // the second is y times the first, the last the sum of the first and the third
+            // the second row is y times the first, the last one is the sum of the first and the third
             assert_eq!(pivots(&rows, &[0, 1, 2]), [(0, 0), (2, 1)]);
             assert_eq!(pivots(&rows, &[2, 1, 0]), [(0, 2), (2, 1)]);
             assert_eq!(circuits(&rows, &[0, 1, 2]), [vec![0, 1], vec![0, 2, 3]]);

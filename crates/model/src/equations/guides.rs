@@ -1,11 +1,11 @@
-//! The balance of forces across a guide that the coordinates satisfy: the equation of motion of the released system along its coordinate.
+//! The force balance across a guide that the coordinates satisfy identically: the equation of motion of the released system along its additional coordinate.
 
 use super::constraints::equations;
 use crate::Trace;
 use crate::principles::Principle;
 use symbolic::{Sym, substitute_all};
 
-/// For each contact of a model with such guides the sum that its normal reaction keeps at zero; of others none.
+/// Returns, for each contact, the expression that the reaction of such a guide must make zero; `None` for other contacts.
 pub fn balances(trace: &Trace<'_>) -> Vec<Option<Sym>> {
     let none = || vec![None; trace.model.contacts.len()];
     let Some(released) = &trace.model.released else { return none() };

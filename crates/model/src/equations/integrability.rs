@@ -1,12 +1,12 @@
-//! Integrability of constraints of speeds (Frobenius).
+//! Integrability of constraints of speeds (Frobenius' theorem).
 //!
-//! Constraints J u = 0 leave the directions X with J X = 0. They are rates of constraints on positions exactly where brackets of
-//! these directions stay among them: for each row w of J
+//! Constraints J u = 0 admit the directions X with J X = 0. They are integrable, that is rates of constraints of positions, exactly if the Lie brackets of
+//! these directions are admissible too: for each row w of J
 //!
 //!   dw(X, Y) = sum (dw_b/dq_a - dw_a/dq_b) X_a Y_b = 0
 //!
-//! for all X and Y among them. Each of these numbers is tested at random points of prime fields: one that is not zero there is not
-//! zero, and one that is zero there is zero but for a probability below 2^-100.
+//! for all admissible X and Y. Each of these expressions is tested at random points of prime fields. A nonzero value proves that the expression is not
+//! zero; the probability that a nonzero expression passes the test is below 2^-100.
 
 use super::{Characteristics, Equation, Level, vanishes};
 use crate::Trace;
@@ -17,24 +17,24 @@ use symbolic::{Identity, Sym, identified};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Integrability {
     Integrable,
-    /// The directions that the constraints leave lead, one after the other, to every place nearby.
+    /// The constraints are nonholonomic: some Lie bracket of admissible directions is not admissible.
     NotIntegrable,
-    /// Not decided.
+    /// The integrability was not decided.
     Open(Undecided),
 }
 
-/// Why integrability is not decided.
+/// The reason why integrability was not decided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Undecided {
-    /// The derivatives of a constraint by the speeds hold speeds.
+    /// A constraint is nonlinear in the speeds.
     Nonlinear,
-    /// A constraint holds the time.
+    /// A constraint depends on the time.
     Time,
-    /// A constraint has a part that no speed multiplies.
+    /// A constraint has a term without speeds.
     Affine,
-    /// A frame turns freely.
+    /// The system has a free frame.
     FreeFrame,
-    /// An expression has functions whose values no prime field has.
+    /// An expression contains functions that have no values in prime fields.
     Functions,
 }
 
@@ -51,7 +51,7 @@ impl fmt::Display for Undecided {
 }
 
 impl Integrability {
-    /// Integrability of the constraints of speeds among these, where the constraints of positions keep any constant values.
+    /// Decides whether the constraints of speeds are integrable on all level sets of the constraints of positions.
     pub fn of(trace: &Trace<'_>, constraints: &[Equation]) -> Self {
         if let Some(why) = undecided(trace, constraints) {
             return Integrability::Open(why);
@@ -77,7 +77,7 @@ impl Integrability {
     }
 }
 
-/// The reason for which Frobenius' conditions do not apply, of the first constraint that has one.
+/// Returns the first reason why Frobenius' conditions do not apply.
 fn undecided(trace: &Trace<'_>, constraints: &[Equation]) -> Option<Undecided> {
     let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
     let of = |constraint: &Equation| {
@@ -93,7 +93,7 @@ fn undecided(trace: &Trace<'_>, constraints: &[Equation]) -> Option<Undecided> {
     constraints.iter().find_map(of).or((!trace.model.free.is_empty()).then_some(Undecided::FreeFrame))
 }
 
-/// dw(X, Y), with the derivatives dw_b/dq_a.
+/// Returns dw(X, Y); `slopes[a][b]` is dw_b/dq_a.
 fn turned(slopes: &[Vec<Sym>], x: &[Sym], y: &[Sym]) -> Sym {
     let mut sum = Sym::ZERO;
     for (a, row) in slopes.iter().enumerate() {

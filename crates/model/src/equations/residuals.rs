@@ -1,27 +1,27 @@
-//! Residuals of the equations of motion, and the accelerations and multipliers that solve them:
+//! Residuals of the equations of motion:
 //!
-//!   r = J^T lambda - (M z + h) ,    s = -(J z + c) ,
+//!   r = J^T lambda - (M z + h) ,    s = -(J z + c) .
 //!
-//! which vanish at the accelerations z and the multipliers of the motion. There derivatives need none of the factors of M:
+//! They vanish at the accelerations z and the multipliers lambda of the motion. Derivatives of z and lambda then do not require derivatives of the factors of M:
 //!
-//!   M dz - J^T dlambda = dr ,    J dz = ds ,    with z and lambda held fixed in dr and ds .
+//!   M dz - J^T dlambda = dr ,    J dz = ds ,    with constant z and lambda in dr and ds .
 
 use super::{Equation, Equations, MOST_COMPARED, Solved, articulated_bodies, constraints_of};
 use crate::trace::Trace;
 use symbolic::Sym;
 
-/// The residuals, and the accelerations and multipliers of linear equations with given right sides.
+/// The residuals as expressions, and the solution of the linear equations with symbols as right sides.
 pub struct Residuals {
-    /// Residuals of the equations of motion, then of the constraints, over positions, speeds, accelerations and multipliers.
+    /// Residuals of the equations of motion, then of the constraints, as functions of positions, speeds, accelerations and multipliers.
     pub residuals: Vec<Sym>,
-    /// A letter for each right side.
+    /// A symbol for each right side.
     pub letters: Vec<Sym>,
-    /// M z - J^T lambda and J z equal to the letters: accelerations, then multipliers.
+    /// The solution of M z - J^T lambda = letters, J z = letters: accelerations, then multipliers.
     pub answers: Vec<Sym>,
 }
 
 impl Residuals {
-    /// Over the tree of bodies, and from the mass matrix, where these are; the latter not of large trees.
+    /// Returns the available forms: by recursion over the tree of bodies, and by the mass matrix except for large trees.
     pub fn of(trace: &Trace<'_>) -> Vec<Self> {
         let over_tree = Self::over_tree(trace);
         let is_large = over_tree.is_some() && trace.speeds.len() > MOST_COMPARED;
@@ -47,7 +47,7 @@ impl Residuals {
         })
     }
 
-    /// From residuals without reactions, and the answer to right sides of the equations of motion and to constraints.
+    /// Builds the form from residuals without reactions, and a function that solves the linear equations for given right sides.
     fn made(
         trace: &Trace<'_>,
         mut residuals: Vec<Sym>,

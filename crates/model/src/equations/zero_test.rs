@@ -1,20 +1,20 @@
-//! Expressions that are zero for all values of their letters.
+//! Test whether an expression is identically zero.
 
 use field::{DoubleDouble, Over};
 use symbolic::{Hypotheses, Identity, Sym, decide, identified};
 
-/// The number of parts beyond which expressions are not brought into normal form: they are taken as they are written.
+/// Longer expressions, in operations, are not brought to normal form and count as nonzero.
 const MOST_EXPANDED: usize = 2_000;
 
-/// Points at which an expression is evaluated before it is brought into normal form.
+/// The number of points at which an expression is evaluated before its normal form is computed.
 const POINTS: usize = 4;
 
-/// The size beyond which a value in double-double is not the rounding of zero: terms of a sum would have to be beyond
+/// A larger value in double-double arithmetic cannot be a rounding error of zero, unless terms of a sum exceed
 /// 1e20.
 const ROUNDING: f64 = 1e-10;
 
-/// Whether a component is zero for all values: by random points of prime fields, or where it has functions by its normal form. One that is
-/// not zero at some point has no normal form written down, which may be very long.
+/// Returns whether an expression is identically zero: by random points of prime fields, or for expressions with functions by the normal form. The normal form is
+/// not computed if the expression is nonzero at a numerical point, since it may be very long.
 pub fn vanishes(component: Sym) -> bool {
     match identified(&[component]) {
         Identity::Identified { .. } => true,
@@ -27,7 +27,7 @@ pub fn vanishes(component: Sym) -> bool {
     }
 }
 
-/// Whether a component has a value other than zero at a point.
+/// Returns whether an expression differs from zero at a numerical point.
 fn differs_from_zero(component: Sym, point: usize) -> bool {
     let value = |name: &str| Some(DoubleDouble::lift(letter(name, point)));
     component.evaluate_analytic(&value).is_ok_and(|value| {
@@ -36,7 +36,7 @@ fn differs_from_zero(component: Sym, point: usize) -> bool {
     })
 }
 
-/// A value between 1/2 and 3/2 that a name has at a point, the same on every machine.
+/// Returns a value between 1/2 and 3/2 that depends only on the name and the point.
 fn letter(name: &str, point: usize) -> f64 {
     // Fowler, Noll and Vo's hash
     let mixed = name

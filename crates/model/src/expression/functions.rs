@@ -1,17 +1,17 @@
-//! The functions of the language: one table for messages, for the expressions that are read, and for the reference in the book.
+//! The functions of the language: one table for messages, for the parser, and for the reference in the book.
 
 /// A function that expressions may call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NamedFunction {
-    /// As expressions call it.
+    /// The name in expressions.
     pub name: &'static str,
-    /// The call as messages show it.
+    /// The call in messages.
     pub usage: &'static str,
-    /// Its arguments.
+    /// A description of the arguments.
     pub of: &'static str,
-    /// Its value.
+    /// A description of the value.
     pub gives: &'static str,
-    /// A scalar expression with the function, in the letters of the crane that the reference of the language shows.
+    /// A scalar example with the symbols of the crane in the language reference.
     pub example: &'static str,
 }
 
@@ -165,7 +165,7 @@ pub const FUNCTIONS: [NamedFunction; 37] = [
     .such_as("angular_momentum(load, O) . N.z"),
 ];
 
-/// The call of a function as messages show it.
+/// Returns the usage of a function for messages.
 pub(crate) fn usage(name: &str) -> &'static str {
     FUNCTIONS.iter().find(|function| function.name == name).map_or(ONE, |function| function.usage)
 }

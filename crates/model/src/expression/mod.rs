@@ -1,16 +1,16 @@
-//! Expressions as they are written: numbers with units, names, vectors and points, functions.
+//! Expressions of the language: numbers with units, names, vectors and points, functions.
 //!
 //! | | |
 //! |---|---|
-//! | sums, products | `+ - * /` from the left, `^` with a whole number or a fraction in parentheses, parentheses |
+//! | sums, products | `+ - * /` from the left, `^` with a number or a fraction in parentheses, parentheses |
 //! | numbers | `3`, `0.25`, `1e-4`; with a unit in parentheses: `(20 mm)` |
 //! | names | letters of any script, digits, `_`; `theta'` and `theta''` are the rates of `theta` |
-//! | parts | `N.x`, an axis of a frame; `left.i`, an output of a drive |
+//! | members | `N.x`, an axis of a frame; `left.i`, a quantity of a drive |
 //! | vectors | `a . b` with spaces, or `dot(a, b)`; `cross(a, b)`, `norm(a)`, `unit(a)`, `distance(P, Q)`; point minus point |
 //! | motion | `velocity(P)`, `velocity(body at P)`, `velocity(P in B)`, `angular_velocity(B in N)`, `rate(e)`, `rate(v in B)` |
-//! | choice | `if(t < (2 s), a, b)` with `<`, `>`, `<=`, `>=` |
+//! | piecewise | `if(t < (2 s), a, b)` with `<`, `>`, `<=`, `>=` |
 //!
-//! Two letters side by side are no product: `2x` and `a b` are refused, since a name may hold digits.
+//! A product needs its sign `*`: `2x` and `a b` are errors, since a name may contain digits.
 
 mod functions;
 mod reader;
@@ -24,36 +24,36 @@ pub use token::is_name;
 use std::fmt;
 use std::ops::Range;
 
-/// A part of an expression, by its place in the list of parts.
+/// The index of a node in [`Expression::parts`].
 pub type Part = usize;
 
-/// An expression as it was written: its parts, each after those that it is made of; the last one is the whole.
+/// The syntax tree of an expression. Operands precede the operations on them; the last node is the whole expression.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expression {
     pub parts: Vec<Form>,
-    /// The bytes of each part.
+    /// The range of bytes of each node.
     pub spans: Vec<Range<usize>>,
 }
 
 impl Expression {
-    /// The part that is the whole expression.
+    /// Returns the node of the whole expression.
     pub fn whole(&self) -> Part {
         self.parts.len() - 1
     }
 }
 
-/// A part of an expression, made of parts before it.
+/// A node of the syntax tree.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Form {
-    /// A decimal number, as written.
+    /// A decimal number, in the spelling of the text.
     Number(String),
-    /// A number with its unit, as written.
+    /// A number with its unit, in the spelling of the text.
     Quantity {
         number: String,
         unit: String,
     },
     Name(String),
-    /// A part of something named: `N.x`.
+    /// A member of a named item: `N.x`.
     Member {
         of: String,
         name: String,
@@ -63,7 +63,7 @@ pub enum Form {
     Difference(Part, Part),
     Product(Part, Part),
     Quotient(Part, Part),
-    /// The scalar product.
+    /// The scalar product of two vectors.
     Dot(Part, Part),
     /// A power with a rational exponent.
     Power(Part, Exponent),
@@ -74,26 +74,26 @@ pub enum Form {
     Comparison(Relation, Part, Part),
 }
 
-/// An exponent: a fraction in lowest terms with a positive denominator.
+/// A rational exponent in lowest terms, with a positive denominator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Exponent {
     pub numerator: i32,
     pub denominator: i32,
 }
 
-/// An argument of a function: `disc at P`, `v in B`, or an expression alone.
+/// An argument of a function: an expression, optionally with a preposition as in `disc at P` and `v in B`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Argument {
     pub value: Part,
     pub place: Option<(Preposition, String, Range<usize>)>,
 }
 
-/// The word between the two parts of an argument.
+/// The preposition of an argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Preposition {
-    /// The point of a body: `disc at P`.
+    /// A point of a body: `disc at P`.
     At,
-    /// The frame from which a motion is seen: `P in B`.
+    /// A frame of reference: `P in B`.
     In,
 }
 
@@ -106,50 +106,50 @@ pub enum Relation {
     GreaterOrEqual,
 }
 
-/// The error of a text that is no expression, with its place.
+/// The error of a text that is not an expression, with its position.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NotExpression {
-    /// The bytes of the text that cannot be read.
+    /// The range of bytes that cannot be read.
     pub span: Range<usize>,
     pub reason: Reason,
 }
 
-/// The fault of a text that is no expression.
+/// The kinds of errors in an expression.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Reason {
-    /// The text ends, or another sign stands, where an operand must.
+    /// The text ends, or an operator occurs, where an operand is required.
     Operand,
-    /// Two operands without a sign between them.
+    /// Two operands have no operator between them.
     Operator,
-    /// A number and a name side by side.
+    /// A name follows a number: a product without `*`, or a unit without parentheses.
     Beside { number: String, name: String },
-    /// Two sides of an equation.
+    /// The text contains an equals sign.
     Equation,
-    /// `**`
+    /// The text contains `**`.
     Stars,
-    /// `and` or `or` between comparisons.
+    /// Comparisons are joined by `and` or `or`.
     Connective,
-    /// A letter that no expression has.
+    /// A character that does not occur in expressions.
     Letter(char),
-    /// A sign of a product that is not `*`.
+    /// A product sign other than `*`.
     Product,
-    /// A point that is neither of a decimal, nor of a part, nor a scalar product.
+    /// A point that belongs neither to a number, nor to a member such as `N.x`, nor to a scalar product.
     Dot,
     /// A parenthesis without its partner.
     Parenthesis,
-    /// An exponent that is no number from -64 to 64 with three decimals, and no fraction of two.
+    /// An exponent that is neither a number from -64 to 64 with at most three decimals, nor a fraction of two such numbers.
     Exponent,
-    /// Parentheses deeper than so many.
+    /// Parentheses nested more than `most` levels deep.
     Depth { most: usize },
-    /// A text of more bytes than so many.
+    /// The text has more than `most` bytes.
     Long { most: usize },
-    /// `at` or `in` without a name after it.
+    /// No name follows `at` or `in`.
     Preposition,
-    /// More than a name after `at`.
+    /// An expression other than a name follows `at`.
     Place,
-    /// `in` outside of a relative motion.
+    /// `in` occurs outside of an argument.
     Seen,
-    /// A constraint's name with spaces and without quotes.
+    /// The name of a constraint contains spaces and is not quoted.
     Quotes,
 }
 

@@ -1,4 +1,4 @@
-//! Reads an expression.
+//! Parser of expressions.
 
 mod quantity;
 
@@ -6,17 +6,17 @@ use super::token::{Placed, Token, tokens};
 use super::{Argument, Exponent, Expression, Form, NotExpression, Part, Preposition, Reason, Relation};
 use std::ops::Range;
 
-/// The deepest nesting of parentheses.
+/// The largest depth of nested parentheses.
 const DEEPEST: usize = 100;
-/// The largest number in an exponent.
+/// The largest absolute value of an exponent.
 const LARGEST: i32 = 64;
-/// The largest number of decimals of one.
+/// The largest number of decimals in an exponent.
 const MOST_DECIMALS: usize = 3;
 
-/// Reads an expression.
+/// Parses an expression into its syntax tree.
 ///
 /// # Errors
-/// [`NotExpression`]: the first place that cannot be read, and the reason.
+/// [`NotExpression`] contains the first position that cannot be read, and the reason.
 pub fn read(text: &str) -> Result<Expression, NotExpression> {
     let mut reader = Reader {
         text,
@@ -49,13 +49,13 @@ impl<'a> Reader<'a> {
         self.tokens.get(self.at).map(|(_, token)| token)
     }
 
-    /// The span of the next token, or of the end.
+    /// Returns the range of bytes of the next token; an empty range at the end of the text.
     fn span(&self) -> Range<usize> {
         let end = self.text.len();
         self.tokens.get(self.at).map_or(end..end, |(span, _)| span.clone())
     }
 
-    /// The end of the token before the next one.
+    /// Returns the end of the last token that was read.
     fn end(&self) -> usize {
         self.at.checked_sub(1).and_then(|last| self.tokens.get(last)).map_or(0, |(span, _)| span.end)
     }
@@ -64,7 +64,7 @@ impl<'a> Reader<'a> {
         NotExpression { span: self.span(), reason }
     }
 
-    /// Why the next token does not follow on an operand.
+    /// Returns the reason why the next token cannot follow an operand.
     fn unjoined(&self) -> Reason {
         match self.peek() {
             Some(Token::Name("and" | "or")) => Reason::Connective,
@@ -92,7 +92,7 @@ impl<'a> Reader<'a> {
         self.expression.whole()
     }
 
-    /// A sum, or two that are compared.
+    /// Reads a sum, or a comparison of two sums.
     fn comparison(&mut self) -> Result<Part, NotExpression> {
         let from = self.span().start;
         let left = self.sum()?;
@@ -137,7 +137,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A minus binds less tightly than a power: -x^2 is -(x^2).
+    /// Reads signs before a power. A minus binds less tightly than a power: -x^2 is -(x^2).
     fn signed(&mut self) -> Result<Part, NotExpression> {
         let from = self.span().start;
         let mut negative = false;
@@ -161,7 +161,7 @@ impl<'a> Reader<'a> {
         Ok(self.push(Form::Power(base, exponent), from))
     }
 
-    /// `2`, `-1`, `(-1)`, `(1/2)`.
+    /// Reads an exponent: `2`, `-1`, `1.5`, `(-1)`, `(1/2)`.
     fn exponent(&mut self) -> Result<Exponent, NotExpression> {
         let begin = self.span();
         let closed = self.takes('(');
@@ -185,7 +185,7 @@ impl<'a> Reader<'a> {
         Ok(Exponent { numerator: if negative { -numerator } else { numerator }, denominator })
     }
 
-    /// A number of an exponent, whole or with decimals, as a fraction.
+    /// Reads an integer or decimal number as a fraction (numerator, denominator).
     fn share(&mut self) -> Result<(i32, i32), NotExpression> {
         let Some(Token::Number(digits)) = self.peek() else { return Err(self.wrong(Reason::Exponent)) };
         let (whole, decimals) = digits.split_once('.').unwrap_or((digits, ""));
@@ -238,7 +238,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A sum in parentheses.
+    /// Reads a sum in parentheses.
     fn inside(&mut self) -> Result<Part, NotExpression> {
         let open = self.open()?;
         let sum = self.sum()?;

@@ -1,30 +1,30 @@
-//! A text as numbers, names and signs, each with its bytes.
+//! Tokens of an expression, with their ranges of bytes.
 
 use super::{NotExpression, Reason};
 use std::ops::Range;
 
-/// The longest text of one expression, in bytes.
+/// The largest accepted length of an expression, in bytes.
 const LONGEST: usize = 20_000;
 
-/// A number, a name or a sign of a text.
+/// A number, a name or an operator.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Token<'a> {
     Number(&'a str),
     Name(&'a str),
-    /// A name in quotes, which may have spaces: that of a constraint.
+    /// A name in quotes, which may contain spaces: the name of a constraint.
     Quoted(&'a str),
-    /// `+ - * / ^ ( ) , < > ≤ ≥`
+    /// One of `+ - * / ^ ( ) , < > ≤ ≥`.
     Sign(char),
-    /// ` . ` between spaces: the scalar product.
+    /// ` . ` with spaces on both sides: the scalar product.
     Dot,
-    /// `.` within `N.x`: a part of the name before it.
+    /// `.` within `N.x`, which selects a member of the preceding name.
     Part,
 }
 
-/// A token and its bytes.
+/// A token with its range of bytes.
 pub type Placed<'a> = (Range<usize>, Token<'a>);
 
-/// Every token with its place.
+/// Splits a text into tokens with their ranges of bytes.
 pub fn tokens(text: &str) -> Result<Vec<Placed<'_>>, NotExpression> {
     if text.len() > LONGEST {
         return Err(NotExpression { span: 0..0, reason: Reason::Long { most: LONGEST } });
@@ -56,7 +56,7 @@ pub fn tokens(text: &str) -> Result<Vec<Placed<'_>>, NotExpression> {
                 (first.len_utf8(), Token::Sign(first))
             }
             '=' => return Err(NotExpression { span: start..start + 1, reason: Reason::Equation }),
-            // as they are printed
+            // the printed minus sign, U+2212
             '−' => (first.len_utf8(), Token::Sign('-')),
             '·' | '×' => {
                 return Err(NotExpression { span: start..start + first.len_utf8(), reason: Reason::Product });
@@ -69,7 +69,7 @@ pub fn tokens(text: &str) -> Result<Vec<Placed<'_>>, NotExpression> {
     Ok(tokens)
 }
 
-/// A point after a name and before one, without spaces, takes a part; with spaces on both sides it multiplies.
+/// Returns the token of a point: between two names without spaces it selects a member, with spaces on both sides it is the scalar product.
 fn dot(before: &str, after: &str, start: usize) -> Result<Token<'static>, NotExpression> {
     let spaced = [before.chars().next_back(), after.chars().next()].map(|next| next.is_some_and(char::is_whitespace));
     let named = [before.chars().next_back().is_some_and(continues_name), after.chars().next().is_some_and(begins_name)];
@@ -88,12 +88,12 @@ fn begins_name(letter: char) -> bool {
     letter.is_alphabetic() || letter == '_'
 }
 
-/// Letters, digits, marks on letters; primes belong to names too.
+/// Returns whether a character may continue a name: a letter, digit, combining mark or prime.
 fn continues_name(letter: char) -> bool {
     begins_name(letter) || letter.is_numeric() || matches!(letter, '\u{300}'..='\u{36f}' | '′' | '″' | '\'')
 }
 
-/// Digits, a point, an exponent.
+/// Returns the length of the number at the start of the text: digits, an optional decimal point, an optional exponent.
 fn number_length(text: &str) -> usize {
     let digits = |from: usize| text[from..].find(|c: char| !c.is_ascii_digit()).map_or(text.len(), |n| from + n);
     let mut end = digits(0);
@@ -110,7 +110,7 @@ fn number_length(text: &str) -> usize {
     end
 }
 
-/// Whether a text is one name of the language.
+/// Returns whether the text is a single name of the language.
 pub fn is_name(text: &str) -> bool {
     text.starts_with(begins_name) && text.chars().all(continues_name)
 }

@@ -1,4 +1,4 @@
-//! Terms of energies, generalised forces, forces at places and constraints, as covectors along the coordinates.
+//! Terms of energies, generalised forces, forces at points and constraints, as covectors in the space of the coordinates.
 
 use super::elements::Load;
 use super::samples::is_of_state;
@@ -7,30 +7,30 @@ use crate::equations::{Level, ScalarConstraint, held_of};
 use crate::{Along, PointId, Trace, Zero};
 use symbolic::Sym;
 
-/// A covector along the coordinates: the slope of an energy or of a constraint, or a force.
+/// A covector with one component per speed: the gradient of an energy or of a constraint, or a generalised force.
 pub(super) struct Covector {
     pub kind: Kind,
     pub slope: Vec<Sym>,
-    /// Pairs of points whose distance stands in it as it is written.
+    /// Pairs of points whose distance occurs literally in the expression.
     pub written: Vec<[usize; 2]>,
 }
 
-/// The source of a covector.
+/// The origin of a covector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
-    /// A term of the potential energy, or of the dissipation, whose slopes oppose the motion.
+    /// A term of the potential energy or of the dissipation function; the generalised force is its negative gradient.
     Energy(Action),
-    /// A term of a generalised force along a coordinate, with the opposite sign.
+    /// A term of a generalised force along a coordinate, with opposite sign.
     Generalised(Action),
-    /// A term of a force at a place, by the numbers of the load and of the term, with the opposite sign.
+    /// A term of a force at a point, with opposite sign; the array contains the number of the load and that of the term.
     Load(Action, [usize; 2]),
-    /// A constraint of positions, by its number.
+    /// A constraint of positions, by its index.
     Position(usize),
-    /// A constraint of speeds, by its number.
+    /// A constraint of speeds, by its index.
     Speed(usize),
 }
 
-/// All covectors of a model.
+/// Returns all covectors of a model.
 pub(super) fn covectors(trace: &Trace<'_>, loads: &[Load]) -> Vec<Covector> {
     let model = trace.model;
     let mut found = Vec::new();
@@ -77,7 +77,7 @@ fn by_each(trace: &Trace<'_>, part: impl Fn(usize) -> Sym) -> Vec<Sym> {
     (0..trace.speeds.len()).map(part).collect()
 }
 
-/// The action of a force or torque, by what its components hold; none of one that holds reactions.
+/// Returns the action of a force or torque, by the quantities that its components depend on; `None` if it depends on reactions.
 pub(super) fn action_of(trace: &Trace<'_>, components: &[Sym]) -> Option<Action> {
     if !components.iter().all(|component| is_of_state(trace, *component)) {
         return None;

@@ -1,7 +1,7 @@
-//! Distances of two places that energies, generalised forces and constraints are functions of.
+//! Recognition of distances between two points, of which energies, generalised forces and constraints are functions.
 //!
-//! A function of a distance alone has a slope along the coordinates that is parallel to that of the distance, at every point. So a term
-//! k (r - l)^2/2 of the potential energy is a spring, and a constraint x^2 + y^2 = l^2 a rod, however they are written.
+//! The gradient of a function of one distance is parallel to the gradient of the distance, at every point. Hence a term k (r - l)^2/2 of the potential
+//! energy is recognised as a spring, and a constraint x^2 + y^2 = l^2 as a rod, in any equivalent form.
 
 use super::covectors::{Covector, Kind};
 use super::elements::{Load, grows};
@@ -10,20 +10,20 @@ use super::{Action, Element, Place};
 use crate::Trace;
 use symbolic::Sym;
 
-/// Slopes are parallel up to this part of their squares.
+/// The largest squared sine between gradients that count as parallel.
 const PARALLEL: f64 = 1e-12;
-/// Numbers that differ by a smaller part are one.
+/// The relative difference below which numbers count as equal.
 const VARIES: f64 = 1e-6;
-/// More pairs of places, times the coordinates, are not compared.
+/// If pairs of points times coordinates exceed this number, distances are not examined.
 const MOST: usize = 60_000;
 
-/// A covector along the coordinates at each point; none where it has no values.
+/// A covector at each sample point.
 type Slopes = Vec<Vec<f64>>;
 
-/// The value of a place and its displacement along each coordinate, at one point.
+/// The position of a point, and its derivative along each coordinate, at one sample point.
 type Displaced = ([f64; 3], Vec<[f64; 3]>);
 
-/// Elements by energies and forces, which loads lose then, and rods by constraints.
+/// Returns elements from energies and forces, and rods from constraints. Recognised terms are removed from `loads`.
 pub(super) fn along_distances(
     trace: &Trace<'_>,
     places: &[Place],
@@ -47,12 +47,12 @@ pub(super) fn along_distances(
         let of_ends = |ends: [usize; 2]| {
             let found = stretched(&displaced, ends, &slope)?;
             let is_force = action != Some(Action::Elastic) || varies(found.iter().map(|one| one.force));
-            // along one coordinate every distance is a function of every other one
+            // in one dimension every distance is a function of any other
             let is_own = written.contains(&ends) || along_several(&slope) || !varies(found.iter().map(|one| one.rate));
             (is_force && is_own).then_some((ends, found))
         };
         let others = (0..places.len()).flat_map(|b| (0..b).map(move |a| [a, b]));
-        // as it is written; else between named points rather than others, from the origin rather than from elsewhere
+        // a distance that occurs literally is preferred; then named points, then points with small indices
         let unnamed =
             |(ends, _): &([usize; 2], Vec<Stretched>)| ends.iter().filter(|end| places[**end].name.is_empty()).count();
         let found = written.iter().copied().find_map(of_ends);
@@ -75,22 +75,22 @@ pub(super) fn along_distances(
     (elements, rods)
 }
 
-/// Whether a covector has more than one component.
+/// Returns whether a covector has more than one nonzero component.
 fn along_several(slope: &Slopes) -> bool {
     slope.iter().all(|slope| slope.iter().filter(|part| **part != 0.0).count() > 1)
 }
 
-/// A distance at one point.
+/// A distance at one sample point.
 #[derive(Clone, Copy)]
 struct Stretched {
-    /// The force along it.
+    /// The force along the distance.
     force: f64,
-    /// Its slope along the coordinates, by its length.
+    /// The norm of the gradient of the distance.
     rate: f64,
     distance: f64,
 }
 
-/// The force along a distance at each point, where a slope is parallel to that of the distance.
+/// Returns the force along a distance at each sample point, if a covector is parallel to the gradient of the distance.
 fn stretched(displaced: &[Vec<Displaced>], [a, b]: [usize; 2], slope: &Slopes) -> Option<Vec<Stretched>> {
     let one = |(places, slope): (&Vec<Displaced>, &Vec<f64>)| {
         let (first, second) = (&places[a], &places[b]);
@@ -100,7 +100,7 @@ fn stretched(displaced: &[Vec<Displaced>], [a, b]: [usize; 2], slope: &Slopes) -
         let own: Vec<f64> = (0..slope.len()).map(along).collect();
         let [square, product, other] = [(&own, &own), (&own, slope), (slope, slope)]
             .map(|(a, b)| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>());
-        // the square of the sine between them
+        // the squared sine of the angle between them
         let is_parallel = square * other - product * product <= PARALLEL * square * other;
         let found = Stretched { force: product / square, rate: square.sqrt(), distance };
         (square > PARALLEL && other > 0.0 && is_parallel && distance.is_finite()).then_some(found)
@@ -108,13 +108,13 @@ fn stretched(displaced: &[Vec<Displaced>], [a, b]: [usize; 2], slope: &Slopes) -
     displaced.iter().zip(slope).map(one).collect()
 }
 
-/// Whether numbers differ.
+/// Returns whether the numbers differ.
 fn varies(numbers: impl Iterator<Item = f64>) -> bool {
     let (low, high) = numbers.fold((f64::MAX, f64::MIN), |(low, high), number| (low.min(number), high.max(number)));
     high - low > VARIES * low.abs().max(high.abs())
 }
 
-/// Places and their displacements at each point.
+/// Returns the positions of points and their derivatives, at each sample point.
 fn displaced(trace: &Trace<'_>, places: &[Place]) -> Vec<Vec<Displaced>> {
     let speeds = trace.speeds.len();
     let at = |point: u64| {

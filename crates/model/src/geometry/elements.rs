@@ -1,4 +1,4 @@
-//! Forces between two places, and what is left of forces at one.
+//! Forces between two points, and the remaining forces at single points.
 
 use super::samples::{POINTS, value};
 use super::terms;
@@ -6,35 +6,35 @@ use crate::arena::{Scalar, Vector as Form};
 use crate::{Force, Material, PointId, ScalarId, Trace, Vector, VectorId};
 use symbolic::Sym;
 
-/// The quantities that the force of an element depends on.
+/// The kind of a force, by the quantities that it depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Action {
-    /// The positions, and it grows against what moves the ends: a spring.
+    /// A spring: depends on positions, and increases against displacements of its ends.
     Elastic,
-    /// The speeds: a dashpot.
+    /// A dashpot: depends on speeds.
     Viscous,
-    /// The positions, and it falls with what moves the ends: an attraction from afar.
+    /// A field, such as gravitational attraction: depends on positions, and decreases with displacements of its ends.
     Field,
-    /// Neither: a force that is given.
+    /// A given force, which depends on neither positions nor speeds.
     Given,
 }
 
-/// A force along the line of two places.
+/// A force along the line between two points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Element {
-    /// By their numbers.
+    /// The indices of the two points.
     pub ends: [usize; 2],
     pub action: Action,
 }
 
-/// A force at a place, by its terms.
+/// A force at a point, split into terms.
 #[derive(Clone, Debug)]
 pub(super) struct Load {
     pub place: usize,
     pub terms: Vec<Vector>,
 }
 
-/// The elements among the forces of a model, and the other forces.
+/// Returns the elements among the forces of a model, and the other forces.
 pub(super) fn of_forces(trace: &Trace<'_>) -> (Vec<Element>, Vec<Load>) {
     let (mut elements, mut others) = (Vec::new(), Vec::new());
     for force in &trace.model.forces {
@@ -53,7 +53,7 @@ pub(super) fn of_forces(trace: &Trace<'_>) -> (Vec<Element>, Vec<Load>) {
     (elements, others)
 }
 
-/// The terms of a vector; of one that is scaled by a sum, those of the sum.
+/// Splits a vector into terms. A vector scaled by a sum is split by the terms of the sum.
 pub(super) fn vector_terms(trace: &Trace<'_>, vector: VectorId) -> Vec<Vector> {
     let (mut open, mut found) = (vec![(vector, false)], Vec::new());
     let signed = |is_negative: bool, of: Sym| if is_negative { -of } else { of };
@@ -75,7 +75,7 @@ pub(super) fn vector_terms(trace: &Trace<'_>, vector: VectorId) -> Vec<Vector> {
     found
 }
 
-/// The ground's end of a force between a place of the ground and a point, with its size.
+/// Recognises a force along the line from a point of the ground. Returns the point of the ground and the magnitude.
 fn from_ground(trace: &Trace<'_>, at: &Material, is: VectorId) -> Option<(usize, ScalarId)> {
     let arena = &trace.model.arena;
     let Form::Scaled(share, line) = arena.vector_at(is)? else { return None };
@@ -85,7 +85,7 @@ fn from_ground(trace: &Trace<'_>, at: &Material, is: VectorId) -> Option<(usize,
     (is_length && *to == at.point).then_some((from.0, *size))
 }
 
-/// The actions of a force by its size: what it is at rest, and what speeds add.
+/// Returns the actions of a force, from its magnitude at zero speeds and its dependence on speeds.
 fn actions(trace: &Trace<'_>, ends: [usize; 2], size: Sym) -> Vec<Action> {
     let rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|speed| (*speed, Sym::ZERO)).collect();
     let at_rest = size.substitute(&rest);
@@ -107,7 +107,7 @@ fn actions(trace: &Trace<'_>, ends: [usize; 2], size: Sym) -> Vec<Action> {
     found
 }
 
-/// Whether the second numbers grow with the first, on the whole.
+/// Returns whether the second numbers increase with the first on average (nonnegative covariance).
 pub(super) fn grows(samples: &[(f64, f64)]) -> bool {
     let count = samples.len().max(1) as f64;
     let (first, second) = samples.iter().fold((0.0, 0.0), |(a, b), (x, y)| (a + x / count, b + y / count));

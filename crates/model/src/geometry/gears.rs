@@ -6,31 +6,31 @@ use super::samples::values;
 use super::torsion::is_angle;
 use crate::{FrameId, Trace};
 
-/// Parts of a covector that are smaller are none.
+/// Components of a covector below this relative size count as zero.
 const NONE: f64 = 1e-9;
-/// More pairs of hinges are not compared.
+/// The largest number of pairs of hinges that are compared.
 const MOST: usize = 20_000;
 
-/// Two angles that a constraint ties to each other.
+/// Two angles that are coupled by a constraint.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gear {
-    /// The name of the constraint; empty where it has none.
+    /// The name of the constraint; empty if it has none.
     pub name: String,
     pub turns: [GearTurn; 2],
-    /// The speed of the second by that of the first.
+    /// The ratio of the second angular velocity to the first.
     pub ratio: f64,
 }
 
 /// An angle of a gear.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GearTurn {
-    /// The angle of a frame relative to the carrier of the gear, about an axis of both.
+    /// The angle of a frame relative to the carrier of the gear, about a common axis.
     Frame { carrier: FrameId, frame: FrameId, axis: usize },
-    /// A coordinate that turns no frame.
+    /// A coordinate that is an angle, without a frame.
     Coordinate(usize),
 }
 
-/// The gears among the constraints.
+/// Returns the gears among the constraints.
 pub(super) fn gears(trace: &Trace<'_>, hinges: &[Hinge], sought: &[Covector]) -> Vec<Gear> {
     let even: Vec<&Hinge> = hinges.iter().filter(|hinge| hinge.is_even()).collect();
     let one = |covector: &Covector| {
@@ -50,7 +50,7 @@ pub(super) fn gears(trace: &Trace<'_>, hinges: &[Hinge], sought: &[Covector]) ->
     sought.iter().filter_map(one).collect()
 }
 
-/// Two hinges on one carrier whose slopes add up to a covector; the ground is the first carrier that is tried.
+/// Finds two hinges with a common carrier whose gradients combine to a covector. The ground is the preferred carrier.
 fn of_frames(hinges: &[&Hinge], covector: &[f64]) -> Option<([GearTurn; 2], f64)> {
     let mut order: Vec<&Hinge> = hinges.to_vec();
     order.sort_by_key(|hinge| hinge.frames[0]);
@@ -73,7 +73,7 @@ fn slope(hinge: &Hinge) -> &[f64] {
     hinge.turned.first().map_or(&[], |at| &at.slope)
 }
 
-/// The two numbers, neither of them zero, by which two covectors add up to a third.
+/// Returns the two nonzero coefficients with which two covectors combine to a third.
 fn shares([a, b]: [&[f64]; 2], covector: &[f64]) -> Option<[f64; 2]> {
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let (aa, ab, bb) = (dot(a, a), dot(a, b), dot(b, b));
@@ -89,7 +89,7 @@ fn shares([a, b]: [&[f64]; 2], covector: &[f64]) -> Option<[f64; 2]> {
         .then_some([one, other])
 }
 
-/// Two coordinates that are angles.
+/// Returns the two coordinates of a constraint, if both are angles.
 fn of_coordinates(trace: &Trace<'_>, covector: &[f64]) -> Option<([GearTurn; 2], f64)> {
     let held: Vec<usize> = (0..covector.len()).filter(|i| covector[*i] != 0.0).collect();
     let [first, second] = held.try_into().ok()?;

@@ -1,28 +1,28 @@
-//! Hinges: pairs of frames that turn beside each other about an axis of both, with the angle between them.
+//! Hinges: pairs of frames that rotate relative to each other about a common axis.
 
 use super::samples::{POINTS, value};
 use crate::{FrameId, Trace, Turn};
 
-/// Covectors are parallel up to this part of their squares.
+/// The largest squared sine between covectors that count as parallel.
 const PARALLEL: f64 = 1e-12;
-/// Numbers that differ by less, as a part of their size, are one.
+/// The relative difference below which numbers count as equal.
 const SAME: f64 = 1e-9;
-/// With more frames, squared and times the speeds, only frames beside their parents and beside the ground are hinges.
+/// If the squared number of frames times the speeds exceeds this number, only pairs with the parent frame or the ground are hinges.
 const MOST: usize = 60_000;
 
-/// Two frames that share an axis.
+/// Two frames with a common axis.
 #[derive(Clone, Debug)]
 pub(super) struct Hinge {
     pub frames: [FrameId; 2],
-    /// The axis of both: x, y or z.
+    /// The common axis: 0, 1 or 2 for x, y or z.
     pub axis: usize,
-    /// The angle from the first frame to the second at each point, and its slope along the coordinates.
+    /// The angle from the first frame to the second, and its gradient, at each sample point.
     pub turned: Vec<Turned>,
     /// Whether the second frame is defined in the first.
     is_joint: bool,
 }
 
-/// An angle at one point.
+/// An angle in radians and its gradient along the coordinates, at one sample point.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Turned {
     pub angle: f64,
@@ -36,7 +36,7 @@ impl Turned {
     }
 }
 
-/// All hinges whose angle some coordinate moves; those of frames beside their parents first.
+/// Returns all hinges whose angle depends on coordinates. Hinges of a frame and its parent come first.
 pub(super) fn hinges(trace: &Trace<'_>) -> Vec<Hinge> {
     let frames = &trace.model.frames;
     let own: Vec<Option<(usize, Vec<Turned>)>> = (0..frames.len()).map(|frame| own_turn(trace, frame)).collect();
@@ -55,7 +55,7 @@ pub(super) fn hinges(trace: &Trace<'_>) -> Vec<Hinge> {
     found
 }
 
-/// The turn of a frame in its parent, at each point; none of the ground, and of a free frame.
+/// Returns the axis and angle of a frame relative to its parent, at each sample point; `None` for the ground and for free frames.
 fn own_turn(trace: &Trace<'_>, frame: usize) -> Option<(usize, Vec<Turned>)> {
     let (_, Turn::About { axis, angle }) = trace.model.frames[frame].parent? else { return None };
     let angle = trace.scalar(angle);
@@ -66,7 +66,7 @@ fn own_turn(trace: &Trace<'_>, frame: usize) -> Option<(usize, Vec<Turned>)> {
     Some((axis, (0..POINTS).map(at).collect::<Option<_>>()?))
 }
 
-/// The hinge of two frames; none where they share no axis, and where nothing turns one beside the other.
+/// Returns the hinge of two frames; `None` if they have no common axis, or do not rotate relative to each other.
 fn between(
     trace: &Trace<'_>,
     own: &[Option<(usize, Vec<Turned>)>],
@@ -100,7 +100,7 @@ fn between(
 }
 
 impl Hinge {
-    /// The torque about the axis at each point, where a covector is parallel to the slope of the angle.
+    /// Returns the torque about the axis at each sample point, if a covector is parallel to the gradient of the angle.
     pub fn torque(&self, covector: &[Vec<f64>]) -> Option<Vec<f64>> {
         let one = |(at, covector): (&Turned, &Vec<f64>)| {
             let [square, product, other] = [(&at.slope, &at.slope), (&at.slope, covector), (covector, covector)]
@@ -111,7 +111,7 @@ impl Hinge {
         self.turned.iter().zip(covector).map(one).collect()
     }
 
-    /// Whether a torque against the angle grows linearly with it.
+    /// Returns whether a restoring torque increases linearly with the angle.
     pub fn is_spring(&self, torque: &[f64]) -> bool {
         let (Some(first), Some(start)) = (self.turned.first(), torque.first()) else { return false };
         let rise = |(at, torque): (&Turned, &f64)| (at.angle - first.angle, torque - start);
@@ -122,13 +122,13 @@ impl Hinge {
         run * rise > 0.0 && rises.iter().all(is_straight)
     }
 
-    /// Whether the slope of its angle is the same at all points.
+    /// Returns whether the gradient of the angle is equal at all sample points.
     pub fn is_even(&self) -> bool {
         is_even(self.turned.iter().map(|at| &at.slope))
     }
 }
 
-/// Whether covectors are the same at all points.
+/// Returns whether covectors are equal at all sample points.
 pub(super) fn is_even<'a>(mut covectors: impl Iterator<Item = &'a Vec<f64>>) -> bool {
     let Some(first) = covectors.next() else { return true };
     let size = first.iter().fold(0.0, |size: f64, part| size.max(part.abs()));

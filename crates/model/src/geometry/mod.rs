@@ -1,4 +1,4 @@
-//! The geometry of a model over symbols: its places, and what acts between two of them.
+//! The geometry of a model for drawings: its points, and the elements between two of them.
 
 mod covectors;
 mod distances;
@@ -18,28 +18,28 @@ use crate::arena::{Part, Scalar, Vector as Form};
 use crate::{BodyId, FrameId, PointId, ScalarId, Trace, Vector};
 use symbolic::Sym;
 
-/// The places of a model, with what acts between them.
+/// The points of a model, and the elements between them.
 #[derive(Clone, Debug)]
 pub struct Geometry {
-    /// Points of the model by their numbers, then places that ways between them pass.
+    /// The points of the model by index, followed by unnamed points where the frame of a displacement changes.
     pub places: Vec<Place>,
-    /// Forces along the line of two places.
+    /// Forces along the line between two points.
     pub elements: Vec<Element>,
-    /// Pairs of places whose distance a constraint holds.
+    /// Pairs of points whose distance is constrained.
     pub rods: Vec<[usize; 2]>,
-    /// Springs and dashpots about the axes of frames.
+    /// Torsional springs and dashpots about the axes of frames.
     pub torsions: Vec<Torsion>,
-    /// Torques that are neither.
+    /// Torques that are neither springs nor dashpots.
     pub couples: Vec<Couple>,
     pub gears: Vec<Gear>,
-    /// Forces at places that are no elements, along the axes of the ground.
+    /// The other forces, (index of the point, components along the axes of the ground in N).
     pub forces: Vec<(usize, [Sym; 3])>,
-    /// Points at which a body is said to move, and that need not be fixed in it: where a wheel rolls.
+    /// Points at which the velocity of a body, or a force on it, is evaluated. They need not be fixed in the body, such as the contact point of a rolling wheel.
     pub touched: Vec<(BodyId, PointId)>,
 }
 
 impl Geometry {
-    /// The geometry of a traced model.
+    /// Determines the geometry of a traced model.
     pub fn of(trace: &Trace<'_>) -> Self {
         let places = places::places(trace);
         let (mut elements, mut loads) = elements::of_forces(trace);
@@ -63,12 +63,12 @@ impl Geometry {
     }
 }
 
-/// The axes of a frame, along those of the ground.
+/// Returns the axes x, y, z of a frame, each as components along the axes of the ground.
 pub fn frame_axes(trace: &Trace<'_>, frame: FrameId) -> [[Sym; 3]; 3] {
     std::array::from_fn(|axis| trace.express(Vector::axis(frame, axis), FrameId::GROUND))
 }
 
-/// Bodies with points of theirs in velocities and in forces.
+/// Returns the bodies with the points at which velocities and forces refer to them.
 fn touched(trace: &Trace<'_>) -> Vec<(BodyId, PointId)> {
     let of_velocities = trace.model.arena.parts.iter().filter_map(|part| match part {
         Part::Vector(Form::Velocity { of, .. }) => Some(*of),
@@ -88,7 +88,7 @@ fn touched(trace: &Trace<'_>) -> Vec<(BodyId, PointId)> {
     found
 }
 
-/// The terms of a sum, each with whether it is subtracted.
+/// Returns the terms of a sum, each with whether it is subtracted.
 fn terms(trace: &Trace<'_>, sum: ScalarId) -> Vec<(ScalarId, bool)> {
     let (mut open, mut found) = (vec![(sum, false)], Vec::new());
     while let Some((id, is_negative)) = open.pop() {
@@ -102,7 +102,7 @@ fn terms(trace: &Trace<'_>, sum: ScalarId) -> Vec<(ScalarId, bool)> {
     found
 }
 
-/// Pairs of points whose distance stands in a scalar as it is written.
+/// Returns pairs of points whose distance occurs literally in a scalar.
 fn written_distances(trace: &Trace<'_>, scalar: ScalarId) -> Vec<[usize; 2]> {
     let arena = &trace.model.arena;
     let (mut open, mut found) = (vec![scalar], Vec::new());

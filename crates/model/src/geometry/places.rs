@@ -1,24 +1,24 @@
-//! The places of a model: its points, and those that ways between them pass.
+//! The points of a model, and intermediate points of their displacements.
 //!
-//! A point that is found by ways in several frames passes places where one way ends and the next begins: `O + r*A.x + l*B.x` passes the
+//! A point defined by displacements in several frames passes an intermediate point where the frame changes: `O + r*A.x + l*B.x` passes the
 //! pin at `O + r*A.x`.
 
 use super::elements::vector_terms;
 use crate::{FrameId, Trace, Vector, VectorId};
 use symbolic::Sym;
 
-/// A place.
+/// A point of the drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Place {
-    /// The name of a point; empty where it has none.
+    /// The name of the point; empty if it has none.
     pub name: String,
-    /// From the origin, along the axes of the ground.
+    /// The position relative to the origin, along the axes of the ground, in metres.
     pub position: [Sym; 3],
-    /// The place that it is found from, with the frame of the way; none of the origin.
+    /// The preceding point, and the frame of the displacement from it; `None` for the origin.
     pub base: Option<(usize, FrameId)>,
 }
 
-/// Points by their numbers, then the places between them.
+/// Returns the points by index, followed by the intermediate points.
 pub(super) fn places(trace: &Trace<'_>) -> Vec<Place> {
     let model = trace.model;
     let ground = |vector: Vector| trace.express(vector, FrameId::GROUND);
@@ -43,7 +43,7 @@ pub(super) fn places(trace: &Trace<'_>) -> Vec<Place> {
     places
 }
 
-/// A way as a sum of ways, each in a frame of its own.
+/// Splits a displacement into displacements in one frame each.
 fn parts(trace: &Trace<'_>, way: VectorId) -> Vec<Vector> {
     let mut found: Vec<Vector> = Vec::new();
     for vector in vector_terms(trace, way) {

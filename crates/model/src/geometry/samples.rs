@@ -1,14 +1,14 @@
-//! Values of expressions at points that follow no line.
+//! Values of expressions at sample points in general position.
 
 use crate::Trace;
 use crate::real_points::drawn;
 use field::DoubleDouble;
 use symbolic::Sym;
 
-/// Points at which expressions are compared.
+/// The number of sample points.
 pub(super) const POINTS: u64 = 3;
 
-/// The value of an expression at a point: coordinates, speeds and the time differ between points, parameters do not.
+/// Returns the value at a sample point. Coordinates, speeds and the time differ between points, parameters do not.
 pub(super) fn value(trace: &Trace<'_>, of: Sym, point: u64) -> Option<f64> {
     if let Some(constant) = of.as_constant() {
         return Some(constant.to_f64());
@@ -23,12 +23,12 @@ pub(super) fn value(trace: &Trace<'_>, of: Sym, point: u64) -> Option<f64> {
     found.map(|value: DoubleDouble| value.hi()).filter(|value| value.is_finite())
 }
 
-/// Values of expressions at each point.
+/// Returns the values of several expressions at each sample point.
 pub(super) fn values(trace: &Trace<'_>, of: &[Sym]) -> Option<Vec<Vec<f64>>> {
     (0..POINTS).map(|point| of.iter().map(|each| value(trace, *each, point)).collect()).collect()
 }
 
-/// Whether an expression holds nothing but the state, the time, parameters and conditions.
+/// Returns whether an expression depends only on the state, the time, parameters and conditions.
 pub(super) fn is_of_state(trace: &Trace<'_>, of: Sym) -> bool {
     let is_known = |letter: &Sym| {
         *letter == trace.time

@@ -1,7 +1,7 @@
-//! Torsion springs and rotary dashpots between two frames, and the torques that are neither.
+//! Torsional springs and dashpots between two frames, and the other torques.
 //!
-//! A term of an energy, of a generalised force or of a torque whose covector is parallel to the slope of the angle of a hinge acts there.
-//! It is a spring where the torque against the angle grows linearly with it.
+//! A term of an energy, of a generalised force or of a torque acts at a hinge if its covector is parallel to the gradient of the hinge's angle.
+//! It is a spring if the restoring torque increases linearly with the angle.
 
 use super::Action;
 use super::covectors::{Covector, Kind, action_of};
@@ -11,25 +11,25 @@ use super::samples::{POINTS, value, values};
 use crate::{Along, FrameId, Torque, Trace, Vector};
 use symbolic::Sym;
 
-/// An element that acts about the axis of two frames.
+/// A torsional spring or dashpot about a common axis of two frames.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Torsion {
     pub frames: [FrameId; 2],
-    /// The axis of both frames: x, y or z.
+    /// The common axis: 0, 1 or 2 for x, y or z.
     pub axis: usize,
-    /// A spring or a dashpot.
+    /// A spring ([`Action::Elastic`]) or a dashpot ([`Action::Viscous`]).
     pub action: Action,
 }
 
-/// A torque on the second of two frames, and against it on the first.
+/// A torque on the second of two frames, with its reaction on the first.
 #[derive(Clone, Debug)]
 pub struct Couple {
     pub frames: [FrameId; 2],
-    /// Along the axes of the ground.
+    /// The components along the axes of the ground, in N m.
     pub torque: [Sym; 3],
 }
 
-/// Springs and dashpots by covectors, which the list loses then.
+/// Returns springs and dashpots among the covectors, and removes these from the list.
 pub(super) fn of_covectors(trace: &Trace<'_>, hinges: &[Hinge], sought: &mut Vec<Covector>) -> Vec<Torsion> {
     let mut found = Vec::new();
     sought.retain(|covector| {
@@ -41,7 +41,7 @@ pub(super) fn of_covectors(trace: &Trace<'_>, hinges: &[Hinge], sought: &mut Vec
     found
 }
 
-/// The spring or dashpot that a covector is.
+/// Returns the spring or dashpot that a covector represents; `None` for other covectors.
 fn torsion(trace: &Trace<'_>, hinges: &[Hinge], Covector { kind, slope, written }: &Covector) -> Option<Torsion> {
     let (Kind::Energy(action) | Kind::Generalised(action)) = *kind else { return None };
     let is_angle = |(speed, part): (usize, &Sym)| *part == Sym::ZERO || is_angle(trace, speed);
@@ -57,12 +57,12 @@ fn torsion(trace: &Trace<'_>, hinges: &[Hinge], Covector { kind, slope, written 
     Some(Torsion { frames: hinge.frames, axis: hinge.axis, action })
 }
 
-/// Whether a speed is the rate of an angle.
+/// Returns whether a speed is the rate of an angle.
 pub(super) fn is_angle(trace: &Trace<'_>, speed: usize) -> bool {
     trace.model.coordinates.get(speed).is_some_and(|coordinate| coordinate.unit == "rad")
 }
 
-/// Springs and dashpots among the torques, and what is left of torques.
+/// Returns the springs and dashpots among the torques, and the remaining torques.
 pub(super) fn of_torques(trace: &Trace<'_>, hinges: &[Hinge]) -> (Vec<Torsion>, Vec<Couple>) {
     let (mut found, mut couples) = (Vec::new(), Vec::new());
     for torque in &trace.model.torques {
@@ -90,7 +90,7 @@ pub(super) fn of_torques(trace: &Trace<'_>, hinges: &[Hinge]) -> (Vec<Torsion>, 
     (found, couples)
 }
 
-/// The action of a term of a torque about a hinge; none of one that is neither a spring nor a dashpot.
+/// Returns the action of one term of a torque about a hinge; `None` if it is neither a spring nor a dashpot.
 fn of_term(trace: &Trace<'_>, hinge: &Hinge, (term, sign): (Vector, f64)) -> Option<Action> {
     let about = trace.dot(term, Vector::axis(hinge.frames[1], hinge.axis));
     match action_of(trace, &term.components)? {
@@ -104,7 +104,7 @@ fn of_term(trace: &Trace<'_>, hinge: &Hinge, (term, sign): (Vector, f64)) -> Opt
     }
 }
 
-/// Generalised forces along angles that are neither springs nor dashpots, as torques about hinges.
+/// Returns generalised forces along angles, other than springs and dashpots, as torques about hinges.
 pub(super) fn of_generalised(trace: &Trace<'_>, hinges: &[Hinge], sought: &[Covector]) -> Vec<Couple> {
     let along_angles = trace.model.generalised.iter().any(|force| matches!(force.along, Along::Speed(_)));
     let given = sought.iter().filter(|covector| along_angles && matches!(covector.kind, Kind::Generalised(_)));

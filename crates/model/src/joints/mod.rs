@@ -1,12 +1,12 @@
-//! Newton's and Euler's equations of every body, with the loads of the joints between them as unknowns.
+//! The Newton-Euler equations of every body, with the joint loads as unknowns.
 //!
-//! A body, with the load F at its joint J from its parent, and those of the joints above it on itself, opposite, moves by
+//! Let a body have the load F, T at its joint J from its parent, and let F_above, T_above be the loads that it exerts on its children at their joints. Then
 //!
 //!   m a_C     = F + sum F_given - sum F_above
 //!   (I w)'    = T + (J - C) x F + sum (T_given + (P - C) x F_given) - sum (T_above + (J_above - C) x F_above)
 //!
-//! six equations for a body, three for a particle, and of a body without a centre those of its turning alone. From the last bodies
-//! down they give every load. The reaction of a constraint is lambda times its wrench, by the sign convention M u' + h = J^T lambda.
+//! These are six equations for a body, three for a particle, and three rotational ones for a body without a centre of mass. Solved from the outermost bodies
+//! inwards, they give every load. The reaction of a constraint is lambda times its wrench, with the sign convention M u' + h = J^T lambda.
 
 mod tree;
 mod wrenches;
@@ -18,26 +18,26 @@ use symbolic::Sym;
 use tree::{Link, Tree};
 use wrenches::Wrench;
 
-/// The load that a joint carries: from the parent on the body.
+/// The load of a joint, exerted by the parent on the body.
 #[derive(Clone, Copy, Debug)]
 struct Load {
-    /// Sum of forces.
+    /// The force in N.
     force: Vector,
-    /// The torque of the forces about the joint.
+    /// The torque about the joint in N m.
     torque: Vector,
 }
 
-/// All bodies with the loads of their joints.
+/// All bodies with their joint loads.
 pub(crate) struct Joints<'t, 'm> {
     trace: &'t Trace<'m>,
     tree: Tree<'t, 'm>,
     loads: Vec<Load>,
-    /// Symbol of each multiplier, and the coordinates along which it acts by name.
+    /// For each multiplier, the coordinates that occur by name in its constraint, with the derivative of the constraint by each.
     along: Vec<(Sym, Vec<(usize, Sym)>)>,
 }
 
 impl<'t, 'm> Joints<'t, 'm> {
-    /// Solves the equations of all bodies, from the last ones down.
+    /// Solves the equations of all bodies, from the outermost bodies inwards.
     pub fn of(trace: &'t Trace<'m>) -> Self {
         let mut tree = Tree::of(trace);
         let mut given: Vec<(Option<usize>, PointForce)> = Vec::new();
@@ -91,8 +91,8 @@ impl<'t, 'm> Joints<'t, 'm> {
         }
     }
 
-    /// The power of all loads on the motions that the joints admit, per speed: with the reactions of constraints, and zero along
-    /// every motion but for loads along coordinates.
+    /// Returns the generalised force of all joint loads, per speed. It contains the reactions of constraints, and vanishes along every
+    /// motion, except for generalised forces along coordinates.
     pub fn residual(&self) -> Vec<Sym> {
         let (trace, tree) = (self.trace, &self.tree);
         let minus = |a: Vector, b: Vector| trace.sum(a, b.map(|component| -component));
@@ -116,7 +116,7 @@ impl<'t, 'm> Joints<'t, 'm> {
         residual
     }
 
-    /// The force and, about the joint, the torque that the parent of a body exerts on it; the force is none without a centre.
+    /// Returns the force, and the torque about the joint, that the parent exerts on a body. The force is `None` for a body without a centre of mass.
     pub fn load(&self, body: BodyId) -> (Option<Vector>, Vector) {
         let place = self.tree.links.iter().position(|link| link.body == Some(body));
         place.map_or((None, Vector::ZERO), |place| {
@@ -125,8 +125,8 @@ impl<'t, 'm> Joints<'t, 'm> {
         })
     }
 
-    /// A coordinate that moves several joints and stands in a constraint as a letter: it is not determined on which of them its
-    /// reaction acts.
+    /// Returns a coordinate that moves several joints and occurs by name in a constraint: it is then not determined at which joint the reaction
+    /// acts.
     pub fn unplaced(&self) -> Option<usize> {
         let (trace, tree) = (self.trace, &self.tree);
         let moves = |coordinate: usize, place: usize| {
@@ -150,7 +150,7 @@ impl<'t, 'm> Joints<'t, 'm> {
     }
 }
 
-/// Every body with a centre, the body that its joint hangs it on, none for the ground, and the place of the joint.
+/// Returns for every body with a centre of mass its parent body (`None` for the ground) and the point of its joint.
 pub(crate) fn joints(trace: &Trace<'_>) -> Vec<(BodyId, Option<BodyId>, PointId)> {
     let links = Tree::of(trace).links;
     let of_link = |link: &Link| Some((link.body?, link.parent.and_then(|parent| links[parent].body), link.joint?));
@@ -165,7 +165,7 @@ impl Trace<'_> {
     }
 }
 
-/// m (a_C - g), and its torque about the joint with that of the turning, (I w)'.
+/// Returns the inertial load m (a_C - g), and its torque about the joint plus (I w)'.
 fn inertia(trace: &Trace<'_>, link: &Link) -> Load {
     let mut load = Load { force: Vector::ZERO, torque: Vector::ZERO };
     let Some(body) = link.body.map(|body| &trace.model.bodies[body.0]) else { return load };
@@ -182,8 +182,8 @@ fn inertia(trace: &Trace<'_>, link: &Link) -> Load {
     load
 }
 
-/// Pairs of the power of a reaction where it acts, per speed and multiplier, and the derivative of its constraint's rate by that speed, which
-/// is equal to it; `None` if a constraint has no reaction of its own.
+/// Returns, per multiplier and speed, the power of the reaction per unit of multiplier and speed, and the derivative of the constraint's rate by the speed. Both
+/// must be equal. Returns `None` if a constraint has no reaction.
 pub(crate) fn powers_of_reactions(trace: &Trace<'_>) -> Option<Vec<(Sym, Sym)>> {
     let wrenches = reactions(trace);
     let mut pairs = Vec::new();
@@ -204,7 +204,7 @@ pub(crate) fn powers_of_reactions(trace: &Trace<'_>) -> Option<Vec<(Sym, Sym)>> 
     Some(pairs)
 }
 
-/// The multiplier of every scalar equation, with its wrench.
+/// Returns the multiplier and the wrench of every scalar constraint equation.
 fn reactions(trace: &Trace<'_>) -> Vec<(Sym, Wrench)> {
     let mut all = Vec::new();
     for (place, constraint) in trace.model.constraints.iter().enumerate() {

@@ -1,13 +1,13 @@
-//! The articulated-body algorithm (Featherstone 1983): accelerations of bodies in a tree, from the last ones to the ground and back; the
-//! work grows as the number of bodies, and that of closed loops as the loops.
+//! The articulated-body algorithm (Featherstone 1983): accelerations of bodies in a tree, by one recursion to the ground and one back. The
+//! cost is proportional to the number of bodies, plus the cost of closed loops.
 //!
-//! A link moves by the twist V = (w, v) of its joint, V = A V_parent + sum s_i u_i, with own speeds u_i. Its inertia I and those of the
-//! links that it carries, which follow it as their own speeds admit, are one articulated inertia: an own speed takes from it
+//! A link moves with the twist V = (w, v) at its joint, V = A V_parent + sum s_i u_i, with its own speeds u_i. Its inertia I and those of its
+//! children, as far as their own speeds transmit them, form the articulated-body inertia. An own speed with direction s changes it to
 //!
 //!   d = s . I s ,    I - I s s^T I/d ,
 //!
-//! and in the parent link it is A^T I A: M = L D L^T without its entries. Forces go to the ground in this way too, and
-//! accelerations come back. Constraints add J M^-1 J^T, solved in an order that keeps it sparse.
+//! and in the parent link it is A^T I A. This is the factorisation M = L D L^T without forming M. Forces are passed to the ground by the first
+//! recursion, accelerations outwards by the second. Constraints add J M^-1 J^T, solved in an order that preserves sparsity.
 
 mod inertia;
 mod links;
@@ -25,7 +25,7 @@ use links::{Link, Links};
 use std::collections::HashMap;
 use symbolic::{Sym, substitute_all};
 
-/// An own speed of a link: its place among all, the direction in which it moves the link, the part of the inertia along it, and 1/d.
+/// An own speed of a link: its index among all speeds, the direction s in which it moves the link, I s, and 1/d.
 struct Speed {
     place: usize,
     direction: Pair,
@@ -33,15 +33,15 @@ struct Speed {
     inverse: Sym,
 }
 
-/// The factors of the mass matrix.
+/// The factors of the mass matrix, link by link.
 struct ArticulatedBodies<'t, 'm> {
     trace: &'t Trace<'m>,
     links: Links<'t, 'm>,
-    /// Own speeds of each link, the last first.
+    /// The own speeds of each link, the last one first.
     speeds: Vec<Vec<Speed>>,
 }
 
-/// Accelerations and multipliers of a model whose bodies form a tree, each speed moving one joint; none of other models.
+/// Solves for accelerations and multipliers; `None` if the bodies do not form a tree in which each speed moves one joint, or if masses vary.
 pub(crate) fn solved(trace: &Trace<'_>) -> Option<Solved> {
     let bodies = ArticulatedBodies::of(trace)?;
     if !trace.solid().is_empty() {
@@ -56,19 +56,19 @@ pub(crate) fn solved(trace: &Trace<'_>) -> Option<Solved> {
     let flat = substitute_all(&flat, &at_rest.iter().copied().chain(none).collect::<Vec<_>>());
     let (wrenches, pushes) = flat.split_at(6 * wrenches.len());
     let pair = |six: &[Sym]| Pair([[six[0], six[1], six[2]], [six[3], six[4], six[5]]]);
-    // weights enter as an upward acceleration of the ground
+    // weights are represented by an upward acceleration of the ground
     let ground = trace.model.gravity.map_or(Vector::ZERO, |gravity| trace.vector(gravity).map(|part| -part));
     let free = bodies.solve(pushes, wrenches.chunks_exact(6).map(pair).collect(), ground);
     Some(bodies.with_constraints(free, &constraints))
 }
 
-/// Whether the bodies of a model form such a tree.
+/// Returns whether the algorithm applies to a model.
 pub(crate) fn are_of(trace: &Trace<'_>) -> bool {
     ArticulatedBodies::of(trace).is_some()
 }
 
 impl<'t, 'm> ArticulatedBodies<'t, 'm> {
-    /// `None` where bodies form no such tree, or a speed moves nothing with a mass.
+    /// Factorises the mass matrix; `None` if the bodies do not form a tree, or a speed moves no mass.
     fn of(trace: &'t Trace<'m>) -> Option<Self> {
         let energies = &trace.model.energies;
         // a system given by energies has no links
@@ -110,7 +110,7 @@ impl<'t, 'm> ArticulatedBodies<'t, 'm> {
         Some(ArticulatedBodies { trace, links, speeds })
     }
 
-    /// Wrenches of each link at zero accelerations, inertia less forces, and the loads along speeds beside them.
+    /// Returns the wrench of each link at zero accelerations (inertia minus forces), and the generalised forces that act on no link.
     fn loads(&self) -> Option<(Vec<Pair>, Vec<Sym>)> {
         let trace = self.trace;
         let mut wrenches: Vec<Pair> = self.links.all.iter().map(|link| self.inertial(link)).collect();
@@ -133,14 +133,14 @@ impl<'t, 'm> ArticulatedBodies<'t, 'm> {
         Some((wrenches, pushes))
     }
 
-    /// The power of a load, per speed, by the velocity that it acts on.
+    /// Adds the generalised forces of a load: its power on the given velocity, per speed.
     fn project(&self, pushes: &mut [Sym], velocity: Vector, load: Vector) {
         for (speed, push) in pushes.iter_mut().enumerate() {
             *push += self.trace.dot(load, self.trace.vector_by_speed(velocity, speed));
         }
     }
 
-    /// The link that a load at a point acts on; none where it is none of them.
+    /// Returns the link on which a load at a point acts; `None` if there is none.
     fn bearer(&self, Material { body, point }: Material) -> Option<usize> {
         match body {
             Some(body) => self.links.of_body(body).filter(|_| self.trace.model.bodies[body.0].centre.is_some()),
@@ -148,7 +148,7 @@ impl<'t, 'm> ArticulatedBodies<'t, 'm> {
         }
     }
 
-    /// m a at the centre and the rate of the angular momentum, about the joint.
+    /// Returns the inertial wrench about the joint: the torque from m a and the rate of the angular momentum, and the force m a of the centre of mass.
     fn inertial(&self, link: &Link) -> Pair {
         let trace = self.trace;
         let Some(body) = link.body.map(|body| &trace.model.bodies[body.0]) else { return Pair::ZERO };
@@ -168,7 +168,7 @@ impl<'t, 'm> ArticulatedBodies<'t, 'm> {
         *wrench = wrench.and(factor, &Pair(load.map(|vector| self.trace.express(vector, frame))));
     }
 
-    /// A wrench in the parent of a link.
+    /// Transforms a wrench from a link to its parent.
     fn down(&self, link: &Link, parent: usize, Pair([torque, force]): &Pair) -> Pair {
         let trace = self.trace;
         let [torque, force] = [torque, force].map(|all| Vector { frame: link.frame, components: *all });
@@ -177,7 +177,7 @@ impl<'t, 'm> ArticulatedBodies<'t, 'm> {
         Pair([torque, force].map(|vector| trace.express(vector, self.links.all[parent].frame)))
     }
 
-    /// The twist of a link that only follows its parent.
+    /// Transforms the twist of the parent to a link that is rigidly carried.
     fn up(&self, link: &Link, parent: usize, twist: &Pair) -> Pair {
         let (trace, Pair([turning, velocity])) = (self.trace, twist);
         if twist.is_zero() {
@@ -190,7 +190,7 @@ impl<'t, 'm> ArticulatedBodies<'t, 'm> {
         Pair([turning, velocity].map(|vector| trace.express(vector, link.frame)))
     }
 
-    /// M^-1 (pushes - the power of the wrenches), on a ground that is accelerated.
+    /// Returns M^-1 (pushes - the generalised forces of the wrenches), with the given acceleration of the ground.
     fn solve(&self, pushes: &[Sym], mut wrenches: Vec<Pair>, ground: Vector) -> Vec<Sym> {
         let links = &self.links.all;
         let mut found = pushes.to_vec();
@@ -221,7 +221,7 @@ impl<'t, 'm> ArticulatedBodies<'t, 'm> {
         found
     }
 
-    /// Accelerations and multipliers from the accelerations without constraints.
+    /// Returns accelerations and multipliers, from the accelerations `free` without constraints.
     fn with_constraints(&self, free: Vec<Sym>, constraints: &[Equation]) -> Solved {
         if constraints.is_empty() {
             return Ok((free, Vec::new()));
@@ -241,7 +241,7 @@ impl<'t, 'm> ArticulatedBodies<'t, 'm> {
     }
 }
 
-/// The directions in which own speeds move each link, the last speed first; none where one moves several joints, or none.
+/// Returns the directions in which its own speeds move each link, the last speed first; `None` if a speed moves several joints, or none.
 fn directions(trace: &Trace<'_>, links: &Links<'_, '_>) -> Option<Vec<Vec<(usize, Pair)>>> {
     let places: HashMap<Sym, usize> = trace.speeds.iter().enumerate().map(|(place, speed)| (*speed, place)).collect();
     let mut is_owned = vec![false; trace.speeds.len()];

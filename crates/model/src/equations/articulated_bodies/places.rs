@@ -1,5 +1,5 @@
-//! Places: points by the steps that lead to them from the origin, each a sum of vectors in the axes of one frame. Points that several
-//! bodies share have one place, whatever names they have.
+//! Points, described by the displacements that lead to them from the origin. Each displacement is a vector in the axes of one frame. Points of several
+//! bodies that coincide have one `Place`.
 
 use crate::arena::{Part, Vector as Form};
 use crate::trace::{Trace, Vector};
@@ -7,18 +7,18 @@ use crate::{FrameId, PointId, VectorId};
 use std::collections::HashMap;
 use symbolic::Sym;
 
-/// A place; the first is the origin.
+/// A point, by its index; the origin has the index 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Place(usize);
 
-/// A step from a place to the next.
+/// The displacement `way` from a point `from` to the next.
 #[derive(Clone, Copy)]
 pub(super) struct Step {
     pub from: Place,
     pub way: Vector,
 }
 
-/// The places from which all points are reached.
+/// All points, with their displacements.
 pub(super) struct Places<'t, 'm> {
     trace: &'t Trace<'m>,
     steps: Vec<Option<Step>>,
@@ -41,22 +41,22 @@ impl<'t, 'm> Places<'t, 'm> {
         places
     }
 
-    /// The place of a point.
+    /// Returns the place of a point of the model.
     pub fn of_point(&self, point: PointId) -> Place {
         self.points[point.0]
     }
 
-    /// The step to a place; none to the origin.
+    /// Returns the displacement that leads to a place; `None` for the origin.
     pub fn step(&self, place: Place) -> Option<Step> {
         self.steps[place.0]
     }
 
-    /// A place and those before it, to the origin.
+    /// Returns the place and its predecessors, down to the origin.
     pub fn path(&self, place: Place) -> impl Iterator<Item = Place> {
         std::iter::successors(Some(place), |place| self.step(*place).map(|step| step.from))
     }
 
-    /// From a place to another, along the steps that they do not share.
+    /// Returns the vector from one place to another, along the displacements that they do not share.
     pub fn between(&self, from: Place, to: Place) -> Vector {
         let [one, other] = [from, to].map(|end| self.path(end).collect::<Vec<Place>>());
         let shared = one.iter().rev().zip(other.iter().rev()).take_while(|(a, b)| a == b).count();
@@ -67,7 +67,7 @@ impl<'t, 'm> Places<'t, 'm> {
         self.trace.sum(way(&other), way(&one).map(|component| -component))
     }
 
-    /// The place at the end of a vector: its terms in the axes of one frame after those of another, frames nearer to the ground first.
+    /// Returns the place at the end of a vector. Its terms are grouped by frames; frames nearer to the ground come first.
     fn by_way(&mut self, from: Place, way: VectorId) -> Place {
         let mut terms: Vec<Vector> = Vec::new();
         for term in self.terms(way) {
@@ -89,7 +89,7 @@ impl<'t, 'm> Places<'t, 'm> {
         place
     }
 
-    /// A vector as the sum that was written.
+    /// Splits a vector into the terms of its sum.
     fn terms(&self, vector: VectorId) -> Vec<Vector> {
         let opposite = |all: Vec<Vector>| -> Vec<Vector> {
             all.into_iter().map(|term| term.map(|component| -component)).collect()

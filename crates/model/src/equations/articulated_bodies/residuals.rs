@@ -1,4 +1,4 @@
-//! Residuals of the equations of motion over the tree of bodies at any accelerations z, from the last bodies to the ground:
+//! Residuals of the equations of motion by recursion over the tree of bodies, for arbitrary accelerations z:
 //!
 //!   r = Q - (M z + h) .
 
@@ -8,12 +8,12 @@ use crate::principles::loads::by_energies;
 use crate::trace::Trace;
 use symbolic::Sym;
 
-/// Residuals without reactions; none where the bodies form no tree, or masses vary.
+/// Returns the residuals without constraint reactions; `None` if the bodies do not form a tree, or if masses vary.
 pub(crate) fn residuals(trace: &Trace<'_>) -> Option<Vec<Sym>> {
     ArticulatedBodies::of(trace).filter(|_| trace.solid().is_empty())?.residuals()
 }
 
-/// Accelerations and multipliers of bodies at rest without weight that are pushed.
+/// Returns accelerations and multipliers for the given generalised forces, with bodies at rest and without gravity.
 pub(crate) fn answers(trace: &Trace<'_>, pushes: &[Sym], constraints: &[Equation]) -> Option<Solved> {
     let bodies = ArticulatedBodies::of(trace)?;
     let nothing = vec![Pair::ZERO; bodies.links.all.len()];
