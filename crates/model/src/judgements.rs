@@ -1,4 +1,4 @@
-//! All judgements of the equations of a model, each with its verdict.
+//! All checks of the equations of a model, each with its verdict.
 
 use crate::agreement::{Agreement, agreement, projected_agreement};
 use crate::parts::Implied;
@@ -9,33 +9,33 @@ use crate::statements::{Mistake, Mistaken, mistaken, statements};
 use crate::trace::Trace;
 use symbolic::Sym;
 
-/// A statement with its verdict.
+/// A statement about the equations of a model, with its verdict.
 #[derive(Clone, Debug)]
 pub struct Judgement {
     pub subject: Subject,
-    /// Why it does not apply, otherwise.
+    /// The verdict, or the reason why the statement does not apply to the model.
     pub agreement: Result<Agreement, String>,
-    /// The grounds of the verdict: the points where it was decided, or the terms lost by a mistake.
+    /// The grounds of the verdict: the points at which it was decided, or the terms that a mistake loses.
     pub behind: Vec<String>,
-    /// Whether the verdict must not be a refutation.
+    /// Whether a refutation is an error of the program. It is not one for a mistaken derivation.
     pub must_hold: bool,
 }
 
-/// A subject of judgement.
+/// The subject of a statement.
 #[derive(Clone, Debug)]
 pub enum Subject {
-    /// Two principles whose equations are compared.
+    /// The equations of two principles are equal.
     Principles([&'static str; 2]),
-    /// Two principles in quasi-velocities, by their names.
+    /// The equations of two principles in the named quasi-velocities are equal.
     InQuasiVelocities { principles: [&'static str; 2], speeds: Vec<String> },
-    /// A quantity, and a statement of the equations about it.
+    /// A statement about an energy, a momentum or a constraint.
     Statement { about: String, says: String },
-    /// A mistaken derivation.
+    /// A derivation with a common mistake gives correct equations.
     Mistake { mistake: Mistake, says: String },
 }
 
 impl Judgement {
-    /// The statement in one line.
+    /// Returns the statement in one line.
     pub fn title(&self) -> String {
         match &self.subject {
             Subject::Principles([one, other]) => format!("{one} = {other}"),
@@ -47,7 +47,7 @@ impl Judgement {
         }
     }
 
-    /// The verdict in a sentence.
+    /// Returns the verdict as a sentence.
     pub fn said(&self) -> String {
         match &self.agreement {
             Ok(agreement) => agreement.to_string(),
@@ -55,20 +55,20 @@ impl Judgement {
         }
     }
 
-    /// The verdict in a word.
+    /// Returns the verdict as a word.
     pub fn degree(&self) -> &'static str {
         self.agreement.as_ref().map_or("does not apply", Agreement::degree)
     }
 
-    /// Whether a statement that must hold is refuted, or could not be decided.
+    /// Returns whether a statement that must hold is refuted or undecided.
     pub fn fails(&self) -> bool {
         let missed = matches!(self.agreement, Ok(Agreement::Refuted { .. } | Agreement::Undecided { .. }));
         self.must_hold && missed
     }
 }
 
-/// All judgements of a model: every principle against Lagrange's, those along independent rates and in the quasi-velocities of its file, its
-/// statements on integrals and constraints, and a mistake that can be made with it.
+/// Checks a model: every principle against Lagrange's, the projections along independent rates, the principles in the quasi-velocities of the file, the
+/// statements on integrals and constraints, and a common mistake.
 pub fn judgements(trace: &Trace<'_>) -> Vec<Judgement> {
     let [first, others @ ..] = Principle::ALL;
     let plain = |principle: Principle| Judgement {
@@ -101,17 +101,17 @@ pub fn judgements(trace: &Trace<'_>) -> Vec<Judgement> {
     let mistake = judged_mistake(trace, Mistake::ConstraintsInEnergy);
     let rows = others.into_iter().map(plain).chain(Projection::ALL.into_iter().map(projected));
     let rows = rows.chain(in_quasi_velocities(trace)).chain(stated);
-    // nothing is said of a mistake that cannot be made
+    // a mistake that is impossible in this model is not listed
     rows.chain(mistake.agreement.is_ok().then_some(mistake)).collect()
 }
 
-/// An equation that is left out on the branch of the start.
+/// Returns a sentence on an equation that is redundant only on the branch of the start.
 fn on_its_branch(implied: &Implied) -> Option<String> {
     let start = implied.branch.as_ref()?;
     Some(format!("{} follows from the others on the branch of the start, {start}, and is left out", implied.title))
 }
 
-/// Whether the principles that use quasi-velocities agree in those of the file.
+/// Checks that the principles that use quasi-velocities agree in the quasi-velocities of the file.
 fn in_quasi_velocities(trace: &Trace<'_>) -> Vec<Judgement> {
     if trace.model.quasi_velocities.is_empty() {
         return Vec::new();
@@ -123,7 +123,7 @@ fn in_quasi_velocities(trace: &Trace<'_>) -> Vec<Judgement> {
         subject: Subject::InQuasiVelocities { principles: [first.name(), other.name()], speeds: speeds.clone() },
         agreement: match &quasi {
             Ok(quasi) => quasi_agreement(quasi, first, other).map_err(|why| why.to_string()),
-            // judged when the file was read
+            // reported when the model was elaborated
             Err(faults) => Err(faults.iter().map(|fault| fault.title.clone()).collect::<Vec<_>>().join("; ")),
         },
         behind: Vec::new(),
@@ -132,17 +132,17 @@ fn in_quasi_velocities(trace: &Trace<'_>) -> Vec<Judgement> {
     others.into_iter().map(compared).collect()
 }
 
-/// Characters of the longest term that is written out.
+/// Terms with more characters are described by their number of operations.
 const MOST_READ: usize = 400;
 
-/// Whether a mistaken derivation is refuted by a model, with the terms that it loses.
+/// Checks a mistaken derivation on a model, and lists the terms that it loses.
 pub fn judged_mistake(trace: &Trace<'_>, mistake: Mistake) -> Judgement {
     let (says, agreement, behind) = match mistaken(trace, mistake) {
         Ok(Mistaken { says, agreement, lost }) => {
             let lost = lost.into_iter().map(|(name, term)| {
                 let term = shorter(trace, term);
                 let operations = Sym::operations_of(&[term]);
-                // an expression has at least a character for each operation
+                // the text of an expression has at least one character per operation
                 let written = (operations <= MOST_READ).then(|| term.to_string());
                 let term = match written.filter(|written| written.len() <= MOST_READ) {
                     Some(written) => written,

@@ -1,14 +1,14 @@
-//! The law between two changes of its contacts: one law for each set of smooth contacts that are in touch.
+//! The law between two changes of contact states: one law for each set of closed contacts without friction.
 
 use crate::arena::{Number, Part, Scalar};
 use crate::{Contact, Model};
 
 impl Model {
-    /// The model while its contacts keep their state, those in touch without friction: the gap of each is a constraint, whose reaction takes
-    /// the place of the contact's; those apart exert no force. It has no contacts.
+    /// Returns the model while its contacts keep their state. The gap of each closed contact becomes a constraint, whose reaction replaces that of the contact;
+    /// friction is ignored. Open contacts exert no force. The result has no contacts.
     ///
-    /// `touch` says of each contact whether it is in touch. None where a contact is a diode or a freewheel, or where a guide that the
-    /// coordinates keep is in touch.
+    /// `touch` states for each contact whether it is closed. Returns `None` if a contact is a diode or a freewheel, or if a closed guide is satisfied identically by
+    /// the coordinates.
     pub fn with_kept_contacts(&self, touch: &[bool]) -> Option<Self> {
         let is_refused =
             |(contact, touches): (&Contact, &bool)| contact.one_way.is_some() || *touches && contact.guide.is_some();

@@ -1,4 +1,4 @@
-//! Lengths of velocities: zero at rest, where they have no derivative.
+//! Magnitudes of velocities, which have no derivative at rest.
 
 use crate::arena::{Function, Number, Part, Scalar, ScalarId};
 use crate::equations::vanishes;
@@ -6,10 +6,10 @@ use crate::{Model, Trace};
 use symbolic::Sym;
 
 impl Model {
-    /// The model with zero in the place of every norm and root that holds speeds and is zero whenever all speeds are; none if there is no
-    /// such place.
+    /// Replaces by zero every norm and square root that depends on speeds and vanishes when all speeds vanish. Returns `None` if the model contains
+    /// none.
     ///
-    /// In the drag -c |v| v this leaves out a term of second order in the speeds, and in -c |v| one of first order: the caller decides
+    /// In the drag -c |v| v this omits a term of second order in the speeds, in -c |v| one of first order: the caller must decide
     /// whether the law keeps its derivatives at rest.
     pub fn without_lengths_at_rest(&self) -> Option<Self> {
         let is_length =

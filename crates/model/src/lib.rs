@@ -1,14 +1,14 @@
 //! A mechanical system as data (bodies, loads, constraints), and its equations of motion by every principle.
 //!
 //! # Overview
-//! For programs that derive equations of motion. The example derives the equation of a pendulum.
+//! The crate is for programs that derive equations of motion. The example derives the equation of a pendulum.
 //!
 //! * [`Source`]: the text of a system, as keys whose values are expressions ([`expression`]);
-//! * [`Model`]: the system with every name resolved and every dimension checked. It owns its expressions and may be sent
-//!   between threads;
-//! * [`Trace`]: the model over symbols, in the expression graph of one thread: positions, velocities and accelerations, formed recursively,
-//!   each in the frame in which it is short;
-//! * [`principles`]: the equations of motion; each principle takes its derivatives automatically.
+//! * [`Model`]: the system after resolution of all names and a check of all dimensions. It owns its expressions and can be sent
+//!   to other threads;
+//! * [`Trace`]: the model over symbols, in the expression graph of one thread. Positions, velocities and accelerations are computed recursively,
+//!   each in the frame in which its expression is short;
+//! * [`principles`]: derivations of the equations of motion; each principle differentiates automatically.
 //!
 //! ```
 //! use dalembert_model::{Model, Source, Trace, principles::Principle};

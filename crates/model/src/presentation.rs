@@ -1,4 +1,4 @@
-//! Equations of motion for reading and for other programs: matrix form, vectors, kinds of constraints.
+//! Equations of motion for readers and for other programs: matrix form, vectors, kinds of constraints.
 
 mod axes;
 mod code;
@@ -35,7 +35,7 @@ use num_traits::Zero;
 use reading::Reading;
 use symbolic::{Hypotheses, Node, Sym, normal};
 
-/// Whether a text has several terms outside parentheses.
+/// Returns whether a text has several terms outside of parentheses.
 pub(crate) fn is_sum(text: &str) -> bool {
     let mut depth = 0;
     text.char_indices().any(|(at, letter)| {
@@ -48,7 +48,7 @@ pub(crate) fn is_sum(text: &str) -> bool {
     })
 }
 
-/// Letters in the order of the model.
+/// Prepares the simplification of expressions for printing, with symbols in the order of the model.
 pub(crate) fn reading_of(trace: &Trace<'_>) -> Reading {
     let is_positive = |parameter: &crate::Parameter| parameter.value.is_some_and(|value| value > 0.0);
     let parameters = trace.parameters.iter().zip(&trace.model.parameters);
@@ -58,8 +58,8 @@ pub(crate) fn reading_of(trace: &Trace<'_>) -> Reading {
     Reading::new(parameters, letters.chain([trace.time])).with_letters(named)
 }
 
-/// The kind of every constraint, each on a line: of positions or of speeds; in the speeds linear, affine or nonlinear; with the time or
-/// without. Then whether those of speeds are rates of constraints of positions.
+/// Returns a line for each constraint with its kind: on positions or on speeds; linear, affine or nonlinear in the speeds; with or
+/// without the time. A last line states whether the constraints of speeds are integrable.
 pub fn constraints(trace: &Trace<'_>) -> Vec<String> {
     let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
     let kind = |(k, (constraint, axis)): (usize, (Equation, Option<String>))| {
@@ -90,7 +90,7 @@ pub fn constraints(trace: &Trace<'_>) -> Vec<String> {
     lines.chain(whole).collect()
 }
 
-/// Replaces a count of operations that has overflowed by words.
+/// Replaces an overflowed number of operations by words.
 pub(crate) fn with_counts(text: &str) -> String {
     text.replace(
         &format!("an expression of {} operations", u64::MAX),
@@ -98,9 +98,9 @@ pub(crate) fn with_counts(text: &str) -> String {
     )
 }
 
-/// An expression for reading, the shorter of two forms: a fraction of polynomials, or with angles and direction cosines together.
+/// Returns the shorter of two forms of an expression: a quotient of polynomials, or the form for reading with recombined angles and direction cosines.
 ///
-/// A long expression is left as it is.
+/// Long expressions are unchanged.
 pub fn shorter(trace: &Trace<'_>, expression: Sym) -> Sym {
     if Sym::operations_of(&[expression]) > MOST_SIMPLIFIED {
         return expression;
@@ -109,11 +109,11 @@ pub fn shorter(trace: &Trace<'_>, expression: Sym) -> Sym {
     forms.into_iter().min_by_key(|form| Sym::operations_of(&[*form])).unwrap_or(expression)
 }
 
-/// Expressions with more operations are left as they are.
+/// Expressions with more operations are unchanged.
 const MOST_SIMPLIFIED: usize = 2_000;
 
-/// The normal form, unless its denominator was multiplied by conjugates: these vanish where the expression has a value, as
-/// sin(a - q) sin(a + q) = cos(q)^2 - cos(a)^2 does beside sin(a - q). Then numerator and denominator are each in normal form.
+/// Returns the normal form, unless its denominator was multiplied by conjugates. These may vanish where the expression is defined, as
+/// sin(a - q) sin(a + q) = cos(q)^2 - cos(a)^2 does for sin(a - q). In that case numerator and denominator are brought to normal form separately.
 pub(crate) fn simplified_as_defined(expression: Sym) -> Sym {
     if Sym::operations_of(&[expression]) > MOST_SIMPLIFIED {
         return expression;
@@ -123,7 +123,7 @@ pub(crate) fn simplified_as_defined(expression: Sym) -> Sym {
         Ok(_) => {
             let quotient = |expression: Sym| {
                 let leaves = expression.leaves_of().into_iter().filter(|leaf| !matches!(leaf.node(), Node::Symbol(_)));
-                // names that no system has
+                // names in systems contain no spaces, hence these are unused
                 let named = |(k, leaf): (usize, Sym)| (leaf, Sym::symbol(&format!("leaf {k}")));
                 let letters: Vec<(Sym, Sym)> = leaves.enumerate().map(named).collect();
                 let back: Vec<(Sym, Sym)> = letters.iter().map(|&(leaf, letter)| (letter, leaf)).collect();
@@ -137,7 +137,7 @@ pub(crate) fn simplified_as_defined(expression: Sym) -> Sym {
     }
 }
 
-/// Whether a denominator in normal form has a sum of angles or roots as a factor.
+/// Returns whether a denominator in normal form has a factor that is a sum with angles or roots.
 fn has_conjugates(denominator: Sym) -> bool {
     let mut open = vec![denominator];
     while let Some(each) = open.pop() {

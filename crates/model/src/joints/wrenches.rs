@@ -1,11 +1,11 @@
-//! The forces and torques by which a constraint acts, found backwards through its expression.
+//! The wrench of a constraint's reaction, computed by reverse differentiation of the constraint's expression.
 //!
-//! A constraint f = 0 does the virtual power lambda df, where df is its rate for the speeds in it. Written as
+//! A constraint f = 0 has the virtual power lambda df, where df is the rate of f for arbitrary speeds. In the form
 //!
 //!   df = sum F . v_P + sum T . w_B + sum c u
 //!
-//! over points, frames and coordinates it shows where its reaction acts: lambda F at the point P, lambda T on the frame B,
-//! and lambda c on a coordinate that stands in it as a letter. The derivatives run from f to its parts.
+//! over points P, frames B and coordinates it gives the reaction: the force lambda F at P, the torque lambda T on B,
+//! and the generalised force lambda c along a coordinate that occurs by name in f.
 
 use crate::arena::{Part, Scalar, Vector as Form};
 use crate::equations::Level;
@@ -14,16 +14,16 @@ use num_traits::Zero;
 use rustc_hash::FxHashMap;
 use symbolic::Sym;
 
-/// The wrenches of a constraint's reaction, for a multiplier of one.
+/// The wrench of a constraint's reaction for the multiplier one.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Wrench {
     pub forces: Vec<(Material, Vector)>,
     pub torques: Vec<(FrameId, Vector)>,
-    /// The generalised forces along coordinates that stand in it as letters.
+    /// Generalised forces along coordinates that occur by name in the constraint.
     pub along: Vec<(usize, Sym)>,
 }
 
-/// Whether a part is varied by the positions or, where these rest, by the speeds.
+/// The quantities with respect to which a node is differentiated: positions, or speeds at constant positions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Varied {
     Positions,
@@ -37,19 +37,19 @@ struct Backward<'t, 'm> {
     wrench: Wrench,
 }
 
-/// The wrench of a scalar constraint.
+/// Returns the wrench of a scalar constraint.
 pub(super) fn of_scalar(trace: &Trace<'_>, zero: ScalarId, level: Level) -> Wrench {
     let mut backward = Backward::new(trace);
     backward.add(zero, varied(level), Sym::ONE);
     backward.run(zero.0)
 }
 
-/// The wrench of a vector constraint along an axis.
+/// Returns the wrench of a component of a vector constraint along an axis.
 pub(super) fn along_axis(trace: &Trace<'_>, zero: VectorId, axis: Vector, level: Level) -> Wrench {
     let mut backward = Backward::new(trace);
     backward.add_vector(zero, varied(level), axis);
     if level == Level::Position {
-        // the component changes with the axis too
+        // the axis rotates with its frame
         let turned = trace.cross(axis, trace.vector(zero));
         backward.torque(axis.frame, turned);
     }
@@ -87,7 +87,7 @@ impl<'t, 'm> Backward<'t, 'm> {
         }
     }
 
-    /// From a part to all that it is made of, which stand before it.
+    /// Propagates weights from a node to its operands, which have smaller indices.
     fn run(mut self, whole: usize) -> Wrench {
         for place in (0..=whole).rev() {
             for varied in [Varied::Speeds, Varied::Positions] {
@@ -117,7 +117,7 @@ impl<'t, 'm> Backward<'t, 'm> {
             | Scalar::Pi
             | Scalar::Switch(..)
             | Scalar::Step(..) => {}
-            // scalars of outputs alone, and those of contacts, which no constraint holds
+            // constraints contain none of these scalars, which belong to outputs and contacts
             Scalar::Reaction { .. }
             | Scalar::Contact { .. }
             | Scalar::KineticEnergy
@@ -189,7 +189,7 @@ impl<'t, 'm> Backward<'t, 'm> {
                 let by_a = scaled(weight / value, self.trace.vector(*a));
                 self.add_vector(*a, varied, by_a);
             }
-            // the rate of a position varies with the speeds as the position does with positions
+            // the derivative of a position's rate by the speeds equals that of the position by the positions
             Scalar::RateOf(a) => {
                 if varied == Varied::Speeds {
                     self.add(*a, Varied::Positions, weight);
@@ -245,7 +245,7 @@ impl<'t, 'm> Backward<'t, 'm> {
                 let carried = trace.cross(of(a), opposite());
                 self.torque(*seen, carried);
             }
-            // positions rest while speeds are varied; constraints of speeds are not varied by positions
+            // positions are constant when speeds vary; constraints of speeds are not differentiated by positions
             (
                 Form::Axis { .. }
                 | Form::Between { .. }

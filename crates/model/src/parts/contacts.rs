@@ -5,38 +5,38 @@ use crate::{BodyId, PointId, ScalarId, VectorId};
 use std::ops::Range;
 use symbolic::Dimension;
 
-/// The sides of a plane, a curve or a guide that react.
+/// The sides of a plane, curve or guide that react.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sides {
-    /// The surface pushes, and lets go.
+    /// Unilateral: the contact can open.
     One,
-    /// The surface holds on either side.
+    /// Bilateral: the contact never opens.
     Both,
 }
 
-/// The law of an impact, with the coefficient of restitution e.
+/// The law of an impact with the coefficient of restitution e.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Restitution {
-    /// The gap opens with e times the velocity with which it closed.
+    /// The rate of the gap after the impact is -e times that before it.
     #[default]
     Newton,
-    /// The impulse of the restitution is e times that of the compression.
+    /// The impulse of the restitution phase is e times that of the compression phase.
     Poisson,
-    /// Newton's law for several contacts at once (Moreau): a contact in touch may take part with an impulse of its own.
+    /// Newton's law for several contacts simultaneously (Moreau): a contact that is already closed may take part with its own impulse.
     Moreau,
 }
 
-/// An element that keeps a speed from falling below zero, as a plane keeps a gap.
+/// An element that prevents a speed from becoming negative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OneWay {
-    /// A current.
+    /// The speed is an electric current.
     Diode,
-    /// The speed of a shaft beside another one.
+    /// The speed is that of a shaft relative to another one.
     Freewheel,
 }
 
 impl OneWay {
-    /// The name in files and sentences.
+    /// Returns the name in files and sentences.
     pub fn name(self) -> &'static str {
         match self {
             OneWay::Diode => "diode",
@@ -45,70 +45,71 @@ impl OneWay {
     }
 }
 
-/// A contact.
+/// A contact with normal reaction N, friction T, coefficient of friction mu, and sliding velocity v.
 ///
-/// N acts on the body along the normal, T along the tangent, and both in the opposite direction on the other body. In touch
-/// |T| <= mu |N| where the sliding velocity v is zero, else T = -mu |N| v/|v|; N >= 0 where one side reacts; N = T = 0 apart. In the plane
-/// v and T have one component, in space two, along tangents that are at right angles.
+/// N acts on the body along the normal, T along the tangent; the opposite forces act on the other body. If the contact is closed,
+/// |T| <= mu |N| for v = 0, otherwise T = -mu |N| v/|v|. For a unilateral contact N >= 0. If it is open, N = T = 0. In the plane
+/// v and T have one component, in space two, along perpendicular tangents.
 ///
-/// A diode, and a freewheel, is one whose gap is a speed u: u >= 0, N >= 0, N u = 0, with the power N u.
+/// For a diode or freewheel the gap is a speed u: u >= 0, N >= 0, N u = 0, and the power is N u.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contact {
-    /// Empty where it has none.
+    /// The name; empty if there is none.
     pub name: String,
-    /// Positive apart, zero in touch.
+    /// The gap in metres: positive for an open contact, zero for a closed one.
     pub gap: ScalarId,
-    /// For a gap that is a speed.
+    /// For a diode or freewheel, whose gap is a speed.
     pub one_way: Option<OneWay>,
-    /// The voltage or torque that a diode or a freewheel takes while it lets through.
+    /// The voltage drop or torque of a conducting diode or freewheel.
     pub drop: Option<ScalarId>,
-    /// The normal n, of length one, and the velocity of the place of the body beside the other one.
+    /// The unit normal n.
     pub normal: VectorId,
+    /// The velocity of the body's point relative to the other body.
     pub velocity: VectorId,
-    /// The sliding velocity along each tangent.
+    /// The components of the sliding velocity along the tangents, in m/s.
     pub slides: Vec<ScalarId>,
     pub sides: Sides,
-    /// The letters N, and T along each tangent.
+    /// The symbols of N, and of T along each tangent.
     pub reactions: Vec<ScalarId>,
-    /// The tangents.
+    /// The unit tangents.
     pub tangents: Vec<VectorId>,
     /// The unit of N.
     pub reaction_unit: String,
-    /// mu; none where it is smooth.
+    /// The coefficient of friction mu; `None` for a frictionless contact.
     pub friction: Option<ScalarId>,
-    /// e, of an impact; zero where left out.
+    /// The coefficient of restitution e; zero if it is omitted.
     pub restitution: Option<ScalarId>,
     pub law: Restitution,
-    /// The body that is touched; none of the ground.
+    /// The other body; `None` for the ground.
     pub with: Option<BodyId>,
-    /// The point that touches.
+    /// The touching point.
     pub point: PointId,
-    /// A point of the plane; none where the gap is given.
+    /// A point of the plane; `None` if the gap is given as an expression.
     pub through: Option<PointId>,
-    /// Whether it is a guide along an axis.
+    /// Whether the contact is a guide along an axis.
     pub is_line: bool,
-    /// The place of its coordinate in the released model, for a guide which the coordinates satisfy.
+    /// For a guide that the coordinates satisfy identically: the index of its additional coordinate in the released model.
     pub guide: Option<usize>,
-    /// Whether it is in touch at the start, which is completed so.
+    /// Whether the contact is closed at the start.
     pub is_touching: bool,
-    /// The position in the file, in bytes.
+    /// The range of bytes in the file.
     pub at: Range<usize>,
 }
 
 impl Contact {
-    /// The constraint that keeps it in touch.
+    /// Returns the constraint gap = 0.
     pub fn closed(&self) -> Constraint {
         let name = if self.name.is_empty() { None } else { Some(format!("contact {}", self.name)) };
         let (zero, dimension) = (Zero::Scalar(self.gap), Dimension::length());
         Constraint { name, zero, dimension, gains: None, gains_at: self.at.clone(), at: self.at.clone() }
     }
 
-    /// Whether it slides in two directions.
+    /// Returns whether the contact slides in two directions.
     pub fn is_in_space(&self) -> bool {
         self.slides.len() > 1
     }
 
-    /// The name in sentences, by its place.
+    /// Returns the name in sentences; `place` is the index of the contact.
     pub fn title(&self, place: usize) -> String {
         let what = self.one_way.map_or("contact", OneWay::name);
         if self.name.is_empty() { format!("{what} {}", place + 1) } else { format!("{what} `{}`", self.name) }

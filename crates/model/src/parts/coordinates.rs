@@ -1,17 +1,17 @@
-//! Coordinates, and names for combinations of their rates.
+//! Coordinates and quasi-velocities.
 
 use crate::ScalarId;
 use std::ops::Range;
 use symbolic::Dimension;
 
-/// A coordinate.
+/// A coordinate of the system.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Coordinate {
     pub name: String,
     pub dimension: Dimension,
-    /// The coherent unit, in which values are.
+    /// The coherent SI unit of its values.
     pub unit: String,
-    /// The position of the name in the file, in bytes.
+    /// The range of bytes of the name in the file.
     pub at: Range<usize>,
 }
 
@@ -28,12 +28,12 @@ pub struct QuasiVelocity {
     pub name: String,
     pub is: ScalarId,
     pub dimension: Dimension,
-    /// The position of the name in the file, in bytes.
+    /// The range of bytes of the name in the file.
     pub at: Range<usize>,
 }
 
 impl QuasiVelocity {
-    /// The coherent unit.
+    /// Returns the coherent SI unit.
     pub fn unit(&self) -> String {
         let written = self.dimension.to_string();
         units::Unit::parse(&written).map_or(written, |unit| unit.dimension().coherent())
@@ -41,7 +41,7 @@ impl QuasiVelocity {
 }
 
 impl Coordinate {
-    /// The coherent unit of its rate.
+    /// Returns the coherent SI unit of the coordinate's rate.
     pub fn unit_of_rate(&self) -> String {
         let of_rate = (self.dimension / Dimension::time()).to_string();
         units::Dimension::of(&of_rate).coherent()

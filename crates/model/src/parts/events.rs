@@ -3,7 +3,7 @@
 use crate::ScalarId;
 use std::ops::Range;
 
-/// The direction in which an expression passes zero.
+/// The direction in which an expression passes through zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
     Up,
@@ -11,48 +11,48 @@ pub enum Direction {
     Both,
 }
 
-/// An instant at which an expression passes zero.
+/// An instant at which the expression `when` passes through zero.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Event {
-    /// Empty where it has none.
+    /// The name; empty if there is none.
     pub name: String,
     pub when: ScalarId,
     pub direction: Direction,
-    /// The state after it.
+    /// Assignments to the state after the event.
     pub set: Vec<Assignment>,
-    /// Whether the motion ends.
+    /// Whether the event ends the motion.
     pub ends: bool,
     pub at: Range<usize>,
 }
 
-/// A coordinate, or its speed, after an event: an expression of the state before it.
+/// A coordinate or speed after an event, as a function of the state before it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assignment {
     pub coordinate: usize,
-    /// Zero for the coordinate, one for its speed.
+    /// 0 for the coordinate, 1 for its speed.
     pub order: usize,
     pub is: ScalarId,
 }
 
-/// A coordinate, or its speed, at time zero.
+/// A coordinate or speed at time zero.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StartValue {
     pub coordinate: usize,
-    /// Zero for the coordinate, one for its speed.
+    /// 0 for the coordinate, 1 for its speed.
     pub order: usize,
-    /// In SI units.
+    /// The value in SI units.
     pub value: f64,
-    /// Whether it may be moved to meet the constraints.
+    /// Whether the value may be changed to satisfy the constraints.
     pub is_guess: bool,
 }
 
-/// The value of a quasi-velocity at time zero.
+/// A quasi-velocity at time zero.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StartSpeed {
-    /// The place among the quasi-velocities.
+    /// The index of the quasi-velocity.
     pub of: usize,
-    /// In SI units.
+    /// The value in SI units.
     pub value: f64,
-    /// The position in the file, in bytes.
+    /// The range of bytes in the file.
     pub at: Range<usize>,
 }

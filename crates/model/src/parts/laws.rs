@@ -1,17 +1,17 @@
 //! Laws of coordinates without inertia.
 
-/// A combination of the laws of coordinates: speeds by their places, with factors.
+/// A linear combination of the laws of coordinates, as pairs (index of the speed, integer factor).
 pub(crate) type Combination = Vec<(usize, i64)>;
 
-/// Why a law without inertia that changes is not solved for its speeds.
+/// The reason why a case-dependent law without inertia is not solved for its speeds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UnsolvedLaw {
-    /// It is not linear in the speeds that are sought.
+    /// The law is nonlinear in the unknown speeds.
     Nonlinear,
-    /// A contact between bodies holds its speed.
+    /// A contact between bodies depends on the speed.
     Contact,
-    /// A programmed constraint, which need not hold, holds its speed.
+    /// A stabilised (programmed) constraint contains the speed.
     Programmed,
-    /// It holds a condition and no speed, so that it would move a coordinate at once.
+    /// The law contains a condition and no speed, so that a coordinate would jump.
     OfPositions,
 }

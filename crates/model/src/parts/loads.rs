@@ -3,21 +3,21 @@
 use super::Material;
 use crate::{FrameId, ScalarId, VectorId};
 
-/// A force.
+/// A force on one point, or between two.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Force {
     On {
         at: Material,
         is: VectorId,
     },
-    /// Equal and opposite along the line of two points, positive apart.
+    /// Opposite forces along the line between two points; a positive value is repulsive.
     Between {
         points: [Material; 2],
         is: ScalarId,
     },
 }
 
-/// A generalised force: its power is `is` times the speed, or times the part of a quasi-velocity, or of an expression, that is linear in
+/// A generalised force. Its power is `is` times a speed, or times the part of a quasi-velocity or expression that is linear in
 /// the speeds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GeneralisedForce {
@@ -25,7 +25,7 @@ pub struct GeneralisedForce {
     pub is: ScalarId,
 }
 
-/// The speed that a generalised force has power on, by its place.
+/// The speed along which a generalised force acts, by its index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Along {
     Speed(usize),
@@ -34,27 +34,27 @@ pub enum Along {
     Expression(ScalarId),
 }
 
-/// A torque.
+/// A torque on one frame, or between two.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Torque {
     On {
         frame: FrameId,
         is: VectorId,
     },
-    /// On the second, its opposite on the first.
+    /// A torque on the second frame, with the opposite torque on the first.
     Between {
         frames: [FrameId; 2],
         is: VectorId,
     },
 }
 
-/// Energies beside those of the bodies.
+/// Energies that are given directly, in addition to those of the bodies.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Energies {
     pub kinetic: Option<ScalarId>,
     pub potential: Option<ScalarId>,
-    /// Rayleigh's function: forces are minus its derivatives by the speeds.
+    /// Rayleigh's dissipation function in W; generalised forces are its negative derivatives by the speeds.
     pub dissipation: Option<ScalarId>,
-    /// The co-energy W'(i, q) of magnetic fields, with currents as the rates of charges.
+    /// The co-energy W'(i, q) of magnetic fields; currents i are rates of charges.
     pub coenergy: Option<ScalarId>,
 }

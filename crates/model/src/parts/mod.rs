@@ -1,4 +1,4 @@
-//! A model: the parts of a system, every name resolved.
+//! A model: the parts of a system after resolution of all names.
 
 mod constraints;
 mod contacts;
@@ -23,15 +23,15 @@ use std::borrow::Cow;
 use std::ops::Range;
 use symbolic::Dimension;
 
-/// A frame; the first is the ground N.
+/// The index of a frame; the first frame is the ground N.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct FrameId(pub usize);
 
-/// A point; the first is the origin O, fixed in the ground.
+/// The index of a point; the first point is the origin O of the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct PointId(pub usize);
 
-/// A body.
+/// The index of a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct BodyId(pub usize);
 
@@ -48,35 +48,35 @@ impl PointId {
 pub struct Parameter {
     pub name: String,
     pub dimension: Dimension,
-    /// The coherent unit.
+    /// The coherent SI unit.
     pub unit: String,
-    /// Value and unit as the text has them.
+    /// Value and unit in the notation of the file.
     pub written: String,
-    /// In SI units; none where it is left open.
+    /// The value in SI units; `None` for a parameter without a value.
     pub value: Option<f64>,
-    /// The position of the name in the file, in bytes.
+    /// The range of bytes of the name in the file.
     pub at: Range<usize>,
 }
 
-/// The parts of a free frame's quaternion.
+/// The components of a free frame's quaternion.
 pub(crate) const QUATERNION: [&str; 4] = ["q0", "q1", "q2", "q3"];
-/// The parts of its angular velocity along its own axes.
+/// The components of a free frame's angular velocity along its own axes.
 pub(crate) const TURNING: [&str; 3] = ["wx", "wy", "wz"];
 
-/// A frame of axes.
+/// A frame of three orthonormal axes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
     pub name: String,
-    /// The frame that it turns in; the ground turns in none.
+    /// The parent frame, and the rotation relative to it; `None` for the ground.
     pub parent: Option<(FrameId, Turn)>,
 }
 
-/// A turn of a frame in its parent.
+/// The rotation of a frame relative to its parent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Turn {
-    /// About an axis, x, y or z, which both frames share.
+    /// A rotation by an angle in radians about the axis 0, 1 or 2 (x, y, z), which both frames share.
     About { axis: usize, angle: ScalarId },
-    /// Any: a quaternion among the coordinates, the angular velocity in the frame's own axes among the speeds.
+    /// A free rotation: the coordinates are a quaternion, the speeds the angular velocity along the frame's own axes.
     Free { number: usize },
 }
 
@@ -84,11 +84,11 @@ pub enum Turn {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
     pub name: String,
-    /// The point that it is found from, and the vector between; the origin is found from none.
+    /// The point from which it is defined, and the displacement; `None` for the origin.
     pub base: Option<(PointId, VectorId)>,
 }
 
-/// A point, of a body or of none.
+/// A point that moves with a body, or by itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Material {
     pub body: Option<BodyId>,
@@ -99,34 +99,34 @@ pub struct Material {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
     pub name: String,
-    /// The frame that it turns with; a particle has none.
+    /// The frame in which the body is fixed; `None` for a particle.
     pub frame: Option<FrameId>,
     pub centre: Option<PointId>,
     pub mass: Option<ScalarId>,
     pub inertia: Option<Inertia>,
-    /// The position of the name in the file, in bytes.
+    /// The range of bytes of the name in the file.
     pub at: Range<usize>,
-    /// The positions of the mass and the inertia in the file; where they are missing, of the name.
+    /// The ranges of bytes of mass and inertia in the file; of the name if they are absent.
     pub mass_at: Range<usize>,
     pub inertia_at: Range<usize>,
 }
 
-/// Moments of inertia about the centre of mass.
+/// The inertia tensor about the centre of mass, in kg m^2.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Inertia {
-    /// About z, of a body that turns about no other axis.
+    /// The moment of inertia about z, for a body that rotates about no other axis.
     Axial(ScalarId),
-    /// The moment of inertia of a rotor about its shaft, an axis of its frame. Its resistance across the shaft counts to the body that carries it.
+    /// The moment of inertia of a rotor about its shaft, an axis of its frame. Its inertia about perpendicular axes belongs to the carrying body.
     OfShaft { moment: ScalarId, axis: usize },
-    /// xx, yy, zz, xy, xz, yz in the axes of a frame that is fixed in the body.
+    /// The entries xx, yy, zz, xy, xz, yz of the tensor in the axes of a frame that is fixed in the body.
     Tensor { axes: FrameId, entries: [Option<ScalarId>; 6] },
 }
 
-/// A vector or a point that a definition names.
+/// A vector or a point that is named by a definition.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Defined {
     Vector(VectorId),
-    /// A point, or one displaced from it by a vector.
+    /// A point, or the point displaced from `base` by the vector `way`.
     Point {
         base: PointId,
         way: Option<VectorId>,
@@ -137,13 +137,13 @@ pub enum Defined {
 /// The variables on which the position of a point depends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Moves {
-    /// Coordinates and the time alone: it has a velocity and an acceleration.
+    /// Coordinates and time only, so that the point has a velocity and an acceleration.
     ByCoordinates,
-    /// Speeds: its acceleration would hold third rates.
+    /// Also speeds: an acceleration would contain third derivatives of coordinates.
     BySpeeds,
 }
 
-/// A scalar that a run shows.
+/// A scalar output of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Output {
     pub name: String,
@@ -157,112 +157,112 @@ pub struct Input {
     pub name: String,
     pub dimension: Dimension,
     pub unit: String,
-    /// An expression of time and state; none where it is left open.
+    /// The value as a function of time and state; `None` for an input without a value.
     pub value: Option<ScalarId>,
-    /// The position of the name in the file, in bytes.
+    /// The range of bytes of the name in the file.
     pub at: Range<usize>,
 }
 
-/// A system as data.
+/// A mechanical or electromechanical system as data. Everything is in SI units.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Model {
     pub parameters: Vec<Parameter>,
     pub coordinates: Vec<Coordinate>,
-    /// Currents of drives, by their names, each with the place of its charge.
+    /// The names of the currents of drives, each with the index of its charge among the coordinates.
     pub currents: Vec<(String, usize)>,
-    /// None where the file asks for none.
+    /// The quasi-velocities of the file, as many as independent speeds; empty if the file has none.
     pub quasi_velocities: Vec<QuasiVelocity>,
-    /// The ground first.
+    /// The frames; the ground comes first.
     pub frames: Vec<Frame>,
-    /// Frames that turn freely.
+    /// The free frames.
     pub free: Vec<FrameId>,
-    /// The origin first.
+    /// The points; the origin comes first.
     pub points: Vec<Point>,
     pub bodies: Vec<Body>,
-    /// The acceleration of free fall.
+    /// The gravitational acceleration vector.
     pub gravity: Option<VectorId>,
     pub energies: Energies,
     pub forces: Vec<Force>,
     pub torques: Vec<Torque>,
     pub generalised: Vec<GeneralisedForce>,
     pub constraints: Vec<Constraint>,
-    /// Laws without accelerations, which are constraints: combinations of the laws of coordinates.
+    /// Laws without accelerations that are constraints: combinations of the laws of coordinates.
     pub(crate) laws: Vec<Combination>,
-    /// Coordinates on whose speeds no inertia depends, and the constraints that determine such speeds.
+    /// Coordinates without inertia, and the indices of the constraints that determine their speeds.
     pub(crate) inertialess: Vec<usize>,
     pub(crate) determining: Vec<usize>,
-    /// Coordinates without inertia whose laws change at conditions or with diodes: their speeds are algebraic unknowns of each mode.
+    /// Coordinates without inertia whose laws depend on conditions or diodes: their speeds are algebraic unknowns in each case.
     pub algebraic_speeds: Vec<usize>,
     /// The laws of the algebraic speeds.
     pub(crate) changing_laws: Vec<Combination>,
-    /// The first of them whose law cannot be solved for its speed.
+    /// The first algebraic speed whose law cannot be solved for it, and the reason.
     pub unsolved_law: Option<(usize, UnsolvedLaw)>,
-    /// Impulses of reactions that loads and events hold: coordinates whose rates are these reactions.
+    /// Coordinates that are the impulses of reactions on which loads and events depend: their rates are these reactions.
     pub impulses: Vec<usize>,
     pub contacts: Vec<Contact>,
-    /// The system with one coordinate more for each guide that its coordinates satisfy: its reaction is the force along that one.
+    /// The system with an additional coordinate for each guide that its coordinates satisfy identically: the reaction of the guide is the force along it.
     pub released: Option<Box<Model>>,
-    /// Equations of constraints that follow from the others along every motion from the start: they have no reaction of their own.
+    /// Redundant equations of constraints, which follow from the others along every motion from the start. They have no reaction.
     pub implied: Vec<Implied>,
-    /// Faults of quasi-velocities that are none where constraints of positions depend on each other: on the branch of the start alone.
+    /// Faults of quasi-velocities that may disappear when redundant constraints of positions on the branch of the start are removed.
     pub unsettled: Vec<Fault>,
     pub outputs: Vec<Output>,
-    /// Vectors and points of definitions, by their names.
+    /// Vectors and points of definitions, by name.
     pub definitions: Vec<(String, Defined)>,
     pub inputs: Vec<Input>,
     pub regulator: Option<Regulator>,
-    /// Expressions at whose zeros something is chosen anew.
+    /// The expressions of conditions; the law changes where one of them passes through zero.
     pub switches: Vec<ScalarId>,
-    /// The first position of each of them in the file.
+    /// The range of bytes of the first occurrence of each condition in the file.
     pub switch_places: Vec<Range<usize>>,
-    /// The coherent unit of each of them.
+    /// The coherent unit of each condition.
     pub switch_units: Vec<String>,
-    /// Expressions that must not be negative: of roots, logarithms, powers and inverse circular functions.
+    /// The domains of functions: roots, logarithms, powers, inverse trigonometric and exponential functions.
     pub domains: Vec<Domain>,
     pub events: Vec<Event>,
     pub start: Vec<StartValue>,
-    /// Quasi-velocities at the start: speeds are completed so that they hold.
+    /// Quasi-velocities at the start; the initial speeds are determined such that these hold.
     pub start_speeds: Vec<StartSpeed>,
-    /// The position of the key by which the start is an equilibrium near these values.
+    /// The range of bytes of the key that makes the start an equilibrium near the given values.
     pub equilibrium: Option<Range<usize>>,
-    /// Parameters that are left out: zero for good, by their places.
+    /// The indices of parameters that are permanently zero.
     pub absent: Vec<usize>,
-    /// Texts that are accepted, and perhaps mean something else.
+    /// Accepted texts that may have an unintended meaning.
     pub warnings: Vec<Fault>,
     pub(crate) arena: Arena,
-    /// Expressions that come before all others, since inputs have them: they hold the time and the state alone.
+    /// Expressions that are evaluated before all others, since inputs depend on them. They depend on time and state only.
     pub(crate) ahead: Vec<ScalarId>,
 }
 
-/// A function that has values, or values that a number holds, on one side of a value of an expression alone.
+/// The domain of a function, bounded by an expression.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Domain {
-    /// The expression.
+    /// The expression that bounds the domain.
     pub margin: ScalarId,
     pub end: DomainEnd,
-    /// The bytes of the file at which the function stands.
+    /// The range of bytes of the function in the file.
     pub at: Range<usize>,
 }
 
-/// The end of a domain.
+/// The kind of bound of a domain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DomainEnd {
-    /// No value where the expression is negative.
+    /// The function is undefined where the expression is negative.
     Negative,
-    /// The exponential of the expression: beyond every number where that is large.
+    /// The exponential of the expression overflows where it is large.
     Large,
 }
 
 impl Model {
-    /// Resolves the names of a system and checks its dimensions.
+    /// Elaborates a system: resolves its names and checks its dimensions.
     ///
     /// # Errors
-    /// All that is wrong, each at its place.
+    /// All faults of the system, each with its position.
     pub fn of(source: &Source) -> Result<Self, Vec<Fault>> {
         crate::elaboration::elaborate(source)
     }
 
-    /// The model without the constraints that determine speeds without inertia, and the coordinates of these; none where it has none.
+    /// Returns the model without the constraints that determine coordinates without inertia, and these coordinates; `None` if there are none.
     pub fn with_inertia_alone(&self) -> Option<(Model, Vec<usize>)> {
         if self.determining.is_empty() {
             return None;
@@ -273,17 +273,17 @@ impl Model {
         Some((without, self.inertialess.clone()))
     }
 
-    /// The model with laws without inertia that change at conditions as constraints, which hold between the changes.
+    /// Returns the model with its case-dependent laws without inertia as constraints, which are valid between changes of the conditions.
     pub fn with_changing_laws(&self) -> Cow<'_, Model> {
         crate::elaboration::with_changing_laws(self)
     }
 
-    /// Gives every input without a value the value zero.
+    /// Sets every input without a value to zero.
     pub fn close_inputs(&mut self) {
         self.close((0..self.inputs.len()).collect());
     }
 
-    /// Gives the inputs that a regulator chooses the value zero, where they have none: the motion that it brings back to has this one.
+    /// Sets the inputs of the regulator that have no value to zero, their value along the reference motion.
     pub fn close_regulated_inputs(&mut self) {
         if let Some(regulator) = &self.regulator {
             self.close(regulator.inputs.clone());
@@ -299,7 +299,7 @@ impl Model {
         }
     }
 
-    /// The name of the coordinate that alone decides a switch.
+    /// Returns the name of the coordinate if the expression of a switch is a single coordinate.
     pub fn coordinate_of_switch(&self, switch: usize) -> Option<&str> {
         match self.arena.scalar_at(*self.switches.get(switch)?)? {
             Scalar::Coordinate(place) => Some(&self.coordinates[*place].name),
@@ -307,7 +307,7 @@ impl Model {
         }
     }
 
-    /// The model with every equation of its constraints, those that follow from others too.
+    /// Returns the model with all equations of its constraints, including redundant ones.
     #[must_use]
     pub fn whole(&self) -> Self {
         let mut whole = self.clone();
@@ -315,36 +315,36 @@ impl Model {
         whole
     }
 
-    /// Whether an equation of a constraint, by its constraint and its component, follows from others.
+    /// Returns whether an equation, given by its constraint and component, is redundant.
     pub fn is_implied(&self, of: [usize; 2]) -> bool {
         self.implied.iter().any(|implied| implied.of == of)
     }
 
-    /// The number of coordinates, those of free frames among them: four each.
+    /// Returns the number of coordinates, including four for each free frame.
     pub fn positions(&self) -> usize {
         self.coordinates.len() + 4 * self.free.len()
     }
 
-    /// The number of speeds, those of free frames among them: three each.
+    /// Returns the number of speeds, including three for each free frame.
     pub fn speeds(&self) -> usize {
         self.coordinates.len() + 3 * self.free.len()
     }
 
-    /// The first of the four coordinates of a free frame.
+    /// Returns the index of the first of the four coordinates of a free frame.
     pub fn free_position(&self, number: usize) -> usize {
         self.coordinates.len() + 4 * number
     }
 
-    /// The first of the three speeds of a free frame.
+    /// Returns the index of the first of the three speeds of a free frame.
     pub fn free_speed(&self, number: usize) -> usize {
         self.coordinates.len() + 3 * number
     }
 
-    /// The names of coordinates and speeds with their units, in the order of a state.
+    /// Returns (name, unit) of all coordinates and speeds, in the order of a state.
     pub fn state_names(&self) -> Vec<(String, String)> {
         let own = |rate: &str, per: &str| -> Vec<(String, String)> {
             let unit = |place: usize, of: &str| match (of, per) {
-                // a current
+                // the rate of a charge is a current
                 ("C", "/s") => "A".to_owned(),
                 (_, "/s") if self.impulses.contains(&place) => self.coordinates[place].unit_of_rate(),
                 _ => format!("{of}{per}"),
@@ -362,8 +362,8 @@ impl Model {
         [own("", ""), free(&QUATERNION, "1"), own("'", "/s"), free(&TURNING, "rad/s")].concat()
     }
 
-    /// The state at time zero: coordinates, then speeds; zero where nothing is said, free frames as their parents. A reaction that is not
-    /// given is one unit, since a length such as |R| has no derivative at zero; it is found from there.
+    /// Returns the state at time zero: coordinates, then speeds. Omitted values are zero; free frames are aligned with their parents. A reaction without a value
+    /// starts at one unit, since a norm such as |R| has no derivative at zero; iteration then determines it.
     pub fn start_state(&self) -> Vec<f64> {
         let positions = self.positions();
         let mut state = vec![0.0; positions + self.speeds()];
@@ -379,7 +379,7 @@ impl Model {
         state
     }
 
-    /// The rates of the coordinates at a state.
+    /// Computes the rates of the coordinates from a state (coordinates, then speeds), over any field.
     pub fn position_rates<S: field::Scalar>(&self, state: &[S], rates: &mut [S]) {
         let (positions, speeds) = state.split_at(self.positions());
         let own = self.coordinates.len();

@@ -1,23 +1,23 @@
-//! The criterion of an optimal regulator.
+//! The cost function of an optimal regulator.
 
 use crate::ScalarId;
 use std::ops::Range;
 
-/// Inputs that are chosen so that the integral of a cost is least, about the motion from the start.
+/// A linear-quadratic regulator: the inputs minimise the integral of a cost, for deviations from the motion that begins at the start.
 ///
-/// Letters of the cost stand for deviations from that motion; it is a quadratic form of them.
+/// The symbols in the cost are deviations from this motion; the cost is a quadratic form of them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Regulator {
-    /// Places of the inputs that are chosen.
+    /// The indices of the inputs that the regulator sets.
     pub inputs: Vec<usize>,
-    /// The cost by the time, of coordinates, their rates and the inputs.
+    /// The cost per unit time, a function of coordinates, their rates and the inputs.
     pub cost: ScalarId,
     /// The cost of the deviation at the end of the horizon.
     pub last: Option<ScalarId>,
-    /// In seconds; none: without an end.
+    /// The horizon in seconds; `None` for an infinite one.
     pub horizon: Option<f64>,
-    /// Deviations at the start: the coordinate, 0 or 1 for its rate, and the value.
+    /// Initial deviations: the coordinate, 0 for it or 1 for its rate, and the value in SI units.
     pub displaced: Vec<(usize, usize, f64)>,
-    /// The positions of the cost and of that of the end in the file.
+    /// The ranges of bytes of the two costs in the file.
     pub at: [Range<usize>; 2],
 }

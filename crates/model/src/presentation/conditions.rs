@@ -1,22 +1,22 @@
-//! Conditions of a law for its reader: the meaning of each bracket, and the parts that the equations leave out.
+//! Conditions of a law for a reader: the meaning of each bracket, and the parts of the model that the equations omit.
 
 use super::contacts::laws;
 use super::matrix_form::MatrixForm;
 use crate::{Direction, Event, ScalarId, Trace};
 use symbolic::Sym;
 
-/// A condition that stands in the equations: 1 where it is positive, else 0.
+/// A condition in the equations: its bracket is 1 where `is` is positive, otherwise 0.
 pub(super) struct Condition {
-    /// Counted from one.
+    /// The number of the condition, counted from one.
     pub number: usize,
-    /// The letter of the bracket.
+    /// The symbol of the bracket.
     pub letter: Sym,
     pub is: Sym,
-    /// The unit, and the line where the file is known.
+    /// The unit, and the line in the file if this is known.
     pub told: String,
 }
 
-/// The conditions that equations hold, and those that stand in other conditions.
+/// Returns the conditions that occur in the equations, or in other conditions.
 pub(super) fn conditions(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Condition> {
     let held = form.constraints.iter().flat_map(|held| held.row.iter().chain([&held.zero, &held.bias]));
     let loads = form.mass.iter().flatten().chain(&form.inertia).chain(&form.forces);
@@ -39,12 +39,12 @@ pub(super) fn conditions(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Condition>
     .collect()
 }
 
-/// Sentences on the parts of a model that its equations leave out, and on states at which these have no value.
+/// Returns sentences on the parts of a model that its equations omit, and on states at which the equations are undefined.
 pub fn left_out(trace: &Trace<'_>, form: &MatrixForm) -> Vec<String> {
     [left_out_between_events(trace, form), events(trace, form)].concat()
 }
 
-/// Such sentences for equations that stand beside the events.
+/// Returns these sentences for equations that include the events.
 pub(super) fn left_out_between_events(trace: &Trace<'_>, form: &MatrixForm) -> Vec<String> {
     let implied = |implied: &crate::Implied| match &implied.branch {
         None => format!("{} follows from the others and is left out.", implied.title),
@@ -72,7 +72,7 @@ pub(super) fn left_out_between_events(trace: &Trace<'_>, form: &MatrixForm) -> V
     sentences
 }
 
-/// Sentences on each event.
+/// Returns sentences on each event.
 fn events(trace: &Trace<'_>, form: &MatrixForm) -> Vec<String> {
     let mut sentences = Vec::new();
     if trace.model.events.is_empty() {

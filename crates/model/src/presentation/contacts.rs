@@ -1,4 +1,4 @@
-//! Contacts for a reader: their letters, and the laws between them.
+//! Contacts for a reader: their symbols and their laws.
 
 use super::matrix_form::MatrixForm;
 use super::{reading_of, simplified, vectors};
@@ -6,7 +6,7 @@ use crate::equations::{balances, constraints_of};
 use crate::{Contact, Restitution, Sides, Trace};
 use symbolic::Sym;
 
-/// Inputs without a value, and reactions of contacts, each with its unit.
+/// Returns inputs without a value, and reactions of contacts, each with its unit.
 pub(super) fn open_letters(trace: &Trace<'_>) -> Vec<(Sym, String)> {
     let open = trace.model.inputs.iter().filter(|input| input.value.is_none());
     let open = open.map(|input| (Sym::symbol(&input.name), input.unit.clone()));
@@ -17,14 +17,14 @@ pub(super) fn open_letters(trace: &Trace<'_>) -> Vec<(Sym, String)> {
     open.chain(reactions).collect()
 }
 
-/// N, and T of a rough contact.
+/// Returns the symbol N, and for a contact with friction also T.
 fn letters_of(trace: &Trace<'_>, place: usize) -> Vec<Sym> {
     let contact = &trace.model.contacts[place];
     let count = if contact.friction.is_some() { contact.reactions.len() } else { 1 };
     (0..count).map(|component| trace.reaction(place, component)).collect()
 }
 
-/// Coulomb's law of a contact.
+/// Returns lines with Coulomb's law of a contact.
 fn coulomb(trace: &Trace<'_>, place: usize, friction: &str) -> Vec<String> {
     let contact = &trace.model.contacts[place];
     let slides = contact.slides.iter().map(|&slide| simplified(trace.scalar(slide)).decimal_text());
@@ -51,7 +51,7 @@ fn coulomb(trace: &Trace<'_>, place: usize, friction: &str) -> Vec<String> {
     }
 }
 
-/// The laws of the contacts, some lines for each.
+/// Returns the laws of the contacts, several lines for each.
 pub(super) fn laws(trace: &Trace<'_>, form: &MatrixForm) -> Vec<String> {
     let multipliers = constraints_of(trace).into_iter().map(|one| one.multiplier);
     let multipliers: Vec<(Sym, Sym)> = multipliers.zip(form.multipliers.iter().copied()).collect();
@@ -78,7 +78,7 @@ fn law(trace: &Trace<'_>, place: usize, contact: &Contact, balance: Option<Sym>)
     match balance {
         None => lines.push(format!("  gap = {}", text(trace.scalar(contact.gap)))),
         Some(balance) => {
-            // the reaction stands in it with the factor -1
+            // the reaction occurs in the balance with the factor -1
             let shown = text(balance.substitute(&[(normal, Sym::ZERO)]));
             lines.push(format!("  {normal} = {shown}, the balance of forces across the guide"));
         }

@@ -1,22 +1,22 @@
-//! Direction cosines of free frames, as letters: equations hold these, and not the quaternions that they are made of.
+//! Direction cosines of free frames, as symbols: equations contain these in place of quaternions.
 
 use crate::{Trace, Turn};
 use symbolic::Sym;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// A direction cosine.
+/// A direction cosine of a free frame.
 #[derive(Clone, Debug)]
 pub struct Cosine {
-    /// `F.Rxy`
+    /// The symbol, such as `F.Rxy`.
     pub letter: Sym,
-    /// The scalar product in the words of a model: `N.x . F.y`.
+    /// The scalar product in the notation of a model: `N.x . F.y`.
     pub meaning: String,
-    /// The expression in the quaternion.
+    /// The expression in the components of the quaternion.
     pub value: Sym,
 }
 
-/// The direction cosines of every free frame.
+/// Returns the direction cosines of all free frames.
 pub(crate) fn cosines(trace: &Trace<'_>) -> Vec<Cosine> {
     let mut all = Vec::new();
     for frame in &trace.model.frames {

@@ -1,8 +1,8 @@
-//! Names of letters as identifiers of a language.
+//! Identifiers of symbols in a target language.
 
 use symbolic::Sym;
 
-/// An identifier for each letter: none twice, none of a language's own words.
+/// Returns a distinct identifier for each symbol, different from all `words` of the language.
 pub(super) fn identifiers(letters: &[Sym], words: &str) -> Vec<String> {
     let mut taken: Vec<String> = words.split_whitespace().map(str::to_owned).collect();
     let mut all = Vec::with_capacity(letters.len());

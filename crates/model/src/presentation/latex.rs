@@ -1,4 +1,4 @@
-//! A whole system in LaTeX: every equation, for `align` or alone.
+//! Export to LaTeX: every equation of a system, as one text or one by one.
 
 use super::conditions::{Condition, conditions, left_out};
 use super::matrix_form::MatrixForm;
@@ -6,21 +6,21 @@ use super::with_counts;
 use crate::Trace;
 use symbolic::Sym;
 
-/// One equation: left and right side.
+/// One equation in LaTeX: left and right side.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Typeset {
     pub left: String,
     pub right: String,
 }
 
-/// Groups of equations that belong together: the form, quasi-velocities, rates of coordinates that are no speeds, letters in these,
-/// direction cosines of free frames, parameters, M, h, Q, constraints with multipliers, those that hold for all quasi-velocities, conditions.
+/// Returns groups of equations: the form, quasi-velocities, rates of coordinates that are not speeds, symbols in these,
+/// direction cosines of free frames, parameters, M, h, Q, constraints with multipliers, constraints that all quasi-velocities satisfy, conditions.
 pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
     form.tell_letters_apart();
     let equation = |left: String, right: String| Typeset { left, right: with_counts(&right) };
     let held = !form.constraints.is_empty();
     let reactions = if held { r" + \mathbf{J}^{T} \boldsymbol{\lambda}" } else { "" };
-    // speeds of free frames are no rates of coordinates
+    // the speeds of free frames are not rates of coordinates
     let (rate, vector_name, shown) = match form.has_own_speeds() {
         false => (r"\ddot{\mathbf{q}}", r"\mathbf{q}", &form.coordinates),
         true => (r"\dot{\mathbf{u}}", r"\mathbf{u}", &form.speeds),
@@ -48,7 +48,7 @@ pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
     let cosines = cosines.collect();
     let known = trace.model.parameters.iter().zip(&form.parameters).filter(|(parameter, _)| parameter.value.is_some());
     let parameters = known.map(|(parameter, letter)| equation(letter.latex(), quantity(&parameter.written))).collect();
-    // c_1 and M may be parameters of the system
+    // c_1 and M may also be parameters of the system
     let n = form.speeds.len();
     let most = n.max(form.constraints.len());
     let entry = |name: &str| match form.free_letter(&[form.free_name(&[name, ""]), ""], most) {
@@ -95,8 +95,7 @@ pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
 }
 
 impl MatrixForm {
-    /// Gives a letter that is typeset as one before it, as `lambda_` is beside `lambda` and `t_` beside the time, its name as it is
-    /// written, and its rates with it.
+    /// Distinguishes symbols with equal LaTeX, such as `lambda_` and `lambda`: the later one, with its rates, is set with its name as in the file.
     fn tell_letters_apart(&self) {
         let letters = [&self.parameters, &self.inputs, &self.positions, &self.speeds, &self.accelerations];
         let mut known: Vec<(String, String, bool)> = Vec::new();
@@ -122,7 +121,7 @@ impl MatrixForm {
     }
 }
 
-/// The groups, an `align` for each; for the package `amsmath`.
+/// Returns the groups of equations as text, each in an `align` environment of the package `amsmath`.
 pub fn latex(trace: &Trace<'_>, form: &MatrixForm) -> String {
     let group = |group: Vec<Typeset>| {
         let lines: Vec<String> = group.iter().map(|Typeset { left, right }| format!("  {left} &= {right}")).collect();
@@ -132,7 +131,7 @@ pub fn latex(trace: &Trace<'_>, form: &MatrixForm) -> String {
     equations(trace, form).into_iter().map(group).chain(left_out).collect()
 }
 
-/// `2 kg m^2`, the unit upright; `deg` as the sign.
+/// Converts a quantity to LaTeX: `2 kg m^2` with an upright unit, `deg` as the degree sign.
 fn quantity(written: &str) -> String {
     let (number, unit) = written.split_once(' ').unwrap_or((written, ""));
     let number = match number.split_once(['e', 'E']) {

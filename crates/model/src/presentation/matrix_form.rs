@@ -1,4 +1,4 @@
-//! A whole system in matrix form: M q'' + h = Q + J^T lambda, with every constraint.
+//! A system in matrix form: M q'' + h = Q + J^T lambda, with all constraints.
 
 use super::axes::axes;
 use super::contacts::open_letters;
@@ -14,49 +14,49 @@ use rustc_hash::FxHashSet;
 use std::ops::Range;
 use symbolic::{Node, Sym, substitute_all};
 
-/// A system in matrix form, over the symbols of a trace.
+/// A system with n speeds and m scalar constraints in matrix form, over the symbols of a trace.
 ///
-/// h is inertia that needs no acceleration, Q the applied forces, J the derivatives of every constraint's rate by the speeds. A
-/// multiplier is positive where the reaction acts along its row of J: the constraint's gradient.
+/// h contains the inertia terms without accelerations, Q the applied forces, J the derivatives of the constraints' rates by the speeds. For a positive
+/// multiplier the reaction acts along its row of J, the gradient of the constraint.
 #[derive(Clone, Debug)]
 pub struct MatrixForm {
     pub time: Sym,
     pub parameters: Vec<Sym>,
-    /// All coordinates, q; the quaternions of free frames stand last.
+    /// All coordinates q; the quaternions of free frames come last.
     pub positions: Vec<Sym>,
-    /// q', by the speeds.
+    /// The rates q' as functions of the speeds.
     pub position_rates: Vec<Sym>,
-    /// The coordinate that each speed moves, or the speed itself.
+    /// For each speed, the coordinate whose rate it is; for other speeds the speed itself.
     pub coordinates: Vec<Sym>,
     /// Rates of coordinates, then angular velocities of free frames; or quasi-velocities.
     pub speeds: Vec<Sym>,
     pub accelerations: Vec<Sym>,
-    /// M, row after row; symmetric.
+    /// The mass matrix M, n x n by rows; symmetric.
     pub mass: Vec<Vec<Sym>>,
-    /// h.
+    /// The vector h, of length n.
     pub inertia: Vec<Sym>,
-    /// Q.
+    /// The vector Q, of length n.
     pub forces: Vec<Sym>,
     pub constraints: Vec<HeldEquation>,
-    /// lambda, one for each constraint.
+    /// The multipliers lambda, one for each constraint.
     pub multipliers: Vec<Sym>,
     /// Inputs without a value, and reactions of contacts.
     pub inputs: Vec<Sym>,
-    /// Letters that are 1 where a condition is positive, else 0; and the conditions.
+    /// Pairs (symbol, condition): the symbol is 1 where the condition is positive, otherwise 0.
     pub switches: Vec<(Sym, Sym)>,
-    /// Direction cosines of free frames; for reading those that occur, as letters.
+    /// Direction cosines of free frames; in a form for reading only those that occur.
     pub cosines: Vec<Cosine>,
     /// Quaternions and direction cosines of free frames.
     pub(super) turns: Vec<FreeTurn>,
     /// The lines of conditions and events in the file.
     pub lines: Lines,
-    /// For speeds that are quasi-velocities.
+    /// The meaning of the speeds if they are quasi-velocities.
     pub quasi: Option<InQuasiVelocities>,
-    /// Parameters whose values are positive.
+    /// For each parameter, whether its value is positive.
     pub(super) positive: Vec<bool>,
 }
 
-/// Lines of a file, counted from one; empty where the file is not known.
+/// Line numbers in a file, counted from one; empty if the file is not known.
 #[derive(Clone, Debug, Default)]
 pub struct Lines {
     pub conditions: Vec<usize>,
@@ -66,27 +66,27 @@ pub struct Lines {
 /// A scalar constraint f = 0.
 #[derive(Clone, Debug)]
 pub struct HeldEquation {
-    /// The name in the model; empty where there is none.
+    /// The name in the model; empty if there is none.
     pub name: String,
-    /// The axis of a vector's component, such as `F3.x`; none of a scalar.
+    /// The axis of a vector's component, such as `F3.x`; `None` for a scalar.
     pub axis: Option<String>,
     pub level: Level,
-    /// f.
+    /// The expression f.
     pub zero: Sym,
-    /// The row of J.
+    /// The row of J, of length n.
     pub row: Vec<Sym>,
-    /// c: J q'' + c = 0.
+    /// The entry c of J u' + c = 0.
     pub bias: Sym,
 }
 
 impl MatrixForm {
-    /// The form by a principle, every expression as it was derived.
+    /// Derives the form by a principle, without simplification.
     ///
     /// # Errors
-    /// Where the principle does not apply to the model.
+    /// The principle does not apply to the model.
     pub fn of(trace: &Trace<'_>, principle: Principle) -> Result<Self, NotApplicable> {
         let Equations { mass, bias, constraints } = Equations::by(principle, trace)?;
-        // inertia alone: the left side of the equations without any load
+        // the inertia terms are those of the system without loads
         let free = without_forces(trace.model);
         let inertia = Equations::by(principle, &Trace::of(&free))?.bias;
         let forces = inertia.iter().zip(&bias).map(|(&inertia, &bias)| inertia - bias).collect();
@@ -140,18 +140,18 @@ impl MatrixForm {
         }
     }
 
-    /// The number of leading coordinates whose rates are the leading speeds.
+    /// Returns the number of leading coordinates whose rates are the leading speeds.
     pub(super) fn plain(&self) -> usize {
         let pairs = self.position_rates.iter().zip(&self.speeds);
         pairs.take_while(|(rate, speed)| rate == speed && self.quasi.is_none()).count()
     }
 
-    /// Whether some speed is no rate of a coordinate.
+    /// Returns whether any speed is not the rate of a coordinate.
     pub(super) fn has_own_speeds(&self) -> bool {
         self.plain() < self.speeds.len()
     }
 
-    /// The form with the lines of conditions and events in the file of a model.
+    /// Adds the lines of conditions and events in the file of a model.
     #[must_use]
     pub fn in_file(mut self, model: &Model, file: &str) -> Self {
         let line = |at: &Range<usize>| 1 + file.get(..at.start).unwrap_or(file).matches('\n').count();
@@ -162,14 +162,14 @@ impl MatrixForm {
         self
     }
 
-    /// A letter with which numbers from 1 make no letter of the system: the first of a list; its last where all do.
+    /// Returns the first of `letters` for which no numbered symbol, 1 to `count`, is a symbol of the system; the last one if there is none.
     pub(super) fn free_letter<'a>(&self, letters: &[&'a str], count: usize) -> &'a str {
         let own = self.own_letters();
         let is_free = |letter: &&&str| (1..=count).all(|k| !own.contains(&format!("{letter}{k}")));
         letters.iter().find(is_free).or(letters.last()).copied().unwrap_or_default()
     }
 
-    /// A name that is no letter of the system: the first of a list; its last where all are.
+    /// Returns the first of `names` that is not a symbol of the system; the last one if there is none.
     pub(super) fn free_name<'a>(&self, names: &[&'a str]) -> &'a str {
         let own = self.own_letters();
         names.iter().find(|name| !own.iter().any(|own| own == *name)).or(names.last()).copied().unwrap_or_default()
@@ -180,13 +180,13 @@ impl MatrixForm {
         own.map(Sym::to_string).collect()
     }
 
-    /// The form with other letters.
+    /// Replaces symbols in all expressions.
     #[must_use]
     pub fn renamed(&self, letters: &[(Sym, Sym)]) -> Self {
         self.mapped(&mut |expressions| substitute_all(expressions, letters))
     }
 
-    /// The form for reading: angles together, common factors outside.
+    /// Returns the form for reading, with recombined angles and common factors outside of sums.
     #[must_use]
     pub fn for_reading(&self) -> Self {
         let parameters = self.parameters.iter().copied().zip(self.positive.iter().copied());
@@ -208,7 +208,7 @@ impl MatrixForm {
                         (size <= MOST_COLLECTED).then(|| collected(*each, &self.speeds, short_form)).flatten();
                     let short = (size <= MOST_CANCELLED).then(|| [short_form(*each), simplified_as_defined(*each)]);
                     let forms = by_speeds.into_iter().chain(short.into_iter().flatten()).chain([*each]);
-                    // a sum as a denominator stands once
+                    // a sum in a denominator is printed once
                     let forms = forms.flat_map(|form| match form.node() {
                         Node::Quotient(above, below) if below.as_constant().is_none() => {
                             let is_turned = matches!(reading.of(below).decimal_text().as_bytes(), [b'-', ..]);
@@ -224,7 +224,7 @@ impl MatrixForm {
             }
             None => {
                 let read = self.mapped(&mut |expressions| expressions.iter().map(|each| reading.of(*each)).collect());
-                // quaternions as they are known
+                // the rates of quaternions stay in their usual form
                 MatrixForm { position_rates: self.position_rates.clone(), ..read }
             }
         };
@@ -233,7 +233,7 @@ impl MatrixForm {
         form
     }
 
-    /// Every expression of the equations.
+    /// Returns every expression of the equations.
     pub(super) fn expressions(&self) -> impl Iterator<Item = Sym> {
         let held = self.constraints.iter().flat_map(|held| held.row.iter().chain([&held.zero, &held.bias]));
         let conditions = self.switches.iter().map(|(_, condition)| condition);
@@ -281,10 +281,10 @@ impl MatrixForm {
     }
 }
 
-/// Quotients of longer expressions are left as they came: their normal forms may be much longer.
+/// Quotients of longer expressions are unchanged, since their normal forms may be much longer.
 const MOST_CANCELLED: usize = 300;
 
-/// Longer expressions are not opened into their coefficients.
+/// Longer expressions are not split into coefficients.
 const MOST_COLLECTED: usize = 2_000;
 
 /// M, h, Q and the constraints with multipliers.
@@ -306,12 +306,12 @@ impl HeldEquation {
     }
 }
 
-/// The coordinate that a speed moves; of a free frame the speed itself.
+/// Returns the coordinate whose rate is the speed; for other speeds the speed itself.
 fn displaced(trace: &Trace<'_>, speed: usize) -> Sym {
     if speed < trace.model.coordinates.len() { trace.coordinates[speed] } else { trace.speeds[speed] }
 }
 
-/// The model without loads.
+/// Returns the model without loads.
 pub(super) fn without_forces(model: &Model) -> Model {
     let Energies { kinetic, coenergy, .. } = model.energies;
     let energies = Energies { kinetic, coenergy, ..Energies::default() };

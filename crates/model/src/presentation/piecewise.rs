@@ -1,17 +1,17 @@
-//! Conditions of a law as they are written: `abs`, `sign`, `max` and `min` in the place of polynomials in switches.
+//! Conditions of a law in the notation of the file: `abs`, `sign`, `max` and `min` replace polynomials in switches.
 
 use crate::Trace;
 use field::Scalar;
 use symbolic::{Node, Sym, substitute_all};
 
-/// The condition of each switch, with these functions by their names.
+/// Returns the condition of each switch, with these functions.
 ///
-/// With the switch s, which is 1 where v is positive and 0 elsewhere, they stand in a trace as sign(v) = 2 s - 1, abs(v) = (2 s - 1) v, and
-/// for v = a - b as max(a, b) = s a + (1 - s) b and min(a, b) = s b + (1 - s) a.
+/// Let s be the switch that is 1 where v is positive, and 0 elsewhere. A trace contains sign(v) as 2 s - 1 and abs(v) as (2 s - 1) v.
+/// For v = a - b it contains max(a, b) as s a + (1 - s) b and min(a, b) as s b + (1 - s) a.
 pub fn conditions_by_name(trace: &Trace<'_>) -> Vec<Sym> {
     let conditions: Vec<Sym> = trace.model.switches.iter().map(|&own| trace.scalar(own)).collect();
     let mut known: Vec<(Sym, Sym)> = Vec::new();
-    // the condition of a switch holds switches before it alone
+    // the condition of a switch contains only earlier switches
     for (&switch, &condition) in trace.switches.iter().zip(&conditions) {
         let named = |name: &str, of: &[Sym]| {
             let texts: Vec<String> = substitute_all(of, &known).iter().map(ToString::to_string).collect();

@@ -1,4 +1,4 @@
-//! The matrix form in quasi-velocities: kinematic equations, dynamic ones without reactions.
+//! The matrix form in quasi-velocities: kinematic equations, and dynamic equations without reactions.
 
 use super::axes::axes;
 use super::matrix_form::{Dynamics, HeldEquation, MatrixForm, without_forces};
@@ -11,18 +11,18 @@ use rustc_hash::FxHashMap;
 use std::f64::consts::PI;
 use symbolic::{Node, Sym, substitute_all};
 
-/// The meaning of quasi-velocities, and the constraints that hold for all of their values.
+/// The meaning of quasi-velocities, and the constraints that all of their values satisfy.
 #[derive(Clone, Debug)]
 pub struct InQuasiVelocities {
-    /// Each by coordinates, their rates and the time.
+    /// The quasi-velocities as functions of coordinates, their rates and the time.
     pub definitions: Vec<Sym>,
-    /// Constraints that hold, over coordinates, their rates and the time.
+    /// Constraints that are satisfied identically, over coordinates, their rates and the time.
     pub met: Vec<HeldEquation>,
     /// Rates of coordinates, and angular velocities of free frames.
     pub(super) rates: Vec<Sym>,
-    /// Letters of long derivatives of the speeds, with their meanings.
+    /// Symbols of long derivatives of the speeds, with their meanings.
     pub coefficients: Vec<Coefficient>,
-    /// Expressions that the speeds are divided by.
+    /// Expressions by which the speeds are divided.
     pub divisors: Vec<Divisor>,
 }
 
@@ -32,16 +32,16 @@ fn mapped(coefficient: &Coefficient, map: &mut dyn FnMut(&[Sym]) -> Vec<Sym>) ->
     Coefficient { letter, is, rate, rate_is }
 }
 
-/// An expression that the speeds are divided by, where they are found from quasi-velocities.
+/// A divisor of the speeds as functions of the quasi-velocities.
 #[derive(Clone, Copy, Debug)]
 pub struct Divisor {
     pub is: Sym,
-    /// Whether it vanishes at the start, where this is known.
+    /// Whether the divisor vanishes at the start; `None` if this is not known.
     pub vanishes_at_start: Option<bool>,
 }
 
 impl Divisor {
-    /// In a sentence.
+    /// Returns a sentence on the divisor.
     pub(super) fn told(&self, trace: &Trace<'_>) -> String {
         let operations = written_operations(&[self.is]);
         let is = match operations <= MOST_TOLD {
@@ -72,7 +72,7 @@ impl InQuasiVelocities {
 }
 
 impl MatrixForm {
-    /// The number of operations with all that equations share written each time, direction cosines as one.
+    /// Returns the number of printed operations, in which shared subexpressions are repeated and direction cosines count as one.
     pub fn written_operations(&self) -> f64 {
         let cosines = self.turns.iter().flat_map(|(_, cosines)| cosines.iter().flatten());
         let letters: Vec<(Sym, Sym)> = cosines.map(|&cosine| (cosine, self.time)).collect();
@@ -80,13 +80,13 @@ impl MatrixForm {
         written_operations(&substitute_all(&all, &letters))
     }
 
-    /// Whether equations in quasi-velocities are short enough to be brought into order for reading, with common parts once: longer ones take
+    /// Returns whether equations in quasi-velocities are short enough to be simplified for reading. For longer ones this takes
     /// minutes.
     pub fn is_read(&self) -> bool {
         self.quasi.is_none() || Sym::operations_of(&self.expressions().collect::<Vec<_>>()) <= MOST_READ
     }
 
-    /// The form where it is known which divisors of the speeds vanish at a start, whose parameters have values.
+    /// Determines which divisors vanish at a start; all parameters must have values.
     #[must_use]
     pub fn with_start(mut self, trace: &Trace<'_>, start: &[f64]) -> Self {
         let value = |is: Sym, by: f64| {
@@ -107,10 +107,10 @@ impl MatrixForm {
         self
     }
 
-    /// By a principle in quasi-velocities; reactions of constraints that hold have no power along these, and are no part of it.
+    /// Derives the form by a principle in quasi-velocities. Reactions of satisfied constraints have no power along quasi-velocities, hence the form does not contain them.
     ///
     /// # Errors
-    /// Where the principle does not apply to the model.
+    /// The principle does not apply to the model, or the quasi-velocities are not independent.
     pub fn in_quasi_velocities(
         trace: &Trace<'_>,
         quasi: &QuasiVelocities<'_, '_>,
@@ -129,7 +129,7 @@ impl MatrixForm {
         let (met, programmed): (Vec<_>, Vec<_>) = constraints.partition(|(one, _)| one.gains.is_none());
         let programmed = programmed.into_iter().map(|(one, axis)| {
             let held = HeldEquation::of(one, axis);
-            // J u' + c over w and w'
+            // J u' + c as a function of w and w'
             let terms = held.row.iter().zip(&trace.accelerations);
             let rate = terms.fold(held.bias, |sum, (&slope, &acceleration)| sum + slope * acceleration);
             let [zero, rate] = [held.zero, rate].map(|each| quasi.by_quasi_velocities(&[each])[0]);
@@ -153,7 +153,7 @@ impl MatrixForm {
     }
 }
 
-/// The number of operations of expressions, those of shared parts counted wherever they occur.
+/// Returns the number of operations of expressions, in which shared subexpressions are repeated.
 pub(super) fn written_operations(expressions: &[Sym]) -> f64 {
     let mut known: FxHashMap<Sym, f64> = FxHashMap::default();
     let mut open: Vec<Sym> = expressions.to_vec();
@@ -174,19 +174,19 @@ pub(super) fn written_operations(expressions: &[Sym]) -> f64 {
     expressions.iter().map(|each| known[each]).sum()
 }
 
-/// A divisor of more operations is described by their number.
+/// Divisors with more operations are described by their number.
 const MOST_TOLD: f64 = 150.0;
 
-/// A divisor below this part of its values nearby vanishes but for rounding.
+/// A divisor counts as zero below this fraction of its values nearby.
 const ROUNDED: f64 = 1e-10;
 
-/// Longer systems are code alone. A chain of ten links has 2,400 and takes four seconds.
+/// Longer systems are exported without simplification. A chain of ten links has 2,400 operations and takes four seconds.
 const MOST_READ: usize = 3_000;
 
-/// Polynomials of more letters are not collected.
+/// Polynomials in more symbols are not collected.
 const MOST_COLLECTED: usize = 12;
 
-/// A polynomial of second degree in some letters by its coefficients in short forms; none of another expression.
+/// Writes a polynomial of at most second degree in some symbols by its coefficients, each in a short form; `None` for other expressions.
 pub(super) fn collected(expression: Sym, letters: &[Sym], read: impl Fn(Sym) -> Sym) -> Option<Sym> {
     if letters.len() > MOST_COLLECTED {
         return None;

@@ -1,9 +1,9 @@
-//! C99: a structure of parameters, and functions that write into arrays.
+//! Export to C99: a structure of parameters, and functions that write into arrays.
 
 use super::{Program, assigned, indented};
 use std::fmt::Write;
 
-/// Keywords, and macros of the headers that the code includes, which a name of a structure's member must not be either.
+/// Keywords, and macros of the included headers, which cannot be names of structure members.
 pub(super) const WORDS: &str = "auto break case char const continue default do double else enum extern float for goto if inline int long \
     register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while _Bool _Complex \
     _Imaginary asm bool true false nullptr constexpr thread_local typeof alignas alignof static_assert NULL EOF errno unix linux i386 \
@@ -11,22 +11,22 @@ pub(super) const WORDS: &str = "auto break case char const continue default do d
     MATH_ERRNO MATH_ERREXCEPT math_errhandling signgam M_E M_LOG2E M_LOG10E M_LN2 M_LN10 M_PI M_PI_2 M_PI_4 M_1_PI M_2_PI M_2_SQRTPI \
     M_SQRT2 M_SQRT1_2";
 
-/// The way in which functions stand in a file.
+/// The form of functions in a file.
 #[derive(Clone, Copy)]
 pub(super) struct Form {
-    /// Before the name of a function or of a constant.
+    /// The storage class before the name of a function or constant.
     pub storage: &'static str,
-    /// Whether cases of conditions are given to each function, and not found by it.
+    /// Whether the cases of conditions are arguments of each function, or computed in it.
     pub has_cases: bool,
 }
 
 impl Form {
-    /// A file of its own.
+    /// A complete file.
     pub const ALONE: Form = Form { storage: "", has_cases: false };
-    /// A part of a file whose other functions choose the cases of conditions.
+    /// A part of a file whose other functions determine the cases of conditions.
     pub const PART: Form = Form { storage: "static ", has_cases: true };
 
-    /// The arguments of a function of the state, as it declares them.
+    /// Returns the declaration of the arguments of a function of the state.
     pub fn declared(self) -> &'static str {
         match self.has_cases {
             false => "double t, const double *q, const double *u, const struct parameters *p",
@@ -34,12 +34,12 @@ impl Form {
         }
     }
 
-    /// The arguments in a call.
+    /// Returns the arguments in a call.
     pub fn handed(self) -> &'static str {
         if self.has_cases { "t, q, u, p, s" } else { "t, q, u, p" }
     }
 
-    /// Statements for arguments that no statement needs.
+    /// Returns statements that mark arguments as used.
     pub fn unused(self) -> &'static str {
         if self.has_cases {
             "(void)t; (void)q; (void)u; (void)p; (void)s; (void)out;"
@@ -53,7 +53,7 @@ pub(super) fn written(program: &Program) -> String {
     program.heading("//") + "#include <math.h>\n\n" + &functions(program, Form::ALONE)
 }
 
-/// Parameters, and functions from the matrices of the equations to the rates of the state.
+/// Returns the structure of parameters, and the functions from the matrices of the equations to the rates of the state.
 pub(super) fn functions(program: &Program, form: Form) -> String {
     let Program { positions, n, m, parameters, conditions, terms, zeros, position_rates, start, .. } = program;
     let (storage, declared, handed, unused) = (form.storage, form.declared(), form.handed(), form.unused());
@@ -79,7 +79,7 @@ pub(super) fn functions(program: &Program, form: Form) -> String {
             writeln!(text, "// y = (q, u) at the start\n{storage}const double start[] = {{{}}};\n", values.join(", "));
     }
     let _ = writeln!(text, "enum {{ COORDINATES = {positions}, SPEEDS = {n}, CONSTRAINTS = {m} }};\n");
-    // conditions first, each in a block of its own
+    // conditions first, each in its own block
     let mut chosen = String::new();
     let conditions = if form.has_cases { &[] } else { &conditions[..] };
     if !conditions.is_empty() {
@@ -131,7 +131,7 @@ pub(super) fn functions(program: &Program, form: Form) -> String {
     text
 }
 
-/// The right side from the terms, and the solution in its two parts.
+/// The body of `accelerations`: forms the right side and splits the solution.
 const ACCELERATIONS: &str = "\
 {
     enum { N = SPEEDS, M = CONSTRAINTS };
@@ -146,7 +146,7 @@ const ACCELERATIONS: &str = "\
 }
 ";
 
-/// Gaussian elimination with row pivots of [M, -J^T; J, 0], rows scaled.
+/// Gaussian elimination for [M, -J^T; J, 0] with row scaling and partial pivoting.
 const SOLVE: &str = "\
 // x of [M, -J^T; J, 0] x = right, M and J from the terms v; gives 0, or 1 where it is not determined
 int solve(const double *v, const double *right, double *x)

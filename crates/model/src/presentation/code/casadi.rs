@@ -1,4 +1,4 @@
-//! CasADi: the rates as a function over its symbols, so that it differentiates and optimises them.
+//! Export to CasADi: the rates as a function of CasADi symbols, which CasADi can differentiate and optimise.
 
 use super::{Program, indented};
 use crate::Trace;
@@ -6,10 +6,10 @@ use crate::presentation::matrix_form::MatrixForm;
 use std::fmt::Write;
 use symbolic::Language;
 
-/// A module of Python with the rates and the constraints as functions of CasADi, and the start.
+/// Returns a Python module with the rates and the constraints as CasADi functions, and the start.
 ///
 /// # Errors
-/// As [`super::code`].
+/// The errors of [`super::code`].
 pub fn casadi(trace: &Trace<'_>, form: &MatrixForm, start: &[f64]) -> Result<String, String> {
     let mut program = Program::of(trace, form, Language::Python)?;
     program.close_inputs(trace);
@@ -42,7 +42,7 @@ pub fn casadi(trace: &Trace<'_>, form: &MatrixForm, start: &[f64]) -> Result<Str
         );
     }
     let column = |outputs: &[String]| format!("casadi.vertcat({})", outputs.join(", "));
-    // a column has its entries row by row, CasADi's matrices column by column
+    // the outputs are listed by rows, while CasADi fills matrices by columns
     let rows = |outputs: &[String], rows: usize| match rows {
         0 => format!("casadi.SX(0, {n})"),
         _ => format!("casadi.reshape({}, {n}, {rows}).T", column(outputs)),
@@ -50,7 +50,7 @@ pub fn casadi(trace: &Trace<'_>, form: &MatrixForm, start: &[f64]) -> Result<Str
     let (mass, rest) = terms.outputs.split_at(n * n);
     let (load, rest) = rest.split_at(*n);
     let (jacobian, bias) = rest.split_at(m * n);
-    // the results of each list of statements have the same names
+    // each list of statements uses the same result names, hence the results are stored before the next list
     for (statements, assigned) in [
         (
             terms,

@@ -1,5 +1,5 @@
-//! C for programs that run a system themselves: beside the rates also outputs, conditions and events, and derivatives along a
-//! direction. The cases of conditions are given to each function, since they change at events alone.
+//! Export to C for programs that run the system themselves: the rates, outputs, conditions, events, and directional derivatives
+//! of all of these. The cases of conditions are arguments of each function, since they change only at events.
 
 use super::c::{self, Form};
 use super::letters::Letters;
@@ -10,13 +10,13 @@ use crate::{Direction, Event, Trace};
 use std::fmt::Write;
 use symbolic::{Derivation, Language, Statements, Sym, substitute_all};
 
-/// The quantities beside the equations of motion.
+/// The expressions in addition to the equations of motion.
 pub(super) struct Shown {
-    /// Outputs, then the kinetic and the potential energy; they may hold accelerations and multipliers.
+    /// Outputs, then kinetic and potential energy. They may depend on accelerations and multipliers.
     pub outputs: Vec<Sym>,
-    /// Expressions of events.
+    /// The expressions of events.
     pub events: Vec<Sym>,
-    /// Places in the state that each event sets, with the values.
+    /// For each event, the indices of the state that it sets, and the values.
     pub sets: Vec<Vec<(usize, Sym)>>,
 }
 
@@ -40,14 +40,14 @@ impl Shown {
     }
 }
 
-/// A direction in which time, coordinates, speeds and data change, and functions change with them.
+/// The direction of a derivative: changes of time, coordinates, speeds and data.
 const DIRECTION: &str = "double dt, const double *dq, const double *du, const struct parameters *dp";
 const UNUSED: &str = "(void)dt; (void)dq; (void)du; (void)dp;";
-/// Accelerations and multipliers, and their change.
+/// Accelerations and multipliers, and their changes.
 const SOLVED: &str = "const double *a, const double *lambda";
 const SOLVED_CHANGE: &str = "const double *da, const double *dlambda";
 
-/// Functions of one file.
+/// Writes the functions of one file.
 struct Writer {
     letters: Letters,
     text: String,
@@ -78,11 +78,11 @@ impl Writer {
     }
 }
 
-/// A part of a file of C: data with their values, the start, and all functions of a system. Inputs without a value are data too, which
-/// stand behind the parameters, zero at first.
+/// Returns a part of a C file: data with their values, the start, and all functions of a system. Inputs without a value are data with the initial value zero,
+/// listed after the parameters.
 ///
 /// # Errors
-/// As [`super::code`], or an output or an event has a quantity that these equations do not give.
+/// The errors of [`super::code`]; or an output or event depends on a quantity that these equations do not give.
 pub fn exchange(trace: &Trace<'_>, form: &MatrixForm, start: &[f64]) -> Result<String, String> {
     let mut program = Program::of(trace, form, Language::C)?;
     program.start = Some(start.to_vec());
@@ -96,7 +96,7 @@ pub fn exchange(trace: &Trace<'_>, form: &MatrixForm, start: &[f64]) -> Result<S
         [named(&format!("{d}a"), form.accelerations.len()), named(&format!("{d}lambda"), form.multipliers.len())]
             .concat()
     };
-    // the letter for the differential of a letter
+    // the symbol of the differential of a symbol
     let change = |letter: &Sym| Sym::symbol(&format!("change of {letter}"));
     let given: Vec<Sym> = form.parameters.iter().chain(&form.inputs).copied().collect();
     let moving = std::iter::once((form.time, "dt".to_owned()));

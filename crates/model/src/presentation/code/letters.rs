@@ -1,4 +1,4 @@
-//! Letters of a system with their texts in a language, and statements over them.
+//! The symbols of a system with their texts in a language, and statements over them.
 
 use super::super::identifiers::identifiers;
 use super::super::matrix_form::MatrixForm;
@@ -13,14 +13,14 @@ pub(super) struct Letters {
     language: Language,
     symbols: Vec<Sym>,
     texts: Vec<String>,
-    /// Identifiers of the parameters, and of inputs without a value.
+    /// Identifiers of the parameters and of inputs without a value.
     pub names: Vec<String>,
-    /// The names of the parameters in the file.
+    /// The names of these in the file.
     pub quoted: Vec<String>,
 }
 
 impl Letters {
-    /// The letters of a form: components of `q`, `u` and `s`, members of `p`.
+    /// Returns the symbols of a form: components of `q`, `u` and `s`, members of `p`.
     pub fn of(trace: &Trace<'_>, form: &MatrixForm, language: Language) -> Self {
         let words = match language {
             Language::C => c::WORDS,
@@ -53,7 +53,7 @@ impl Letters {
         Letters { language, symbols, texts, names, quoted }
     }
 
-    /// The letters with further ones, or with other texts for some.
+    /// Returns the symbols with additional ones, or with other texts for some.
     pub fn with(&self, more: impl IntoIterator<Item = (Sym, String)>) -> Self {
         let mut with = self.clone();
         for (symbol, text) in more {
@@ -68,10 +68,10 @@ impl Letters {
         with
     }
 
-    /// Statements that give expressions.
+    /// Returns statements that compute expressions.
     ///
     /// # Errors
-    /// A letter that is none of these, a division by the constant zero, a constant beyond the range of double precision.
+    /// An expression contains an unknown symbol, divides by the constant zero, or contains a constant beyond the range of double precision.
     pub fn statements(&self, expressions: &[Sym]) -> Result<Statements, String> {
         let tape = Tape::record(&self.symbols, expressions).map_err(|error| error.to_string())?;
         match tape.beyond_range() {

@@ -1,7 +1,7 @@
-//! A whole system as code of a language: M, h - Q, J and c as straight-line code over time, state and parameters; accelerations and
-//! multipliers by a solve with pivots; the rates of coordinates and speeds together.
+//! Export of a whole system to code: M, h - Q, J and c as straight-line functions of time, state and parameters; accelerations and
+//! multipliers by a linear solver with pivoting; and the rates of the state.
 //!
-//! A free frame has four coordinates, a quaternion, which stand behind the others, and three speeds, its angular velocity in its own axes.
+//! A free frame has four coordinates, a quaternion, listed after the other coordinates, and three speeds, its angular velocity along its own axes.
 
 mod c;
 mod casadi;
@@ -23,59 +23,59 @@ use crate::Trace;
 use letters::Letters;
 use symbolic::{Language, Statements, Sym};
 
-/// The written program: sizes, names and statements.
+/// The program in a target language: sizes, names and statements.
 struct Program {
-    /// Coordinates.
+    /// The number of coordinates.
     positions: usize,
-    /// Speeds.
+    /// The number of speeds.
     n: usize,
-    /// Constraints.
+    /// The number of scalar constraints.
     m: usize,
     parameters: Vec<Named>,
-    /// The state at the start, where the code has it.
+    /// The state at the start, if the code contains it.
     start: Option<Vec<f64>>,
-    /// Letters in their order, for a reader.
+    /// The names of the coordinates and speeds, in order.
     coordinates: Vec<String>,
     speeds: Vec<String>,
-    /// Whether a frame is free.
+    /// Whether the system has a free frame.
     turns: bool,
-    /// The meaning of each quasi-velocity; empty where speeds are none.
+    /// The definition of each quasi-velocity; empty if the speeds are not quasi-velocities.
     meanings: Vec<String>,
-    /// Each by its name and its axis.
+    /// The name and the axis of each constraint.
     constraints: Vec<(String, Option<String>)>,
-    /// Sentences on the parts of the model that the code leaves out.
+    /// Sentences on the parts of the model that the code omits.
     left_out: Vec<String>,
-    /// Conditions, each of which makes a component of s one where it is positive, else zero.
+    /// The conditions: a component of s is one where the condition is positive, otherwise zero.
     conditions: Vec<Statements>,
-    /// M, h - Q, J, c.
+    /// The statements for M, h - Q, J and c.
     terms: Statements,
-    /// f.
+    /// The statements for the constraints f.
     zeros: Statements,
-    /// q'.
+    /// The statements for q'.
     position_rates: Statements,
 }
 
-/// A parameter, or an input without a value, and its identifier in the code.
+/// A parameter, or an input without a value.
 struct Named {
     name: String,
     letter: String,
-    /// The coherent unit.
+    /// The coherent SI unit.
     unit: String,
     value: Option<f64>,
 }
 
-/// The system as code.
+/// Exports the system to code.
 ///
 /// # Errors
-/// Where an expression divides by the constant zero, or a constant is beyond the range of double precision.
+/// An expression divides by the constant zero, or a constant is beyond the range of double precision.
 pub fn code(trace: &Trace<'_>, form: &MatrixForm, language: Language) -> Result<String, String> {
     written(trace, form, language, None)
 }
 
-/// The system as code with the state at the start as a constant: coordinates, then speeds.
+/// Exports the system to code, with the state at the start (coordinates, then speeds) as a constant.
 ///
 /// # Errors
-/// As [`code`].
+/// The errors of [`code`].
 pub fn code_from(trace: &Trace<'_>, form: &MatrixForm, language: Language, start: &[f64]) -> Result<String, String> {
     written(trace, form, language, Some(start))
 }
@@ -114,7 +114,7 @@ impl Program {
         let in_letters = |is: Sym| is.substitute(&cosines).decimal_text();
         let meanings = meanings.map(|(speed, is)| format!("{} = {}", speed.name, in_letters(*is)));
         let meanings: Vec<String> = meanings.collect();
-        // the line of the first of nine cosines stands for all
+        // the line of the first of nine cosines represents all nine
         let used = form.cosines.iter().filter(|cosine| {
             let letter = cosine.letter.to_string();
             letter.ends_with(".Rxx") && meanings.iter().any(|line| line.contains(letter.trim_end_matches("xx")))
@@ -152,7 +152,7 @@ impl Program {
     }
 }
 
-/// M row after row, h - Q, J row after row, c.
+/// Returns M by rows, h - Q, J by rows, and c.
 fn terms(form: &MatrixForm) -> Vec<Sym> {
     let mass = form.mass.iter().flatten().copied();
     let loads = form.inertia.iter().zip(&form.forces).map(|(&inertia, &force)| inertia - force);
@@ -162,17 +162,17 @@ fn terms(form: &MatrixForm) -> Vec<Sym> {
 }
 
 impl Program {
-    /// Inputs without a value are zero until somebody sets them.
+    /// Gives inputs without a value the initial value zero.
     fn close_inputs(&mut self, trace: &Trace<'_>) {
         self.parameters[trace.model.parameters.len()..].iter_mut().for_each(|input| input.value = Some(0.0));
     }
 
-    /// Whether every parameter has a value.
+    /// Returns whether every parameter has a value.
     fn has_values(&self) -> bool {
         self.parameters.iter().all(|named| named.value.is_some())
     }
 
-    /// The first lines of a file, each behind a sign of comments.
+    /// Returns the first lines of a file as comments.
     fn heading(&self, comment: &str) -> String {
         let q = format!("q = ({})", self.coordinates.join(", "));
         let turned = match self.turns {
@@ -203,7 +203,7 @@ impl Program {
                 format!("u = ({speeds}): quasi-velocities"),
             ],
         };
-        // independent rates stand for themselves
+        // a quasi-velocity that is the rate of a coordinate needs no definition
         lines.extend(
             self.meanings.iter().filter(|line| line.split_once(" = ").is_none_or(|(name, is)| name != is)).cloned(),
         );
@@ -221,12 +221,12 @@ impl Program {
     }
 }
 
-/// Assignments of outputs to the entries of an array.
+/// Returns assignments of outputs to the entries of an array.
 fn assigned(array: &str, outputs: &[String]) -> Vec<String> {
     outputs.iter().enumerate().map(|(k, output)| format!("{array}[{k}] = {output};")).collect()
 }
 
-/// Lines with an indentation.
+/// Returns lines with indentation.
 fn indented(lines: &[String]) -> String {
     lines.iter().flat_map(|line| line.lines()).map(|line| format!("    {}\n", line.trim_start())).collect()
 }

@@ -1,4 +1,4 @@
-//! Modelica: a flat model with every quantity of the system, its conditions and its events.
+//! Export to Modelica: a flat model with every quantity of the system, its conditions and its events.
 
 use super::exchange::Shown;
 use super::letters::Letters;
@@ -18,14 +18,14 @@ pub(super) const WORDS: &str = "algorithm and annotation block break class conne
     cardinality homotopy semiLinear inStream actualStream spatialDistribution getInstanceName size fill zeros ones vector matrix scalar \
     transpose cross skew identity diagonal linspace cat String Real Integer Boolean ExternalObject";
 
-/// Identifiers of a model's quantities.
+/// The identifiers of a model's quantities.
 struct Names {
     given: Vec<String>,
     state: Vec<String>,
     outputs: Vec<String>,
     accelerations: Vec<String>,
     multipliers: Vec<String>,
-    /// The cases of conditions.
+    /// The names of the cases of conditions.
     cases: Vec<String>,
 }
 
@@ -44,7 +44,7 @@ impl Names {
             cases.collect(),
         ];
         let letters: Vec<Sym> = parts.iter().flatten().map(|name| Sym::symbol(name)).collect();
-        // the names of intermediate results
+        // names of intermediate results
         let is_result = |name: &String| name.strip_prefix('r').is_some_and(|number| number.parse::<u64>().is_ok());
         let results = letters.iter().filter_map(|letter| letter.identifier()).filter(is_result);
         let taken = results.fold(WORDS.to_owned(), |words, name| words + " " + &name);
@@ -55,19 +55,19 @@ impl Names {
     }
 }
 
-/// A declaration, with the name of the file where the identifier is another one.
+/// Returns a declaration. The name in the file is added as a comment if the identifier differs.
 fn declared(kind: &str, name: &str, (attributes, own): (&[String], &str)) -> String {
     let attributes = if attributes.is_empty() { String::new() } else { format!("({})", attributes.join(", ")) };
     let comment = if own == name { String::new() } else { format!(" {}", quoted(own)) };
     format!("  {kind}Real {name}{attributes}{comment};\n")
 }
 
-/// A text in quotes.
+/// Returns a text in quotes.
 fn quoted(text: &str) -> String {
     format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
 }
 
-/// A unit as Modelica writes it: `kg.m2/s2`, one quotient at most.
+/// Converts a unit to Modelica's notation, `kg.m2/s2`, with at most one slash.
 fn unit(unit: &str) -> String {
     let plain = unit.replace('^', "").replace("ohm", "Ohm");
     let product = |part: &str| part.split_whitespace().collect::<Vec<_>>().join(".");
@@ -82,15 +82,15 @@ fn unit(unit: &str) -> String {
     format!("unit = {}", quoted(&written))
 }
 
-/// The name of the model: another one where the language has it for a word of its own.
+/// Returns the name of the model; an underscore is appended to a keyword of Modelica.
 fn model_name(name: &str) -> String {
     if WORDS.split_whitespace().any(|word| word == name) { format!("{name}_") } else { name.to_owned() }
 }
 
-/// A flat model; the units of the state stand in the order of the start.
+/// Returns a flat model; `start` contains coordinates, then speeds.
 ///
 /// # Errors
-/// As [`super::code`].
+/// The errors of [`super::code`].
 pub fn modelica(trace: &Trace<'_>, form: &MatrixForm, name: &str, start: &[f64]) -> Result<String, String> {
     let mut program = Program::of(trace, form, Language::Modelica)?;
     program.left_out = left_out_between_events(trace, form);
@@ -154,7 +154,7 @@ pub fn modelica(trace: &Trace<'_>, form: &MatrixForm, name: &str, start: &[f64])
     for (name, rate) in state.iter().zip(rates.iter().chain(&accelerations)) {
         let _ = writeln!(text, "  der({name}) = {rate};");
     }
-    // terms that are constantly zero are left out
+    // omits terms that are constantly zero
     let sum = |terms: Vec<(&String, &String)>, last: &String| {
         let kept = terms.into_iter().filter(|(factor, _)| !is_zero(factor));
         let terms = kept.map(|(factor, of)| format!("{}*{of}", signed(factor)));
@@ -186,7 +186,7 @@ pub fn modelica(trace: &Trace<'_>, form: &MatrixForm, name: &str, start: &[f64])
     Ok(text)
 }
 
-/// Events: those that set a common state are branches of one clause, since a state is reinitialised in one clause alone.
+/// Returns the clauses of events. Events that set a common state are branches of one clause, since Modelica allows `reinit` of a state in one clause only.
 fn when_clauses(
     trace: &Trace<'_>,
     places: &[Vec<(usize, Sym)>],
@@ -211,7 +211,7 @@ fn when_clauses(
             let _ = writeln!(branch, "    terminate({});", quoted(told));
         }
         let own: Vec<usize> = set.iter().map(|(place, _)| *place).collect();
-        // one clause of all that set a state of this event
+        // merges all clauses that set a state of this event
         let (with, without): (Vec<_>, Vec<_>) =
             clauses.into_iter().partition(|(known, _)| known.iter().any(|place| own.contains(place)));
         clauses = without;
@@ -226,12 +226,12 @@ fn when_clauses(
     clauses.iter().map(|(_, branches)| format!("  {branches}  end when;\n")).collect()
 }
 
-/// In parentheses where it begins with a sign.
+/// Puts a text into parentheses if it begins with a sign.
 fn signed(text: &str) -> String {
     if text.starts_with('-') { format!("({text})") } else { text.to_owned() }
 }
 
-/// Whether a number stands there, and it is zero.
+/// Returns whether the text is the number zero.
 fn is_zero(text: &str) -> bool {
     text.parse::<f64>().is_ok_and(|value| value == 0.0)
 }

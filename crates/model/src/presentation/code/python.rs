@@ -1,4 +1,4 @@
-//! Python with NumPy: a dictionary of parameters, and functions that give arrays.
+//! Export to Python with NumPy: a dictionary of parameters, and functions that return arrays.
 
 use super::{Program, indented};
 use std::fmt::Write;

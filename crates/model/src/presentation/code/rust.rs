@@ -1,4 +1,4 @@
-//! Rust: a structure of parameters, and functions over arrays.
+//! Export to Rust: a structure of parameters, and functions over arrays.
 
 use super::{Program, assigned, indented};
 use std::fmt::Write;
@@ -29,7 +29,7 @@ pub(super) fn written(program: &Program) -> String {
         let _ =
             writeln!(text, "\n/// y = (q, u) at the start.\npub const START: [f64; COORDINATES + SPEEDS] = {start:?};");
     }
-    // conditions first, each in a block of its own
+    // conditions first, each in its own block
     let mut chosen = String::new();
     if !conditions.is_empty() {
         let _ = writeln!(chosen, "    let mut s = [0.0; {}];", conditions.len());
@@ -79,7 +79,7 @@ pub(super) fn written(program: &Program) -> String {
     text
 }
 
-/// Gaussian elimination with row pivots of [M, -J^T; J, 0], rows scaled.
+/// Gaussian elimination for [M, -J^T; J, 0] with row scaling and partial pivoting.
 const SOLVE: &str = "
 /// u' and lambda; none where they are not determined.
 pub fn accelerations(

@@ -1,4 +1,4 @@
-//! A sum of waves in the shorter of two forms: multiple angles, or powers of cosines and sines of single ones.
+//! A sum of cosines and sines ("waves") in the shorter of two forms: multiple angles, or powers of cosines and sines of single angles.
 
 use super::harmonic::Multiple;
 use super::sum::Wave;
@@ -6,16 +6,16 @@ use field::Rational;
 use num_traits::{One, Zero};
 use std::collections::BTreeMap;
 
-/// Factor behind a monomial: a wave as it is, or cosines and sines of single angles with exponents.
+/// The trigonometric factor of a monomial: one cosine or sine, or a product of powers of cosines and sines of single angles.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Factor {
     Wave(Wave),
-    /// Exponents of the cosine and the sine of each angle, which is a step times its term.
+    /// (term, step, exponents of cosine and sine) for each angle, which is the step times the term.
     Powers(Vec<(u32, Multiple, [u32; 2])>),
 }
 
 impl Factor {
-    /// No power, and a single one, is a wave.
+    /// Returns no power, or a single first power, as a wave.
     fn of(powers: Vec<(u32, Multiple, [u32; 2])>) -> Self {
         match powers[..] {
             [] => Factor::Wave(Wave::default()),
@@ -27,7 +27,7 @@ impl Factor {
 }
 
 impl Factor {
-    /// The cosines and sines with their exponents: of each angle the sine first.
+    /// Returns the cosines and sines with their exponents; for each angle the sine comes first.
     pub fn waves(&self) -> Vec<(Wave, u32)> {
         match self {
             Factor::Wave(wave) if wave.angle.is_empty() => Vec::new(),
@@ -43,7 +43,7 @@ impl Factor {
         }
     }
 
-    /// With one power less of a cosine or sine; none where it has no such.
+    /// Reduces the exponent of a cosine or sine by one; `None` if it does not occur.
     pub fn without(&self, is_it: impl Fn(&Wave) -> bool) -> Option<Self> {
         let (found, _) = self.waves().into_iter().find(|(wave, _)| is_it(wave))?;
         match self {
@@ -59,13 +59,13 @@ impl Factor {
     }
 }
 
-/// Angles whose multiples together are larger are not opened.
+/// Angles with larger sums of multiples are not expanded.
 const MOST_TURNS: i64 = 8;
 
-/// Exponents of cosine and sine, for each angle.
+/// Coefficients by the exponents of cosine and sine of each angle.
 type Powers = BTreeMap<Vec<[u32; 2]>, Rational>;
 
-/// The shorter form.
+/// Returns the shorter of the two forms.
 pub(super) fn shorter(waves: &[(Wave, Rational)]) -> Vec<(Factor, Rational)> {
     let whole: Vec<(Factor, Rational)> =
         waves.iter().map(|(wave, coefficient)| (Factor::Wave(wave.clone()), *coefficient)).collect();
@@ -73,8 +73,8 @@ pub(super) fn shorter(waves: &[(Wave, Rational)]) -> Vec<(Factor, Rational)> {
     if opened.is_empty() || cost(&whole) < cost(&opened) { whole } else { opened }
 }
 
-/// By the addition theorems, then without squares of sines, or without those of cosines, whichever is shorter; none where multiples
-/// are large.
+/// Expands multiple angles by the addition theorems, then removes squares of sines, or squares of cosines, whichever is shorter; `None` for large
+/// multiples.
 fn opened(waves: &[(Wave, Rational)]) -> Option<Vec<(Factor, Rational)>> {
     let steps = steps(waves)?;
     let mut sum = Powers::new();
@@ -121,7 +121,7 @@ fn opened(waves: &[(Wave, Rational)]) -> Option<Vec<(Factor, Rational)>> {
     Some(best)
 }
 
-/// Every term of the angles, with the step whose whole multiples occur.
+/// Returns every term of the angles, with the step of which all its multiples are integer multiples.
 fn steps(waves: &[(Wave, Rational)]) -> Option<Vec<(u32, Multiple)>> {
     let mut steps: Vec<(u32, Multiple)> = Vec::new();
     for (atom, multiple) in waves.iter().flat_map(|(wave, _)| &wave.angle) {
@@ -158,7 +158,7 @@ fn added(mut sum: Powers, other: &Powers, times: Rational) -> Powers {
     sum
 }
 
-/// Squares of the sine (1) or the cosine (0) of an angle as one less those of the other.
+/// Replaces squares of the sine (1) or the cosine (0) of an angle by one minus the square of the other.
 fn reduced(sum: &Powers, at: usize, which: usize) -> Powers {
     let mut done = Powers::new();
     let mut open = sum.clone();
@@ -175,7 +175,7 @@ fn reduced(sum: &Powers, at: usize, which: usize) -> Powers {
     done
 }
 
-/// About so many signs are written.
+/// Returns the approximate number of printed characters.
 fn cost(form: &[(Factor, Rational)]) -> usize {
     let of = |(factor, coefficient): &(Factor, Rational)| {
         let whole = coefficient.to_big().is_some_and(|big| big.denominator().is_one());

@@ -1,4 +1,4 @@
-//! Divisors: all that their terms share, and each of their factors, is a power of its own.
+//! Divisors: the common factors of their terms, and each remaining factor, become powers.
 
 use super::sum::{Monomial, Sum, Term, Wave};
 use super::writing::{common, content};
@@ -8,12 +8,12 @@ use std::collections::BTreeMap;
 use symbolic::{Node, Sym};
 
 impl Reading {
-    /// One over a sum: a monomial of negative exponents, or a part of its own.
+    /// Returns the reciprocal of a sum, as a monomial with negative exponents. The factors of the sum become generators if necessary.
     pub(super) fn reciprocal(&mut self, below: &Sum) -> Option<Sum> {
         if let Some(inverse) = below.inverse() {
             return Some(inverse);
         }
-        // the common factor of all terms stands outside, as do factors: 4*cos(f)^2, and not 2*2*cos(f)*cos(f)
+        // factors the sum first: 4*cos(f)^2 in place of 2*2*cos(f)*cos(f)
         let terms: Vec<(Monomial, Rational)> = below.terms().map(|term| (term.monomial, term.coefficient)).collect();
         let outside = Term { monomial: common(&terms), wave: Wave::default(), coefficient: content(&terms) };
         let outside = Sum::of(outside).inverse()?;
@@ -40,7 +40,7 @@ impl Reading {
     }
 }
 
-/// Whether the first term of a sum has a minus.
+/// Returns whether the first term of a sum is negative.
 fn leads_negative(sum: Sym) -> bool {
     let mut first = sum;
     loop {
@@ -52,7 +52,7 @@ fn leads_negative(sum: Sym) -> bool {
     }
 }
 
-/// The factors of a product with their exponents, those of divisors negative.
+/// Returns the factors of a product with their exponents, which are negative for divisors.
 fn factors(product: Sym) -> Vec<(Sym, i32)> {
     let (mut open, mut factors) = (vec![(product, 1)], Vec::new());
     while let Some((next, exponent)) = open.pop() {
