@@ -1,18 +1,18 @@
-//! Tests at real points: whether two expressions have equal values to the digits of double-double numbers, where roots or functions
-//! keep an identity from being decided otherwise.
+//! Numerical tests at real points: decides whether two expressions have equal values up to the precision of double-double numbers. They are used where roots or
+//! functions prevent an exact decision.
 
 use crate::Trace;
 use field::DoubleDouble;
 use symbolic::Sym;
 
-/// Points that are tried, and those that must have a value.
+/// The number of points, and how many of them must have a value.
 const POINTS: u64 = 24;
 const NEEDED: usize = 12;
 
-/// The digits of a double-double number that remain after rounding in sums of some thousand terms.
+/// The number of digits of a double-double number that remain after rounding in sums of some thousand terms.
 const DIGITS: f64 = 22.0;
 
-/// The points at which all pairs agree and the digits to which they do; none where too few points have values, or some pair differs.
+/// Returns the number of points and the digits to which all pairs agree; `None` if too few points have values, or if a pair differs.
 pub(crate) fn equal_digits(pairs: &[(Sym, Sym)]) -> Option<(usize, f64)> {
     let (mut points, mut digits) = (0, f64::INFINITY);
     for point in 0..POINTS {
@@ -27,8 +27,8 @@ pub(crate) fn equal_digits(pairs: &[(Sym, Sym)]) -> Option<(usize, f64)> {
     (points >= NEEDED && digits >= DIGITS).then_some((points, digits))
 }
 
-/// The value of an expression at the start of a model; none where it holds more than coordinates, speeds, the time and parameters with
-/// values, and where the start leaves coordinates open.
+/// Returns the value of an expression at the start of a model; `None` if the expression contains other symbols than coordinates, speeds, the time, and parameters with
+/// values, or if the start does not give all coordinates.
 pub(crate) fn value_at_start(trace: &Trace<'_>, expression: Sym) -> Option<f64> {
     let model = trace.model;
     let is_given = |place: usize| {
@@ -49,13 +49,13 @@ pub(crate) fn value_at_start(trace: &Trace<'_>, expression: Sym) -> Option<f64> 
     expression.evaluate_analytic(&value).ok().map(|value: DoubleDouble| value.hi()).filter(|value| value.is_finite())
 }
 
-/// The value of an expression at a point; none where it has none.
+/// Returns the value of an expression at a real point; `None` if it is undefined.
 pub(crate) fn value_at_point(expression: Sym, point: u64) -> Option<f64> {
     let found = expression.evaluate_analytic(&|name: &str| Some(drawn(name, point))).ok();
     found.map(|value: DoubleDouble| value.hi()).filter(|value| value.is_finite())
 }
 
-/// The digits to which two expressions agree at a point; NaN where one has no value.
+/// Returns the number of digits to which two expressions agree at a point; NaN if one is undefined.
 fn agreed(one: Sym, other: Sym, point: u64) -> f64 {
     let value = |expression: Sym| value_at_point(expression, point).unwrap_or(f64::NAN);
     let (size, difference) = (value(one).abs().max(value(other).abs()), value(one - other).abs());
@@ -65,7 +65,7 @@ fn agreed(one: Sym, other: Sym, point: u64) -> f64 {
     if difference == 0.0 { 31.0 } else { (size / difference).log10() }
 }
 
-/// A number between 1/5 and 6/5 for a name, the same each time.
+/// Returns a reproducible pseudorandom number between 1/5 and 6/5, determined by the name and the point.
 pub(crate) fn drawn(name: &str, point: u64) -> DoubleDouble {
     let mut hash = 0xcbf2_9ce4_8422_2325_u64 ^ point.wrapping_mul(0x9e37_79b9_7f4a_7c15);
     for byte in name.bytes() {

@@ -1,9 +1,9 @@
-//! A system as it is written: keys with texts, each text with its place.
+//! The text of a system: keys with texts, each with its position in the file.
 
 use crate::OneWay;
 use std::ops::Range;
 
-/// A text and the byte of its file at which it begins.
+/// A text, and the byte of the file at which it begins.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Text {
     pub text: String,
@@ -11,22 +11,22 @@ pub struct Text {
 }
 
 impl Text {
-    /// A text at a place.
+    /// Creates a text at a position.
     pub fn at(text: impl Into<String>, start: usize) -> Self {
         Text { text: text.into(), start }
     }
 
-    /// The bytes of the whole text.
+    /// Returns the range of bytes of the whole text.
     pub fn span(&self) -> Range<usize> {
         self.start..self.start + self.text.len()
     }
 
-    /// The bytes of a part of it.
+    /// Returns the range of bytes in the file of a part of the text.
     pub fn part(&self, part: &Range<usize>) -> Range<usize> {
         self.start + part.start..self.start + part.end
     }
 
-    /// A part as a text of its own.
+    /// Returns a part of the text, with its position.
     pub fn slice(&self, part: Range<usize>) -> Text {
         Text { start: self.start + part.start, text: self.text[part].to_owned() }
     }
@@ -38,7 +38,7 @@ impl From<&str> for Text {
     }
 }
 
-/// A name and its text.
+/// A name with its text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Entry {
     pub name: Text,
@@ -51,25 +51,25 @@ impl From<(&str, &str)> for Entry {
     }
 }
 
-/// A system: each field is a table of the same name in a file, and is empty where that is left out.
+/// A system as text. Each field corresponds to a table or key of a file, and is empty if the file lacks it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Source {
-    /// `m = "2 kg"`; a unit alone leaves the parameter without a value.
+    /// `m = "2 kg"`; without a number the parameter has no value.
     pub parameters: Vec<Entry>,
-    /// `theta = "rad"`: the unit of each.
+    /// `theta = "rad"`: the unit of each coordinate.
     pub coordinates: Vec<Entry>,
     /// `v = "velocity(G) . A.x"`: quasi-velocities, linear in the rates of coordinates.
     pub speeds: Vec<Entry>,
-    /// Scalars, vectors, points or frames by names.
+    /// Named scalars, vectors, points or frames.
     pub definitions: Vec<Entry>,
     /// `A = "N turned theta about z"`.
     pub frames: Vec<Entry>,
     /// `P = "O + l*A.x"`.
     pub points: Vec<Entry>,
     pub bodies: Vec<BodySource>,
-    /// The acceleration of free fall, a vector: a force on every body with a mass.
+    /// The gravitational acceleration, a vector. It gives a weight to every body with a mass.
     pub gravity: Option<Text>,
-    /// `kinetic`, `potential`, `dissipation`: scalars, beside those of the bodies.
+    /// `kinetic`, `potential`, `dissipation`, `coenergy`: scalars, in addition to those of the bodies.
     pub energies: Vec<Entry>,
     pub forces: Vec<LoadSource>,
     pub torques: Vec<LoadSource>,
@@ -77,38 +77,38 @@ pub struct Source {
     pub contacts: Vec<ContactSource>,
     pub one_ways: Vec<OneWaySource>,
     pub drives: Vec<DriveSource>,
-    /// Scalars and vectors that a run shows.
+    /// Scalars that a run shows.
     pub outputs: Vec<Entry>,
     pub inputs: Vec<InputSource>,
     pub events: Vec<EventSource>,
     pub regulator: Option<RegulatorSource>,
-    /// `theta = "30 deg"`, `theta' = "2 rad/s"`; zero where left out.
+    /// `theta = "30 deg"`, `theta' = "2 rad/s"`; omitted values are zero.
     pub start: Vec<Entry>,
-    /// The place where the start is declared an equilibrium near these values.
+    /// The range of bytes of the key that makes the start an equilibrium near the given values.
     pub equilibrium: Option<Range<usize>>,
-    /// Parameters that a smaller model leaves out: zero for good, with all that vanishes with them; no text names them.
+    /// Parameters that a reduced model sets to zero permanently, with all terms that vanish.
     pub absent: Vec<String>,
-    /// Parameters of springs and viscous forces that it takes for rigid.
+    /// Parameters of springs and dampers that a reduced model treats as rigid.
     pub rigid: Vec<String>,
-    /// Angles in the place of free turns, for each free frame in the order of the file; where this is shorter, frames turn freely.
+    /// Angles in place of free rotations, for the free frames in the order of the file; the remaining frames stay free.
     pub angles: Vec<FrameAngles>,
 }
 
-/// Three angles that place a frame in its parent: turns one after the other, each about an axis, x, y or z, of the frame before.
+/// Three angles that describe the orientation of a frame: successive rotations, each about the axis 0, 1 or 2 (x, y, z) of the previous frame.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct FrameAngles {
     pub axes: [usize; 3],
-    /// The names of the angles behind that of the frame: `F.nutation`.
+    /// The names of the angles, which follow that of the frame: `F.nutation`.
     pub names: [String; 3],
 }
 
-/// A body: with a mass and a centre a particle, with an inertia it turns with its frame.
+/// A body: a particle with a mass and a centre, or a rigid body with an inertia, fixed in a frame.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BodySource {
     pub name: Text,
-    /// An angle about N.z, for a body of a planar system.
+    /// The angle about N.z in a planar system.
     pub turns: Option<Text>,
-    /// The frame that it is fixed in.
+    /// The frame in which the body is fixed.
     pub frame: Option<Text>,
     /// The centre of mass.
     pub centre: Option<Text>,
@@ -117,18 +117,18 @@ pub struct BodySource {
 }
 
 impl BodySource {
-    /// A point with a mass.
+    /// Returns a particle.
     pub fn particle(name: &str, centre: &str, mass: &str) -> Self {
         BodySource { name: name.into(), centre: Some(centre.into()), mass: Some(mass.into()), ..BodySource::default() }
     }
 }
 
-/// Moments of inertia about the centre of mass.
+/// The inertia tensor about the centre of mass.
 #[derive(Clone, Debug, PartialEq)]
 pub enum InertiaSource {
-    /// About the axis z, for a body that turns about no other.
+    /// The moment of inertia about z, for a body that rotates about no other axis.
     Axial(Text),
-    /// In the axes of a frame that is fixed in the body (its own where none is named): xx, yy, zz, xy, xz, yz, where
+    /// The entries xx, yy, zz, xy, xz, yz in the axes of a frame fixed in the body (by default the body's own frame), with
     /// xy = - integral of x y dm.
     Tensor { axes: Option<Text>, entries: Box<[Option<Text>; 6]> },
 }
@@ -137,145 +137,145 @@ pub enum InertiaSource {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LoadSource {
     pub name: Option<Text>,
-    /// `"disc at G"`, or a body: then at its centre of mass.
+    /// `"disc at G"`, or a body for its centre of mass.
     pub on: Option<Text>,
-    /// The name along which a force has power: a coordinate, `"theta"`, an angular velocity of a free frame, `"F.wx"`, or a
-    /// quasi-velocity.
+    /// The coordinate `"theta"`, angular velocity `"F.wx"` of a free frame, or quasi-velocity along which a generalised force
+    /// acts.
     pub along: Option<Text>,
-    /// Two ends with equal and opposite loads: a force along the line of the points, positive apart; a torque on the second, its opposite on
+    /// Two ends with opposite loads: a force along the line between two points, repulsive if positive; or a torque on the second frame, its reaction on
     /// the first.
     pub between: Option<[Text; 2]>,
     pub is: Text,
-    /// The position in the file, in bytes.
+    /// The range of bytes in the file.
     pub at: Range<usize>,
 }
 
-/// Expressions that are zero along every motion.
+/// A constraint: expressions that vanish along every motion.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ConstraintSource {
     pub name: Option<Text>,
-    /// Scalars, or vectors: of these each component.
+    /// Scalars, or vectors whose components all vanish.
     pub zero: Vec<Text>,
-    /// The gains of a constraint f that is led to zero instead of kept at zero: f'' + g1 f' + g2 f = 0 of positions, f' + g1 f =
-    /// 0 of speeds.
+    /// The gains of a stabilised constraint f, which may be violated: f'' + g1 f' + g2 f = 0 for positions, f' + g1 f =
+    /// 0 for speeds.
     pub gains: Option<Vec<Text>>,
-    /// The position in the file, in bytes.
+    /// The range of bytes in the file.
     pub at: Range<usize>,
 }
 
-/// A contact of a point of a body with a plane, a curve or a guide.
+/// A contact of a point with a plane, a curve or a guide.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ContactSource {
     pub name: Option<Text>,
-    /// `"ladder at B"`: the point that touches.
+    /// The touching point, such as `"ladder at B"`.
     pub of: Option<Text>,
-    /// The body that it touches; the ground where left out.
+    /// The other body; by default the ground.
     pub with: Option<Text>,
-    /// `"slider, N along x"`: a body in a guide.
+    /// A body in a guide, such as `"slider, N along x"`.
     pub between: Option<Text>,
     /// A point of the plane.
     pub through: Option<Text>,
-    /// The direction in which the gap grows, a vector.
+    /// A vector along which the gap increases.
     pub normal: Option<Text>,
-    /// The gap, in the place of a point of the plane.
+    /// The gap as an expression, in place of a point of the plane.
     pub gap: Option<Text>,
-    /// `one` or `both`.
+    /// `one` or `both`: unilateral or bilateral.
     pub sides: Option<Text>,
     pub friction: Option<Text>,
     pub restitution: Option<Text>,
-    /// `newton`, `poisson` or `moreau`: the law of restitution.
+    /// The law of restitution: `newton`, `poisson` or `moreau`.
     pub impact: Option<Text>,
-    /// Whether the start is completed so that the gap is zero.
+    /// Whether the contact is closed at the start.
     pub touching: bool,
-    /// The position in the file, in bytes.
+    /// The range of bytes in the file.
     pub at: Range<usize>,
 }
 
-/// A diode or a freewheel: a speed that does not fall below zero.
+/// A diode or a freewheel: a speed that does not become negative.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OneWaySource {
     pub is: OneWay,
     pub name: Option<Text>,
-    /// A current of charges, or a speed.
+    /// The current, a sum of rates of charges, or the speed.
     pub speed: Text,
-    /// The voltage, or the torque or force, that it takes while the speed is positive; zero where left out.
+    /// The voltage drop, torque or force while the speed is positive; zero if omitted.
     pub drop: Option<Text>,
-    /// The position in the file, in bytes.
+    /// The range of bytes in the file.
     pub at: Range<usize>,
 }
 
-/// A motor between two bodies, or on one that turns beside the ground.
+/// A motor between two bodies, or between the ground and a body.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DriveSource {
     pub name: Option<Text>,
     /// The angle of the shaft relative to the ground.
     pub turns: Option<Text>,
-    /// Two bodies or frames: the motor sits on the first and turns the second.
+    /// Two bodies or frames: the first carries the motor, which turns the second.
     pub between: Option<[Text; 2]>,
-    /// Turns of the motor for one of the shaft; 1 where left out.
+    /// The gear ratio: rotations of the motor per rotation of the shaft; 1 if omitted.
     pub ratio: Option<Text>,
     /// The moment of inertia of the motor's rotor.
     pub inertia: Option<Text>,
-    /// A torque on the motor beside those of its windings.
+    /// A torque on the motor in addition to those of its windings.
     pub torque: Option<Text>,
     pub windings: Vec<WindingSource>,
-    /// The position in the file, in bytes.
+    /// The range of bytes in the file.
     pub at: Range<usize>,
 }
 
-/// A winding: (L i)' = v - R i - k w.
+/// A winding with the law (L i)' = v - R i - k w, where w is the motor's speed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct WindingSource {
-    /// The name of its current; `i` where left out.
+    /// The name of the current; `i` if omitted.
     pub current: Option<Text>,
-    /// L, of positions.
+    /// The inductance L, a function of positions.
     pub inductance: Text,
-    /// R; zero where left out.
+    /// The resistance R; zero if omitted.
     pub resistance: Option<Text>,
-    /// v; zero where left out.
+    /// The supply voltage v; zero if omitted.
     pub supply: Option<Text>,
-    /// k, the voltage per speed of the motor against the supply, and the torque per current.
+    /// The motional constant k: the counter voltage per speed of the motor, and the torque per current.
     pub motional: Option<Text>,
-    /// The position in the file, in bytes.
+    /// The range of bytes in the file.
     pub at: Range<usize>,
 }
 
-/// A quantity that acts from outside.
+/// An input: a quantity that acts from outside.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct InputSource {
     pub name: Text,
     pub unit: Text,
-    /// A scalar of time and state; none: a letter, for linearisation.
+    /// The value as a function of time and state; `None` for an input without a value, as in a linearisation.
     pub value: Option<Text>,
 }
 
-/// The criterion of an optimal regulator.
+/// The cost function of an optimal regulator.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RegulatorSource {
-    /// Names of inputs; all where there are none.
+    /// The names of the inputs that the regulator sets; all inputs if the list is empty.
     pub inputs: Vec<Text>,
-    /// A quadratic form of deviations.
+    /// The cost per unit time, a quadratic form of deviations.
     pub cost: Text,
-    /// The cost of the end.
+    /// The cost of the deviation at the end.
     pub last: Option<Text>,
     pub horizon: Option<Text>,
     /// Deviations at the start.
     pub displaced: Vec<Entry>,
-    /// The position in the file, in bytes.
+    /// The range of bytes in the file.
     pub at: Range<usize>,
 }
 
-/// An instant at which an expression passes zero.
+/// An instant at which the expression `when` passes through zero.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct EventSource {
     pub name: Option<Text>,
     pub when: Text,
     /// `up`, `down` or `both`.
     pub direction: Option<Text>,
-    /// Coordinates and speeds after it.
+    /// Values of coordinates and speeds after the event.
     pub set: Vec<Entry>,
-    /// Whether the motion ends.
+    /// Whether the event ends the motion.
     pub ends: bool,
-    /// The position in the file, in bytes.
+    /// The range of bytes in the file.
     pub at: Range<usize>,
 }

@@ -1,4 +1,4 @@
-//! A whole system as a module for SymPy: letters as symbols, coordinates as functions of the time.
+//! Export to SymPy: a Python module with parameters as symbols, and coordinates as functions of the time.
 
 use super::conditions::left_out;
 use super::cosines::Cosine;
@@ -8,20 +8,20 @@ use crate::Trace;
 use std::fmt::Write;
 use symbolic::{Sym, substitute_all};
 
-/// Reserved names: words of Python, names that the module imports, and names that it defines.
+/// Reserved names: keywords of Python, imported names, and names that the module defines.
 const WORDS: &str = "False None True and as assert async await break class continue def del elif else except finally for from global \
     if import in is lambda nonlocal not or pass raise return try while with print Derivative Function Matrix Piecewise Rational Subs Symbol \
     atan2 cos exp log pi sin sqrt tanh t q values mass_matrix inertia forces jacobian bias multipliers constraints equations";
 
-/// More of them where a frame is free: then speeds are more than rates of coordinates.
+/// Additional reserved names if the speeds are not only rates of coordinates.
 const WORDS_OF_TURNS: &str = "u kinematics";
 
-/// The module.
+/// Returns the module.
 ///
-/// A free frame has four coordinates, a quaternion, and its angular velocity, in its own axes, as functions of their own.
+/// A free frame has four coordinates, a quaternion; these and its angular velocity along its own axes are separate functions of time.
 ///
 /// # Errors
-/// Where an expression is too long to be written out.
+/// An expression is too long to be printed.
 pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
     let own = form.plain();
     let turns = form.has_own_speeds();
@@ -49,7 +49,7 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
     let (turning, rest) = rest.split_at(free.len());
     let multipliers = &rest[..form.multipliers.len()];
     let switches = &names[names.len() - conditions.len()..];
-    // rates are derivatives of functions, under names that no letter has
+    // rates are derivatives of functions, with unused names
     let rate = |order: usize, of: &[String]| -> Vec<String> {
         let name = |name: &String| format!("{name}{}", "_dot".repeat(order));
         let all = of.iter().map(name);
@@ -103,7 +103,7 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
     for Cosine { letter, meaning, value } in &form.cosines {
         let _ = writeln!(text, "{letter} = {}  # {meaning}", value.sympy());
     }
-    // rates hold all coefficients
+    // the rates depend on all coefficients
     let coefficients = form.quasi.iter().flat_map(|quasi| &quasi.coefficients);
     let rates = coefficients.clone().map(|each| (each.rate, each.rate_is));
     for (letter, is) in coefficients.map(|each| (each.letter, each.is)).chain(rates) {
@@ -165,8 +165,10 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
 }
 
 impl MatrixForm {
+    /// Checks that all expressions of the form can be printed.
+    ///
     /// # Errors
-    /// An expression of the form is too long to be written out.
+    /// An expression is too long to be printed.
     fn is_written_out(&self) -> Result<(), String> {
         let long = self
             .expressions()

@@ -1,4 +1,4 @@
-//! A whole system as text.
+//! Export of a whole system to text.
 
 use super::conditions::{Condition, conditions, left_out};
 use super::contacts::open_letters;
@@ -10,12 +10,12 @@ use crate::equations::constraints_of;
 use std::fmt::Write;
 use symbolic::Sym;
 
-/// The matrix form with its parameters and constraints, a line for each entry that is not zero.
+/// Returns the matrix form with parameters and constraints, one line per nonzero entry.
 pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
     let mut text = String::new();
     let names = |letters: &[Sym]| letters.iter().map(Sym::to_string).collect::<Vec<_>>().join(", ");
     let held = !form.constraints.is_empty();
-    // a parameter may have the letter of a matrix
+    // a parameter may have the name of a matrix
     let [mass_matrix, inertia, forces, jacobian, bias] = [
         ["M", "mass", "mass_matrix"],
         ["h", "inertia", "inertia_terms"],
@@ -136,14 +136,14 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
     with_counts(&text)
 }
 
-/// The rate of each coordinate that is no speed.
+/// Returns a line for the rate of each coordinate that is not a speed.
 fn position_rates(form: &MatrixForm) -> Vec<String> {
     let parts = form.positions.iter().zip(&form.position_rates).skip(form.plain());
     let lines = parts.map(|(part, rate)| (format!("{part}'"), rate.decimal_text()));
     lines.filter(|(part, rate)| part != rate).map(|(part, rate)| format!("{part} = {rate}")).collect()
 }
 
-/// Each with its value as it was written, or its unit where it has none.
+/// Returns a line for each parameter: its value in the notation of the file, or its unit if it has no value.
 fn parameters(trace: &Trace<'_>) -> Vec<String> {
     let line = |parameter: &crate::Parameter| match parameter.value {
         Some(_) => format!("{} = {}", parameter.name, parameter.written),

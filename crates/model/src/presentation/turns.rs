@@ -1,17 +1,17 @@
-//! Expressions of direction cosines, which are not independent of each other.
+//! Simplification of expressions in direction cosines, which are not independent of each other.
 
 use super::{simplified, simplified_as_defined};
 use crate::equations::vanishes;
 use field::{Rational, Scalar};
 use symbolic::Sym;
 
-/// The quaternion and the direction cosines of a free frame.
+/// The quaternion of a free frame, and its direction cosines, parent axes by own axes.
 pub(crate) type FreeTurn = ([Sym; 4], [[Sym; 3]; 3]);
 
-/// Longer expressions stay as they are.
+/// Longer expressions are unchanged.
 const MOST_READ: usize = 150;
 
-/// An expression in normal form in which direction cosines stay together, as short as is found.
+/// Returns an expression in normal form in which direction cosines are treated as symbols, simplified by their relations.
 pub(crate) fn short_form(expression: Sym, turns: &[FreeTurn]) -> Sym {
     if Sym::operations_of(&[expression]) > MOST_READ {
         return expression;
@@ -23,7 +23,7 @@ pub(crate) fn short_form(expression: Sym, turns: &[FreeTurn]) -> Sym {
     simplified_as_defined(short).substitute(&of(|turn| turn.pairs(|letter, cosine| (letter, cosine))))
 }
 
-/// A free frame's turn with letters for its direction cosines.
+/// The rotation of a free frame, with symbols for its direction cosines.
 struct Lettered<'t> {
     turn: &'t FreeTurn,
     letters: [[Sym; 3]; 3],
@@ -31,7 +31,7 @@ struct Lettered<'t> {
 
 impl<'t> Lettered<'t> {
     fn of(number: usize, turn: &'t FreeTurn) -> Self {
-        // names that no system has
+        // names of systems contain no spaces
         let letter = |row: usize, column: usize| Sym::symbol(&format!("cosine {number} {row} {column}"));
         Lettered { turn, letters: std::array::from_fn(|row| std::array::from_fn(|column| letter(row, column))) }
     }
@@ -41,10 +41,10 @@ impl<'t> Lettered<'t> {
         all.map(|(&letter, &cosine)| pair(letter, cosine)).collect()
     }
 
-    /// An expression over letters as c + sum c_ij R_ij in the direction cosines R of this frame, where it is one and this is shorter:
-    /// products of them may be cofactors, R_yy R_zz - R_yz R_zy = R_xx, or R R^T = 1 may remove them.
+    /// Rewrites an expression as c + sum c_ij R_ij in the direction cosines R of this frame, if it has this form and becomes shorter:
+    /// products of cosines may be cofactors, R_yy R_zz - R_yz R_zy = R_xx, or cancel by R R^T = 1.
     ///
-    /// Values at ten turns by right and half angles give the coefficients, and random points of prime fields decide.
+    /// The coefficients follow from the values at ten rotations by 0, 90 and 180 degrees. Random points of prime fields then decide whether the result is equal.
     fn shorter(&self, expression: Sym) -> Sym {
         let symbols = expression.symbols_of();
         let occurs = |letter: &Sym| symbols.contains(letter);
@@ -68,7 +68,7 @@ impl<'t> Lettered<'t> {
         for axis in 0..3 {
             let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
             let own = (unturned + about[axis] - about[next] - about[last]) * quarter;
-            // a quarter turn about the axis, and a half turn about the line between the two others
+            // a rotation by 90 degrees about the axis, and one by 180 degrees about the bisector of the other two axes
             let [mut quarter_turn, mut half_turn] = [[1, 0, 0, 0], [0, 0, 0, 0]];
             (quarter_turn[1 + axis], half_turn[1 + next], half_turn[1 + last]) = (1, 1, 1);
             let skew = at(quarter_turn) - mean - own;

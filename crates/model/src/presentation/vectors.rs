@@ -1,4 +1,4 @@
-//! The vectors that a model is made of, each on a line, in the axes in which it was formed.
+//! The derived vectors of a model, each on a line, along the axes in which it was computed.
 
 use super::reading::Reading;
 use super::{is_sum, reading_of};
@@ -9,12 +9,12 @@ use num_traits::Zero;
 use std::fmt;
 use symbolic::Sym;
 
-/// A vector that is derived of a model, or a line about one.
+/// A derived vector of a model, or a line of text about one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DerivedVector {
-    /// `velocity(P)`; of a line the whole of it.
+    /// The name, such as `velocity(P)`; for a line of text the whole line.
     pub name: String,
-    /// By the axes of a frame, as text and in LaTeX; none of a line.
+    /// The vector by components along the axes of a frame, as text and in LaTeX; `None` for a line of text.
     pub value: Option<[String; 2]>,
 }
 
@@ -27,14 +27,14 @@ impl fmt::Display for DerivedVector {
     }
 }
 
-/// The vectors as text, a line each.
+/// Returns the derived vectors as lines of text.
 pub fn vectors(trace: &Trace<'_>) -> Vec<String> {
     derived_vectors(trace).iter().map(DerivedVector::to_string).collect()
 }
 
-/// The angular velocity of every frame; position, velocity and acceleration of every point of `[points]` and of definitions, and of
-/// every centre of mass that is no such point; vectors of definitions; forces and torques, one for each point or frame that they act
-/// on, weights beside them; then the joint of every body, about which its torque is.
+/// Returns the angular velocity of every frame; position, velocity and acceleration of every named point and of every
+/// other centre of mass; vectors of definitions; forces and torques, one for each point or frame on which they
+/// act, including weights; then the joint of every body, about which the torque of its joint load is taken.
 pub fn derived_vectors(trace: &Trace<'_>) -> Vec<DerivedVector> {
     let (model, mut reading) = (trace.model, reading_of(trace));
     let mut lines = Vec::new();
@@ -101,7 +101,7 @@ pub fn derived_vectors(trace: &Trace<'_>) -> Vec<DerivedVector> {
     lines
 }
 
-/// A vector with its name.
+/// Returns a vector with its name.
 fn named(name: String, trace: &Trace<'_>, reading: &mut Reading, vector: Vector) -> DerivedVector {
     let parts = parts(reading, vector);
     let frame = &trace.model.frames[vector.frame.0].name;
@@ -110,7 +110,7 @@ fn named(name: String, trace: &Trace<'_>, reading: &mut Reading, vector: Vector)
     DerivedVector { name, value: Some([text(frame, &parts), latex]) }
 }
 
-/// Components that do not vanish, each with its axis.
+/// The nonzero components, each with its axis.
 type Parts = Vec<(Sym, usize)>;
 
 fn parts(reading: &mut Reading, vector: Vector) -> Parts {
@@ -118,7 +118,7 @@ fn parts(reading: &mut Reading, vector: Vector) -> Parts {
     components.filter(|(component, _)| !component.is_zero()).collect()
 }
 
-/// A vector by the axes of its frame.
+/// Returns a vector as text, along the axes of its frame.
 pub(super) fn of(trace: &Trace<'_>, reading: &mut Reading, vector: Vector) -> String {
     text(&trace.model.frames[vector.frame.0].name, &parts(reading, vector))
 }
@@ -128,7 +128,7 @@ fn text(frame: &str, parts: &Parts) -> String {
     sum(parts, |part| part.decimal_text(), ["*", "(", ")"], &axes)
 }
 
-/// Components before their axes, with a sign between them, the sign of a product and parentheses.
+/// Returns components before their axes as a sum; `times`, `open` and `close` are the sign of a product and the parentheses.
 fn sum(parts: &Parts, write: impl Fn(Sym) -> String, [times, open, close]: [&str; 3], axes: &[String; 3]) -> String {
     let mut text = String::new();
     for &(component, axis) in parts {
@@ -149,7 +149,7 @@ fn sum(parts: &Parts, write: impl Fn(Sym) -> String, [times, open, close]: [&str
     if text.is_empty() { "0".to_owned() } else { text }
 }
 
-/// Position, velocity and acceleration of a point by its name.
+/// Returns position, velocity and acceleration of a point, with names.
 fn motion(
     name: &str,
     vectors: [Vector; 3],
@@ -159,7 +159,7 @@ fn motion(
     titles.into_iter().zip(vectors).map(|(title, vector)| named(title, vector)).collect()
 }
 
-/// A point by its name, or by its position vector.
+/// Returns the name of a point, or its position vector.
 fn point(trace: &Trace<'_>, at: PointId, of: impl FnOnce(Vector) -> String) -> String {
     match trace.model.points[at.0].name.as_str() {
         "" => match of(trace.position(at)) {
@@ -170,7 +170,7 @@ fn point(trace: &Trace<'_>, at: PointId, of: impl FnOnce(Vector) -> String) -> S
     }
 }
 
-/// The receiver of a force: a body at a point, its centre by the body alone.
+/// Returns a description of a force's target: a body at a point, or only the body for its centre of mass.
 fn place(trace: &Trace<'_>, Material { body, point: at }: Material, of: impl FnOnce(Vector) -> String) -> String {
     let bodies = &trace.model.bodies;
     let of_centre = bodies.iter().find(|body| body.centre == Some(at)).filter(|_| body.is_none());
@@ -183,7 +183,7 @@ fn place(trace: &Trace<'_>, Material { body, point: at }: Material, of: impl FnO
     }
 }
 
-/// A component with the values of masses that vary.
+/// Substitutes variable masses by their expressions.
 fn with_masses(trace: &Trace<'_>, component: Sym) -> Sym {
     trace.with_masses(&[component])[0]
 }

@@ -1,16 +1,16 @@
-//! The equations of Gibbs and Appell: dS/du' = Q, with the energy of accelerations
+//! The Gibbs-Appell equations dS/du' = Q, with the energy of accelerations
 //!
-//!   S = sum m a_C^2/2 + w' . I w'/2 + w' . (w x I w)
+//!   S = sum m a_C^2/2 + w' . I w'/2 + w' . (w x I w) .
 //!
-//! whose last term is the part of the motion about the centre that depends on the angular acceleration but not on it
-//! alone.
+//! The last term is the part of the rotational energy of accelerations that is linear in w'. Terms without accelerations
+//! are omitted.
 
 use super::loads::{by_energies, forces, torques};
 use crate::Trace;
 use field::Rational;
 use symbolic::Sym;
 
-/// S, without the terms that do not depend on accelerations.
+/// Returns S without the terms that do not depend on accelerations.
 pub(crate) fn energy_of_accelerations(trace: &Trace<'_>) -> Sym {
     let half = Sym::constant(Rational::new(1, 2));
     let mut sum = Sym::ZERO;

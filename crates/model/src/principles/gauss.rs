@@ -1,5 +1,5 @@
-//! Gauss's principle: the motion makes Z = S - sum F . a - T . w' least among all accelerations; potentials and Rayleigh's function
-//! enter by their second rates.
+//! Gauss' principle of least constraint: among all accelerations those of the motion minimise Z = S - sum F . a - T . w'. Potentials and Rayleigh's dissipation function
+//! enter by their second and first time derivatives.
 
 use super::appell::energy_of_accelerations;
 use super::loads::{along, forces, torques};

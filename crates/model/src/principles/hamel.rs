@@ -1,19 +1,19 @@
-//! The equations of Boltzmann and Hamel, in the quasi-velocities in which bodies are known: the components of the velocity of each
-//! centre of mass in its axes, and those of each angular velocity in the axes of the inertia.
+//! The Boltzmann-Hamel equations, with the components of each centre of mass's velocity, and of each angular velocity along the axes of the inertia tensor, as
+//! quasi-velocities.
 //!
-//! With quasi-velocities w_r(q, u, t) and T(q, w, t) every coordinate has the equation
+//! With quasi-velocities w_r(q, u, t) and T(q, w, t), every coordinate has the equation
 //!
 //!   sum_r [ (dT/dw_r)' dw_r/du_i + (dT/dw_r) (d/dt dw_r/du_i - dw_r/dq_i) ] - dT/dq_i|w = Q_i .
 //!
-//! The bracket behind the momentum dT/dw_r is the transpositional relation, d(delta pi_r)/dt - delta w_r, per displacement of q_i: it
-//! arises because the w are no rates of coordinates. There may be more of them than speeds.
+//! The factor of the momentum dT/dw_r is the transpositional relation d(delta pi_r)/dt - delta w_r per displacement of q_i. It
+//! is nonzero because the w are not rates of coordinates. There may be more quasi-velocities than speeds.
 
 use super::loads::generalised;
 use crate::Trace;
 use field::Rational;
 use symbolic::{Sym, substitute_all};
 
-/// Quasi-velocities, and the kinetic energy by symbols of theirs.
+/// Quasi-velocities as expressions and as symbols, and the kinetic energy as a function of the symbols.
 struct Quasi {
     velocities: Vec<Sym>,
     symbols: Vec<Sym>,
@@ -39,12 +39,12 @@ impl Quasi {
         quasi
     }
 
-    /// A symbol in the place of a component; zero stays zero.
+    /// Returns a symbol for a component; zero stays zero.
     fn named(&mut self, component: Sym) -> Sym {
         if component == Sym::ZERO {
             return component;
         }
-        // a name that no system has
+        // names of systems contain no spaces
         let symbol = Sym::symbol(&format!("quasi-velocity {}", self.symbols.len() + 1));
         self.velocities.push(component);
         self.symbols.push(symbol);

@@ -1,11 +1,11 @@
-//! Hamilton's canonical equations, q' = dH/dp and p' = -dH/dq + Q, transformed back along the speeds.
+//! Hamilton's canonical equations q' = dH/dp and p' = -dH/dq + Q, expressed by the speeds.
 //!
-//! T holds the co-energy of magnetic fields, whose momenta are fluxes. The momenta p = dT/du are functions of q and u, and so is H = p . u - T + V. With u as the intermediate variable the chain rule is
+//! The kinetic energy T includes the co-energy of magnetic fields, whose momenta are fluxes. The momenta p = dT/du, and H = p . u - T + V, are functions of q and u. The chain rule gives
 //!
 //!   dH/du_j|q = sum (dH/dp_k) dp_k/du_j ,    dH/dq_i|u = dH/dq_i|p + sum (dH/dp_k) dp_k/dq_i .
 //!
-//! The first, with dH/dp = u, is the canonical equation q' = dH/dp where the momenta determine the speeds; the second gives dH/dq|p
-//! without solving for them. Both stand in the residual: the first, which vanishes identically, takes part by the rates u'.
+//! The first equation with dH/dp = u is q' = dH/dp if the momenta determine the speeds; the second one yields dH/dq|p
+//! without solving for the speeds. Both occur in the residual; the first one, which is an identity, as a factor of u'.
 
 use super::NotApplicable;
 use super::loads::{by_energies, forces, torques};
@@ -13,13 +13,13 @@ use crate::Trace;
 use crate::equations::generic_rank;
 use symbolic::Sym;
 
-/// The momenta dT/du.
+/// Returns the momenta dT/du, one for each speed.
 pub(crate) fn momenta(trace: &Trace<'_>) -> Vec<Sym> {
     let kinetic = trace.kinetic_and_coenergy();
     (0..trace.speeds.len()).map(|i| trace.by_speed(kinetic, i)).collect()
 }
 
-/// sum p u - T + V, without the potential that is given beside the weights.
+/// Returns sum p u - T + V, where V is only the potential of the weights.
 fn hamiltonian(trace: &Trace<'_>, momenta: &[Sym]) -> Sym {
     let heights = trace.potential_of_weights();
     momenta.iter().zip(&trace.speeds).fold(heights - trace.kinetic_and_coenergy(), |sum, (&p, &u)| sum + p * u)
@@ -47,7 +47,7 @@ pub(super) fn residual(trace: &Trace<'_>) -> Result<Vec<Sym>, NotApplicable> {
             momenta.iter().zip(&trace.speeds).fold(derivative(energy), |sum, (&p, &u)| sum - u * derivative(p))
         };
         let by_place = along(&|scalar| trace.by_coordinate(scalar, i));
-        // q' - dH/dp, brought back by dp/du: zero
+        // q' - dH/dp, multiplied by dp/du: an identity
         let kinematic = along(&|scalar| trace.by_speed(scalar, i));
         let rate = trace.rate_of(momenta[i]) + trace.transposition(i, |j| momenta[j]);
         rate + by_place + trace.accelerations[i] * kinematic - given(i) + by_energies(trace, i)

@@ -1,12 +1,12 @@
-//! Lagrange's equations of the second kind, with the co-energy of magnetic fields in T: d/dt dT/du - dT/dq + dV/dq = sum F . dr/dq + T . dw/du; Euler's for the angular velocity w of
-//! a free frame, with the term w x dT/dw.
+//! Lagrange's equations of the second kind, d/dt dT/du - dT/dq + dV/dq = sum F . dr/dq + T . dw/du; T includes the co-energy of magnetic fields. For the angular velocity w of
+//! a free frame they are Euler's equations, with the additional term w x dT/dw.
 
 use super::loads::{by_energies, forces, torques};
 use crate::Trace;
 use symbolic::Sym;
 
 pub(super) fn residual(trace: &Trace<'_>) -> Vec<Sym> {
-    // weights by their potential where they have one
+    // weights are derived from their potential if gravity is uniform
     let uniform = trace.uniform_gravity();
     let (forces, torques) = (forces(trace, uniform.is_none()), torques(trace));
     let displaced = |i: usize| -> Sym {
@@ -26,7 +26,7 @@ pub(super) fn residual(trace: &Trace<'_>) -> Vec<Sym> {
     (0..trace.speeds.len()).map(|i| inertia(trace, i) - weights(i) - displaced(i) + by_energies(trace, i)).collect()
 }
 
-/// d/dt dT/du - dT/dq, with w x dT/dw of a free frame.
+/// Returns d/dt dT/du - dT/dq, plus w x dT/dw for a free frame.
 pub(crate) fn inertia(trace: &Trace<'_>, i: usize) -> Sym {
     let kinetic = trace.kinetic_and_coenergy();
     let momentum = |j: usize| trace.by_speed(kinetic, j);

@@ -1,4 +1,4 @@
-//! Applied loads: forces at points, torques on frames, for every principle.
+//! Applied loads for all principles: forces at points and torques on frames.
 
 use crate::trace::{Trace, Vector};
 use crate::{Along, Force, FrameId, Material, Torque};
@@ -17,7 +17,7 @@ pub(crate) struct FrameTorque {
     pub is: Vector,
 }
 
-/// Every force but those of potentials, one for each point that it acts on; the weights where they are asked for.
+/// Returns every force except those of potentials, one entry for each point; with `weights` also the weights.
 pub(crate) fn forces(trace: &Trace<'_>, weights: bool) -> Vec<PointForce> {
     let mut all = Vec::new();
     for force in &trace.model.forces {
@@ -45,7 +45,7 @@ pub(crate) fn forces(trace: &Trace<'_>, weights: bool) -> Vec<PointForce> {
     all
 }
 
-/// Every torque, one for each frame that it acts on.
+/// Returns every torque, one entry for each frame.
 pub(crate) fn torques(trace: &Trace<'_>) -> Vec<FrameTorque> {
     let mut all = Vec::new();
     for torque in &trace.model.torques {
@@ -61,7 +61,7 @@ pub(crate) fn torques(trace: &Trace<'_>) -> Vec<FrameTorque> {
     all
 }
 
-/// The generalised forces along a speed.
+/// Returns the generalised force along a speed.
 pub(crate) fn along(trace: &Trace<'_>, speed: usize) -> Sym {
     trace.model.generalised.iter().fold(Sym::ZERO, |sum, force| match force.along {
         Along::Speed(own) if own == speed => sum + trace.scalar(force.is),
@@ -74,7 +74,7 @@ pub(crate) fn along(trace: &Trace<'_>, speed: usize) -> Sym {
     })
 }
 
-/// The terms of the given potential, of Rayleigh's function and of generalised forces in the residual: dV/dq + dD/du - Q.
+/// Returns the terms dV/dq + dD/du - Q of the residual, from a given potential, Rayleigh's dissipation function and generalised forces.
 pub(crate) fn by_energies(trace: &Trace<'_>, speed: usize) -> Sym {
     let energies = &trace.model.energies;
     let potential = energies.potential.map_or(Sym::ZERO, |id| trace.by_coordinate(trace.scalar(id), speed));
@@ -82,7 +82,7 @@ pub(crate) fn by_energies(trace: &Trace<'_>, speed: usize) -> Sym {
     potential + dissipation - along(trace, speed)
 }
 
-/// The generalised forces Q by partial velocities; without those of potentials where these are counted elsewhere.
+/// Returns the generalised forces Q by partial velocities. Without `potentials`, those of potentials and uniform gravity are omitted.
 pub(crate) fn generalised(trace: &Trace<'_>, potentials: bool) -> Vec<Sym> {
     let (forces, torques) = (forces(trace, potentials || trace.uniform_gravity().is_none()), torques(trace));
     let of = |i: usize| {

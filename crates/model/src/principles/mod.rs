@@ -1,11 +1,11 @@
-//! Equations of motion by every principle, at a size known when the program runs.
+//! Derivations of the equations of motion by several principles.
 //!
 //! Each principle gives the residual of one equation for each speed: linear in the accelerations, zero along every motion, of the
 //! form
 //!
-//!   M u' + h - Q  (inertia less the forces; constraints add - J^T lambda)
+//!   M u' + h - Q  (inertia minus forces; constraints add - J^T lambda)
 //!
-//! The principles share the kinematics of the trace and nothing else: their agreement is a statement that is decided for
+//! The principles share only the kinematics of the trace, hence their agreement is a nontrivial statement, which is decided for
 //! every model.
 
 pub(crate) mod appell;
@@ -30,22 +30,22 @@ use symbolic::Sym;
 pub enum Principle {
     /// d/dt dT/du - dT/dq = Q: forces by virtual displacements, weights by their potential.
     Lagrange,
-    /// Newton's and Euler's equations of every body, projected onto the partial velocities (Jourdain; Kane).
+    /// The Newton-Euler equations of every body, projected onto the partial velocities (Jourdain; Kane).
     VirtualPower,
     /// dS/du' = Q with the energy of accelerations S (Gibbs, Appell).
     Appell,
-    /// The least constraint: dZ/du' = 0, forces by the accelerations of the points that they act on.
+    /// Gauss' principle of least constraint, dZ/du' = 0: forces by the accelerations of their points.
     Gauss,
-    /// Newton's and Euler's equations of every body with the loads of joints, recursively; then the power of these loads on the
-    /// motions that the joints leave.
+    /// The Newton-Euler equations of every body with its joint loads, solved recursively; then the power of the joint loads on the
+    /// motions that the joints admit.
     NewtonEuler,
-    /// Boltzmann's and Hamel's equations in the quasi-velocities of every body: its velocity and angular velocity by components.
+    /// The Boltzmann-Hamel equations; the quasi-velocities are components of the velocity and angular velocity of every body.
     Hamel,
-    /// Hamilton's canonical equations, back along the speeds.
+    /// Hamilton's canonical equations, expressed by the speeds.
     Hamilton,
 }
 
-/// Why a principle does not apply to a model.
+/// The reason why a principle does not apply to a model.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NotApplicable(pub String);
 
@@ -68,7 +68,7 @@ impl Principle {
         Principle::Hamilton,
     ];
 
-    /// The name in commands.
+    /// Returns the name in commands.
     pub fn name(self) -> &'static str {
         match self {
             Principle::Lagrange => "lagrange",
@@ -81,10 +81,10 @@ impl Principle {
         }
     }
 
-    /// Inertia less forces, for each speed; reactions of constraints left out.
+    /// Returns inertia minus forces for each speed, without the reactions of constraints.
     ///
     /// # Errors
-    /// Where the model gives an energy whose bodies are not known to a principle that asks for bodies.
+    /// The model gives a kinetic energy, and the principle requires bodies; or the momenta do not determine the speeds (Hamilton).
     pub fn residual(self, trace: &Trace<'_>) -> Result<Vec<Sym>, NotApplicable> {
         let has_energy = trace.model.energies.kinetic.is_some();
         if has_energy && !matches!(self, Principle::Lagrange | Principle::Hamilton) {

@@ -1,7 +1,7 @@
-//! Newton's and Euler's equations of every body with the loads of its joints, and with the reactions of constraints where they act.
+//! The Newton-Euler equations of every body with its joint loads, and with the reactions of constraints at their points of action.
 //!
-//! The loads do no work on the motions that joints admit. Less the generalised reactions J^T lambda they give the residual:
-//! multipliers drop out of it where every reaction acts as its constraint says.
+//! The joint loads have no power on the motions that the joints admit. Subtraction of the generalised reactions J^T lambda gives the residual;
+//! the multipliers cancel if every reaction acts according to its constraint.
 
 use super::loads::by_energies;
 use crate::Trace;

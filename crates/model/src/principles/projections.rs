@@ -1,4 +1,4 @@
-//! Principles that contain the constraints: an equation for each independent speed, free of multipliers.
+//! Principles that include the constraints: one equation for each independent speed, without multipliers.
 
 use super::loads::generalised;
 use super::{NotApplicable, Principle};
@@ -7,19 +7,19 @@ use crate::equations::{Characteristics, Equation, SolvedMotion};
 use std::fmt;
 use symbolic::Sym;
 
-/// A principle whose equations stand along the directions that constraints leave.
+/// A principle whose equations are projected onto the admissible directions of the constraints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Projection {
-    /// sum (d/dt dT/du_i - dT/dq_i - Q_i) du_i/dw_j = 0, with the kinematic characteristics du/dw.
+    /// Maggi: sum (d/dt dT/du_i - dT/dq_i - Q_i) du_i/dw_j = 0, with the kinematic characteristics du/dw.
     Maggi,
-    /// d/dt dT*/dw_j - X_j(T*) - lost_j = sum Q_i du_i/dw_j: the constraints are substituted into T*, and the lost term is added.
+    /// Shulgin: d/dt dT*/dw_j - X_j(T*) - lost_j = sum Q_i du_i/dw_j. The constraints are substituted into T*, which requires the term lost_j.
     Shulgin,
 }
 
 impl Projection {
     pub const ALL: [Projection; 2] = [Projection::Maggi, Projection::Shulgin];
 
-    /// The name in commands.
+    /// Returns the name in commands.
     pub fn name(self) -> &'static str {
         match self {
             Projection::Maggi => "maggi",
@@ -34,28 +34,28 @@ impl fmt::Display for Projection {
     }
 }
 
-/// Lagrange's operator on an energy into which the constraints are substituted.
+/// Lagrange's operator applied to a kinetic energy T* into which the constraints are substituted.
 ///
-/// With the fields X_j = d/dq_j + sum (du_d/dw_j) d/dq_d of the virtual displacements
+/// With the vector fields X_j = d/dq_j + sum (du_d/dw_j) d/dq_d of the virtual displacements
 ///
 ///   d/dt dT*/dw_j - X_j(T*) = sum (d/dt dT/du_i - dT/dq_i) du_i/dw_j + lost_j ,
 ///   lost_j = sum (dT/du_d) (d/dt du_d/dw_j - X_j(u_d)) .
 ///
-/// Turns of a free frame add w x dT/dw to both operators, with the momenta of T* on the left and those of T on the right; a difference
-/// between the two is a part of the lost term.
+/// Rotations of a free frame add w x dT/dw to both operators, with the momenta of T* on the left and those of T on the right; their difference
+/// belongs to the lost term.
 ///
-/// The lost term vanishes where the constraints are integrable, or where the momenta in it vanish.
+/// The lost term vanishes if the constraints are integrable, or if its momenta vanish.
 #[derive(Clone, Debug)]
 pub struct Operator {
     /// d/dt dT*/dw_j - X_j(T*), for each independent speed.
     pub energy: Vec<Sym>,
-    /// The parts of lost_j, for each independent speed by each dependent one, and by the turns of free frames.
+    /// The parts of lost_j: a row for each independent speed, a column for each dependent speed and a last one for the rotations of free frames.
     pub lost: Vec<Vec<Sym>>,
-    /// d/dt du_d/dw_j - X_j(u_d), the factors of momenta: all are zero where the constraints are integrable.
+    /// The factors d/dt du_d/dw_j - X_j(u_d) of the momenta: all are zero if the constraints are integrable.
     pub brackets: Vec<Vec<Sym>>,
 }
 
-/// Both sides of the identity but the first sum, at points on the constraints.
+/// Computes the operator and the lost terms, for states that satisfy the constraints.
 pub fn operator(trace: &Trace<'_>, characteristics: &Characteristics, motion: &SolvedMotion) -> Operator {
     let kinetic = trace.kinetic_and_coenergy();
     let reduced = motion.on_constraints(&[kinetic])[0];
@@ -71,7 +71,7 @@ pub fn operator(trace: &Trace<'_>, characteristics: &Characteristics, motion: &S
     };
     let turned = |j: usize| motion.on_constraints(&[trace.transposition(j, |k| trace.by_speed(reduced, k))])[0];
     let energy = |(place, &j): (usize, &usize)| rate(trace.by_speed(reduced, j)) + turned(j) - along(reduced, place);
-    // the term by turns of free frames with the momenta of T* less that with those of T along the same displacement
+    // the term of free rotations with the momenta of T*, minus that with the momenta of T along the same displacement
     let of_whole = |i: usize| trace.transposition(i, |k| trace.by_speed(kinetic, k));
     let whole: Vec<Sym> = (0..trace.speeds.len()).map(of_whole).collect();
     let whole = motion.on_constraints(&characteristics.along(&whole));
@@ -92,10 +92,10 @@ pub fn operator(trace: &Trace<'_>, characteristics: &Characteristics, motion: &S
 }
 
 impl Projection {
-    /// Inertia less forces along each independent speed.
+    /// Returns inertia minus forces along each independent speed.
     ///
     /// # Errors
-    /// Where the principle does not apply to the constraints.
+    /// The principle does not apply to the constraints.
     pub fn residual(
         self,
         trace: &Trace<'_>,
@@ -120,7 +120,7 @@ impl Projection {
     }
 }
 
-/// The motion on the constraints, or which of them is not linear, or need not hold.
+/// Returns the motion on the constraints; the error names a constraint that is nonlinear in the speeds, or stabilised.
 pub(crate) fn linear(
     constraints: &[Equation],
     motion: Result<SolvedMotion, usize>,

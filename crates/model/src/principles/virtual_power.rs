@@ -1,4 +1,4 @@
-//! Newton's and Euler's equations projected onto partial velocities:
+//! The Newton-Euler equations of every body, projected onto partial velocities (Jourdain; Kane):
 //!
 //!   sum (m a_C - F) . dv/du + (I w' + w x I w - T) . dw/du = 0
 
@@ -17,7 +17,7 @@ pub(super) fn residual(trace: &Trace<'_>) -> Vec<Sym> {
             }
         }
         if let Some((inertia, turning)) = trace.turned(body) {
-            // the rate of I w as the ground sees it, formed in the body's axes
+            // the rate of I w relative to the ground, with components along the body's axes
             let momentum = trace.inertia_times(inertia, turning);
             let rate = trace.vector_rate(momentum);
             for (i, sum) in residual.iter_mut().enumerate() {

@@ -1,4 +1,4 @@
-//! Gibbs's and Appell's equations: dS/dw' = Q, with the energy of accelerations as a function of q, w and w'.
+//! The Gibbs-Appell equations dS/dw' = Q; the energy of accelerations S is a function of q, w and w'.
 
 use super::QuasiVelocities;
 use super::virtual_power::active;

@@ -1,8 +1,8 @@
-//! Angular velocities of free frames as unknowns: along the axes of the frame in which constraints and quasi-velocities hold the fewest
-//! terms that move.
+//! Unknowns for the angular velocities of free frames: components along the axes of the frame in which constraints and quasi-velocities have the fewest
+//! variable coefficients.
 //!
-//! A ball that rolls on a plane has constant derivatives along the axes of the plane, and direction cosines along its own. Its own are
-//! W = R^T W_X, whatever X is: a change of unknowns that is regular everywhere.
+//! For a ball rolling on a plane the coefficients are constant along the axes of the plane, but direction cosines along the ball's own axes. The components
+//! along own axes are W = R^T W_X for any frame X, a change of unknowns that is regular everywhere.
 
 use super::ShortForms;
 use super::inverse::Reading as _;
@@ -10,11 +10,11 @@ use crate::equations::{Dependence, courses};
 use crate::{Body, FrameId, Trace, Vector};
 use symbolic::Sym;
 
-/// The frame of the axes, for each free frame.
+/// For each free frame, the frame along whose axes its angular velocity is expressed.
 pub(super) struct Axes(Vec<FrameId>);
 
 impl Axes {
-    /// From the derivatives of all rows by all speeds.
+    /// Chooses the frames from the derivatives of all rows by all speeds.
     pub fn of(trace: &Trace<'_>, slopes: &[Vec<Sym>]) -> Self {
         let model = trace.model;
         let all = (0..model.frames.len()).map(FrameId);
@@ -27,14 +27,14 @@ impl Axes {
                 let count = |course: Dependence| found.iter().filter(|own| **own == course).count();
                 (count(Dependence::Varying), count(Dependence::Constant), axes != own)
             };
-            // axes that turn with their own frame are no others
+            // excludes axes that rotate with the free frame itself
             let is_above = |frame: &FrameId| *frame == own || !turns_in(trace, *frame, own);
             all.clone().filter(is_above).min_by_key(|axes| moving(*axes)).unwrap_or(own)
         });
         Axes(chosen.collect())
     }
 
-    /// Slopes by the unknowns.
+    /// Converts derivatives by speeds to derivatives by the unknowns.
     pub fn of_unknowns(&self, trace: &Trace<'_>, slopes: &[Sym], forms: &mut ShortForms<'_, '_>) -> Vec<Sym> {
         let mut all = slopes.to_vec();
         for (number, (&own, &axes)) in trace.model.free.iter().zip(&self.0).enumerate() {
@@ -45,13 +45,13 @@ impl Axes {
         all.into_iter().map(|each| forms.read(each)).collect()
     }
 
-    /// The angular velocity of a free frame in its parent, by values of its unknowns.
+    /// Returns the angular velocity of a free frame relative to its parent, from values of its unknowns.
     pub fn turning(&self, trace: &Trace<'_>, number: usize, unknowns: &[Sym]) -> Vector {
         let first = trace.model.free_speed(number);
         Vector { frame: self.0[number], components: std::array::from_fn(|k| unknowns[first + k]) }
     }
 
-    /// The unknowns with the own axes of every frame in whose body's inertia these stand: a ball's is the same in all.
+    /// Replaces the unknowns of every free frame whose body has an inertia other than a ball's by components along its own axes, in which the inertia is constant.
     pub fn with_own_of_bodies(mut self, trace: &Trace<'_>, mut rows: Vec<Vec<Sym>>) -> (Self, Vec<Vec<Sym>>) {
         for (number, &own) in trace.model.free.iter().enumerate() {
             let is_on = |body: &&Body| body.frame == Some(own) && body.inertia.is_some();
@@ -71,7 +71,7 @@ impl Axes {
         (self, rows)
     }
 
-    /// Rows of the speeds by rows of the unknowns.
+    /// Converts rows of the unknowns to rows of the speeds.
     pub fn of_speeds(&self, trace: &Trace<'_>, mut rows: Vec<Vec<Sym>>) -> Vec<Vec<Sym>> {
         for (number, (&own, &axes)) in trace.model.free.iter().zip(&self.0).enumerate() {
             let first = trace.model.free_speed(number);
@@ -86,12 +86,12 @@ impl Axes {
     }
 }
 
-/// Components along the axes of one frame as those along the axes of another.
+/// Converts components along the axes of one frame to those along the axes of another.
 fn expressed(trace: &Trace<'_>, from: FrameId, components: &[Sym], to: FrameId) -> [Sym; 3] {
     trace.express(Vector { frame: from, components: std::array::from_fn(|k| components[k]) }, to)
 }
 
-/// Whether a frame turns in another, at once or by others.
+/// Returns whether `other` is a parent frame of `frame`, directly or indirectly.
 fn turns_in(trace: &Trace<'_>, frame: FrameId, other: FrameId) -> bool {
     let above = |frame: &FrameId| trace.model.frames[frame.0].parent.map(|(parent, _)| parent);
     std::iter::successors(Some(frame), above).any(|above| above == other)

@@ -1,25 +1,25 @@
-//! Letters for long derivatives of speeds by quasi-velocities: a definition stands once, and equations hold its letter.
+//! Symbols for long derivatives of speeds by quasi-velocities: each definition is printed once, and equations contain its symbol.
 
 use super::ShortForms;
 use super::inverse::Reading as _;
 use symbolic::Sym;
 
-/// A derivative, or a part of a speed that no quasi-velocity moves.
+/// A named derivative of a speed by a quasi-velocity, or a named part of a speed that is independent of the quasi-velocities.
 #[derive(Clone, Copy, Debug)]
 pub struct Coefficient {
     pub letter: Sym,
-    /// The expression in coordinates and the time.
+    /// The expression, a function of coordinates and the time.
     pub is: Sym,
-    /// The letter of its rate along the motion.
+    /// The symbol of the time derivative along the motion.
     pub rate: Sym,
-    /// The rate in coordinates, quasi-velocities, other coefficients and the time.
+    /// The time derivative as a function of coordinates, quasi-velocities, other coefficients and the time.
     pub rate_is: Sym,
 }
 
-/// Expressions with more parts have letters.
+/// Expressions with more operations get a symbol.
 const MOST_WRITTEN: usize = 6;
 
-/// Puts letters into the place of long expressions, equal ones by one letter; returns the letters with their meanings.
+/// Replaces long expressions by symbols, equal ones by one symbol. Returns the symbols with their definitions.
 pub(super) fn named(rows: &mut [Vec<Sym>], from: usize, forms: &mut ShortForms<'_, '_>) -> Vec<Coefficient> {
     let name = forms.free_name(&["k", "kappa", "K", "coefficient"]);
     let mut all: Vec<Coefficient> = Vec::new();

@@ -1,4 +1,4 @@
-//! Speeds by quasi-velocities, and all that follows from these: rates of coordinates, directions, accelerations.
+//! Construction of the speeds as functions of quasi-velocities, and of the quantities derived from these: rates of coordinates, directions, accelerations.
 
 use super::axes::Axes;
 use super::independence::Dependence;
@@ -10,7 +10,7 @@ use std::cell::RefCell;
 use symbolic::{Derivation, Sym};
 
 impl<'t, 'm> QuasiVelocities<'t, 'm> {
-    /// Constraints first, then quasi-velocities, solved for the speeds; with letters for long derivatives where these are asked for.
+    /// Solves the constraints and the definitions of quasi-velocities for the speeds. With `is_named`, long derivatives get symbols.
     pub(super) fn written(trace: &'t Trace<'m>, is_named: bool) -> Result<Self, Vec<Fault>> {
         let model = trace.model;
         let Independent { met, programmed, definitions, independent } =
@@ -21,7 +21,7 @@ impl<'t, 'm> QuasiVelocities<'t, 'm> {
         let (symbols, accelerations) = letters(trace);
         let n = trace.speeds.len();
         let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
-        // constraints first, then quasi-velocities; each row with its unit column and its value at rest
+        // constraints first, then quasi-velocities; each row with its unit column and its value at zero speeds
         let k = independent.len();
         let rates = independent.iter().map(|&place| met[place].rate);
         let rows: Vec<Sym> = rates.chain(definitions.iter().copied()).collect();
@@ -70,10 +70,10 @@ impl<'t, 'm> QuasiVelocities<'t, 'm> {
         for (number, &turning) in turning.iter().enumerate() {
             let own = model.free[number];
             let parent = trace.parent(own);
-            // the frame and its parent see the same rate of an angular velocity that one has in the other
+            // the rate of an angular velocity of one frame in another is equal in both frames
             let along = Vector { frame: parent, components: trace.express(turning, parent) };
             rates.extend(trace.express(along.map(|component| rate.of(component)), own));
-            // R R^T = 1 is known here, and to no sum of products
+            // here R R^T = 1 is used, which no later simplification of sums would recognise
             let first = model.free_speed(number);
             let own = Vector { frame: own, components: std::array::from_fn(|k| trace.speeds[first + k]) };
             if turning.frame != own.frame {
@@ -103,7 +103,7 @@ impl<'t, 'm> QuasiVelocities<'t, 'm> {
     }
 }
 
-/// Letters of quasi-velocities and of their rates; a speed that stands for itself keeps its own.
+/// Returns the symbols of quasi-velocities and of their rates. A quasi-velocity that is the rate of a coordinate keeps its symbol.
 fn letters(trace: &Trace<'_>) -> (Vec<Sym>, Vec<Sym>) {
     let own = |name: &str| trace.speeds.iter().position(|speed| speed.to_string() == name);
     let letters = |speed: &crate::QuasiVelocity| match own(&speed.name) {

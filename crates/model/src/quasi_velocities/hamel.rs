@@ -1,13 +1,13 @@
-//! The equations of Boltzmann and Hamel, from the kinetic energy T(q, w, s, t) alone:
+//! The Boltzmann-Hamel equations, from the kinetic energy T(q, w, s, t):
 //!
-//!   d/dt dT/dw_r + sum_k (dT/dp_k) g_kr - X_r(T) = Q_r,    p = (w, s),    s = 0 once T is differentiated,
+//!   d/dt dT/dw_r + sum_k (dT/dp_k) g_kr - X_r(T) = Q_r,    p = (w, s),    s = 0 after differentiation of T.
 //!
-//! with X_r = sum_i C_ir d/dq_i at fixed p, and with what three-index symbols give of each quasi-velocity along each direction,
+//! Here X_r = sum_i C_ir d/dq_i at constant p, and g_kr follows from the three-index symbols g^k_rl,
 //!
 //!   g_kr = sum_i C_ir (d/dt dp_k/du_i - dp_k/dq_i) = sum_l g^k_rl p_l + terms in the time.
 //!
-//! The rates s of constraints are quasi-velocities too: their momenta dT/ds do not vanish where s does. Turns of a free frame add
-//! (W x dp_k/dW)_i, since its angular velocity W is itself a quasi-velocity.
+//! The rates s of constraints are quasi-velocities too, since their momenta dT/ds do not vanish at s = 0. For a free frame the term
+//! (W x dp_k/dW)_i is added, since its angular velocity W is itself a quasi-velocity.
 
 use super::QuasiVelocities;
 use crate::Trace;
@@ -16,7 +16,7 @@ use symbolic::{Sym, substitute_all};
 
 pub(super) fn residual(quasi: &QuasiVelocities<'_, '_>, trace: &Trace<'_>) -> Vec<Sym> {
     let rates = quasi.independent.iter().map(|&place| quasi.met[place].rate);
-    // a name that no system has
+    // names of systems contain no spaces
     let named = |k: usize| Sym::symbol(&format!("rate of constraint {}", k + 1));
     let idle: Vec<Sym> = (0..quasi.independent.len()).map(named).collect();
     let whole = quasi.speeds.iter().zip(&quasi.across).map(|(&speed, across)| {

@@ -1,19 +1,19 @@
-//! Independence of quasi-velocities: whether they, with the constraints, determine all speeds.
+//! Independence of quasi-velocities: decides whether they determine all speeds together with the constraints.
 
 use crate::equations::{Equation, generic_circuits, generic_pivots};
 use crate::{Fault, QuasiVelocity, Trace};
 use std::ops::Range;
 use symbolic::Sym;
 
-/// Why quasi-velocities do not determine the speeds.
+/// The reason why quasi-velocities do not determine the speeds.
 pub(super) enum Dependence {
-    /// The expressions do not allow it.
+    /// An expression is not affine in the speeds, or a constraint is not linear in them.
     Forms(Vec<Fault>),
-    /// The number of quasi-velocities, or of directions held by them and constraints, at a general point.
+    /// The number of quasi-velocities, or the generic rank of quasi-velocities and constraints, is wrong.
     Ranks(Fault),
 }
 
-/// The places of the constraints that are independent.
+/// Returns the indices of the independent constraints.
 pub(super) fn independent(trace: &Trace<'_>, met: &[Equation], definitions: &[Sym]) -> Result<Vec<usize>, Dependence> {
     let speeds = &trace.model.quasi_velocities;
     let n = trace.speeds.len();
@@ -49,18 +49,18 @@ pub(super) fn independent(trace: &Trace<'_>, met: &[Equation], definitions: &[Sy
     Ok(constraints)
 }
 
-/// Quasi-velocities that depend on each other where the constraints hold.
+/// Quasi-velocities that depend on each other on the constraints.
 struct Group {
-    /// The places of its members, in the order of the file.
+    /// The indices of the quasi-velocities, in the order of the file.
     members: Vec<usize>,
-    /// The number of them that can be left out.
+    /// The number of quasi-velocities that are superfluous.
     excess: usize,
-    /// Whether they are independent where the constraints do not hold.
+    /// Whether they are independent without the constraints.
     by_constraints: bool,
 }
 
 impl Group {
-    /// All groups, by rows that depend on each other: rows of the constraints first, then of the quasi-velocities.
+    /// Returns all groups, from sets of dependent rows: rows of the constraints come first, then those of the quasi-velocities.
     fn all(speeds: &[QuasiVelocity], constraints: usize, circuits: &[Vec<usize>]) -> Vec<Group> {
         let mut groups: Vec<Group> = Vec::new();
         for circuit in circuits {
@@ -70,7 +70,7 @@ impl Group {
             }
             let members = of_speeds.iter().map(|row| row - constraints).collect();
             let mut group = Group { members, excess: 1, by_constraints: !of_constraints.is_empty() };
-            // circuits that share a member belong together
+            // dependent sets with a common member form one group
             groups.retain(|known| {
                 let is_apart = known.members.iter().all(|member| !group.members.contains(member));
                 if !is_apart {
@@ -87,12 +87,12 @@ impl Group {
         groups
     }
 
-    /// The last of them in the file.
+    /// Returns the position of the last member in the file.
     fn at(&self, speeds: &[QuasiVelocity]) -> Range<usize> {
         self.members.last().map_or(0..0, |&last| speeds[last].at.clone())
     }
 
-    /// `v`, `w` and `z`
+    /// Returns the names as text: `v`, `w` and `z`.
     fn named(&self, speeds: &[QuasiVelocity], last: &str) -> String {
         let names: Vec<String> = self.members.iter().map(|&member| format!("`{}`", speeds[member].name)).collect();
         match names.split_last() {
@@ -102,7 +102,7 @@ impl Group {
         }
     }
 
-    /// The dependence of its members, after the names or a pronoun.
+    /// Returns a sentence on the dependence of the members.
     fn dependence(&self, speeds: &[QuasiVelocity]) -> String {
         match (self.members.as_slice(), self.by_constraints) {
             ([_], _) => format!("the constraints determine {}", self.named(speeds, "and")),
@@ -111,7 +111,7 @@ impl Group {
         }
     }
 
-    /// The quasi-velocities that can be left out.
+    /// Returns a text that states which quasi-velocities to omit.
     fn without(&self, speeds: &[QuasiVelocity]) -> String {
         match self.excess {
             1 => format!("without {}", self.named(speeds, "or")),
@@ -121,7 +121,7 @@ impl Group {
     }
 }
 
-/// The fault of quasi-velocities that are too many, too few, or depend on each other.
+/// Returns the fault of quasi-velocities that are too many, too few, or dependent.
 fn wrong_number(trace: &Trace<'_>, needed: usize, groups: &[Group], open: &[String]) -> Fault {
     let speeds = &trace.model.quasi_velocities;
     let freedom = match needed {
@@ -156,7 +156,7 @@ fn wrong_number(trace: &Trace<'_>, needed: usize, groups: &[Group], open: &[Stri
     Fault::at(last.map_or(0..0, |last| last.at.clone()), title, "the last of them", more)
 }
 
-/// Rates that would complete independent rows.
+/// Returns rates that would complete the independent rows.
 fn open_speeds(trace: &Trace<'_>, rows: &[Vec<Sym>], order: &[usize]) -> Vec<String> {
     let n = trace.speeds.len();
     let units = (0..n).map(|i| (0..n).map(|j| if i == j { Sym::ONE } else { Sym::ZERO }).collect());
@@ -166,7 +166,7 @@ fn open_speeds(trace: &Trace<'_>, rows: &[Vec<Sym>], order: &[usize]) -> Vec<Str
     free.map(|speed| format!("`{}`", trace.speeds[speed])).collect()
 }
 
-/// The fault of an expression that is not affine in the speeds.
+/// Returns the fault of an expression that is not affine in the speeds.
 fn form(trace: &Trace<'_>, QuasiVelocity { name, at, .. }: &QuasiVelocity, is: Sym, row: &[Sym]) -> Option<Fault> {
     let holds = |letters: &[Sym]| is.symbols_of().iter().any(|symbol| letters.contains(symbol));
     let fault = |why: &str, label: &str, accepted: &str| {

@@ -1,4 +1,4 @@
-//! Independent rates as quasi-velocities: the default of a file without [speeds].
+//! Independent rates of coordinates as quasi-velocities, the default for a file without [speeds].
 
 use crate::arena::{Scalar, Vector};
 use crate::equations::{Characteristics, constraints_of};
@@ -6,7 +6,7 @@ use crate::{FrameId, Model, QuasiVelocity, Trace};
 use symbolic::{Dimension, apart};
 
 impl Model {
-    /// The model with the speeds that its constraints leave independent as quasi-velocities.
+    /// Returns the model with the independent speeds of its constraints as quasi-velocities.
     #[must_use]
     pub fn along_independent_rates(&self) -> Self {
         let (places, names) = apart(|| {
@@ -26,7 +26,7 @@ impl Model {
         model
     }
 
-    /// A speed as an expression: the rate of a coordinate, or the part of an angular velocity along an axis of its frame.
+    /// Returns a speed as an expression: the rate of a coordinate, or a component of an angular velocity along its frame's own axes.
     fn written_speed(&mut self, speed: usize) -> QuasiVelocity {
         let per_second = Dimension::none() / Dimension::time();
         if let Some(coordinate) = self.coordinates.get(speed) {

@@ -1,17 +1,17 @@
-//! Coordinates whose rates are combinations of speeds: a quasi-velocity as the rate of a coordinate that nothing depends on.
+//! Coordinates whose rates are combinations of speeds: each quasi-velocity becomes the rate of an additional coordinate on which nothing depends.
 //!
-//! In these coordinates the constraint s' = w(q, u) ties the new coordinate s, and every method for coordinates serves for quasi-velocities.
+//! The constraint s' = w(q, u) determines the new coordinate s, so that methods for coordinates also apply to quasi-velocities.
 
 use crate::arena::Scalar;
 use crate::arena::Vector as VectorPart;
 use crate::{Along, Constraint, Coordinate, FrameId, Material, Model, QuasiVelocity, Trace, Zero};
 use symbolic::{Dimension, Sym};
 
-/// Names of added coordinates begin so, which no name of a file does.
+/// The prefix of the names of added coordinates. Names in files contain no spaces.
 pub const INTEGRAL: &str = "integral of ";
 
 impl Model {
-    /// Components of the velocities of bodies' centres of mass, along the axes of their frames and of those that these turn in.
+    /// Returns the components of the velocities of all centres of mass along the axes of the bodies' frames and of the parents of these.
     pub fn body_velocities(&mut self) -> Vec<QuasiVelocity> {
         let mut all = Vec::new();
         for place in 0..self.bodies.len() {
@@ -37,11 +37,11 @@ impl Model {
         all
     }
 
-    /// The model with one coordinate more for each of these combinations of speeds, which is its rate, and without quasi-velocities.
+    /// Returns the model with an additional coordinate for each given combination of speeds, its rate, and without quasi-velocities.
     #[must_use]
     pub fn with_integrals(&self, speeds: &[QuasiVelocity]) -> Self {
         let mut whole = self.clone();
-        // a force along one of them has its power on the same expression
+        // a force along a quasi-velocity becomes a force along its expression
         for force in &mut whole.generalised {
             if let Along::QuasiVelocity(place) = force.along {
                 force.along = Along::Expression(self.quasi_velocities[place].is);
@@ -75,7 +75,7 @@ impl Model {
 }
 
 impl Trace<'_> {
-    /// A quasi-velocity as an affine combination of speeds; none where it is another function of them, or the rate of one coordinate.
+    /// Returns a quasi-velocity as an affine combination of speeds; `None` if it is not affine, or the rate of a single coordinate.
     pub fn combination(&self, speed: &QuasiVelocity) -> Option<Sym> {
         let own = self.scalar(speed.is);
         let slopes: Vec<Sym> = (0..self.speeds.len()).map(|k| self.by_speed(own, k)).collect();

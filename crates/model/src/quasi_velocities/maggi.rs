@@ -1,4 +1,4 @@
-//! Maggi's equations: Lagrange's along the directions du/dw, sum (d/dt dT/du_i - dT/dq_i - Q_i) du_i/dw_r = 0.
+//! Maggi's equations, Lagrange's equations projected onto du/dw: sum (d/dt dT/du_i - dT/dq_i - Q_i) du_i/dw_r = 0.
 
 use super::QuasiVelocities;
 use crate::Trace;

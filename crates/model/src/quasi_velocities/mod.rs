@@ -1,14 +1,14 @@
-//! Quasi-velocities w, and the speeds u by them.
+//! Quasi-velocities w, and the speeds u as functions of them.
 //!
-//! Each w is affine in the speeds, w = B u + b. With the rates s = J u + c of the constraints that hold they determine the speeds,
+//! Each w is affine in the speeds, w = B u + b. Together with the rates s = J u + c of the constraints, they determine the speeds,
 //!
 //!   u = C w + D s + d,    J C = 0,    B C = 1 ,
 //!
-//! and s = 0 along every motion. The columns of C are directions of admissible displacements. Programmed constraints are no part of s:
-//! they need not hold, and stay equations with multipliers.
+//! with s = 0 along every motion. The columns of C are directions of admissible displacements. Stabilised (programmed) constraints are not part of s:
+//! they may be violated, and remain equations with multipliers.
 //!
-//! Angular velocities of free frames are solved for along axes in which derivatives are short. The speeds have no other divisors than the
-//! determinant of the whole change, up to its factors that are constants.
+//! Angular velocities of free frames are computed along axes in which the derivatives are short. The only divisors of the speeds are the
+//! factors of the determinant of the whole change of variables that are not constant.
 
 mod appell;
 mod axes;
@@ -36,48 +36,48 @@ use short_forms::ShortForms;
 use std::cell::RefCell;
 use symbolic::{Derivation, Sym, substitute_all};
 
-/// Quasi-velocities over the symbols of a trace.
+/// The quasi-velocities of a model, over the symbols of a trace.
 pub struct QuasiVelocities<'t, 'm> {
     trace: &'t Trace<'m>,
-    /// w.
+    /// The symbols w.
     pub symbols: Vec<Sym>,
-    /// w'.
+    /// The symbols of the rates w'.
     pub accelerations: Vec<Sym>,
-    /// w by coordinates, speeds and the time.
+    /// The quasi-velocities w as functions of coordinates, speeds and the time.
     pub definitions: Vec<Sym>,
-    /// u by coordinates, w and the time.
+    /// The speeds u as functions of coordinates, w and the time.
     pub speeds: Vec<Sym>,
-    /// q' by coordinates, w and the time: kinematic equations.
+    /// The rates q' as functions of coordinates, w and the time: the kinematic equations.
     pub position_rates: Vec<Sym>,
-    /// C: of each speed by each w.
+    /// The matrix C: a row for each speed, a column for each w.
     directions: Vec<Vec<Sym>>,
-    /// D: of each speed by the rate of each independent constraint that holds.
+    /// The matrix D: a row for each speed, a column for each independent constraint.
     across: Vec<Vec<Sym>>,
-    /// Constraints that hold.
+    /// Constraints that are satisfied identically.
     pub met: Vec<Equation>,
-    /// Programmed constraints: their violation decays with the given gains.
+    /// Stabilised (programmed) constraints, whose violation decays with the given gains.
     pub programmed: Vec<Equation>,
-    /// The independent ones among the constraints that hold, by their places.
+    /// The indices of the independent constraints in `met`.
     independent: Vec<usize>,
-    /// Expressions that the speeds are divided by: where one of them vanishes, the quasi-velocities do not determine the speeds.
+    /// Expressions by which the speeds are divided. Where one of them vanishes, the quasi-velocities do not determine the speeds.
     pub divisors: Vec<Sym>,
-    /// Letters in the directions, where they are asked for.
+    /// Symbols of long derivatives, if requested by [`QuasiVelocities::named`].
     pub coefficients: Vec<Coefficient>,
     is_named: bool,
-    /// Angular velocities of free frames in their parents, by w.
+    /// The angular velocities of free frames relative to their parents, as functions of w.
     turning: Vec<Vector>,
-    /// Along the motion, over coordinates, w and w'.
+    /// The time derivative along the motion, of functions of coordinates, w and w'.
     rate: RefCell<Derivation>,
-    /// u and u' by w and w'.
+    /// u as functions of w, and u' as functions of w and w'.
     known: [Vec<(Sym, Sym)>; 2],
 }
 
-/// Constraints and definitions, before speeds are solved for.
+/// Constraints and definitions, before the speeds are solved for.
 struct Independent {
     met: Vec<Equation>,
     programmed: Vec<Equation>,
     definitions: Vec<Sym>,
-    /// Places of the constraints that are independent.
+    /// The indices of the independent constraints.
     independent: Vec<usize>,
 }
 
@@ -92,8 +92,8 @@ impl Independent {
     }
 }
 
-/// Faults of the quasi-velocities of a model, and whether they may be none on the branch of the start: constraints of positions may be
-/// dependent there, and at a general point are not.
+/// Returns the faults of a model's quasi-velocities, and whether they may disappear on the branch of the start: constraints of positions that are independent
+/// generically may be dependent there.
 pub(crate) fn faults(trace: &Trace<'_>) -> (Vec<Fault>, bool) {
     match Independent::of(trace) {
         Ok(_) => (Vec::new(), false),
@@ -106,36 +106,36 @@ pub(crate) fn faults(trace: &Trace<'_>) -> (Vec<Fault>, bool) {
 }
 
 impl<'t, 'm> QuasiVelocities<'t, 'm> {
-    /// The quasi-velocities of a model.
+    /// Solves the definitions of a model's quasi-velocities for the speeds.
     ///
     /// # Errors
-    /// Each of them that is not affine in the speeds or depends on others; or how many are missing.
+    /// Quasi-velocities that are not affine in the speeds, dependent, too many or too few.
     pub fn of(trace: &'t Trace<'m>) -> Result<Self, Vec<Fault>> {
         QuasiVelocities::written(trace, false)
     }
 
-    /// With letters for long derivatives of speeds: equations hold these and their rates. Hamel's equations cannot be written
-    /// with them.
+    /// Solves for the speeds, with symbols for their long derivatives: the equations contain these symbols and their rates. Hamel's equations are not
+    /// available in this form.
     ///
     /// # Errors
-    /// As [`QuasiVelocities::of`].
+    /// The errors of [`QuasiVelocities::of`].
     pub fn named(trace: &'t Trace<'m>) -> Result<Self, Vec<Fault>> {
         QuasiVelocities::written(trace, true)
     }
 
-    /// The quasi-velocities of the same model with other loads, in the same form.
+    /// Returns the quasi-velocities in the same form for another trace of the model, with other loads.
     pub(crate) fn beside<'o, 'n>(&self, trace: &'o Trace<'n>) -> Result<QuasiVelocities<'o, 'n>, Vec<Fault>> {
         QuasiVelocities::written(trace, self.is_named)
     }
 
-    /// Expressions over speeds and accelerations by w and w'; masses that vary by their values.
+    /// Substitutes speeds and accelerations by functions of w and w', and variable masses by their expressions.
     pub fn by_quasi_velocities(&self, expressions: &[Sym]) -> Vec<Sym> {
         let [speeds, accelerations] = &self.known;
         let with_masses = self.trace.with_masses(expressions);
         substitute_all(&substitute_all(&with_masses, accelerations), speeds)
     }
 
-    /// One expression over w and w', in which letters of masses that vary stay.
+    /// Substitutes speeds and accelerations by functions of w and w'; symbols of variable masses are retained.
     fn moved(&self, expression: Sym) -> Sym {
         let [speeds, accelerations] = &self.known;
         expression.substitute(accelerations).substitute(speeds)
@@ -145,7 +145,7 @@ impl<'t, 'm> QuasiVelocities<'t, 'm> {
         vector.map(|component| self.moved(component))
     }
 
-    /// The angular velocity of a frame, of a free one along the axes in which it is short.
+    /// Returns the angular velocity of a frame; for a free frame along the axes in which it is short.
     fn turning(&self, frame: FrameId) -> Vector {
         match self.trace.model.frames[frame.0].parent {
             Some((parent, Turn::Free { number })) => self.trace.sum(self.turning(parent), self.turning[number]),
@@ -153,19 +153,19 @@ impl<'t, 'm> QuasiVelocities<'t, 'm> {
         }
     }
 
-    /// The rate along the motion of an expression over coordinates and w.
+    /// Returns the time derivative along the motion of a function of coordinates and w.
     fn rate_of(&self, expression: Sym) -> Sym {
         self.rate.borrow_mut().of(expression)
     }
 
-    /// The rate of a vector over coordinates and w, as the ground sees it.
+    /// Returns the rate, relative to the ground, of a vector that is a function of coordinates and w.
     fn vector_rate(&self, vector: Vector) -> Vector {
         let own = vector.map(|component| self.rate_of(component));
         let turning = self.turning(vector.frame);
         self.trace.sum(own, self.trace.cross(turning, vector))
     }
 
-    /// C^T v: values for each speed along each w.
+    /// Returns C^T v for a vector v with one entry per speed.
     fn along(&self, values: &[Sym]) -> Vec<Sym> {
         let along = |r: usize| {
             let terms = values.iter().zip(&self.directions);

@@ -1,31 +1,31 @@
-//! Equations of motion in quasi-velocities by every principle that uses them, and whether these agree.
+//! Equations of motion in quasi-velocities by several principles, and the decision whether these agree.
 
 use super::{QuasiVelocities, appell, hamel, maggi, shulgin, virtual_power};
 use crate::agreement::{Agreement, decided};
 use crate::principles::NotApplicable;
 use symbolic::Sym;
 
-/// A principle whose equations stand along quasi-velocities.
+/// A principle that gives one equation per quasi-velocity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum QuasiPrinciple {
-    /// Lagrange's equations along du/dw.
+    /// Lagrange's equations, projected onto du/dw.
     Maggi,
-    /// Newton's and Euler's along partial velocities (Jourdain; Kane).
+    /// The Newton-Euler equations, projected onto partial velocities (Jourdain; Kane).
     VirtualPower,
-    /// dS/dw' = Q (Gibbs, Appell).
+    /// dS/dw' = Q, with the energy of accelerations S (Gibbs, Appell).
     Appell,
-    /// From the kinetic energy in quasi-velocities, with three-index symbols (Boltzmann, Hamel).
+    /// The kinetic energy in quasi-velocities, with three-index symbols (Boltzmann, Hamel).
     Hamel,
-    /// From the kinetic energy with inserted constraints, with the term that this loses; along independent speeds alone.
+    /// The kinetic energy with substituted constraints, plus the term that the substitution loses; for independent speeds only.
     Shulgin,
 }
 
 impl QuasiPrinciple {
-    /// Those whose equations stand along any quasi-velocities.
+    /// The principles that apply to arbitrary quasi-velocities.
     pub const ALONG_ANY: [QuasiPrinciple; 4] =
         [QuasiPrinciple::Maggi, QuasiPrinciple::VirtualPower, QuasiPrinciple::Appell, QuasiPrinciple::Hamel];
 
-    /// The name in commands.
+    /// Returns the name in commands.
     pub fn name(self) -> &'static str {
         match self {
             QuasiPrinciple::Maggi => "maggi",
@@ -36,10 +36,10 @@ impl QuasiPrinciple {
         }
     }
 
-    /// Inertia less forces along each quasi-velocity, over q, w and w'; reactions of programmed constraints left out.
+    /// Returns inertia minus forces along each quasi-velocity, as functions of q, w and w', without reactions of stabilised constraints.
     ///
     /// # Errors
-    /// Where a kinetic energy is given to a principle that asks for bodies.
+    /// A kinetic energy or co-energy is given, and the principle requires bodies; or the quasi-velocities are not independent rates (Shulgin).
     pub fn residual(self, quasi: &QuasiVelocities<'_, '_>) -> Result<Vec<Sym>, NotApplicable> {
         let trace = quasi.trace;
         let asks_for_bodies = matches!(self, QuasiPrinciple::VirtualPower | QuasiPrinciple::Appell);
@@ -62,10 +62,10 @@ impl QuasiPrinciple {
     }
 }
 
-/// Compares the equations of two principles in quasi-velocities: at points where the rates of all constraints that hold vanish.
+/// Compares the equations of two principles in quasi-velocities, at states that satisfy the constraints of speeds.
 ///
 /// # Errors
-/// Where one of them does not apply to the model.
+/// One of the principles does not apply to the model.
 pub fn quasi_agreement(
     quasi: &QuasiVelocities<'_, '_>,
     one: QuasiPrinciple,

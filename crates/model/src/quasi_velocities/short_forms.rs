@@ -1,4 +1,4 @@
-//! Short forms of the derivatives of speeds: direction cosines stay together as letters, and drop out where R R^T = 1 is behind them.
+//! Short forms of the derivatives of speeds: direction cosines are symbols, and cancel where R R^T = 1.
 
 use super::inverse::Reading;
 use crate::Trace;
@@ -6,7 +6,7 @@ use crate::presentation::{FreeTurn, short_form};
 use rustc_hash::FxHashMap;
 use symbolic::{Node, Sym};
 
-/// The forms of expressions over coordinates, parameters and the time.
+/// Cached short forms of functions of coordinates, parameters and the time.
 pub(super) struct ShortForms<'t, 'm> {
     trace: &'t Trace<'m>,
     turns: Vec<FreeTurn>,
@@ -18,7 +18,7 @@ impl<'t, 'm> ShortForms<'t, 'm> {
         ShortForms { trace, turns: trace.turns().collect(), known: FxHashMap::default() }
     }
 
-    /// The number of parts of an expression, direction cosines as one.
+    /// Returns the number of operations of an expression, in which direction cosines count as one.
     pub fn size(&self, expression: Sym) -> usize {
         let cosines = self.turns.iter().flat_map(|(_, cosines)| cosines.iter().flatten());
         let letter = |(k, &cosine): (usize, &Sym)| (cosine, Sym::symbol(&format!("cosine {k}")));
@@ -27,7 +27,7 @@ impl<'t, 'm> ShortForms<'t, 'm> {
         Sym::operations_of(&[parts])
     }
 
-    /// A letter with which numbers make no letter of the system: the first of a list; its last where all do.
+    /// Returns the first of `letters` for which no numbered symbol is a symbol of the system; the last one if there is none.
     pub fn free_name<'a>(&self, letters: &[&'a str]) -> &'a str {
         let model = self.trace.model;
         let speeds = model.quasi_velocities.iter().map(|speed| speed.name.clone());
@@ -41,7 +41,7 @@ impl<'t, 'm> ShortForms<'t, 'm> {
         letters.iter().find(is_free).or(letters.last()).copied().unwrap_or_default()
     }
 
-    /// Whether a factor is a number, or a parameter whose value is not zero.
+    /// Returns whether an expression is a nonzero constant, formed from numbers and parameters with nonzero values.
     fn is_constant_factor(&self, expression: Sym) -> bool {
         let mut open = vec![expression];
         while let Some(each) = open.pop() {

@@ -1,5 +1,5 @@
-//! Shulgin's equations: d/dt dT*/dw - X(T*) - lost = Q du/dw, from the kinetic energy T* into which the constraints are
-//! substituted.
+//! Shulgin's equations d/dt dT*/dw - X(T*) - lost = Q du/dw, with the kinetic energy T* after substitution of the
+//! constraints.
 
 use super::QuasiVelocities;
 use crate::Trace;

@@ -1,13 +1,13 @@
-//! Kane's equations: Newton's and Euler's of every body along the partial velocities dv/dw and dW/dw.
+//! Kane's equations: the Newton-Euler equations of every body, projected onto the partial velocities dv/dw and dW/dw.
 //!
-//! Velocities are expressions of q and w; accelerations are their rates with q' = q'(q, w, t).
+//! Velocities are functions of q and w. Accelerations are their rates, with q' = q'(q, w, t).
 
 use super::QuasiVelocities;
 use crate::principles::loads::{forces, torques};
 use crate::{Along, Trace, Vector};
 use symbolic::Sym;
 
-/// The powers of forces and torques per unit of w_r, and the terms of a potential, Rayleigh's function and generalised
+/// Returns the generalised forces along each w: of forces, torques, a potential, Rayleigh's dissipation function and generalised
 /// forces.
 pub(super) fn active(quasi: &QuasiVelocities<'_, '_>, trace: &Trace<'_>) -> Vec<Sym> {
     let mut sums = by_energies(quasi, trace);
@@ -29,7 +29,7 @@ fn add(quasi: &QuasiVelocities<'_, '_>, trace: &Trace<'_>, sums: &mut [Sym], loa
     }
 }
 
-/// Minus dV/dq along the directions of w, minus dD/dw, and generalised forces.
+/// Returns -dV/dq along the directions of w, minus dD/dw, plus generalised forces.
 fn by_energies(quasi: &QuasiVelocities<'_, '_>, trace: &Trace<'_>) -> Vec<Sym> {
     let energies = &trace.model.energies;
     let potential = energies.potential.map_or(Sym::ZERO, |id| quasi.rate_of(trace.scalar(id)));

@@ -1,5 +1,5 @@
-//! The equations J u' + c = 0 keep the constraints: their left side is the second rate of a constraint on positions and the first of one
-//! on speeds, found a second time by partial derivatives alone; with the gains of a constraint that is led to zero.
+//! Statements on constraints: the equations J u' + c = 0 preserve them. The left side is the second time derivative of a constraint of positions, and the first of one
+//! of speeds, computed independently by partial derivatives, plus the gain terms of a stabilised constraint.
 
 use super::reaction_power::{ReactionPower, multiplier};
 use super::{Statement, piecewise, residual, while_inputs_rest};
@@ -10,13 +10,13 @@ use field::Scalar as _;
 use symbolic::Sym;
 
 pub(super) fn statements(trace: &Trace<'_>) -> Vec<Statement> {
-    // coordinates that move with the time carry bodies along at u = 0
+    // coordinates that are functions of time move bodies even at u = 0
     let relative = if trace.has_quadratic_kinetic_energy() { "" } else { CARRIED };
     let constraints = constraints_of(trace).into_iter().enumerate();
     constraints.map(|(place, constraint)| statement(trace, place, &constraint, relative)).collect()
 }
 
-/// The velocities that H counts.
+/// A restriction in a sentence: the energy H contains velocities relative to those at u = 0.
 const CARRIED: &str = " with velocities less the velocities at u = 0";
 
 fn statement(trace: &Trace<'_>, place: usize, constraint: &Equation, relative: &str) -> Statement {
@@ -26,7 +26,7 @@ fn statement(trace: &Trace<'_>, place: usize, constraint: &Equation, relative: &
     let power = ReactionPower::of(trace, constraint);
     let mut pairs = vec![(kept, led), (power.along, power.idle + power.working)];
     if let Some(law) = &constraint.law {
-        // the combination of the equations of motion is the law, and no other constraint stands in it
+        // the combination of the equations of motion is the law, and contains no other constraint
         let combined = |of: &dyn Fn(usize) -> Sym| {
             law.iter().fold(Sym::ZERO, |sum, &(speed, factor)| sum + Sym::int(factor) * of(speed))
         };
@@ -53,7 +53,7 @@ fn statement(trace: &Trace<'_>, place: usize, constraint: &Equation, relative: &
     Statement { subject, says, agreement }
 }
 
-/// The combination of the rates of a constraint that its equation keeps at zero, and its name.
+/// Returns the combination of a constraint's time derivatives that its equation sets to zero, and its name.
 fn led(trace: &Trace<'_>, constraint: &Equation) -> (Sym, String) {
     let mut rates = vec![constraint.zero, total_rate(trace, constraint.zero)];
     if constraint.level == Level::Position {
@@ -73,7 +73,7 @@ fn led(trace: &Trace<'_>, constraint: &Equation) -> (Sym, String) {
     (sum, name)
 }
 
-/// df/dt by the chain rule over partial derivatives, one for each coordinate, speed and the time.
+/// Returns df/dt by the chain rule, with one partial derivative for each coordinate, each speed and the time.
 fn total_rate(trace: &Trace<'_>, expression: Sym) -> Sym {
     let by_coordinates = trace.coordinates.iter().zip(&trace.position_rates);
     let by_speeds = trace.speeds.iter().zip(&trace.accelerations);

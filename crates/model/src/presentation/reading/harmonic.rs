@@ -1,8 +1,8 @@
-//! Multiple angles: whole and fractional multiples of terms, added.
+//! Angles as linear combinations of terms with rational coefficients, and their addition.
 
 use field::Rational;
 
-/// A fraction in lowest terms, with a positive denominator.
+/// A rational number in lowest terms, with a positive denominator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct Multiple {
     pub numerator: i64,
@@ -10,7 +10,7 @@ pub(super) struct Multiple {
 }
 
 impl Multiple {
-    /// None where it is too large.
+    /// Returns `None` if numerator or denominator is too large.
     pub fn of(value: Rational) -> Option<Self> {
         let big = value.to_big()?;
         let (numerator, denominator) = (i64::try_from(big.numerator()).ok()?, i64::try_from(big.denominator()).ok()?);
@@ -23,16 +23,16 @@ impl Multiple {
     }
 }
 
-/// An angle: multiples of terms by their places, sorted, none zero, the first positive.
+/// An angle, as (index of the term, coefficient) sorted by index. Coefficients are nonzero, and the first one is positive.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct Harmonic {
     pub multiples: Vec<(u32, Multiple)>,
-    /// Whether a sign was taken out so that the first is positive.
+    /// Whether the sign of the angle was reversed to make the first coefficient positive.
     pub is_turned: bool,
 }
 
 impl Harmonic {
-    /// In any order.
+    /// Creates an angle from terms in any order.
     pub fn of(mut multiples: Vec<(u32, Multiple)>) -> Self {
         multiples.sort_by_key(|(atom, _)| *atom);
         let is_turned = multiples.first().is_some_and(|(_, multiple)| multiple.numerator < 0);
@@ -44,7 +44,7 @@ impl Harmonic {
         Harmonic { multiples, is_turned }
     }
 
-    /// The sum of two lists of multiples, the second with a sign.
+    /// Returns the sum of two angles, the second multiplied by `sign`; `None` if a coefficient is too large.
     pub fn combined(a: &[(u32, Multiple)], b: &[(u32, Multiple)], sign: i64) -> Option<Self> {
         let mut all: Vec<(u32, Multiple)> = a.to_vec();
         for (atom, multiple) in b {

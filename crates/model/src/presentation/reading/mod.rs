@@ -1,8 +1,8 @@
-//! Expressions for reading: sums of products in which angles stay together, cos(a - b) and not cos(a) cos(b) + sin(a) sin(b), and
-//! common factors of parameters stand outside.
+//! Form of expressions for reading: sums of products in which angles stay together, cos(a - b) in place of cos(a) cos(b) + sin(a) sin(b), with
+//! common factors of parameters outside.
 //!
-//! Every expression becomes a sum of monomials times cosines and sines of multiple angles, by the product-to-sum formulas; then
-//! for each monomial the shorter of two forms is taken: multiple angles, or powers of cosines and sines.
+//! Every expression becomes a sum of monomials times cosines and sines of multiple angles, by the product-to-sum formulas. For each
+//! monomial the shorter of two forms is then printed: multiple angles, or powers of cosines and sines.
 
 mod circles;
 mod divisors;
@@ -19,37 +19,37 @@ use std::rc::Rc;
 use sum::Sum;
 use symbolic::{Node, Sym};
 
-/// Longer sums are left as they came.
+/// Longer sums are not converted.
 const MOST_TERMS: usize = 4_000;
 
-/// Products of terms that are formed for one system; longer expressions are then left as they came.
+/// The total number of products of terms for one system, after which expressions are not converted.
 const MOST_PRODUCTS: usize = 10_000_000;
 
-/// The form for reading, over one list of letters.
+/// Converts expressions to the form for reading, over a common list of symbols.
 pub(crate) struct Reading {
-    /// Letters and other parts that no sum or product opens; parameters first.
+    /// Symbols and other subexpressions that are no sums or products; parameters come first.
     leaves: Vec<Leaf>,
     places: FxHashMap<Sym, u32>,
-    /// Number of parameters among them.
+    /// The number of parameters in `leaves`.
     parameters: u32,
-    /// Terms of angles.
+    /// The terms of angles.
     atoms: Vec<Sym>,
     known: FxHashMap<Sym, Option<Rc<Sum>>>,
-    /// Products of terms that may still be formed.
+    /// The remaining number of products of terms.
     left: usize,
 }
 
-/// A part that no sum or product opens.
+/// A subexpression that is no sum or product.
 struct Leaf {
     expression: Sym,
     /// Whether it is known to be positive.
     is_positive: bool,
-    /// Radicand of a square root.
+    /// The radicand, for a square root.
     square: Option<Rc<Sum>>,
 }
 
 impl Reading {
-    /// Parameters, each with whether it is positive, and the other letters, both in the order in which products have them.
+    /// Creates a converter. Each parameter states whether it is positive; products are printed in the order of parameters and letters.
     pub fn new(parameters: impl IntoIterator<Item = (Sym, bool)>, letters: impl IntoIterator<Item = Sym>) -> Self {
         let (leaves, places, atoms, known) = (Vec::new(), FxHashMap::default(), Vec::new(), FxHashMap::default());
         let mut reading = Reading { leaves, places, parameters: 0, atoms, known, left: MOST_PRODUCTS };
@@ -65,7 +65,7 @@ impl Reading {
         reading
     }
 
-    /// The reading with letters for these expressions wherever they occur.
+    /// Replaces expressions by symbols wherever they occur.
     #[must_use]
     pub fn with_letters(mut self, letters: impl IntoIterator<Item = (Sym, Sym)>) -> Self {
         for (expression, letter) in letters {
@@ -75,7 +75,7 @@ impl Reading {
         self
     }
 
-    /// An expression for reading; as it came where it is too long.
+    /// Returns the form for reading; a long expression is unchanged.
     pub fn of(&mut self, expression: Sym) -> Sym {
         match self.sum(expression) {
             Some(sum) => self.written(&sum),
@@ -93,7 +93,7 @@ impl Reading {
         place
     }
 
-    /// The sum that an expression is; none where it is too long.
+    /// Returns an expression as a sum; `None` if it is too long.
     fn sum(&mut self, expression: Sym) -> Option<Rc<Sum>> {
         let mut open = vec![(expression, false)];
         while let Some((next, is_ready)) = open.pop() {
@@ -116,7 +116,7 @@ impl Reading {
         self.known[&expression].clone()
     }
 
-    /// From the sums of its parts.
+    /// Returns an expression as a sum, from the sums of its operands.
     fn formed(&mut self, expression: Sym) -> Option<Sum> {
         let known = |reading: &Self, part: &Sym| reading.known[part].clone();
         Some(match expression.node() {
@@ -161,7 +161,7 @@ impl Reading {
         })
     }
 
-    /// An angle as a combination of its terms.
+    /// Returns an angle as a linear combination of its terms.
     fn harmonic(&mut self, angle: Sym) -> Option<Harmonic> {
         let mut multiples = Vec::new();
         for (term, coefficient) in angle.linear_terms() {
@@ -177,7 +177,7 @@ impl Reading {
         Some(Harmonic::of(multiples))
     }
 
-    /// The product, roots of the same squared.
+    /// Returns a product, with squares of square roots replaced by their radicands.
     fn product(&mut self, a: &Sum, b: &Sum) -> Option<Sum> {
         self.left = self.left.checked_sub(a.len() * b.len())?;
         let product = a.times(b, MOST_TERMS)?;

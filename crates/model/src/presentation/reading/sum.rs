@@ -6,17 +6,17 @@ use num_traits::Zero;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-/// Letters by their places with exponents, sorted, none zero.
+/// (index of the symbol, nonzero exponent), sorted by index.
 pub(super) type Monomial = Vec<(u32, i32)>;
 
-/// A cosine or a sine of a multiple angle; the cosine of no angle is one.
+/// A cosine or sine of an angle; the cosine of the empty angle is one.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct Wave {
     pub angle: Vec<(u32, Multiple)>,
     pub is_sine: bool,
 }
 
-/// A term of a sum.
+/// A term of a sum: coefficient times monomial times wave.
 #[derive(Clone, Debug)]
 pub(super) struct Term {
     pub monomial: Monomial,
@@ -24,7 +24,7 @@ pub(super) struct Term {
     pub coefficient: Rational,
 }
 
-/// A sum of terms; those that are equal gathered, none zero.
+/// A sum of terms. Equal terms are collected, and no coefficient is zero.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sum(BTreeMap<(Monomial, Wave), Rational>);
 
@@ -80,14 +80,14 @@ impl Sum {
         }
     }
 
-    /// The sine of no angle is zero.
+    /// Adds a cosine or sine; the sine of the empty angle is zero.
     fn add_wave(&mut self, monomial: Monomial, harmonic: Harmonic, is_sine: bool, coefficient: Rational) {
         if !(is_sine && harmonic.multiples.is_empty()) {
             self.add(monomial, Wave { angle: harmonic.multiples, is_sine }, coefficient);
         }
     }
 
-    /// This sum plus so many times the other.
+    /// Returns this sum plus `times` times the other.
     pub fn plus(&self, other: &Sum, times: i64) -> Self {
         let mut sum = self.clone();
         for ((monomial, wave), coefficient) in &other.0 {
@@ -96,7 +96,7 @@ impl Sum {
         sum
     }
 
-    /// None where it would be too long.
+    /// Returns the product of two sums; `None` if it has more than `most` terms.
     pub fn times(&self, other: &Sum, most: usize) -> Option<Self> {
         if self.len().saturating_mul(other.len()) > 50 * most {
             return None;
@@ -117,7 +117,7 @@ impl Sum {
                 let parted = Harmonic::combined(&first.angle, &second.angle, -1)?;
                 let turned = |harmonic: &Harmonic| Rational::new(if harmonic.is_turned { -1 } else { 1 }, 1);
                 let (plus, minus) = (half * coefficient, -(half * coefficient));
-                // cos cos, sin sin: cosines; sin a cos b = (sin(a + b) + sin(a - b))/2; cos a sin b = (sin(a + b) - sin(a - b))/2
+                // cos cos and sin sin give cosines; sin a cos b = (sin(a + b) + sin(a - b))/2; cos a sin b = (sin(a + b) - sin(a - b))/2
                 let (is_sine, of_sum, of_difference) = match (first.is_sine, second.is_sine) {
                     (false, false) => (false, plus, plus),
                     (true, true) => (false, minus, plus),
@@ -131,7 +131,7 @@ impl Sum {
         (product.len() <= most).then_some(product)
     }
 
-    /// One over a single term without an angle.
+    /// Returns the reciprocal of a single term without an angle; `None` for other sums.
     pub fn inverse(&self) -> Option<Self> {
         let (mut terms, one) = (self.terms(), Rational::new(1, 1));
         let only = terms.next().filter(|only| only.wave.angle.is_empty())?;
@@ -142,7 +142,7 @@ impl Sum {
         Some(Sum::of(Term { monomial, coefficient: one / only.coefficient, wave: Wave::default() }))
     }
 
-    /// The root of a single term that is a square of positive letters.
+    /// Returns the square root of a single term that is the square of positive symbols; `None` for other sums.
     pub fn root(&self, is_positive: impl Fn(u32) -> bool) -> Option<Self> {
         let mut terms = self.terms();
         let only = terms.next().filter(|only| only.wave.angle.is_empty())?;

@@ -1,10 +1,10 @@
-//! Expressions keep their values when they are brought into the form for reading.
+//! Test that expressions keep their values in the form for reading.
 
 use super::Reading;
 use field::{Analytic, Scalar};
 use symbolic::{Sym, apart};
 
-/// Numbers that look random and are the same in every run.
+/// Reproducible pseudorandom numbers.
 struct Numbers(u64);
 
 impl Numbers {
@@ -89,7 +89,7 @@ fn the_shorter_form_is_taken() {
     assert_eq!(read(r * x / (r * r)), "x/r");
     assert_eq!(read(x - x), "0");
     assert_eq!(read(a.sin * a.cos * Sym::int(2)), "sin(2*x)");
-    // factors of a divisor gather
+    // factors of a divisor are collected
     let two = Sym::int(2);
     assert_eq!(read(x / (two * a.cos * b.cos) / two), "x/(4*cos(x)*cos(y))");
     assert_eq!(read(x / (r * a.cos * b.cos).powi(2)), "x/(r^2*cos(x)^2*cos(y)^2)");

@@ -1,4 +1,4 @@
-//! A sum as an expression: terms that share letters and angle together, common factors of parameters outside.
+//! Conversion of a sum to an expression: terms with equal symbols and angles are collected, common factors of parameters are outside.
 
 use super::Reading;
 use super::circles::{Factor, shorter};
@@ -8,7 +8,7 @@ use num_traits::{One as _, Zero as _};
 use std::collections::BTreeMap;
 use symbolic::Sym;
 
-/// The terms with one product of letters and angles behind their parameters.
+/// For each product of symbols and angles, the terms in the parameters.
 type Shared = BTreeMap<(Monomial, Factor), Vec<(Monomial, Rational)>>;
 
 impl Reading {
@@ -30,7 +30,7 @@ impl Reading {
         terms.fold(Sym::ZERO, |sum, term| sum + term)
     }
 
-    /// Letters and angles without the cosines and sines that a divisor has too.
+    /// Cancels cosines and sines that also occur in a divisor.
     fn cancelled(&self, mut others: Monomial, mut factor: Factor) -> (Monomial, Factor) {
         for (place, exponent) in others.iter_mut().filter(|(_, exponent)| *exponent < 0) {
             let divisor = self.leaves[*place as usize].expression;
@@ -44,13 +44,13 @@ impl Reading {
         (others, factor)
     }
 
-    /// A sum of monomials of parameters, times letters and angles.
+    /// Returns a sum of monomials in the parameters, times symbols and angles.
     fn term(&self, parameters: &[(Monomial, Rational)], others: &Monomial, factor: &Factor) -> Sym {
         let outside = common(parameters);
         let [.., last] = parameters else { return Sym::ZERO };
         let is_bare = outside.is_empty() && others.is_empty() && *factor == Factor::Wave(Wave::default());
         if parameters.len() > 1 && is_bare {
-            // a sum of parameters alone: nothing stands outside
+            // a sum of parameters only has no common factor outside
             let single = |one: &(Monomial, Rational)| self.term(std::slice::from_ref(one), others, factor);
             return parameters.iter().map(single).fold(Sym::ZERO, |sum, term| sum + term);
         }
@@ -90,7 +90,7 @@ impl Reading {
         factor.waves().into_iter().map(|(wave, exponent)| self.angle(&wave).powi(exponent as i32)).collect()
     }
 
-    /// A cosine or a sine.
+    /// Returns a cosine or sine as an expression.
     fn angle(&self, wave: &Wave) -> Sym {
         let angle = wave.angle.iter().fold(Sym::ZERO, |sum, (atom, multiple)| {
             let size = Rational::new(multiple.numerator.abs(), multiple.denominator);
@@ -102,19 +102,19 @@ impl Reading {
     }
 }
 
-/// A multiple of a term: 2*x, x/2, 3*x/4.
+/// Returns a multiple of a term: 2*x, x/2, 3*x/4.
 fn times(number: Rational, term: Sym) -> Sym {
     let (above, below) = parts(number);
     if term == Sym::ONE { above / below } else { above * term / below }
 }
 
-/// Numerator and denominator; a decimal stays one number.
+/// Splits a number into numerator and denominator; a number that is printed as a decimal is not split.
 fn parts(number: Rational) -> (Sym, Sym) {
-    /// Denominators up to this one make fractions.
+    /// The largest denominator of a printed fraction.
     const LARGEST: i64 = 1_000;
     let small = number.to_big().and_then(|big| {
         let below = i64::try_from(big.denominator()).ok().filter(|below| *below <= LARGEST)?;
-        // decimals as people write them, with a denominator of twos and fives, print as such
+        // fractions whose denominator contains only the factors 2 and 5 are printed as decimals, except small ones and powers of two
         let mut rest = below;
         for prime in [2, 5] {
             while rest % prime == 0 {
@@ -129,7 +129,7 @@ fn parts(number: Rational) -> (Sym, Sym) {
     }
 }
 
-/// The largest monomial that divides all.
+/// Returns the greatest common monomial.
 pub(super) fn common(parameters: &[(Monomial, Rational)]) -> Monomial {
     let Some(((first, _), others)) = parameters.split_first() else { return Vec::new() };
     let exponent = |monomial: &Monomial, place: u32| {
@@ -157,7 +157,7 @@ fn without(monomial: &Monomial, divisor: &Monomial) -> Monomial {
     rest
 }
 
-/// The number that all coefficients are whole multiples of, with the sign of the first; one where they are large.
+/// Returns the greatest common divisor of all coefficients, with the sign of the first one; one if they are large.
 pub(super) fn content(parameters: &[(Monomial, Rational)]) -> Rational {
     let one = Rational::one();
     let mut content: Option<(i64, i64)> = None;

@@ -1,13 +1,13 @@
-//! The order in which rows of a matrix determine unknowns: blocks, each of which holds unknowns of its own and of blocks before it
-//! (block triangular form; Duff and Reid 1978).
+//! The block triangular form of a matrix (Duff and Reid 1978): an order of blocks, each of which contains unknowns of its own and of
+//! earlier blocks.
 
 use symbolic::Sym;
 
-/// Blocks in their order, each of rows with a column for each; those of a matrix without a perfect matching have fewer rows.
+/// Returns the blocks in order, each as pairs (row, column). A matrix without a perfect matching yields fewer rows.
 pub(super) fn of(matrix: &[Vec<Sym>], rows: &[usize], columns: &[usize]) -> Vec<Vec<(usize, usize)>> {
     let matched = matching(matrix, rows, columns);
     let k = matched.len();
-    // whether a row needs the unknown of another, at once or by others
+    // whether a row depends on the unknown of another row, directly or indirectly (transitive closure)
     let mut needs: Vec<Vec<bool>> = matched
         .iter()
         .map(|&(row, _)| matched.iter().map(|&(_, other)| matrix[row][other] != Sym::ZERO).collect())
@@ -21,7 +21,7 @@ pub(super) fn of(matrix: &[Vec<Sym>], rows: &[usize], columns: &[usize]) -> Vec<
         }
     }
     let mut order: Vec<usize> = (0..k).collect();
-    // a row needs more than every row that it needs, but for those of its own block
+    // a row depends on more rows than each row it depends on, except within its own block
     order.sort_by_key(|&each| needs[each].iter().filter(|needs| **needs).count());
     let mut blocks: Vec<Vec<usize>> = Vec::new();
     for each in order {
@@ -33,7 +33,7 @@ pub(super) fn of(matrix: &[Vec<Sym>], rows: &[usize], columns: &[usize]) -> Vec<
     blocks.into_iter().map(|block| block.into_iter().map(|each| matched[each]).collect()).collect()
 }
 
-/// A column for each row, in which it holds an entry, by augmenting paths.
+/// Returns a maximum matching, pairs (row, column) of nonzero entries, by augmenting paths.
 fn matching(matrix: &[Vec<Sym>], rows: &[usize], columns: &[usize]) -> Vec<(usize, usize)> {
     let mut row_of: Vec<Option<usize>> = vec![None; columns.len()];
     for &row in rows {

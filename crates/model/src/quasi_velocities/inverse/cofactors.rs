@@ -1,10 +1,10 @@
-//! The adjugate and the determinant of a block, without a division: Laplace's expansion, each minor once.
+//! The adjugate and the determinant of a block without division, by Laplace expansion with each minor computed once.
 
 use super::Reading;
 use rustc_hash::FxHashMap;
 use symbolic::Sym;
 
-/// The adjugate, row after row, and the determinant.
+/// Returns the adjugate by rows, and the determinant.
 pub(super) fn of(block: &[Vec<Sym>], reading: &mut impl Reading) -> (Vec<Vec<Sym>>, Sym) {
     let k = block.len();
     let all: u64 = (1 << k) - 1;
@@ -22,14 +22,14 @@ pub(super) fn of(block: &[Vec<Sym>], reading: &mut impl Reading) -> (Vec<Vec<Sym
     (adjugate, determinant)
 }
 
-/// Determinants of parts of a block, by the bits of their rows and columns.
+/// Minors of a block, by bit masks of their rows and columns.
 struct Minors<'a> {
     block: &'a [Vec<Sym>],
     known: FxHashMap<(u64, u64), Sym>,
 }
 
 impl Minors<'_> {
-    /// Along the first of its rows.
+    /// Returns a minor, expanded along its first row.
     fn of(&mut self, rows: u64, columns: u64, reading: &mut impl Reading) -> Sym {
         if rows == 0 {
             return Sym::ONE;

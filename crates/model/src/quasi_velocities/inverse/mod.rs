@@ -1,7 +1,8 @@
-//! The solution of A x = b over symbols, with divisors that vanish nowhere where A is regular.
+//! Symbolic solution of A x = b, with divisors that vanish only where A is singular.
 //!
-//! Pivots that are constants come first, wherever they stand. The rest falls into blocks, each of which determines unknowns of its own
-//! by those before it: x = adj(B) b/det(B). The divisors are therefore the determinants of these blocks, and their product is det A up
+//! Constant pivots are eliminated first, in any position. The rest is brought to block triangular form; each block determines its unknowns
+//! from earlier ones: x = adj(B) b/det(B). The divisors are the determinants of the blocks; their product is det A up
+//! to a constant factor. For a block that is too large for its minors, the divisors are the pivots of an elimination.
 //! to a constant factor. For a block that is too large for its minors the pivots of an elimination are divisors.
 
 mod blocks;
@@ -10,27 +11,27 @@ mod cofactors;
 use crate::equations::{generic_pivots, solved_in_short};
 use symbolic::Sym;
 
-/// Rows of the largest block whose minors are written.
+/// The largest number of rows of a block that is solved by minors.
 const MOST_ROWS: usize = 7;
 
-/// Rows of unknowns, and the expressions that they are divided by.
+/// The unknowns by rows, and their divisors.
 pub(super) struct Solution {
     pub unknowns: Vec<Vec<Sym>>,
-    /// Determinants of blocks that are no constants.
+    /// The determinants of blocks that are not constant.
     pub divisors: Vec<Sym>,
 }
 
-/// Short forms of expressions, and which of them are constants that are not zero.
+/// Simplification of expressions, and recognition of nonzero constants.
 pub(super) trait Reading {
     fn read(&mut self, expression: Sym) -> Sym;
 
     fn is_constant(&self, expression: Sym) -> bool;
 }
 
-/// A pivot in a row, for a column.
+/// (row, column) of a pivot.
 type Pivot = (usize, usize);
 
-/// The solution for every column of b. A is square, and regular at a general point.
+/// Solves A x = b for every column of b. A must be square, and regular at a generic point.
 pub(super) fn solved(matrix: Vec<Vec<Sym>>, right: Vec<Vec<Sym>>, reading: &mut impl Reading) -> Solution {
     let mut tables = Tables { matrix, right };
     let n = tables.matrix.len();
@@ -80,7 +81,7 @@ pub(super) fn solved(matrix: Vec<Vec<Sym>>, right: Vec<Vec<Sym>>, reading: &mut 
     Solution { unknowns, divisors }
 }
 
-/// Gaussian elimination with pivots nonzero at a general point: the order of the unknowns, the unknowns, and the pivots.
+/// Gaussian elimination with pivots that are generically nonzero. Returns the order of the unknowns, the unknowns, and the pivots.
 fn eliminated(square: Vec<Vec<Sym>>, right: Vec<Vec<Sym>>) -> (Vec<usize>, Vec<Vec<Sym>>, Vec<Sym>) {
     let found = generic_pivots(&square, &(0..square.len()).collect::<Vec<_>>());
     let order: Vec<usize> = found.into_iter().map(|(_, column)| column).collect();
@@ -95,7 +96,7 @@ struct Tables {
 }
 
 impl Tables {
-    /// A constant whose row and column hold the fewest other entries.
+    /// Returns the constant entry whose row and column have the fewest other nonzero entries.
     fn constant_pivot(&self, rows: &[usize], columns: &[usize], reading: &impl Reading) -> Option<Pivot> {
         let filled = |row: usize, column: usize| self.matrix[row][column] != Sym::ZERO;
         let fill = |&(row, column): &Pivot| {
@@ -105,7 +106,7 @@ impl Tables {
         };
         let all = rows.iter().flat_map(|&row| columns.iter().map(move |&column| (row, column)));
         let candidates = all.filter(|&(row, column)| reading.is_constant(self.matrix[row][column]));
-        // numbers before parameters
+        // numbers are preferred to parameters
         candidates.min_by_key(|place| (self.matrix[place.0][place.1].as_constant().is_none(), fill(place)))
     }
 
@@ -124,7 +125,7 @@ impl Tables {
         }
     }
 
-    /// The right side of a row, less the terms of unknowns that are known.
+    /// Returns the right side of a row minus the terms of known unknowns.
     fn remaining(&self, row: usize, known: &[usize], unknowns: &[Vec<Sym>], reading: &mut impl Reading) -> Vec<Sym> {
         let mut left = self.right[row].clone();
         for &column in known.iter().filter(|column| self.matrix[row][**column] != Sym::ZERO) {
