@@ -1,13 +1,13 @@
-//! Other values of parameters and of the start.
+//! Changes of the values of parameters and of the start.
 
 use crate::parts::{Model, StartValue};
 use units::nearest;
 
 impl Model {
-    /// Gives parameters, coordinates and speeds at the start other values, in SI units.
+    /// Sets parameters, and coordinates and speeds at the start, in SI units.
     ///
     /// # Errors
-    /// The name of nothing that has such a value.
+    /// A name is unknown, belongs to a free frame, or to a parameter that is permanently zero.
     pub fn set_values<N: AsRef<str>>(&mut self, values: &[(N, f64)]) -> Result<(), String> {
         for (name, value) in values {
             let (name, value) = (name.as_ref(), *value);
@@ -38,7 +38,7 @@ impl Model {
         Ok(())
     }
 
-    /// The sentence on a name that nothing has, with the names that may have another value.
+    /// Returns the message on an unknown name, with the names that can be set.
     fn not_called(&self, name: &str) -> String {
         let (states, own) = (self.state_names(), self.coordinates.len());
         let is_of_start = |place: &usize| *place < own || (self.positions()..self.positions() + own).contains(place);

@@ -1,33 +1,33 @@
-//! Variations of the equations of motion: exact derivatives of every equation by coordinates, speeds and inputs, for linearisation,
-//! trim and inverse dynamics.
+//! Derivatives of the equations of motion by coordinates, speeds and inputs, for linearisation,
+//! trim and inverse dynamics:
 //!
-//!   R = M z + h - Q - J^T lambda,    a = df/dt or f,    b = J z + c = da/dt,    z = q''
+//!   R = M z + h - Q - J^T lambda,    a = df/dt or f,    b = J z + c = da/dt,    z = u'
 //!
-//! The accelerations z and the multipliers lambda are letters here: their values at the point belong to the derivatives.
+//! The accelerations z and the multipliers lambda are symbols; the caller substitutes their values at the point.
 
 use crate::Trace;
 use crate::equations::Equations;
 use symbolic::{Derivation, Sym};
 
-/// Equations and their derivatives, over the symbols of a trace. Rows are equations, columns the variables of
+/// Equations and their derivatives, over the symbols of a trace with n speeds. Rows are equations, columns the variables of
 /// differentiation.
 #[derive(Clone, Debug)]
 pub struct Variations {
-    /// lambda, one for each constraint.
+    /// The symbols of the multipliers lambda, one for each constraint.
     pub multipliers: Vec<Sym>,
-    /// R.
+    /// The residuals R of the equations of motion, n rows.
     pub motion: Varied,
-    /// f.
+    /// The constraints f.
     pub zero: Varied,
-    /// a.
+    /// The constraints a on the level of speeds.
     pub rate: Varied,
-    /// b.
+    /// The constraints b on the level of accelerations.
     pub acceleration: Varied,
-    /// Outputs of a run.
+    /// The outputs of a run.
     pub outputs: Varied,
 }
 
-/// Expressions with their derivatives.
+/// Expressions with their partial derivatives.
 #[derive(Clone, Debug)]
 pub struct Varied {
     pub values: Vec<Sym>,
@@ -36,12 +36,12 @@ pub struct Varied {
     pub by_accelerations: Vec<Vec<Sym>>,
     pub by_multipliers: Vec<Vec<Sym>>,
     pub by_inputs: Vec<Vec<Sym>>,
-    /// The partial derivatives by the time.
+    /// The partial derivatives by the time, one for each expression.
     pub by_time: Vec<Sym>,
 }
 
 impl Variations {
-    /// The variations by the first principle that applies; inputs are letters of the model.
+    /// Differentiates the equations of the first principle that applies; `inputs` are symbols of the model.
     pub fn of(trace: &Trace<'_>, inputs: &[Sym]) -> Self {
         let Equations { mass, bias, constraints } = Equations::of(trace);
         let multipliers: Vec<Sym> = constraints.iter().map(|constraint| constraint.multiplier).collect();

@@ -1,48 +1,48 @@
-//! The work of a judgement, counted before it begins.
+//! Estimates of the cost of a check before it is run.
 
 use crate::Model;
 use std::fmt;
 
-/// The kind of test that is tried, and the counts from which its time and memory follow.
+/// The kind of a check, and the counts from which its time and memory are estimated.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Work {
-    /// The statement that is judged.
+    /// The statement that is checked.
     pub subject: String,
-    /// Different parts of all differences.
+    /// The number of distinct subexpressions of all differences.
     pub operations: usize,
-    /// Points of prime fields; none where the degree is too high for them.
+    /// The number of points of prime fields; `None` if the degree is too high.
     pub points: Option<usize>,
-    /// The bound of the degree of a difference, as a quotient of polynomials.
+    /// A bound of the degree of a difference, as a quotient of polynomials.
     pub degree: f64,
-    /// Whether normal forms follow, with a product of polynomials for each operation.
+    /// Whether normal forms are computed, with a product of polynomials for each operation.
     pub by_normal_form: bool,
 }
 
-/// Seconds of one operation at one point, and bytes of one operation with its place in the graph and its values: measured on chains
-/// with 20 and with 50 links.
+/// Seconds per operation and point, and bytes per operation with its node and its values; measured on chains
+/// with 20 and 50 links.
 const SECONDS_AT_A_POINT: f64 = 1.2e-8;
 const BYTES: f64 = 150.0;
 
-/// Seconds of the square of the operations of a normal form: the longest of the foreign problems and of chains.
+/// Seconds per squared number of operations of a normal form; the largest value among chains and problems of other authors.
 const SECONDS_OF_NORMAL_FORM: f64 = 1.0e-7;
 const BYTES_OF_NORMAL_FORM: f64 = 2.5e4;
 
 impl Work {
-    /// Seconds that it takes on a processor of today, at most for points and about so for normal forms.
+    /// Returns the estimated seconds on a current processor: an upper bound for tests at points, an approximation for normal forms.
     pub fn seconds(&self) -> f64 {
         let operations = self.operations as f64;
         let at_points = SECONDS_AT_A_POINT * operations * (2.0 + self.points.unwrap_or(0) as f64);
         at_points + if self.by_normal_form { SECONDS_OF_NORMAL_FORM * operations * operations } else { 0.0 }
     }
 
-    /// Bytes of the expressions with their values, or with their normal forms.
+    /// Returns the estimated bytes of the expressions with their values, or with their normal forms.
     pub fn bytes(&self) -> f64 {
         self.operations as f64 * if self.by_normal_form { BYTES_OF_NORMAL_FORM } else { BYTES }
     }
 }
 
-/// Seconds and bytes that all principles take to form the equations of a model, by the square of its speeds times its bodies: measured on
-/// chains of 20 and 50 links in space, the longest of all models of their size.
+/// Returns the estimated seconds and bytes in which all principles form the equations of a model: proportional to the squared number of speeds
+/// times the number of bodies. Measured on chains of 20 and 50 links in space, which take longest among models of equal size.
 pub fn forming(model: &Model) -> (f64, f64) {
     let (speeds, bodies) = (model.speeds() as f64, model.bodies.len().max(1) as f64);
     let size = speeds * speeds * bodies;

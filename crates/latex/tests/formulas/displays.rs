@@ -1,4 +1,4 @@
-//! Displays of several lines and double signs, taken apart.
+//! Displays with several lines and double signs are split into formulas.
 
 use dalembert_latex::formulas;
 

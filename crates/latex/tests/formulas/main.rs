@@ -1,4 +1,4 @@
-//! Formulas in LaTeX: accepted, refused, and read back from their printed form.
+//! Formulas in LaTeX that are accepted, rejected, or read back from their printed form.
 
 mod displays;
 mod readings;
@@ -8,13 +8,13 @@ mod round_trip;
 use dalembert_latex::{Meaning, NotFormula, Value, letter_name, read, value};
 use symbolic::Sym;
 
-/// Letters that stand for symbols of their own.
+/// Letters, each with the value of a symbol.
 pub struct Plain {
     pub letters: Vec<(String, Value)>,
 }
 
 impl Plain {
-    /// Scalars by their LaTeX, each a symbol of this name.
+    /// Creates scalar letters from pairs (LaTeX, name of the symbol).
     pub fn of(letters: &[(&str, &str)]) -> Self {
         let letter = |(latex, name): &(&str, &str)| {
             (letter_name(latex).expect("it is a letter"), Value::Scalar(Sym::named(name, latex)))
@@ -26,7 +26,7 @@ impl Plain {
         self.letters.iter().map(|(name, _)| name.clone()).collect()
     }
 
-    /// The one side of a formula.
+    /// Returns the value of a formula with one side.
     pub fn side(&self, text: &str) -> Result<Sym, NotFormula> {
         let statement = read(text, &self.spelt())?;
         match value(&statement.chains[0].sides[0], self) {

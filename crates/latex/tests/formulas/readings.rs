@@ -1,4 +1,4 @@
-//! Formulas that have one reading.
+//! Formulas with a single reading.
 
 use crate::Plain;
 use dalembert_latex::{Relation, Value, letter_name, read, value};
@@ -15,7 +15,7 @@ const LETTERS: [(&str, &str); 8] = [
     (r"\omega^*", "w"),
 ];
 
-/// Every formula with the text that it is read as.
+/// Compares each formula with the expected expression.
 #[test]
 fn formulas_are_read_as_people_read_them() {
     let cases = [

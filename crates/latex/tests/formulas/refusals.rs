@@ -1,4 +1,4 @@
-//! Formulas with more than one reading, or none: each is refused at its place.
+//! Formulas with more than one reading, or none, are rejected at the right position.
 
 use crate::Plain;
 use symbolic::apart;
@@ -6,7 +6,7 @@ use symbolic::apart;
 const LETTERS: [(&str, &str); 7] =
     [("x", "x"), ("y", "y"), ("f", "f"), ("m", "m"), (r"\theta", "theta"), ("a", "a"), ("b", "b")];
 
-/// (formula, the part under the marks, words of the message or of the accepted notation).
+/// Cases: (formula, the marked part, words of the message or of the accepted notation).
 #[test]
 fn what_has_two_readings_is_asked_for_at_its_place() {
     let cases = [

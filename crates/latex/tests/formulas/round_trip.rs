@@ -1,4 +1,4 @@
-//! An expression that is printed as LaTeX is read back as the same expression.
+//! Round trip: an expression printed as LaTeX is read back as an equal expression.
 
 use crate::Plain;
 use field::Analytic;
@@ -10,7 +10,7 @@ use symbolic::{Decision, Hypotheses, Sym, apart, decide};
 const LETTERS: [(&str, &str); 5] =
     [("m", "m"), (r"\theta", "theta"), ("l_1", "l1"), ("x_{12}", "x12"), (r"\varphi", "varphi")];
 
-/// The construction of an expression, as data that may be shrunk.
+/// The construction of a random expression, as data that proptest can shrink.
 #[derive(Clone, Debug)]
 enum Made {
     Letter(usize),
@@ -92,7 +92,7 @@ fn an_expression_that_is_printed_is_read_back() {
     outcome.unwrap_or_else(|error| panic!("{error}"));
 }
 
-/// Whether two expressions are printed alike, or are equal for all values, or nowhere defined.
+/// Returns whether two expressions are printed alike, are equal for all values, or are undefined everywhere.
 fn is_same(read: Sym, expression: Sym) -> bool {
     read.latex() == expression.latex()
         || match decide(read - expression, &Hypotheses::none()) {
@@ -105,7 +105,7 @@ fn is_same(read: Sym, expression: Sym) -> bool {
         }
 }
 
-/// Values at some points.
+/// Returns the values at three points.
 fn values(expression: Sym) -> Vec<f64> {
     let at = |shift: f64| {
         let value = |name: &str| Some(shift + name.bytes().map(f64::from).sum::<f64>() / 500.0);

@@ -1,6 +1,7 @@
 //! Hamilton's canonical equations q' = dH/dp and p' = -dH/dq + Q, expressed by the speeds.
 //!
-//! The kinetic energy T includes the co-energy of magnetic fields, whose momenta are fluxes. The momenta p = dT/du, and H = p . u - T + V, are functions of q and u. The chain rule gives
+//! The kinetic energy T includes the co-energy of magnetic fields, whose momenta are fluxes. The momenta p = dT/du, and H = p . u - T + V,
+//! are functions of q and u. The chain rule gives
 //!
 //!   dH/du_j|q = sum (dH/dp_k) dp_k/du_j ,    dH/dq_i|u = dH/dq_i|p + sum (dH/dp_k) dp_k/dq_i .
 //!

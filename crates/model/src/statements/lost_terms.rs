@@ -1,8 +1,8 @@
-//! Mistaken derivations, and the terms lost by them.
+//! Mistaken derivations, and the terms that they lose.
 //!
-//! * Constraints on speeds are substituted into the kinetic energy, and Lagrange's equations are written for the independent
-//!   coordinates: the momenta along the brackets of the constraints' fields are lost, unless the constraints are integrable.
-//! * The energy of accelerations is made of the kinetic energy by writing u' for u: all centrifugal and Coriolis terms are lost.
+//! * Constraints of speeds are substituted into the kinetic energy before Lagrange's equations are formed for the independent
+//!   coordinates: terms with the momenta along Lie brackets of the constraints' vector fields are lost, unless the constraints are integrable.
+//! * The energy of accelerations is formed from the kinetic energy with u' in place of u: all centrifugal and Coriolis terms are lost.
 
 use crate::Trace;
 use crate::agreement::{Agreement, decided};
@@ -15,16 +15,16 @@ use symbolic::{Sym, substitute_all};
 /// A mistaken derivation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mistake {
-    /// Constraints of speeds in T before Lagrange's derivatives are taken.
+    /// Constraints of speeds are substituted into T before Lagrange's derivatives are taken.
     ConstraintsInEnergy,
-    /// The energy of accelerations by u' in the place of u in T.
+    /// The energy of accelerations is T with u' in place of u.
     AccelerationsInEnergy,
 }
 
 impl Mistake {
     pub const ALL: [Mistake; 2] = [Mistake::ConstraintsInEnergy, Mistake::AccelerationsInEnergy];
 
-    /// The name in commands.
+    /// Returns the name in commands.
     pub fn name(self) -> &'static str {
         match self {
             Mistake::ConstraintsInEnergy => "constraints-in-energy",
@@ -32,7 +32,7 @@ impl Mistake {
         }
     }
 
-    /// The derivation in words.
+    /// Returns a description of the derivation.
     pub fn says(self) -> &'static str {
         match self {
             Mistake::ConstraintsInEnergy => "Lagrange's equations with the constraints put into T",
@@ -41,21 +41,21 @@ impl Mistake {
     }
 }
 
-/// The equations of a mistaken derivation beside the right ones.
+/// The equations of a mistaken derivation, compared with the correct ones.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mistaken {
-    /// The derivation in words, and the reason why no term is lost, where this is so.
+    /// A description of the derivation; if no term is lost, also the reason.
     pub says: String,
     pub agreement: Agreement,
-    /// For each equation in which something is lost: the speed or coordinate that it belongs to, and the term that is missing on the
-    /// side of the inertia.
+    /// For each equation that loses a term: its speed or coordinate, and the term that is missing on the inertia
+    /// side.
     pub lost: Vec<(String, Sym)>,
 }
 
-/// Compares a mistaken derivation with the right one.
+/// Compares a mistaken derivation with the correct one.
 ///
 /// # Errors
-/// Where the mistake cannot be made on this model.
+/// The mistake is impossible for this model.
 pub fn mistaken(trace: &Trace<'_>, mistake: Mistake) -> Result<Mistaken, NotApplicable> {
     let (mut found, reason) = match mistake {
         Mistake::ConstraintsInEnergy => constraints_in_energy(trace)?,
@@ -69,7 +69,7 @@ pub fn mistaken(trace: &Trace<'_>, mistake: Mistake) -> Result<Mistaken, NotAppl
     Ok(found)
 }
 
-/// The mistake, and the reason why it would lose nothing.
+/// Returns the comparison, and the reason if the derivation loses nothing.
 fn constraints_in_energy(trace: &Trace<'_>) -> Result<(Mistaken, &'static str), NotApplicable> {
     let constraints = constraints_of(trace);
     if constraints.iter().all(|constraint| constraint.level == Level::Position) {
@@ -90,7 +90,7 @@ fn constraints_in_energy(trace: &Trace<'_>) -> Result<(Mistaken, &'static str), 
     let reason = if is_integrable { "its constraints of speeds are integrable" } else { "the lost terms cancel" };
     let sums = naive.lost.iter().map(|parts| parts.iter().fold(Sym::ZERO, |sum, &part| sum + part));
     let names = characteristics.independent.iter().map(|&i| trace.direction(i));
-    // the operator holds the lost term beside the inertia: right = energy - lost
+    // the correct inertia is the operator minus the lost term
     let lost: Vec<Sym> = trace.with_masses(&sums.map(|lost| -lost).collect::<Vec<_>>());
     let says = Mistake::ConstraintsInEnergy.says().to_owned();
     Ok((Mistaken { says, agreement, lost: named(names, lost.into_iter()) }, reason))
@@ -112,7 +112,7 @@ fn accelerations_in_energy(trace: &Trace<'_>) -> Mistaken {
     Mistaken { says, agreement, lost: named(names, trace.with_masses(&lost).into_iter()) }
 }
 
-/// The terms that are not zero.
+/// Returns the nonzero terms with their names.
 fn named(names: impl Iterator<Item = String>, terms: impl Iterator<Item = Sym>) -> Vec<(String, Sym)> {
     names.zip(terms).filter(|(_, term)| !vanishes(*term)).collect()
 }

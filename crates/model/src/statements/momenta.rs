@@ -1,4 +1,4 @@
-//! Cyclic momenta: dT/du of a coordinate that neither T nor V contains, on which no force and no reaction acts, is kept.
+//! Conserved momenta: dT/du of a coordinate on which neither T nor V depends, and on which no force and no reaction acts.
 
 use super::{Statement, piecewise, residual, while_inputs_rest};
 use crate::Trace;
@@ -8,9 +8,9 @@ use crate::principles::hamilton::momenta;
 use crate::principles::loads::generalised;
 use symbolic::Sym;
 
-/// Speeds whose momenta dT/du are kept, with these momenta.
+/// Returns the speeds whose momenta dT/du are conserved, with these momenta.
 pub fn kept_momenta(trace: &Trace<'_>) -> Vec<(usize, Sym)> {
-    // a mass that leaves takes momentum along
+    // mass that leaves a body carries momentum away
     if trace.varies() {
         return Vec::new();
     }
@@ -22,7 +22,7 @@ pub fn kept_momenta(trace: &Trace<'_>) -> Vec<(usize, Sym)> {
             && constraints.iter().all(|constraint| vanishes(constraint.row[*i]))
     };
     let momenta = momenta(trace);
-    // turns of a free frame about its own axes do not commute
+    // rotations of a free frame about its own axes do not commute
     let stays = |i: &usize| vanishes(trace.transposition(*i, |j| momenta[j]));
     (0..trace.speeds.len()).filter(is_cyclic).filter(stays).map(|i| (i, momenta[i])).collect()
 }

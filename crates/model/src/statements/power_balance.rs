@@ -1,12 +1,12 @@
-//! The power balance: the rate of the energy is the power of all loads and reactions.
+//! The power balance: the rate of the energy equals the power of all loads and reactions.
 //!
-//! With H = sum u dT/du - T + V and the residual R of the equations of motion, inertia less forces, identically
+//! Let H = sum u dT/du - T + V, and let R be the residual of the equations of motion, inertia minus forces. The identity is
 //!
 //!   dH/dt = sum u R + P + d(V - T)/dt|q,u + sum m' dH/dm ,
 //!
-//! where P is the power of all forces without a potential on the velocities less those at u = 0, and m are the masses and moments of
-//! inertia that vary: the equations take them as solidified. Along a motion R is the reaction J^T lambda, whose power sum lambda J u is
-//! given by [`ReactionPower`]. Where T is homogeneous of second degree in the speeds, H is T + V.
+//! where P is the power of all forces without a potential, with velocities relative to those at u = 0, and m are the variable masses and moments of
+//! inertia, which the equations treat as constant at each instant. Along a motion R is the reaction J^T lambda, whose power sum lambda J u is
+//! computed by [`ReactionPower`]. If T is homogeneous of second degree in the speeds, then H = T + V.
 
 use super::reaction_power::{ReactionPower, or_zero, sum_written};
 use super::{Statement, piecewise, residual, while_inputs_rest};
@@ -17,12 +17,12 @@ use crate::principles::loads::{along, forces, torques};
 use crate::{Trace, Vector};
 use symbolic::Sym;
 
-/// The energy that a balance is of.
+/// The energy H of a balance.
 struct Energy {
     is: Sym,
-    /// Whether it is T + V.
+    /// Whether H is T + V.
     is_whole: bool,
-    /// d(V - T)/dt at rest, T with the co-energy.
+    /// The partial derivative d(V - T)/dt; T includes the co-energy.
     by_time: Sym,
 }
 
@@ -35,23 +35,23 @@ impl Energy {
         Energy { is, is_whole, by_time: or_zero((potential - kinetic).diff(trace.time)) }
     }
 
-    /// sum m' dH/dm over the masses and moments of inertia that vary.
+    /// Returns sum m' dH/dm over the variable masses and moments of inertia.
     fn by_masses(&self, trace: &Trace<'_>) -> Sym {
         trace.solid().iter().fold(Sym::ZERO, |sum, &(letter, value)| sum + self.is.diff(letter) * trace.rate_of(value))
     }
 }
 
-/// The energy of a model and the power that feeds it along every motion, over the letters of a trace, multipliers among them.
+/// The energy of a model and the power supplied to it along every motion, over the symbols of a trace, including multipliers.
 #[derive(Clone, Copy, Debug)]
 pub struct PowerBalance {
-    /// H, which is T + V where T is homogeneous of second degree in the speeds.
+    /// The energy H; it equals T + V if T is homogeneous of second degree in the speeds.
     pub energy: Sym,
-    /// dH/dt; the constant zero where it vanishes as it stands.
+    /// The power dH/dt; the constant zero if it vanishes identically without simplification.
     pub power: Sym,
 }
 
 impl PowerBalance {
-    /// The balance by the forces, the reactions and the terms with the time.
+    /// Computes the balance from the forces, the reactions and the partial time derivative.
     pub fn of(trace: &Trace<'_>) -> Self {
         let Parts { energy, constraints, powers, by_forces, by_masses } = Parts::of(trace);
         let by_reactions = of_reactions(&constraints, &powers, |power| power.working);
@@ -59,7 +59,7 @@ impl PowerBalance {
     }
 }
 
-/// All that a balance is made of.
+/// The parts of a balance.
 struct Parts {
     energy: Energy,
     constraints: Vec<Equation>,
@@ -77,7 +77,7 @@ impl Parts {
     }
 }
 
-/// The sum of a part of the power of each reaction.
+/// Returns the sum of one part of the power of all reactions.
 fn of_reactions(constraints: &[Equation], powers: &[ReactionPower], part: impl Fn(&ReactionPower) -> Sym) -> Sym {
     constraints.iter().zip(powers).fold(Sym::ZERO, |sum, (one, power)| sum + one.multiplier * part(power))
 }
@@ -85,7 +85,7 @@ fn of_reactions(constraints: &[Equation], powers: &[ReactionPower], part: impl F
 pub(super) fn statement(trace: &Trace<'_>) -> Statement {
     let Parts { energy, constraints, powers, by_forces, by_masses } = Parts::of(trace);
     let of_reactions = |part: fn(&ReactionPower) -> Sym| of_reactions(&constraints, &powers, part);
-    // zero along every motion: sum u (R - J^T lambda), and sum lambda n f
+    // terms that vanish along every motion: sum u (R - J^T lambda), and sum lambda n f
     let of_speed = |(i, &inertia): (usize, &Sym)| {
         constraints.iter().fold(inertia, |rest, one| rest - one.multiplier * one.row[i]) * trace.speeds[i]
     };
@@ -99,7 +99,7 @@ pub(super) fn statement(trace: &Trace<'_>) -> Statement {
     Statement { subject, says: while_inputs_rest(trace, &known, says), agreement }
 }
 
-/// The balance in words.
+/// Returns the balance in words.
 fn says(trace: &Trace<'_>, energy: &Energy, by_forces: &Power, powers: &[ReactionPower]) -> String {
     let (name, short) = match (energy.is_whole, trace.model.energies.coenergy.is_some()) {
         (true, false) => ("(T + V)'", "T + V"),
@@ -129,10 +129,10 @@ fn says(trace: &Trace<'_>, energy: &Energy, by_forces: &Power, powers: &[Reactio
     format!("{name} is {sum}{relative}")
 }
 
-/// The power of forces without a potential on the velocities less those at u = 0.
+/// The power of forces without a potential, with velocities relative to those at u = 0.
 struct Power {
     is: Sym,
-    /// Whether forces have power at u = 0 too.
+    /// Whether the forces also have power at u = 0.
     is_relative: bool,
 }
 

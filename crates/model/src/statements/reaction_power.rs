@@ -1,12 +1,12 @@
-//! The power of reactions.
+//! The power of constraint reactions.
 //!
-//! A reaction J^T lambda has the power lambda J u on the speeds. Along a motion f' = 0 holds of positions and f = 0 of speeds: with
+//! The reaction J^T lambda has the power lambda J u. Along a motion f' = 0 for constraints of positions, and f = 0 for constraints of speeds. With
 //!
 //!   J u = n f' + w    or    J u = n f + w
 //!
-//! the power is lambda w. A constraint that is linear in the speeds has n = 1, and -w is the part of its rate that no speed multiplies.
-//! For a constraint that is homogeneous of degree n in the speeds w vanishes (Euler). A programmed constraint is not zero along its
-//! motion: n is 0 there, and w is J u. The law of a coordinate without inertia has no reaction at all: its multiplier is zero.
+//! the power is lambda w. For a constraint linear in the speeds n = 1, and -w is the part of its rate without speeds.
+//! For a constraint homogeneous of degree n in the speeds w = 0 (Euler's theorem). A stabilised (programmed) constraint is nonzero along a
+//! motion: there n = 0, and w = J u. The law of a coordinate without inertia has no reaction: its multiplier is zero.
 
 use crate::Trace;
 use crate::equations::{Equation, Level, vanishes};
@@ -14,23 +14,23 @@ use crate::presentation::{is_sum, reading_of, simplified};
 use field::Scalar as _;
 use symbolic::Sym;
 
-/// J u = n f + w of one constraint.
+/// The decomposition J u = n f + w for one constraint.
 pub(super) struct ReactionPower {
-    /// J u.
+    /// J u, the power per unit of the multiplier.
     pub along: Sym,
-    /// n f', or n f: zero along every motion.
+    /// n f' or n f, which vanishes along every motion.
     pub idle: Sym,
-    /// w, the constant zero where it vanishes.
+    /// w; the constant zero if it vanishes identically.
     pub working: Sym,
 }
 
-/// Degrees of homogeneity that are tried, the usual first.
+/// The degrees of homogeneity that are tried, the usual one first.
 const DEGREES: [i64; 5] = [1, 2, 0, 3, 4];
 
-/// Longer expressions are not brought into normal form.
+/// Longer expressions are not brought to normal form.
 const MOST_SIMPLIFIED: usize = 300;
 
-/// Longer expressions are not written out.
+/// Longer expressions are not printed.
 const MOST_WRITTEN: usize = 60;
 
 impl ReactionPower {
@@ -38,7 +38,7 @@ impl ReactionPower {
         let along =
             constraint.row.iter().zip(&trace.speeds).fold(Sym::ZERO, |sum, (&slope, &speed)| sum + slope * speed);
         if constraint.law.is_some() {
-            // its multiplier is zero
+            // the multiplier of such a law is zero
             return ReactionPower { along, idle: along, working: Sym::ZERO };
         }
         let by_speeds = constraint.row.iter().flat_map(|slope| slope.symbols_of());
@@ -63,12 +63,12 @@ impl ReactionPower {
         splits.min_by_key(size).unwrap_or(ReactionPower { along, idle: Sym::ZERO, working: along })
     }
 
-    /// Whether it vanishes along every motion.
+    /// Returns whether the power vanishes along every motion.
     pub fn is_zero(&self) -> bool {
         self.working == Sym::ZERO
     }
 
-    /// lambda w for reading, with the number of the constraint; none where it is long.
+    /// Returns lambda w for printing, with the number of the constraint; `None` if the expression is long.
     pub fn written(&self, trace: &Trace<'_>, place: usize) -> Option<String> {
         let letter = multiplier(trace, place);
         if Sym::operations_of(&[self.working]) > MOST_WRITTEN {
@@ -88,7 +88,7 @@ impl ReactionPower {
     }
 }
 
-/// The multiplier of a constraint by its number: lambda1, or another word where the system has such a name.
+/// Returns the printed name of a multiplier: `lambda1`, or `multiplier1` if the system uses names such as `lambda1`.
 pub(super) fn multiplier(trace: &Trace<'_>, place: usize) -> String {
     let names = trace.parameters.iter().chain(&trace.coordinates).map(Sym::to_string);
     let names = names.chain(trace.model.inputs.iter().map(|input| input.name.clone()));
@@ -101,12 +101,12 @@ fn in_short(expression: Sym) -> Sym {
     if Sym::operations_of(&[expression]) > MOST_SIMPLIFIED { expression } else { simplified(expression) }
 }
 
-/// The constant zero in the place of an expression that vanishes.
+/// Returns the constant zero for an expression that vanishes identically.
 pub(super) fn or_zero(expression: Sym) -> Sym {
     if vanishes(expression) { Sym::ZERO } else { expression }
 }
 
-/// The sum of the powers of all reactions for reading; none where one of them is long.
+/// Returns the sum of the powers of all reactions for printing; `None` if one of them is long.
 pub(super) fn sum_written(trace: &Trace<'_>, powers: &[ReactionPower]) -> Option<String> {
     let mut sum = String::new();
     for (place, power) in powers.iter().enumerate().filter(|(_, power)| !power.is_zero()) {

@@ -1,4 +1,4 @@
-//! Bodies: Lagrange's operator on the kinetic energy, momenta along partial velocities, and the energy of accelerations.
+//! Lemmas on bodies: Lagrange's operator on the kinetic energy, momenta along partial velocities, and the energy of accelerations.
 
 use super::Equations;
 use super::directions::{TestDirections, in_axes};
@@ -10,7 +10,7 @@ fn half() -> Sym {
     Sym::constant(Rational::new(1, 2))
 }
 
-/// A mass at any point: (dT/du)' - dT/dq = m a . dv/du = dS/du'.
+/// A mass at an arbitrary point: (dT/du)' - dT/dq = m a . dv/du = dS/du'.
 pub(super) fn masses() -> Equations {
     let mut any = TestDirections::any();
     let (velocity, acceleration) = any.velocity("v");
@@ -25,7 +25,7 @@ pub(super) fn masses() -> Equations {
     (0..3).flat_map(along).collect()
 }
 
-/// An inertia in the axes of its body: (dT/du)' - dT/dq = (I w)' . dw/du = dS/du'.
+/// An inertia tensor that is constant in axes of the body: (dT/du)' - dT/dq = (I w)' . dw/du = dS/du'.
 pub(super) fn inertias() -> Equations {
     let mut any = TestDirections::any();
     let turning = any.turning("w");
@@ -37,7 +37,7 @@ pub(super) fn inertias() -> Equations {
     of_inertia(&any, turning, turning, times)
 }
 
-/// An inertia that is the same about two axes, in a frame in which its body turns about the third.
+/// An inertia tensor with equal moments about two axes, in a frame relative to which the body spins about the third axis.
 pub(super) fn inertias_beside_a_spin() -> Equations {
     let about = |axis: usize| {
         let mut any = TestDirections::any();
@@ -55,12 +55,12 @@ pub(super) fn inertias_beside_a_spin() -> Equations {
     (0..3).flat_map(about).collect()
 }
 
-/// In axes that turn at one angular velocity, a body at another.
+/// The equations for a body with angular velocity `turning`, in axes with angular velocity `axes`.
 fn of_inertia(any: &TestDirections, axes: Vector, turning: Vector, times: impl Fn(Vector) -> Vector) -> Equations {
     let frames = Frames::turning_at(axes);
     let rate = |vector: Vector| frames.sum(vector.map(|part| any.rate(part)), frames.cross(axes, vector));
     let momentum = times(turning);
-    // as the ground sees it, which is no other than as the body does
+    // the rate of the angular velocity is equal relative to the ground and to the body
     let angular = rate(turning);
     let kinetic = half() * frames.dot(turning, momentum);
     let gyroscopic = frames.dot(angular, frames.cross(turning, momentum));

@@ -1,17 +1,17 @@
-//! Three directions of motion, and letters for whatever depends on them.
+//! Three test directions of motion, and symbols for all quantities that depend on them.
 //!
-//! With the displacements X_k along three directions, the speeds u_k along them, and all others together, the rate along a motion is
+//! With the displacements X_k along three directions, the speeds u_k along them, and X_others for all other directions, the time derivative along a motion is
 //!
 //!   ' = sum u_k X_k + X_others + sum u_k' d/du_k + ... ,    [X_k, X_(k+1)] = e X_(k+2) .
 //!
-//! The letter e is 0 for coordinates, and 1 for turns about the axes of a free frame: one proof serves both.
+//! The symbol e is 0 for coordinates, and 1 for rotations about the axes of a free frame, so that one proof covers both cases.
 
 use super::Equations;
 use crate::FrameId;
 use crate::trace::Vector;
 use symbolic::{Derivation, Sym};
 
-/// The three directions, with every derivative of every letter.
+/// The three directions, with the derivatives of every symbol.
 pub(super) struct TestDirections {
     pub speeds: [Sym; 3],
     pub accelerations: [Sym; 3],
@@ -22,7 +22,7 @@ pub(super) struct TestDirections {
     by_acceleration: [Vec<(Sym, Sym)>; 3],
 }
 
-/// The two directions behind this one.
+/// Returns the two directions that follow cyclically.
 fn behind(k: usize) -> [usize; 2] {
     [(k + 1) % 3, (k + 2) % 3]
 }
@@ -32,12 +32,12 @@ fn three(name: &str) -> [Sym; 3] {
 }
 
 impl TestDirections {
-    /// TestDirections of coordinates or of turns, by the letter e.
+    /// Creates directions of coordinates or of rotations, with the symbol e.
     pub fn any() -> Self {
         TestDirections::along(three("u"), three("u'"), Sym::symbol("e"))
     }
 
-    /// Along speeds whose displacements have the bracket e.
+    /// Creates directions with the given speeds, whose displacements have the bracket e.
     pub fn along(speeds: [Sym; 3], accelerations: [Sym; 3], bracket: Sym) -> Self {
         let alone = |letters: [Sym; 3]| letters.map(|letter| vec![(letter, Sym::ONE)]);
         TestDirections {
@@ -51,7 +51,7 @@ impl TestDirections {
         }
     }
 
-    /// Gives a letter its rate and its derivatives by place.
+    /// Defines the time derivative of a symbol, and its derivatives along the directions.
     pub fn changes(&mut self, letter: Sym, rate: Sym, by_place: [Sym; 3]) {
         self.rates.push((letter, rate));
         for (known, slope) in self.by_place.iter_mut().zip(by_place) {
@@ -59,28 +59,28 @@ impl TestDirections {
         }
     }
 
-    /// Gives a letter its derivatives by the speeds.
+    /// Defines the derivatives of a symbol by the speeds.
     pub fn changes_with_speeds(&mut self, letter: Sym, slopes: [Sym; 3]) {
         for (known, slope) in self.by_speed.iter_mut().zip(slopes) {
             known.push((letter, slope));
         }
     }
 
-    /// Gives a letter its derivatives by the accelerations.
+    /// Defines the derivatives of a symbol by the accelerations.
     pub fn changes_with_accelerations(&mut self, letter: Sym, slopes: [Sym; 3]) {
         for (known, slope) in self.by_acceleration.iter_mut().zip(slopes) {
             known.push((letter, slope));
         }
     }
 
-    /// Letters that change with place and time, in any way.
+    /// Creates a symbol that varies arbitrarily with position and time.
     pub fn free(&mut self, name: &str) -> Sym {
         let letter = Sym::symbol(name);
         self.changes(letter, Sym::symbol(&format!("{name}'")), three(&format!("{name} by place")));
         letter
     }
 
-    /// A function of positions and time, as [`super::functions`] finds it to be.
+    /// Creates a function of positions and time, with the properties proved in [`super::functions`].
     pub fn function(&mut self, name: &str) -> Sym {
         let [letter, rate, second] = ["", "'", "''"].map(|primes| Sym::symbol(&format!("{name}{primes}")));
         let (slopes, slope_rates) = (three(&format!("{name} by")), three(&format!("{name}' by")));
@@ -93,7 +93,7 @@ impl TestDirections {
         letter
     }
 
-    /// The velocity of any point, by components in the axes of the ground, as [`super::points`] finds it to be; and its rate.
+    /// Creates the velocity of an arbitrary point along the axes of the ground, with the properties proved in [`super::points`]; returns it with its rate.
     pub fn velocity(&mut self, name: &str) -> (Vector, Vector) {
         let components: [(Sym, Sym); 3] = std::array::from_fn(|part| {
             let [letter, rate] = ["", "'"].map(|prime| Sym::symbol(&format!("{name}{prime} part {}", part + 1)));
@@ -107,9 +107,9 @@ impl TestDirections {
         (in_axes(components.map(|(letter, _)| letter)), in_axes(components.map(|(_, rate)| rate)))
     }
 
-    /// The angular velocity of any frame, in its own axes, as [`super::frames`] finds it to be:
+    /// Creates the angular velocity of an arbitrary frame along its own axes, with the properties proved in [`super::frames`]:
     ///
-    ///   dw/dq = (dw/du)' + w x dw/du ,    with the turns of a free frame beside (dw/du)'.
+    ///   dw/dq = (dw/du)' + w x dw/du ,    plus the transposition term of a free frame.
     pub fn turning(&mut self, name: &str) -> Vector {
         let letters = three(name);
         let slopes: [([Sym; 3], [Sym; 3]); 3] =
@@ -129,19 +129,19 @@ impl TestDirections {
         in_axes(letters)
     }
 
-    /// Letters for the derivatives by the speeds, and for their rates.
+    /// Creates symbols for the derivatives by the speeds, and for their rates.
     fn slopes(&mut self, name: &str) -> ([Sym; 3], [Sym; 3]) {
         let (slopes, rates) = (three(&format!("{name} by")), three(&format!("{name}' by")));
         self.rates.extend(slopes.into_iter().zip(rates));
         (slopes, rates)
     }
 
-    /// The rate along a motion.
+    /// Returns the time derivative along a motion.
     pub fn rate(&self, of: Sym) -> Sym {
         Derivation::new(self.rates.iter().copied()).of(of)
     }
 
-    /// The derivative by a displacement along a direction.
+    /// Returns the derivative by a displacement along a direction.
     pub fn by_place(&self, of: Sym, k: usize) -> Sym {
         Derivation::new(self.by_place[k].iter().copied()).of(of)
     }
@@ -158,19 +158,19 @@ impl TestDirections {
         of.map(|component| self.by_speed(component, k))
     }
 
-    /// (w x p)_k of turns, zero of coordinates.
+    /// Returns the transposition term (w x p)_k for rotations; zero for coordinates.
     pub fn transposed(&self, k: usize, of: impl Fn(usize) -> Sym) -> Sym {
         let [next, last] = behind(k);
         self.bracket * (self.speeds[next] * of(last) - self.speeds[last] * of(next))
     }
 
-    /// Lagrange's operator: (dT/du)' - dT/dq.
+    /// Applies Lagrange's operator (dT/du)' - dT/dq.
     pub fn lagrange(&self, kinetic: Sym, k: usize) -> Sym {
         let momentum = |j: usize| self.by_speed(kinetic, j);
         self.rate(momentum(k)) + self.transposed(k, momentum) - self.by_place(kinetic, k)
     }
 
-    /// Both sides of the statement that derivatives by place and by time commute: X_k f' = (X_k f)', with the turns of a free frame.
+    /// Returns both sides of X_k f' = (X_k f)', with the transposition term of a free frame: derivatives by position and time commute.
     pub fn commute(&self, f: Sym) -> Equations {
         let of = |k: usize| {
             let by_place = |j: usize| self.by_place(f, j);
@@ -180,12 +180,12 @@ impl TestDirections {
     }
 }
 
-/// A vector by its components in the axes that stand first.
+/// Returns a vector with the given components along the first frame's axes.
 pub(super) fn in_axes(components: [Sym; 3]) -> Vector {
     Vector { frame: FrameId::GROUND, components }
 }
 
-/// The components of two vectors, one beside the other.
+/// Returns the pairs of components of two vectors.
 pub(super) fn equal(one: Vector, other: Vector) -> Equations {
     one.components.into_iter().zip(other.components).collect()
 }

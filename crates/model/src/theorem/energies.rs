@@ -1,30 +1,30 @@
-//! Energies: as they stand in the equations of each principle.
+//! Lemmas on energies, in the form in which they occur in the equations of each principle.
 
 use super::Equations;
 use super::directions::TestDirections;
 use symbolic::Sym;
 
-/// Any function of places, speeds and time, with its derivatives and their rates.
+/// Creates a function of positions, speeds and time, with its derivatives and their rates.
 fn any_energy(any: &mut TestDirections, name: &str) -> Sym {
     let letter = Sym::symbol(name);
     let of = |what: &str| std::array::from_fn(|k| Sym::symbol(&format!("{name} by {what} {}", k + 1)));
     let (by_place, by_speed): ([Sym; 3], [Sym; 3]) = (of("place"), of("speed"));
-    // along the motion it changes with the accelerations as with the speeds
+    // its rate along a motion depends on the accelerations as the function itself depends on the speeds
     let accelerated = (0..3).fold(Sym::ZERO, |sum, k| sum + by_speed[k] * any.accelerations[k]);
     any.changes(letter, Sym::symbol(&format!("{name} at rest")) + accelerated, by_place);
     any.changes_with_speeds(letter, by_speed);
     letter
 }
 
-/// Weights: the potential -m g . r by a coordinate is -m g . dv/du, for gravity that is the same everywhere.
+/// Weights: the derivative of the potential -m g . r by a coordinate is -m g . dv/du, for uniform gravity.
 pub(super) fn weights() -> Equations {
     let mut any = TestDirections::any();
-    // g . r, of positions and time, whose rate is g . v
+    // g . r is a function of positions and time with the rate g . v
     let height = any.function("g . r");
     (0..3).map(|k| (any.by_place(height, k), any.by_speed(any.rate(height), k))).collect()
 }
 
-/// A potential: dV/dq = dV''/du'', as it stands in the least constraint.
+/// Potentials: dV/dq = dV''/du'', the form of Gauss' principle.
 pub(super) fn potentials() -> Equations {
     let mut any = TestDirections::any();
     let potential = any.function("V");
@@ -32,19 +32,19 @@ pub(super) fn potentials() -> Equations {
     (0..3).map(|k| (any.by_place(potential, k), any.by_acceleration(second, k))).collect()
 }
 
-/// Rayleigh's function: dD/du = dD'/du'.
+/// Rayleigh's dissipation function: dD/du = dD'/du'.
 pub(super) fn dissipation() -> Equations {
     let mut any = TestDirections::any();
     let dissipation = any_energy(&mut any, "D");
     (0..3).map(|k| (any.by_speed(dissipation, k), any.by_acceleration(any.rate(dissipation), k))).collect()
 }
 
-/// Hamilton's equations back along the speeds, with H = p . u - T + V: those of Lagrange.
+/// Hamilton's equations with H = p . u - T + V, expressed by the speeds, are Lagrange's equations.
 pub(super) fn canonical() -> Equations {
     let mut any = TestDirections::any();
     let kinetic = any_energy(&mut any, "T");
     let potential = any.function("V");
-    // the derivatives of T by the speeds, as functions of places and speeds themselves
+    // the derivatives of T by the speeds, which are functions of positions and speeds themselves
     let momenta: [Sym; 3] = std::array::from_fn(|j| any.by_speed(kinetic, j));
     for (j, &momentum) in momenta.iter().enumerate() {
         let of = |what: &str| std::array::from_fn(|k| Sym::symbol(&format!("p {} by {what} {}", j + 1, k + 1)));
@@ -65,13 +65,13 @@ pub(super) fn canonical() -> Equations {
     (0..3).map(along).collect()
 }
 
-/// Hamel's equations in quasi-velocities w(q, u, t), for any T(q, w, t): those of Lagrange.
+/// Hamel's equations in quasi-velocities w(q, u, t), for any T(q, w, t), are Lagrange's equations.
 ///
-/// The proof for two of them holds for any number, since each has terms of its own.
+/// The proof for two quasi-velocities holds for any number, since each one has its own terms.
 pub(super) fn quasi_velocities() -> Equations {
     let mut any = TestDirections::any();
     let letters = |name: &str| -> [Sym; 3] { std::array::from_fn(|k| Sym::symbol(&format!("{name} {}", k + 1))) };
-    // dT/dq while the quasi-velocities rest
+    // dT/dq at constant quasi-velocities
     let at_rest = letters("T by place");
     let mut parts = Vec::new();
     for number in ["1", "2"] {
@@ -102,14 +102,14 @@ pub(super) fn quasi_velocities() -> Equations {
     (0..3).map(along).collect()
 }
 
-/// Shulgin's equations, with a dependent speed s(q, w, t) put into T: Lagrange's along the directions that are left.
+/// Shulgin's equations, with a dependent speed s(q, w, t) substituted into T, are Lagrange's equations along the admissible directions.
 ///
-/// The proof for one dependent speed holds for any number, since each has terms of its own.
+/// The proof for one dependent speed holds for any number, since each one has its own terms.
 pub(super) fn constrained() -> Equations {
     let mut any = TestDirections::any();
     let letters = |name: &str| -> [Sym; 3] { std::array::from_fn(|k| Sym::symbol(&format!("{name} {}", k + 1))) };
     let (momenta, rates, forces) = (letters("p"), letters("p'"), letters("T by place"));
-    // the third speed by the first two, and by places
+    // the third speed as a function of the first two, and of positions
     let [first, second, _] = letters("s by w");
     let (slopes, slope_rates, by_place) = ([first, second], letters("s' by w"), letters("s by place"));
     for (letter, rate) in momenta.into_iter().zip(rates).chain(slopes.into_iter().zip(slope_rates)) {

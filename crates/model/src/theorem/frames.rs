@@ -1,4 +1,4 @@
-//! Frames: lemmas that carry knowledge of a frame's angular velocity to a frame that turns in it.
+//! Lemmas on frames: if the angular velocity of a frame has the required properties, so has that of a frame that rotates in it.
 
 use super::Equations;
 use super::directions::{TestDirections, equal, in_axes};
@@ -9,7 +9,7 @@ use symbolic::Sym;
 
 const CHILD: FrameId = FrameId(1);
 
-/// A frame that turns by an angle about an axis of another.
+/// A frame that rotates by an angle about an axis of its parent.
 pub(super) fn turned_by_an_angle() -> Equations {
     let about = |axis: usize| {
         let mut any = TestDirections::any();
@@ -22,7 +22,7 @@ pub(super) fn turned_by_an_angle() -> Equations {
     (0..3).flat_map(about).collect()
 }
 
-/// A frame that turns freely, along turns about its own axes; its parent moves without them.
+/// A free frame, along rotations about its own axes; its parent does not depend on these.
 pub(super) fn turned_freely() -> Equations {
     let free = FreeFrame::named("free");
     let mut any = TestDirections::along(free.speeds, free.accelerations, Sym::ONE);
@@ -44,7 +44,7 @@ pub(super) fn turned_freely() -> Equations {
     commuting.into_iter().chain(carried(&mut any, &frames)).collect()
 }
 
-/// A frame that turns freely in one that moves along the directions, at speeds that these do not change.
+/// A free frame whose parent moves along the directions, at speeds that do not depend on them.
 pub(super) fn turned_in_one_that_turns_freely() -> Equations {
     let free = FreeFrame::named("free");
     let mut any = TestDirections::any();
@@ -57,14 +57,14 @@ pub(super) fn turned_in_one_that_turns_freely() -> Equations {
     carried(&mut any, &frames)
 }
 
-/// A frame at any angular velocity, and one that turns in it.
+/// Returns a frame with an arbitrary angular velocity, and one that rotates in it.
 fn child_of(parent: Vector, rotation: Rotation, rate: [Sym; 3]) -> Frames {
     let mut frames = Frames::turning_at(parent);
     frames.push(Some((FrameId::GROUND, rotation, rate)));
     frames
 }
 
-/// The premises of [`Directions::turning`] for the child. Rates and products of vectors are the same in both axes.
+/// The required properties ([`TestDirections::turning`]) for the child frame. Rates and products of vectors are equal in both axes.
 fn carried(any: &mut TestDirections, frames: &Frames) -> Equations {
     let [a, b] = ["a", "b"].map(|name| {
         let components = std::array::from_fn(|part| any.free(&format!("{name} {}", part + 1)));

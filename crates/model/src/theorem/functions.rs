@@ -1,15 +1,15 @@
-//! Functions of positions and time: ways between points, angles of frames, potentials.
+//! Lemmas on functions of positions and time: displacements between points, angles of frames, potentials.
 
 use super::Equations;
 use super::directions::TestDirections;
 use symbolic::Sym;
 
-/// From second derivatives that are symmetric up to the bracket of the directions: c' by a speed is c by its coordinate, c'' by an
-/// acceleration is the same, and X_k c' = (X_k c)'.
+/// The properties of such a function c, from second derivatives that are symmetric up to the bracket of the directions: dc'/du = dc/dq, dc''/du' = dc/dq,
+/// and X_k c' = (X_k c)'.
 pub(super) fn of_places() -> Equations {
     let mut any = TestDirections::any();
     let slopes: [Sym; 3] = std::array::from_fn(|k| Sym::symbol(&format!("c by {}", k + 1)));
-    // along all other directions and the time, which commute with the three
+    // along all other directions and the time, which commute with the three directions
     let others = Sym::symbol("c by others");
     let second = |j: usize, k: usize| Sym::symbol(&format!("c by {} and {}", j.min(k) + 1, j.max(k) + 1));
     let bracket = Sym::symbol("e");

@@ -1,4 +1,4 @@
-//! The conditions of the theorem, read from the parts of a model.
+//! The hypotheses of the theorem, checked on a model.
 
 use crate::joints::powers_of_reactions;
 use crate::principles::Principle;
@@ -6,7 +6,7 @@ use crate::principles::loads::{along, forces, torques};
 use crate::{Body, FrameId, Inertia, Trace, Turn};
 use symbolic::{Hypotheses, Sym, decide};
 
-/// Whether every angle of a frame, every vector between points and the potential is a function of positions and time.
+/// Returns whether every angle of a frame, every displacement between points and the potential is a function of positions and time.
 pub(super) fn are_functions_of_places(trace: &Trace<'_>) -> bool {
     let model = trace.model;
     let angles = model.frames.iter().filter_map(|frame| match frame.parent {
@@ -19,7 +19,7 @@ pub(super) fn are_functions_of_places(trace: &Trace<'_>) -> bool {
     angles.chain(ways).chain(potential).all(is_of_places)
 }
 
-/// Whether the lemmas reach from the ground to everything that a principle asks of a model.
+/// Returns whether the lemmas cover all quantities of a model that a principle uses.
 pub(super) fn are_fulfilled(trace: &Trace<'_>, principle: Principle) -> bool {
     let model = trace.model;
     are_functions_of_places(trace)
@@ -29,14 +29,14 @@ pub(super) fn are_fulfilled(trace: &Trace<'_>, principle: Principle) -> bool {
             _ => model.energies.kinetic.is_none() && model.bodies.iter().all(|body| is_carried(trace, body)),
         }
         && match principle {
-            // the forces rest while accelerations are varied
+            // the forces must not depend on the accelerations that are varied
             Principle::Gauss => loads(trace).all(|load| !holds_any(load, &[&trace.accelerations])),
             Principle::NewtonEuler => model.contacts.is_empty() && reactions_act_as_constraints_say(trace),
             _ => true,
         }
 }
 
-/// Whether the power of every reaction at its place is its multiplier times the rate of its constraint.
+/// Returns whether the power of every reaction at its point of action equals its multiplier times the rate of its constraint.
 fn reactions_act_as_constraints_say(trace: &Trace<'_>) -> bool {
     let shown = |(power, slope): (Sym, Sym)| {
         let difference = power - slope;
@@ -45,14 +45,14 @@ fn reactions_act_as_constraints_say(trace: &Trace<'_>) -> bool {
     powers_of_reactions(trace).is_some_and(|pairs| pairs.into_iter().all(shown))
 }
 
-/// Longer differences are not brought into normal form.
+/// Longer differences are not brought to normal form.
 const MOST_EXPANDED: usize = 4_000;
 
 fn holds_any(expression: Sym, letters: &[&[Sym]]) -> bool {
     expression.symbols_of().iter().any(|symbol| letters.iter().any(|letters| letters.contains(symbol)))
 }
 
-/// Whether an inertia rests in the axes of its body, or is the same about two axes of a frame in which this turns about the third.
+/// Returns whether an inertia tensor is constant in the body's axes, or has equal moments about two axes of a frame relative to which the body spins about the third.
 fn is_carried(trace: &Trace<'_>, body: &Body) -> bool {
     let (Some(inertia), Some(frame)) = (&body.inertia, body.frame) else { return true };
     let Inertia::Tensor { axes, entries } = inertia else { return true };
@@ -67,7 +67,7 @@ fn is_carried(trace: &Trace<'_>, body: &Body) -> bool {
         Some((parent, Turn::About { axis, angle })) => Some((parent, axis, trace.scalar(angle))),
         _ => None,
     };
-    // axes at a constant angle in the body's rest in it
+    // axes at a constant angle to the body's frame are fixed in the body
     let resting = |frame: &FrameId| {
         turned_in(*frame).filter(|(_, _, angle)| trace.rate_of(*angle) == Sym::ZERO).map(|(parent, ..)| parent)
     };
@@ -77,7 +77,7 @@ fn is_carried(trace: &Trace<'_>, body: &Body) -> bool {
         || std::iter::successors(Some(frame), spinning).any(|at| at == *axes)
 }
 
-/// The components of all forces and torques, and the generalised forces.
+/// Returns the components of all forces and torques, and the generalised forces.
 fn loads<'t>(trace: &'t Trace<'_>) -> impl Iterator<Item = Sym> + 't {
     let forces = forces(trace, true).into_iter().flat_map(|force| force.is.components);
     let torques = torques(trace).into_iter().flat_map(|torque| torque.is.components);

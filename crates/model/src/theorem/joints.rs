@@ -1,18 +1,18 @@
-//! Joints: a load that is carried down to a joint does the same power there.
+//! Lemma on joints: a load that is referred to a joint has equal power there.
 
 use super::Equations;
 use super::directions::in_axes;
 use crate::trace::{Frames, Vector};
 use symbolic::Sym;
 
-/// A force F at a point P and a torque T, on a link that has the velocity v at its joint J and turns at w, are the force F and the torque
+/// A force F at a point P and a torque T, on a link with velocity v at its joint J and angular velocity w, are equivalent to the force F and the torque
 /// T + (P - J) x F at the joint:
 ///
 ///   F . (v + w x (P - J)) + T . w = F . v + (T + (P - J) x F) . w .
 ///
-/// Weights of bodies, given loads, and those of the joints above are carried down so; the power of a joint's load on its parent is
-/// the power of the load which the parent carries further. From the last links down nothing is left but the power of inertia and of
-/// given loads on the partial velocities of the points at which they act.
+/// Weights, given loads and the loads of outer joints are referred to the joint in this way. The power of a joint's load on the parent is
+/// the power of the load that the parent passes on. After summation over all links, only the power of inertia and of
+/// given loads on the partial velocities of their points remains.
 pub(super) fn carried() -> Equations {
     let frames = Frames::turning_at(Vector::ZERO);
     let [force, torque, velocity, turning, arm] = ["F", "T", "v", "w", "r"]

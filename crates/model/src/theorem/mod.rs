@@ -1,20 +1,20 @@
-//! A theorem about the principles: for any masses, inertias and forces they give the same equations.
+//! A theorem on the principles: for any masses, inertias and forces they give equal equations.
 //!
-//! The theorem does not depend on a system. Letters stand for any vectors, with their rates and derivatives; each lemma is
-//! decided by normal form, once in a process:
+//! The theorem does not depend on a system. Symbols represent arbitrary vectors with their rates and derivatives. Each lemma is
+//! decided by normal form, once per process:
 //!
-//! | lemma | it says |
+//! | lemma | statement |
 //! |---|---|
-//! | [`functions`] | for a function c of positions and time, c' by a speed is c by its coordinate, and both derivatives commute |
-//! | [`frames`] | d(dw/du)/dt - dw/dq = w x dw/du, from a frame to one that turns in it by an angle or freely |
-//! | [`points`] | dr/dq = dv/du = da/du' and d(dv/du)/dt = dv/dq, from a point to one that is found from it |
-//! | [`bodies`] | then d/dt dT/du - dT/dq = m a . dv/du + (I w)' . dw/du = dS/du' |
-//! | [`energies`] | Hamilton's, Hamel's and Shulgin's equations are Lagrange's for any T; weights, potentials and dissipation as they stand in them |
-//! | [`multipliers`] | they drop out along the directions that constraints leave |
-//! | [`joints`] | the loads of joints do no work on motions that the joints leave |
+//! | [`functions`] | dc'/du = dc/dq for a function c of positions and time, and both derivatives commute |
+//! | [`frames`] | d(dw/du)/dt - dw/dq = w x dw/du; from a frame to its children, which rotate by an angle or freely |
+//! | [`points`] | dr/dq = dv/du = da/du' and d(dv/du)/dt = dv/dq; from a point to points defined from it |
+//! | [`bodies`] | d/dt dT/du - dT/dq = m a . dv/du + (I w)' . dw/du = dS/du', given the properties above |
+//! | [`energies`] | Hamilton's, Hamel's and Shulgin's equations are Lagrange's for any T; the terms of weights, potentials and dissipation agree |
+//! | [`multipliers`] | multipliers cancel along the admissible directions of constraints |
+//! | [`joints`] | joint loads have no power on motions that the joints admit |
 //!
-//! From the ground outwards the lemmas reach every frame and every point of a model, one step after the other. The conditions on a
-//! model are read off its parts ([`hypotheses`]).
+//! By induction from the ground outwards, the lemmas cover every frame and every point of a model. The hypotheses are
+//! checked on the parts of a model ([`hypotheses`]).
 
 mod bodies;
 mod directions;
@@ -31,10 +31,10 @@ use crate::principles::Principle;
 use std::sync::OnceLock;
 use symbolic::{Hypotheses, Sym, apart, decide};
 
-/// Two sides of an equation that a lemma states.
+/// Pairs of sides (left, right) that a lemma states to be equal.
 type Equations = Vec<(Sym, Sym)>;
 
-/// Every lemma.
+/// All lemmas.
 const LEMMAS: [fn() -> Equations; 17] = [
     functions::of_places,
     frames::turned_by_an_angle,
@@ -55,17 +55,17 @@ const LEMMAS: [fn() -> Equations; 17] = [
     multipliers::eliminated,
 ];
 
-/// Whether the theorem says of a model that a principle gives Lagrange's equations.
+/// Returns whether the theorem states that a principle gives Lagrange's equations for a model.
 pub(crate) fn holds(trace: &Trace<'_>, principle: Principle) -> bool {
     hypotheses::are_fulfilled(trace, principle) && all_are_proved()
 }
 
-/// Whether the theorem says of a model that Shulgin's equations are Lagrange's along the directions that constraints leave.
+/// Returns whether the theorem states that Shulgin's equations are Lagrange's along the admissible directions, for a model.
 pub(crate) fn holds_on_constraints(trace: &Trace<'_>) -> bool {
     hypotheses::are_functions_of_places(trace) && all_are_proved()
 }
 
-/// Whether the theorem says that multipliers drop out along du/dw, for any rows of constraints.
+/// Returns whether the theorem states that multipliers cancel along du/dw, for any rows of constraints.
 pub(crate) fn holds_for_any_rows() -> bool {
     all_are_proved()
 }

@@ -1,14 +1,14 @@
-//! Multipliers drop out along the directions that constraints leave.
+//! Lemma on multipliers: they cancel along the admissible directions of constraints.
 
 use super::Equations;
 use symbolic::Sym;
 
-/// Maggi's equations are those without multipliers. With the rows J = [D F] of dependent and free speeds
+/// Maggi's equations equal the equations after elimination of the multipliers. With the rows J = [D F] of dependent and independent speeds,
 ///
-///   C = [ -D^-1 F ; 1 ] ,    C^T R = R_F - F^T D^-T R_D ,
+///   C = [ -D^-1 F ; 1 ] ,    C^T R = R_F - F^T D^-T R_D .
 ///
-/// on the left Maggi's for the residual R = J^T lambda, on the right R_F less F^T lambda where D^T lambda = R_D: the inverse of a transpose
-/// is the transpose of the inverse, for any number of rows. It is shown for two.
+/// The left side is Maggi's for the residual R = J^T lambda; the right side is R_F - F^T lambda with D^T lambda = R_D. Both are equal because the inverse of the transpose
+/// is the transpose of the inverse, for any number of rows. The lemma is proved for two rows.
 pub(super) fn eliminated() -> Equations {
     let named = |name: &str| -> [[Sym; 2]; 2] {
         std::array::from_fn(|row| {
@@ -18,7 +18,7 @@ pub(super) fn eliminated() -> Equations {
     let ([[a, b], [c, d]], free) = (named("D"), named("F"));
     let [first, second, third, fourth] = ["1", "2", "3", "4"].map(|place| Sym::symbol(&format!("R {place}")));
     let determinant = a * d - b * c;
-    // lambda by D^T lambda = R_D, by Cramer's rule
+    // lambda from D^T lambda = R_D by Cramer's rule
     let lambda = [(first * d - second * c) / determinant, (second * a - first * b) / determinant];
     let along = |column: usize| {
         let (f, g) = (free[0][column], free[1][column]);

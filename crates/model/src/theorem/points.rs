@@ -1,17 +1,17 @@
-//! Points: lemmas that carry knowledge of a point's velocity to a point that is found from it, and to one that a body
-//! carries.
+//! Lemmas on points: if the velocity of a point has the required properties, so has that of a point defined from it, and that of a point
+//! fixed in a body.
 
 use super::Equations;
 use super::directions::{TestDirections, equal};
 use crate::trace::{Frames, Vector};
 
-/// A point that is found from another by a vector in the axes of any frame.
+/// A point defined from another one by a displacement along the axes of any frame.
 pub(super) fn found_by_a_way() -> Equations {
     let mut any = TestDirections::any();
     let frames = Frames::turning_at(any.turning("w"));
     let way = super::directions::in_axes(["x", "y", "z"].map(|name| any.function(name)));
     let turning = frames.turning(way.frame);
-    // as the ground sees it
+    // relative to the ground
     let rate = |vector: Vector| frames.sum(vector.map(|part| any.rate(part)), frames.cross(turning, vector));
     let displaced = |vector: Vector, k: usize| {
         let turned = frames.cross(any.vector_by_speed(turning, k), vector);
@@ -31,7 +31,7 @@ pub(super) fn found_by_a_way() -> Equations {
     (0..3).flat_map(along).collect()
 }
 
-/// A point that a body carries: its acceleration w' x r + w x (w x r) beside the centre, by an acceleration.
+/// A point fixed in a body: the derivative of its acceleration w' x r + w x (w x r) relative to the centre by an acceleration.
 pub(super) fn carried_by_a_body() -> Equations {
     let mut any = TestDirections::any();
     let frames = Frames::turning_at(any.turning("w"));

@@ -1,27 +1,27 @@
-//! Circle points of angles that hold multiples of pi: cos(pi/6) is sqrt(3)/2, cos(theta + pi/2) is -sin(theta).
+//! Sines and cosines of angles that contain multiples of pi: cos(pi/6) is sqrt(3)/2, cos(theta + pi/2) is -sin(theta).
 
 use field::{Analytic, Circle, Rational};
 use symbolic::Sym;
 
-/// The letter that stands for pi in expressions of a model.
+/// Returns the symbol of pi in expressions of a model.
 pub(super) fn pi() -> Sym {
     Sym::symbol("pi")
 }
 
-/// The circle point of an angle. It is exact for multiples of pi/12, whose coordinates are square roots.
+/// Returns (cos, sin) of an angle, exact for multiples of pi/12.
 pub(super) fn circle(angle: Sym) -> Circle<Sym> {
     let pi = pi();
     let part = angle.diff(pi).as_constant().filter(|part| part.sign() != Some(0));
     let Some((part, point)) = part.and_then(|part| Some((part, exact(part)?))) else { return angle.circle() };
     let rest = angle.substitute(&[(pi, Sym::ZERO)]);
-    // an angle that is a product with pi has a part that is not its own
+    // excludes angles in which pi is a factor of another term
     if (angle - rest).linear_terms() != [(pi, part)] {
         return angle.circle();
     }
     rest.circle() + point
 }
 
-/// Cosine and sine of a part of pi: a whole number of twelfths.
+/// Returns exact (cos, sin) of `part` times pi if this is a multiple of pi/12.
 fn exact(part: Rational) -> Option<Circle<Sym>> {
     let twelfths = (part * Rational::new(12, 1)).to_big().filter(|big| big.denominator().is_one())?;
     Some(Sym::of_twelfths(i64::try_from(twelfths.numerator()).ok()?))

@@ -1,7 +1,7 @@
-//! Momenta of bodies.
+//! Momenta and energies of bodies.
 //!
-//! A mass or a moment of inertia that varies is taken as solidified at each instant (Meshchersky): the law is m a = F, and mass that
-//! leaves or arrives acts by a force that the model gives. Until the equations are complete, such a quantity is a constant letter.
+//! A variable mass or moment of inertia is treated as constant at each instant (Meshchersky): the law is m a = F, and mass that
+//! leaves or arrives acts by a force that the model must give. Until the equations are complete, a constant symbol replaces it.
 
 use super::{Trace, Vector};
 use crate::equations::vanishes;
@@ -9,13 +9,13 @@ use crate::{Body, FrameId, Inertia, ScalarId};
 use symbolic::{Sym, substitute_all};
 
 impl Trace<'_> {
-    /// The mass of a body and its centre's velocity and acceleration; `None` without a mass.
+    /// Returns the mass of a body, and velocity and acceleration of its centre of mass; `None` without a mass.
     pub fn carried(&self, body: &Body) -> Option<(Sym, Vector, Vector)> {
         let (mass, centre) = (body.mass?, body.centre?);
         Some((self.solidified(mass), self.velocity(centre), self.acceleration(centre)))
     }
 
-    /// A mass or a moment of inertia: a letter for a varying one.
+    /// Returns a mass or moment of inertia; a constant symbol if it is variable.
     pub(crate) fn solidified(&self, id: ScalarId) -> Sym {
         let value = self.scalar(id);
         let moving =
@@ -32,19 +32,19 @@ impl Trace<'_> {
         letter
     }
 
-    /// Whether the mass or a moment of inertia of a body varies.
+    /// Returns whether a mass or moment of inertia of any body is variable.
     pub(crate) fn varies(&self) -> bool {
-        // every body takes part
+        // evaluates all bodies, which registers the variable quantities
         self.kinetic_energy();
         !self.solid.borrow().is_empty()
     }
 
-    /// The letters of varying masses and moments of inertia, with their values.
+    /// Returns the variable masses and moments of inertia, as (symbol, value).
     pub fn solid(&self) -> Vec<(Sym, Sym)> {
         self.solid.borrow().clone()
     }
 
-    /// Expressions with these values in place of the letters.
+    /// Substitutes variable masses and moments of inertia by their values.
     pub(crate) fn with_masses(&self, expressions: &[Sym]) -> Vec<Sym> {
         match &self.solid()[..] {
             [] => expressions.to_vec(),
@@ -52,12 +52,12 @@ impl Trace<'_> {
         }
     }
 
-    /// The angular velocity of a body that has an inertia.
+    /// Returns the inertia of a body and its angular velocity; `None` if it has no inertia or no frame.
     pub fn turned<'b>(&self, body: &'b Body) -> Option<(&'b Inertia, Vector)> {
         body.inertia.as_ref().zip(body.frame).map(|(inertia, frame)| (inertia, self.turning(frame)))
     }
 
-    /// Whether an inertia has one moment of inertia about all axes.
+    /// Returns whether an inertia tensor has equal moments about all axes.
     pub(crate) fn is_of_ball(&self, inertia: &Inertia) -> bool {
         let Inertia::Tensor { entries: [Some(xx), Some(yy), Some(zz), None, None, None], .. } = inertia else {
             return false;
@@ -66,7 +66,7 @@ impl Trace<'_> {
         xx == yy && yy == zz
     }
 
-    /// I v, in the axes of the inertia, of a ball in those of v.
+    /// Returns I v, along the axes of the inertia tensor; for equal moments along the axes of v.
     pub fn inertia_times(&self, inertia: &Inertia, vector: Vector) -> Vector {
         match inertia {
             Inertia::Axial(axial) => self.about_axis(*axial, 2, vector),
@@ -91,7 +91,7 @@ impl Trace<'_> {
         Vector { frame: vector.frame, components }
     }
 
-    /// Bodies with an axial inertia that turn about another axis than z, by their names.
+    /// Returns the names of bodies with an axial inertia that rotate about another axis than z.
     pub fn tilted(&self) -> Vec<&str> {
         let tilted = |body: &&Body| match (&body.inertia, body.frame) {
             (Some(Inertia::Axial(_)), Some(frame)) => {
@@ -103,7 +103,7 @@ impl Trace<'_> {
         self.model.bodies.iter().filter(tilted).map(|body| body.name.as_str()).collect()
     }
 
-    /// The kinetic energy: of all bodies, with the given one.
+    /// Returns the kinetic energy of all bodies plus the given one, in J.
     pub fn kinetic_energy(&self) -> Sym {
         let half = Sym::constant(field::Rational::new(1, 2));
         let mut sum = self.model.energies.kinetic.map_or(Sym::ZERO, |kinetic| self.scalar(kinetic));
@@ -118,17 +118,17 @@ impl Trace<'_> {
         sum
     }
 
-    /// The co-energy W'(i, q) of magnetic fields.
+    /// Returns the co-energy W'(i, q) of magnetic fields, in J.
     pub fn coenergy(&self) -> Sym {
         self.model.energies.coenergy.map_or(Sym::ZERO, |coenergy| self.scalar(coenergy))
     }
 
-    /// T + W', whose rates by the speeds are momenta and fluxes.
+    /// Returns T + W', whose derivatives by the speeds are momenta and magnetic fluxes.
     pub fn kinetic_and_coenergy(&self) -> Sym {
         self.kinetic_energy() + self.coenergy()
     }
 
-    /// Faraday's law and the force of a field: psi' - dW'/dq, with the flux psi = dW'/di; of a position psi is zero.
+    /// Returns psi' - dW'/dq for the flux psi = dW'/di: Faraday's law for a charge, the force of the magnetic field for a position, where psi = 0.
     pub(crate) fn induced(&self, speed: usize) -> Sym {
         let coenergy = self.coenergy();
         if coenergy == Sym::ZERO {
@@ -138,21 +138,21 @@ impl Trace<'_> {
         self.rate_of(flux(speed)) + self.transposition(speed, flux) - self.by_coordinate(coenergy, speed)
     }
 
-    /// Whether T + W' is homogeneous of second degree in the speeds: then no body moves where all speeds are zero.
+    /// Returns whether T + W' is homogeneous of second degree in the speeds. If so, no body moves when all speeds are zero.
     pub fn has_quadratic_kinetic_energy(&self) -> bool {
         let kinetic = self.kinetic_and_coenergy();
         let moved = (0..self.speeds.len()).fold(Sym::ZERO, |sum, i| sum + self.by_speed(kinetic, i) * self.speeds[i]);
         vanishes(moved - kinetic - kinetic)
     }
 
-    /// Free fall, where it is the same at every place and time: then weights have the potential energy -m g . r.
+    /// Returns the gravitational acceleration if it is constant in space and time; weights then have the potential energy -m g . r.
     pub fn uniform_gravity(&self) -> Option<Vector> {
         let gravity = self.vector(self.model.gravity?);
         let is_constant = |component: &Sym| self.rate_of(*component) == Sym::ZERO;
         (gravity.frame == FrameId::GROUND && gravity.components.iter().all(is_constant)).then_some(gravity)
     }
 
-    /// The potential energy of the weights of all bodies in uniform gravity.
+    /// Returns the potential energy of the weights of all bodies in uniform gravity.
     pub fn potential_of_weights(&self) -> Sym {
         let mut sum = Sym::ZERO;
         if let Some(gravity) = self.uniform_gravity() {
@@ -165,7 +165,7 @@ impl Trace<'_> {
         sum
     }
 
-    /// The potential energy: of the weights of all bodies in uniform gravity, with the given one.
+    /// Returns the potential energy: that of the weights of all bodies in uniform gravity, plus the given one.
     pub fn potential_energy(&self) -> Sym {
         let given = self.model.energies.potential.map_or(Sym::ZERO, |potential| self.scalar(potential));
         given + self.potential_of_weights()

@@ -1,11 +1,11 @@
-//! Contacts over symbols: the letters of their reactions, and the rates of their gaps.
+//! Contacts over symbols: the symbols of their reactions, and the rates of their gaps.
 
 use super::Trace;
 use crate::Contact;
 use symbolic::Sym;
 
 impl Trace<'_> {
-    /// The letter of a contact's reaction, normal (0) or along a tangent (1, in space 2 too).
+    /// Returns the symbol of a contact's reaction: normal (component 0), or along tangent 1, in space also 2.
     pub fn reaction(&self, contact: usize, component: usize) -> Sym {
         let name = match self.model.contacts.get(contact) {
             Some(contact) if !contact.name.is_empty() => contact.name.clone(),
@@ -21,7 +21,7 @@ impl Trace<'_> {
         Sym::named(&format!("{name}.{letter}{number}"), &format!("{letter}_{{{number}\\text{{{name}}}}}"))
     }
 
-    /// The letters of all reactions of contacts.
+    /// Returns the symbols of all reactions of contacts.
     pub fn reactions(&self) -> Vec<Sym> {
         let contacts = self.model.contacts.iter().enumerate();
         contacts
@@ -30,7 +30,7 @@ impl Trace<'_> {
             .collect()
     }
 
-    /// The rate of the gap of a contact; of a diode or a freewheel the speed that is its gap.
+    /// Returns the rate of a contact's gap; for a diode or freewheel the speed that replaces the gap.
     pub fn gap_rate(&self, contact: &Contact) -> Sym {
         let gap = self.scalar(contact.gap);
         if contact.one_way.is_some() { gap } else { self.rate_of(gap) }

@@ -1,14 +1,14 @@
-//! The symbols of a frame that turns freely.
+//! The symbols of a free frame.
 
 use super::rotation::{Rotation, quaternion_product, quaternion_rates};
 use super::{Trace, Vector};
 use crate::parts::{QUATERNION, TURNING};
 use symbolic::Sym;
 
-/// The rates of the quaternion of a free frame, by its number, and of its direction cosines, each with its rate, for an angular
-/// velocity in its parent along any axes:
+/// Returns the rates of the quaternion of free frame `number`, and each direction cosine with its rate, for an angular
+/// velocity relative to the parent, along any axes:
 ///
-///   q' = q w/2 along its own, q' = W q/2 along those of the parent, R' = [W x] R .
+///   q' = q w/2 along the frame's own axes, q' = W q/2 along the parent's axes, R' = [W x] R .
 pub(crate) fn turned_axes(trace: &Trace<'_>, number: usize, turning: Vector) -> ([Sym; 4], Vec<(Sym, Sym)>) {
     let model = trace.model;
     let (own, first) = (model.free[number], model.coordinates.len() + 4 * number);
@@ -32,12 +32,12 @@ pub(crate) fn turned_axes(trace: &Trace<'_>, number: usize, turning: Vector) -> 
     (rates, (0..3).flat_map(rates_of_row).collect())
 }
 
-/// Quaternion, angular velocity in the frame's own axes, and its rate.
+/// The symbols of a free frame: quaternion, angular velocity along its own axes, and the rate of the latter.
 pub(crate) struct FreeFrame {
     pub quaternion: [Sym; 4],
     pub speeds: [Sym; 3],
     pub accelerations: [Sym; 3],
-    /// Direction cosines: row i, column j holds the axis i of the parent times the axis j of the frame.
+    /// The direction cosines: entry (i, j) is axis i of the parent times axis j of the frame.
     pub cosines: [[Sym; 3]; 3],
 }
 
@@ -56,7 +56,7 @@ impl FreeFrame {
         FreeFrame { quaternion, speeds: turning("", ""), accelerations: turning(r"\dot", "'"), cosines }
     }
 
-    /// The direction cosines, each with its rate where the frame turns at this angular velocity, w in its own axes:
+    /// Returns each direction cosine with its rate, for the angular velocity w along the frame's own axes:
     ///
     ///   R' = R [w x] .
     ///
@@ -65,12 +65,12 @@ impl FreeFrame {
         turned(self.cosines, w)
     }
 
-    /// The rates of the quaternion.
+    /// Returns the rates of the quaternion.
     pub fn rates(&self) -> [Sym; 4] {
         quaternion_rates(self.quaternion, self.speeds)
     }
 
-    /// The rates of the quaternion's parts and of the direction cosines for a turn about each axis of the frame alone.
+    /// Returns the rates of the quaternion's components and of the direction cosines, for a unit rotation about each axis of the frame.
     pub fn displacements(&self) -> [Vec<(Sym, Sym)>; 3] {
         std::array::from_fn(|axis| {
             let about = std::array::from_fn(|other| if other == axis { Sym::ONE } else { Sym::ZERO });

@@ -1,8 +1,8 @@
-//! A model over symbols, in the graph of one thread.
+//! A model over symbols, in the expression graph of one thread.
 //!
-//! Coordinates are symbols by their names, speeds and accelerations carry primes. Parameters are letters; a run gives them their
-//! values later. Every vector stands in the axes of one frame; a sum stands in those of the frame further down the tree:
-//! angles of frames turned one after the other are never added.
+//! Coordinates are symbols with their names; speeds and accelerations have primes. Parameters are symbols, which get values
+//! when the system is run. Every vector has components along the axes of one frame, sums along those of the frame further down the tree.
+//! Angles of successive rotations are therefore never added.
 
 mod angle;
 mod bodies;
@@ -38,44 +38,44 @@ use std::f64::consts::{PI, TAU};
 use step::step;
 use symbolic::{Derivation, Sym};
 
-/// A model over symbols.
+/// A model over symbols: kinematics, energies and derivatives.
 pub struct Trace<'m> {
     pub model: &'m Model,
     pub time: Sym,
-    /// The letter that stands for pi.
+    /// The symbol of pi.
     pub pi: Sym,
     pub parameters: Vec<Sym>,
-    /// The coordinates q; those of free frames, quaternions, stand last.
+    /// The coordinates q; the quaternions of free frames come last.
     pub coordinates: Vec<Sym>,
-    /// q'.
+    /// The rates q' as functions of the speeds.
     pub position_rates: Vec<Sym>,
-    /// Direction cosines of each free frame in its parent: row i, column j holds the parent's axis i times the frame's axis j.
+    /// The direction cosines of each free frame: entry (i, j) is axis i of the parent times axis j of the frame.
     pub cosines: Vec<[[Sym; 3]; 3]>,
-    /// The speeds u: rates of coordinates, then angular velocities of free frames in their own axes.
+    /// The speeds u: rates of coordinates, then angular velocities of free frames along their own axes.
     pub speeds: Vec<Sym>,
-    /// A letter for each switch, 1 or 0, which no motion changes.
+    /// The symbol of each switch, with value 1 or 0; its derivatives are zero.
     pub switches: Vec<Sym>,
-    /// u'.
+    /// The accelerations u'.
     pub accelerations: Vec<Sym>,
-    /// The derivative along the motion: q' = u, u' by its own symbols, t' = 1.
+    /// The time derivative along the motion: q' by the speeds, u' by its own symbols, t' = 1.
     rate: RefCell<Derivation>,
-    /// The derivative by each speed.
+    /// The partial derivative by each speed.
     by_speed: Vec<RefCell<Derivation>>,
-    /// The derivative by each acceleration.
+    /// The partial derivative by each acceleration.
     by_acceleration: Vec<RefCell<Derivation>>,
-    /// The derivative along each speed: by its coordinate, or by a rotation about an axis of a free frame.
+    /// For each speed, the derivative by its coordinate, or by a rotation about an axis of a free frame.
     by_coordinate: Vec<RefCell<Derivation>>,
     frames: Frames,
     points: RefCell<Vec<motion::PointMotion>>,
     scalars: Vec<Sym>,
     vectors: Vec<Vector>,
-    /// Masses and moments of inertia that vary: a letter and the value of each.
+    /// Variable masses and moments of inertia, as (symbol, value).
     solid: RefCell<Vec<(Sym, Sym)>>,
     judgement: Judgement<'m>,
 }
 
 impl<'m> Trace<'m> {
-    /// Writes the model down: expressions in the order in which they were read.
+    /// Evaluates the expressions of a model over symbols, in the order of the model.
     pub fn of(model: &'m Model) -> Self {
         let letters = |primes: &str, dots: &str| -> Vec<Sym> {
             let named = |coordinate: &crate::Coordinate| {
@@ -135,7 +135,7 @@ impl<'m> Trace<'m> {
         for (place, part) in model.arena.parts.iter().enumerate() {
             match part {
                 Part::Scalar(Scalar::Switch(switch, _)) => {
-                    // conditions that differ at equality alone share a switch
+                    // comparisons that differ only at equality share a switch
                     if *switch == trace.switches.len() {
                         let letter = trace.letter_of_next_switch();
                         trace.switches.push(letter);
@@ -150,7 +150,7 @@ impl<'m> Trace<'m> {
         trace
     }
 
-    /// Iverson's bracket: 1 where the condition holds, otherwise 0.
+    /// Returns the symbol of the next switch, Iverson's bracket: 1 where the condition holds, otherwise 0.
     fn letter_of_next_switch(&self) -> Sym {
         let number = self.switches.len();
         let condition = self.scalar(self.model.switches[number]);
@@ -161,7 +161,7 @@ impl<'m> Trace<'m> {
         Sym::named(&format!("[{text} > 0]"), &format!("[{latex} > 0]"))
     }
 
-    /// The frames whose angles are among so many parts.
+    /// Adds the frames whose angles are among the first `traced` nodes.
     fn turn_frames(&mut self, traced: usize) {
         while let Some(frame) = self.model.frames.get(self.frames.count()) {
             let turned = match frame.parent {
@@ -183,8 +183,8 @@ impl<'m> Trace<'m> {
         }
     }
 
-    /// The term that a momentum has beside its rate, since turns about the axes of a free frame do not commute: of the speed i,
-    /// (w x p)_i, with the momenta p of the same frame.
+    /// Returns the transposition term (w x p)_i for the speed i of a free frame with momenta p; zero for other speeds. The term is added to the rate of a
+    /// momentum, since rotations about the axes of a free frame do not commute.
     pub(crate) fn transposition(&self, speed: usize, momentum: impl Fn(usize) -> Sym) -> Sym {
         let Some(turn) = speed.checked_sub(self.model.coordinates.len()) else { return Sym::ZERO };
         let first = speed - turn % 3;
@@ -192,68 +192,68 @@ impl<'m> Trace<'m> {
         self.speeds[next] * momentum(last) - self.speeds[last] * momentum(next)
     }
 
-    /// A scalar expression.
+    /// Returns the value of a scalar expression.
     pub fn scalar(&self, id: ScalarId) -> Sym {
         self.scalars[id.0]
     }
 
-    /// A vector expression.
+    /// Returns the value of a vector expression.
     pub fn vector(&self, id: VectorId) -> Vector {
         self.vectors[id.0]
     }
 
-    /// The rate of a scalar along the motion.
+    /// Returns the time derivative of a scalar along the motion.
     pub fn rate_of(&self, scalar: Sym) -> Sym {
         self.rate.borrow_mut().of(scalar)
     }
 
-    /// The partial derivative of a scalar by a speed.
+    /// Returns the partial derivative of a scalar by a speed.
     pub fn by_speed(&self, scalar: Sym, speed: usize) -> Sym {
         self.by_speed[speed].borrow_mut().of(scalar)
     }
 
-    /// The partial derivative of a scalar by an acceleration.
+    /// Returns the partial derivative of a scalar by an acceleration.
     pub fn by_acceleration(&self, scalar: Sym, acceleration: usize) -> Sym {
         self.by_acceleration[acceleration].borrow_mut().of(scalar)
     }
 
-    /// The partial derivative of a scalar by a coordinate.
+    /// Returns the partial derivative of a scalar by the coordinate of a speed; for a free frame by a rotation about one of its axes.
     pub fn by_coordinate(&self, scalar: Sym, coordinate: usize) -> Sym {
         self.by_coordinate[coordinate].borrow_mut().of(scalar)
     }
 
-    /// The scalar product.
+    /// Returns the scalar product of two vectors.
     pub fn dot(&self, a: Vector, b: Vector) -> Sym {
         self.frames.dot(a, b)
     }
 
-    /// The sum of two vectors.
+    /// Returns the sum of two vectors.
     pub fn sum(&self, a: Vector, b: Vector) -> Vector {
         self.frames.sum(a, b)
     }
 
-    /// The vector product.
+    /// Returns the vector product of two vectors.
     pub fn cross(&self, a: Vector, b: Vector) -> Vector {
         self.frames.cross(a, b)
     }
 
-    /// A vector in the axes of a frame.
+    /// Returns the components of a vector along the axes of a frame.
     pub fn express(&self, vector: Vector, frame: FrameId) -> [Sym; 3] {
         self.frames.express(vector, frame).components
     }
 
-    /// The quaternion and the direction cosines of each free frame.
+    /// Returns the quaternion and the direction cosines of each free frame.
     pub(crate) fn turns(&self) -> impl Iterator<Item = FreeTurn> {
         let quaternions = self.coordinates[self.model.coordinates.len()..].chunks_exact(4);
         quaternions.map(|parts| std::array::from_fn(|k| parts[k])).zip(self.cosines.iter().copied())
     }
 
-    /// The frame that a frame turns in; of the ground itself.
+    /// Returns the parent of a frame; the ground for the ground itself.
     pub(crate) fn parent(&self, frame: FrameId) -> FrameId {
         self.model.frames[frame.0].parent.map_or(frame, |(parent, _)| parent)
     }
 
-    /// The rate of a vector as the ground sees it.
+    /// Returns the rate of a vector relative to the ground.
     pub fn vector_rate(&self, vector: Vector) -> Vector {
         let own = vector.map(|component| self.rate_of(component));
         self.frames.sum(own, self.frames.cross(self.frames.turning(vector.frame), vector))
@@ -288,7 +288,7 @@ impl<'m> Trace<'m> {
                 self.dot(a, a).sqrt()
             }
             Scalar::RateOf(a) => self.rate_of(of(a)),
-            // one that follows from others has none
+            // a redundant constraint has no reaction
             Scalar::Reaction { constraint } => match self.model.is_implied([*constraint, 0]) {
                 true => Sym::ZERO,
                 false => Trace::multiplier([*constraint, 0]),
@@ -301,21 +301,21 @@ impl<'m> Trace<'m> {
         }
     }
 
-    /// Inertia less forces along a combination of speeds.
+    /// Returns inertia minus forces for a linear combination of speeds.
     pub(crate) fn law(&self, combination: &[(usize, i64)]) -> Sym {
         let forces = generalised(self, true);
         let of = |&(speed, factor): &(usize, i64)| Sym::int(factor) * (inertia(self, speed) - forces[speed]);
         combination.iter().map(of).fold(Sym::ZERO, |sum, each| sum + each)
     }
 
-    /// An expression with the values of masses that vary.
+    /// Substitutes variable masses by their expressions.
     fn with_mass(&self, expression: Sym) -> Sym {
         self.with_masses(&[expression])[0]
     }
 
-    /// The derivative of a power or of a function by its argument.
+    /// Returns the derivative of a power or function by its argument.
     pub(crate) fn slope(&self, scalar: &Scalar, argument: ScalarId) -> Sym {
-        // a name that no system has
+        // names of systems contain no spaces
         let letter = Sym::symbol("its argument");
         of_argument(scalar, letter).diff(letter).substitute(&[(letter, self.scalar(argument))])
     }
@@ -352,13 +352,13 @@ impl<'m> Trace<'m> {
         }
     }
 
-    /// The bodies with the loads of their joints.
+    /// Returns the bodies with their joint loads.
     pub(crate) fn joints(&self) -> Joints<'_, 'm> {
         Joints::of(self)
     }
 }
 
-/// A power or a function, of an argument.
+/// Applies a power or function to an argument.
 fn of_argument(scalar: &Scalar, a: Sym) -> Sym {
     match scalar {
         Scalar::Power(_, Exponent { numerator, denominator: 1 }) => a.powi(*numerator),
@@ -371,10 +371,10 @@ fn of_argument(scalar: &Scalar, a: Sym) -> Sym {
     }
 }
 
-/// Conditions with more parts are printed by their number.
+/// Longer conditions, in operations, are printed by their numbers.
 const MOST_IN_BRACKETS: usize = 12;
 
-/// The decimal as it was written, in its unit.
+/// Returns the exact value of a decimal number with its unit.
 fn exactly(number: &Number) -> Sym {
     let Number { value, times, per } = *number;
     let factor = |value: f64| -> Sym {

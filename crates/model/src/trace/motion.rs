@@ -1,9 +1,9 @@
-//! Positions, velocities and accelerations of points, each from those of the point on which its position is based.
+//! Positions, velocities and accelerations of points, each computed from those of the point from which it is defined.
 
 use super::{Trace, Vector};
 use crate::{BodyId, FrameId, Material, PointId};
 
-/// A point in motion, beside the origin of the ground.
+/// The motion of a point relative to the origin of the ground.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PointMotion {
     position: Vector,
@@ -12,11 +12,11 @@ pub(super) struct PointMotion {
 }
 
 impl Trace<'_> {
-    /// The motion of a point; those that it is found from first.
+    /// Returns the motion of a point; computes that of earlier points first.
     fn moving(&self, point: PointId) -> PointMotion {
         let rest = PointMotion { position: Vector::ZERO, velocity: Vector::ZERO, acceleration: Vector::ZERO };
         loop {
-            // a point is found from those before it
+            // a point is defined from an earlier one
             let next = self.points.borrow().len();
             if let Some(known) = self.points.borrow().get(point.0) {
                 return *known;
@@ -38,24 +38,24 @@ impl Trace<'_> {
         }
     }
 
-    /// From the origin to a point.
+    /// Returns the vector from the origin to a point.
     pub fn position(&self, point: PointId) -> Vector {
         self.moving(point).position
     }
 
-    /// The velocity of a point as the ground sees it.
+    /// Returns the velocity of a point relative to the ground.
     pub fn velocity(&self, point: PointId) -> Vector {
         self.moving(point).velocity
     }
 
-    /// The acceleration of a point as the ground sees it.
+    /// Returns the acceleration of a point relative to the ground.
     pub fn acceleration(&self, point: PointId) -> Vector {
         self.moving(point).acceleration
     }
 
-    /// The vector from a point to another.
+    /// Returns the vector from one point to another.
     pub fn between(&self, from: PointId, to: PointId) -> Vector {
-        // along the points that both are found from nothing is added
+        // displacements common to both points are omitted
         let path = |mut point: PointId| {
             let mut path = vec![point];
             while let Some((base, _)) = self.model.points[point.0].base {
@@ -73,23 +73,23 @@ impl Trace<'_> {
         self.sum(way(&to), way(&from).map(|component| -component))
     }
 
-    /// The angular velocity of a frame relative to another.
+    /// Returns the angular velocity of a frame relative to another one.
     pub(crate) fn turning_beside(&self, of: FrameId, seen: FrameId) -> Vector {
         self.sum(self.frames.turning(of), self.frames.turning(seen).map(|component| -component))
     }
 
-    /// The angular velocity of a frame.
+    /// Returns the angular velocity of a frame relative to the ground.
     pub fn turning(&self, frame: FrameId) -> Vector {
         self.frames.turning(frame)
     }
 
-    /// The rate of a vector relative to a frame.
+    /// Returns the rate of a vector relative to a frame.
     pub(crate) fn rate_seen(&self, vector: Vector, seen: FrameId) -> Vector {
         let carried = self.frames.cross(self.frames.turning(seen), vector);
         self.sum(self.vector_rate(vector), carried.map(|component| -component))
     }
 
-    /// The velocity of a point of a body: v_C + w x (P - C); of a point alone its own.
+    /// Returns the velocity of a point of a body, v_C + w x (P - C); without a body that of the point itself.
     pub fn material_velocity(&self, Material { body, point }: Material) -> Vector {
         match self.rigid(body, point) {
             Some((centre, turning, arm)) => self.sum(self.velocity(centre), self.frames.cross(turning, arm)),
@@ -97,7 +97,7 @@ impl Trace<'_> {
         }
     }
 
-    /// The acceleration of a point of a body: a_C + w' x r + w x (w x r).
+    /// Returns the acceleration of a point of a body, a_C + w' x r + w x (w x r); without a body that of the point itself.
     pub fn material_acceleration(&self, Material { body, point }: Material) -> Vector {
         match self.rigid(body, point) {
             Some((centre, turning, arm)) => {
@@ -110,8 +110,8 @@ impl Trace<'_> {
         }
     }
 
-    /// The point whose motion a body's points follow, its angular velocity, and the way to one of them; none where the point
-    /// itself is that point. A particle carries its points without turning.
+    /// Returns the centre of mass of a body, its angular velocity, and the vector from the centre to a point; `None` if the point is the
+    /// centre, or there is no body. A particle carries its points without rotation.
     fn rigid(&self, body: Option<BodyId>, point: PointId) -> Option<(PointId, Vector, Vector)> {
         let body = &self.model.bodies[body?.0];
         let (frame, centre) = (body.frame.unwrap_or(FrameId::GROUND), body.centre?);
@@ -131,19 +131,19 @@ impl Trace<'_> {
         self.rate_seen(self.seen_velocity(of, seen), seen)
     }
 
-    /// The partial derivative of a vector by a speed: frames turn with coordinates alone.
+    /// Returns the partial derivative of a vector by a speed. The orientations of frames depend on coordinates only.
     pub fn vector_by_speed(&self, vector: Vector, speed: usize) -> Vector {
         vector.map(|component| self.by_speed(component, speed))
     }
 
-    /// The partial derivative of a vector by a coordinate, as the ground sees it: the frame turns with the coordinate too.
+    /// Returns the derivative of a vector by a coordinate, relative to the ground; it includes the rotation of the vector's frame.
     pub fn vector_by_coordinate(&self, vector: Vector, coordinate: usize) -> Vector {
         let own = vector.map(|component| self.by_coordinate(component, coordinate));
         let turning = self.vector_by_speed(self.frames.turning(vector.frame), coordinate);
         self.sum(own, self.frames.cross(turning, vector))
     }
 
-    /// The displacement of a point of a body, per that of a coordinate: of its position, with a body's turn carried along.
+    /// Returns the displacement of a point of a body per displacement of a coordinate; it includes the rotation of the body.
     pub fn material_displacement(&self, Material { body, point }: Material, coordinate: usize) -> Vector {
         match self.rigid(body, point) {
             Some((centre, turning, arm)) => {

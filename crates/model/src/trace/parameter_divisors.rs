@@ -1,4 +1,4 @@
-//! Divisors that depend on parameters alone.
+//! Divisors that depend on parameters only.
 
 use super::Trace;
 use crate::ScalarId;
@@ -6,7 +6,7 @@ use crate::arena::{Part, Scalar};
 use symbolic::Sym;
 
 impl Trace<'_> {
-    /// Divisors in the expressions of the model that depend on parameters alone, such as 2 C in q^2/(2 C).
+    /// Returns the divisors in the expressions of the model that depend on parameters only, such as 2 C in q^2/(2 C).
     pub fn parameter_divisors(&self) -> Vec<Sym> {
         let parts = self.model.arena.parts.iter();
         let divisors = parts.filter_map(|part| match part {

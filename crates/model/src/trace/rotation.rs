@@ -1,4 +1,4 @@
-//! Rotations of frames in their parents.
+//! Rotations of frames relative to their parents.
 
 use field::{Circle, Scalar};
 use symbolic::Sym;
@@ -6,14 +6,14 @@ use symbolic::Sym;
 /// The rotation of a frame relative to its parent.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Rotation {
-    /// About an axis that both frames share.
+    /// A rotation about a common axis.
     About { axis: usize, angle: Circle<Sym> },
-    /// The rotation matrix, row after row, from the axes of the frame to those of the parent.
+    /// A rotation matrix by rows, which maps components along the frame's axes to components along the parent's axes.
     Matrix([[Sym; 3]; 3]),
 }
 
 impl Rotation {
-    /// The matrix of the quaternion e0 + e1 i + e2 j + e3 k, of any length other than zero: rounding does not bend the axes.
+    /// Returns the rotation matrix of the quaternion a + b i + c j + d k of any nonzero norm, so that rounding errors of the norm do not affect orthogonality.
     pub fn direction_cosines([a, b, c, d]: [Sym; 4]) -> [[Sym; 3]; 3] {
         let two = Sym::int(2);
         let square = a * a + b * b + c * c + d * d;
@@ -27,7 +27,7 @@ impl Rotation {
         ]
     }
 
-    /// Components along the axes of the frame as those along the axes of the parent.
+    /// Maps components along the axes of the frame to components along the axes of the parent.
     pub fn to_parent(self, components: [Sym; 3]) -> [Sym; 3] {
         match self {
             Rotation::About { axis, angle } => turned(components, axis, angle),
@@ -35,7 +35,7 @@ impl Rotation {
         }
     }
 
-    /// Components along the axes of the parent as those along the axes of the frame.
+    /// Maps components along the axes of the parent to components along the axes of the frame.
     pub fn into_frame(self, components: [Sym; 3]) -> [Sym; 3] {
         match self {
             Rotation::About { axis, angle: Circle { cos, sin } } => turned(components, axis, Circle { cos, sin: -sin }),
@@ -44,7 +44,7 @@ impl Rotation {
     }
 }
 
-/// The rates of a quaternion from the angular velocity in the axes of the frame: half the product of both.
+/// Returns the rates of a quaternion q from the angular velocity w in rad/s along the frame's own axes: q w/2.
 pub fn quaternion_rates<S: Scalar>([a, b, c, d]: [S; 4], [x, y, z]: [S; 3]) -> [S; 4] {
     let half = S::ratio(1, 2);
     [
@@ -55,7 +55,7 @@ pub fn quaternion_rates<S: Scalar>([a, b, c, d]: [S; 4], [x, y, z]: [S; 3]) -> [
     ]
 }
 
-/// One turn, then another about the axes that it has turned.
+/// Returns the product of two quaternions: the first rotation, then the second one about the rotated axes.
 pub(crate) fn quaternion_product<S: Scalar>([a, b, c, d]: [S; 4], [e, f, g, h]: [S; 4]) -> [S; 4] {
     [
         a * e - b * f - c * g - d * h,
@@ -65,10 +65,10 @@ pub(crate) fn quaternion_product<S: Scalar>([a, b, c, d]: [S; 4], [e, f, g, h]: 
     ]
 }
 
-/// The quaternion of a frame that has turned further: about the direction of a vector in its own axes, by the vector's length in rad.
+/// Returns the quaternion after a further rotation, about a vector along the frame's own axes, by its length in radians.
 pub fn turned_further(quaternion: [f64; 4], [x, y, z]: [f64; 3]) -> [f64; 4] {
     let half = (x * x + y * y + z * z).sqrt() / 2.0;
-    // sin(h)/(2 h), at zero too
+    // sin(h)/(2 h), with its limit at zero
     let share = if half > 0.0 { half.sin() / (2.0 * half) } else { 0.5 };
     quaternion_product(quaternion, [half.cos(), share * x, share * y, share * z])
 }
@@ -77,7 +77,7 @@ fn product(a: [Sym; 3], b: [Sym; 3]) -> Sym {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// The components in the axes of the parent of a frame that is turned about an axis.
+/// Returns the components along the parent's axes, for a rotation about an axis.
 fn turned(components: [Sym; 3], axis: usize, Circle { cos, sin }: Circle<Sym>) -> [Sym; 3] {
     let (first, second) = ((axis + 1) % 3, (axis + 2) % 3);
     let mut turned = components;

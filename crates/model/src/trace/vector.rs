@@ -1,11 +1,11 @@
-//! Vectors in the axes of frames, and the tree of frames.
+//! Vectors with components along the axes of frames, and the tree of frames.
 
 use super::rotation::Rotation;
 use crate::FrameId;
 use field::Circle;
 use symbolic::Sym;
 
-/// A vector by its components along the axes of a frame.
+/// A vector with components along the axes of a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vector {
     pub frame: FrameId,
@@ -15,30 +15,30 @@ pub struct Vector {
 impl Vector {
     pub const ZERO: Vector = Vector { frame: FrameId::GROUND, components: [Sym::ZERO; 3] };
 
-    /// A unit vector of a frame.
+    /// Returns the unit vector along the axis 0, 1 or 2 (x, y, z) of a frame.
     pub fn axis(frame: FrameId, axis: usize) -> Self {
         let mut components = [Sym::ZERO; 3];
         components[axis] = Sym::ONE;
         Vector { frame, components }
     }
 
-    /// The same frame with other components.
+    /// Applies a function to each component.
     pub fn map(self, f: impl FnMut(Sym) -> Sym) -> Self {
         Vector { components: self.components.map(f), ..self }
     }
 
-    /// Whether every component is the constant zero.
+    /// Returns whether every component is the constant zero.
     pub fn is_zero(self) -> bool {
         self.components == [Sym::ZERO; 3]
     }
 }
 
-/// A frame among the others.
+/// A frame in the tree.
 struct Link {
     parent: FrameId,
     depth: usize,
     rotation: Rotation,
-    /// The angular velocity of the frame beside the ground, in its own axes.
+    /// The angular velocity relative to the ground, along the frame's own axes.
     turning: Vector,
 }
 
@@ -49,7 +49,7 @@ pub(crate) struct Frames {
 }
 
 impl Frames {
-    /// A first frame that turns at any angular velocity, by its components in its own axes.
+    /// Creates a tree whose first frame has the given angular velocity, along its own axes.
     pub fn turning_at(turning: Vector) -> Self {
         let mut frames = Frames::default();
         frames.push(None);
@@ -61,7 +61,7 @@ impl Frames {
         self.links.len()
     }
 
-    /// The next frame: its parent, its turn, and its angular velocity in the parent along its own axes; none for the ground.
+    /// Adds a frame: its parent, its rotation, and its angular velocity relative to the parent along its own axes; `None` for the ground.
     pub fn push(&mut self, turned: Option<(FrameId, Rotation, [Sym; 3])>) {
         let frame = FrameId(self.links.len());
         let Some((parent, rotation, rate)) = turned else {
@@ -75,12 +75,12 @@ impl Frames {
         self.links[frame.0].turning = self.sum(carried, Vector { frame, components: rate });
     }
 
-    /// The angular velocity of a frame beside the ground, in its own axes.
+    /// Returns the angular velocity of a frame relative to the ground, along its own axes.
     pub fn turning(&self, frame: FrameId) -> Vector {
         self.links[frame.0].turning
     }
 
-    /// A vector in the axes of another frame.
+    /// Returns a vector with components along the axes of another frame.
     pub fn express(&self, vector: Vector, to: FrameId) -> Vector {
         if vector.frame == to {
             return vector;
@@ -109,7 +109,7 @@ impl Frames {
         Vector { frame: to, components }
     }
 
-    /// The last frame that both turn in.
+    /// Returns the nearest common ancestor of two frames.
     fn common(&self, mut a: FrameId, mut b: FrameId) -> FrameId {
         while a != b {
             let (deep, other) = (self.links[a.0].depth, self.links[b.0].depth);
@@ -123,8 +123,8 @@ impl Frames {
         a
     }
 
-    /// The frame in whose axes two vectors are put together: the lower of the two where one turns in the other by angles, else the
-    /// last that both turn in. Into a free frame and back a vector would be multiplied by R R^T, which nothing reduces.
+    /// Returns the frame along whose axes two vectors are combined: the lower frame if it rotates in the other one by angles, otherwise the nearest
+    /// common ancestor. Conversion into a free frame and back would multiply a vector by R R^T, which is not simplified.
     fn together(&self, a: FrameId, b: FrameId) -> FrameId {
         let common = self.common(a, b);
         let lower = if common == a { b } else { a };
@@ -139,7 +139,7 @@ impl Frames {
         (frame, self.express(a, frame).components, self.express(b, frame).components)
     }
 
-    /// The sum of two vectors.
+    /// Returns the sum of two vectors.
     pub fn sum(&self, a: Vector, b: Vector) -> Vector {
         if a.is_zero() {
             return b;
@@ -151,7 +151,7 @@ impl Frames {
         Vector { frame, components: std::array::from_fn(|i| a[i] + b[i]) }
     }
 
-    /// The scalar product.
+    /// Returns the scalar product of two vectors.
     pub fn dot(&self, a: Vector, b: Vector) -> Sym {
         if a.is_zero() || b.is_zero() {
             return Sym::ZERO;
@@ -160,7 +160,7 @@ impl Frames {
         a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
     }
 
-    /// The vector product.
+    /// Returns the vector product of two vectors.
     pub fn cross(&self, a: Vector, b: Vector) -> Vector {
         if a.is_zero() || b.is_zero() {
             return Vector::ZERO;

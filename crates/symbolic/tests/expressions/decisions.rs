@@ -84,7 +84,7 @@ fn angles_obey_the_addition_theorems() {
         none.equal(half.sin * half.cos, (Sym::int(3) * third.sin - Sym::int(4) * third.sin.powi(3)).half()).is_zero()
     );
     assert!(none.equal(half.cos, third.cos).is_nonzero());
-    // Parts without a common step, and the coordinates of a number, depend on each other in ways not seen here.
+    // angles without a common part, and the cosine of a number, have dependences that the decision does not use
     assert!(matches!(none.equal((Sym::int(100) * x).circle().cos, p.cos), Decision::GaveUp(_)));
     assert!(matches!(none.equal(Sym::int(1).circle().cos, Sym::ratio(1, 2)), Decision::GaveUp(_)));
 }
@@ -118,7 +118,7 @@ fn roots_of_expressions_have_the_expression_as_their_square() {
     assert!(none.equal(root * root, a / b).is_zero());
     assert!(none.equal((a * a + b).sqrt(), (b + a * a).sqrt()).is_zero());
     assert!(none.equal((Sym::int(4) * a).sqrt(), Sym::int(2) * a.sqrt()).is_zero());
-    // True for positive numbers and not a consequence of the squares: neither proved nor refuted.
+    // true for positive numbers, but no consequence of the squares: neither proved nor refuted
     assert!(matches!(none.equal((a * b).sqrt(), a.sqrt() * b.sqrt()), Decision::GaveUp(_)));
     let Decision::NonZero(witness) = none.equal((a * a).sqrt(), a) else { panic!("not refuted") };
     assert!(witness.value.as_constant().is_some_and(|value| value.sign() == Some(1)));
