@@ -1,4 +1,4 @@
-//! Code of each language, compiled and run.
+//! Generated code of each language, compiled and run.
 
 use crate::{agree, answers, cases, code, folder, listed, named_form, output};
 use dalembert_model::Trace;
@@ -91,7 +91,7 @@ fn sympy_solves_the_equations_to_the_accelerations_and_multipliers() {
     if !answers("python3", &["-c", "import sympy"]) {
         return;
     }
-    // SymPy takes minutes to put numbers into two bodies' fourteen coordinates
+    // Excluded: SymPy needs minutes to substitute numbers for the fourteen coordinates of the two bodies.
     for case in cases().into_iter().filter(|case| case.name != "joined_bodies") {
         let module = apart(|| {
             let trace = Trace::of(&case.model);

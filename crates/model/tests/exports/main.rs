@@ -1,4 +1,4 @@
-//! Systems as code of other languages, compiled and run, have the accelerations and multipliers of the model's equations.
+//! Code generated for other languages is compiled and run; its accelerations and multipliers must equal those of the model's equations.
 
 mod languages;
 mod notation;
@@ -19,7 +19,7 @@ use systems::{
     double_pendulum, faller, free_top, led_plate, oscillator, pinned_plate, rolling_disc, slider_crank, stop,
 };
 
-/// A system, a state of it, and the accelerations and multipliers there.
+/// A system, a state, and the accelerations and multipliers at this state.
 struct Case {
     name: &'static str,
     model: Model,
@@ -28,7 +28,7 @@ struct Case {
     speeds: Vec<f64>,
     /// Accelerations, then multipliers.
     expected: Vec<f64>,
-    /// The rates of the state.
+    /// Rates of the coordinates, then of the speeds.
     rates: Vec<f64>,
 }
 
@@ -62,14 +62,14 @@ fn cases() -> Vec<Case> {
     ]
 }
 
-/// The values of letters.
+/// Values of symbols by name.
 type Values = HashMap<String, f64>;
 
 fn value(expression: Sym, values: &Values) -> f64 {
     expression.evaluate_analytic(&|name| values.get(name).copied()).expect("every letter has a value")
 }
 
-/// The letters of a model at a state.
+/// Returns the values of all symbols of a model at a state.
 fn values(trace: &Trace<'_>, time: f64, coordinates: &[f64], speeds: &[f64]) -> Values {
     let mut values: Values = [("t".to_owned(), time), ("pi".to_owned(), std::f64::consts::PI)].into_iter().collect();
     for parameter in &trace.model.parameters {
@@ -84,7 +84,7 @@ fn values(trace: &Trace<'_>, time: f64, coordinates: &[f64], speeds: &[f64]) -> 
     values
 }
 
-/// Accelerations, then multipliers; the rates of coordinates.
+/// Returns the accelerations followed by the multipliers, and the rates of the coordinates.
 fn expected(model: &Model, time: f64, coordinates: &[f64], speeds: &[f64]) -> (Vec<f64>, Vec<f64>) {
     let mut rates = vec![0.0; coordinates.len()];
     model.position_rates(&[coordinates, speeds].concat(), &mut rates);
@@ -97,7 +97,8 @@ fn expected(model: &Model, time: f64, coordinates: &[f64], speeds: &[f64]) -> (V
     (solved, rates)
 }
 
-/// Accelerations and multipliers of quasi-velocities, by the equations in rates of coordinates; of the latter, the programmed.
+/// Returns the rates of the quasi-velocities followed by the multipliers of the stabilised constraints, and the rates of the coordinates.
+/// All are computed from the equations in the rates of the coordinates.
 fn expected_of_quasi_velocities(model: &Model, time: f64, coordinates: &[f64], quasi: &[f64]) -> (Vec<f64>, Vec<f64>) {
     let speeds: Vec<f64> = apart(|| {
         let trace = Trace::of(model);
@@ -120,7 +121,7 @@ fn expected_of_quasi_velocities(model: &Model, time: f64, coordinates: &[f64], q
     (moved.into_iter().chain(kept).collect(), rates)
 }
 
-/// The matrix form of a system, in its quasi-velocities where it has some.
+/// Returns the matrix form of a system; in quasi-velocities if the system defines some.
 fn form(trace: &Trace<'_>) -> MatrixForm {
     if trace.model.quasi_velocities.is_empty() {
         return MatrixForm::of(trace, Principle::Lagrange).expect("it applies");
@@ -130,7 +131,7 @@ fn form(trace: &Trace<'_>) -> MatrixForm {
     MatrixForm::in_quasi_velocities(trace, &quasi, principle).expect("it applies")
 }
 
-/// The matrix form with letters for long derivatives of speeds, which the code of programs does not need.
+/// Returns the matrix form in which long derivatives of the speeds have symbols of their own. Generated programs do not need them.
 fn named_form(trace: &Trace<'_>) -> MatrixForm {
     if trace.model.quasi_velocities.is_empty() {
         return form(trace);
@@ -162,7 +163,7 @@ fn folder(language: &str) -> PathBuf {
     folder
 }
 
-/// Whether a program answers to a command; where it does not, the test says so.
+/// Returns whether a command succeeds; if not, prints that the test is skipped.
 fn answers(program: &str, arguments: &[&str]) -> bool {
     let answers = Command::new(program).args(arguments).output().is_ok_and(|output| output.status.success());
     if !answers {

@@ -1,4 +1,4 @@
-//! Equations for reading: angles, constants, lengths.
+//! The readable form of equations: angles, constants, lengths, units.
 
 use crate::form;
 use crate::rolling_bodies::{bowl, joined_bodies, sliding_wedge, turntable};
@@ -56,7 +56,7 @@ fn angles_stay_together_and_constants_are_as_written() {
     }
     assert!(applied >= 4, "{applied} principles");
     let [oscillator, ..] = text(oscillator(), Principle::Lagrange).expect("it applies");
-    // thirty degrees are pi/6, whose cosine is a root; decimals stay decimals
+    // 30 deg is pi/6, whose cosine contains sqrt(3); decimal numbers stay decimal
     assert!(
         oscillator.contains("Q[u] = -lambda*u + lambda*M*u/sqrt(q^2 + u^2) - 0.35*fn*u' - 4.905*double*sqrt(3)"),
         "{oscillator}"
@@ -71,7 +71,7 @@ fn angles_stay_together_and_constants_are_as_written() {
     assert!(latex.contains(r"\dot{q_{F,3}} &= "), "{latex}");
     let [crank, ..] = text(slider_crank(), Principle::VirtualPower).expect("it applies");
     for line in [
-        // J is a parameter there
+        // the moment of inertia is `Jrod` and the Jacobian is written out, because `J` is a parameter of the system
         "M q'' + h = Q + jacobian^T lambda, with q = (theta, phi, s)",
         "M[phi, phi] = l^2*mrod/4 + Jrod",
         "Q[theta] = T - r*mrod*g*cos(theta)",
@@ -82,7 +82,8 @@ fn angles_stay_together_and_constants_are_as_written() {
     }
 }
 
-/// A parameter is in the unit of its text where that is coherent, an angle in radians, all else in the coherent unit.
+/// In generated code, a parameter has the unit of its text if this unit is coherent (SI). Angles are in radians, all other parameters in
+/// the coherent unit.
 #[test]
 fn parameters_of_code_have_readable_units() {
     let mut source = double_pendulum();
@@ -108,7 +109,7 @@ fn parameters_of_code_have_readable_units() {
     }
 }
 
-/// Four bodies, each of which turns freely on the one before: their equations written out are too long to read.
+/// Four bodies, each with a free frame relative to the previous body: the equations are too long for a SymPy module.
 #[test]
 fn a_module_that_would_be_too_long_is_refused_by_name() {
     let mut tower = free_top();
@@ -133,7 +134,7 @@ fn a_module_that_would_be_too_long_is_refused_by_name() {
     assert!(refused.contains("operations is too long for SymPy; c, python and rust"), "{refused}");
 }
 
-/// Newton's and Euler's equations in quasi-velocities, in the form for reading at a start.
+/// Returns the equations in quasi-velocities as readable text, with the start values for the remarks on divisors.
 fn text_of(source: &Source, start: &[f64]) -> String {
     let model = Model::of(source).unwrap_or_else(|faults| panic!("{faults:?}"));
     apart(|| {
@@ -142,7 +143,7 @@ fn text_of(source: &Source, start: &[f64]) -> String {
     })
 }
 
-/// Seven fifths of the mass, for every orientation of the ball's frame: no direction cosine is left, none a divisor.
+/// For every orientation of the ball, the mass of its equations is 7/5 m; no direction cosine remains, and none is a divisor.
 #[test]
 fn balls_that_roll_have_the_equations_of_textbooks() {
     let text = text_of(&turntable(), &[]);
@@ -157,11 +158,11 @@ fn balls_that_roll_have_the_equations_of_textbooks() {
     }
     assert!(!text.contains("divisor"), "{text}");
     let text = text_of(&sliding_wedge(), &[]);
-    // M is a parameter there
+    // the mass matrix is called `mass`, because `M` is a parameter of the system
     assert!(text.contains("mass[V, V] = m + M - 3*m*cos(al)^2/5") && !text.contains("divisor"), "{text}");
 }
 
-/// `lambda1` and `lambda_1` are typeset alike: a letter that would look like another one has its name as it is written.
+/// `lambda1` and `lambda_1` have one LaTeX form. The second symbol is therefore printed upright, by its name.
 #[test]
 fn letters_that_would_look_alike_are_told_apart_in_latex() {
     let mut source = turntable();
@@ -180,7 +181,7 @@ fn letters_that_would_look_alike_are_told_apart_in_latex() {
     assert!(latex.contains(r"\lambda_1 &= 1\,\mathrm{N\,s/m}"), "{latex}");
 }
 
-/// Constraints that hold drop out in quasi-velocities: the module for SymPy uses no names that it does not define.
+/// Constraints without stabilisation are eliminated by the quasi-velocities: the SymPy module must not use names that it does not define.
 #[test]
 fn a_module_without_multipliers_does_not_speak_of_them() {
     let model = Model::of(&turntable()).unwrap_or_else(|faults| panic!("{faults:?}"));
@@ -201,7 +202,7 @@ fn a_divisor_is_told_with_the_start_at_which_it_vanishes() {
     assert!(text_of(&bowl(), &lowest).contains(&format!("{divisor} It vanishes at the start")));
 }
 
-/// B.y x B.z = B.x: no product of two direction cosines is left.
+/// B.y x B.z = B.x: products of two direction cosines that form a cofactor are simplified to a single direction cosine.
 #[test]
 fn products_of_direction_cosines_that_are_cofactors_are_one() {
     let text = text_of(&joined_bodies(), &[]);

@@ -1,5 +1,5 @@
-//! Balls and bodies that turn freely, at states at which their frames are aligned with their parents: many direction cosines vanish
-//! there, and none of them may be a divisor.
+//! Rolling balls and free bodies, at states at which their frames are aligned with the parent frames. Many direction cosines vanish
+//! there, so none of them may be a divisor.
 
 use super::systems::entries;
 use dalembert_model::{BodySource, ConstraintSource, InertiaSource, Source};
@@ -24,7 +24,7 @@ fn held(zero: &[&str]) -> ConstraintSource {
     ConstraintSource { zero: zero.iter().map(|&each| each.into()).collect(), ..ConstraintSource::default() }
 }
 
-/// Speeds along a turntable's axes, slip along the ground's.
+/// A ball that rolls on a turntable. The quasi-velocities are components along the axes of the turntable, the slip along the ground's.
 pub fn turntable() -> Source {
     let slip = "velocity(ball at K) - cross(W*N.z, K - O)";
     Source {
@@ -44,7 +44,7 @@ pub fn turntable() -> Source {
     }
 }
 
-/// On a plane that is inclined and turns.
+/// A ball that rolls on an inclined plane which rotates about its normal.
 pub fn turning_incline() -> Source {
     let slip = "velocity(ball at K) - cross(angular_velocity(T), K - O)";
     let mut source = turntable();
@@ -56,7 +56,7 @@ pub fn turning_incline() -> Source {
     source
 }
 
-/// On a wedge that slides, pushed at the point that touches it.
+/// A ball that rolls on a sliding wedge. A force acts on the ball at its point of contact.
 pub fn sliding_wedge() -> Source {
     let slip = "velocity(ball at K) - velocity(Q)";
     Source {
@@ -90,7 +90,7 @@ pub fn sliding_wedge() -> Source {
     }
 }
 
-/// In a spherical bowl: a root, and a divisor that vanishes at the lowest point.
+/// A ball that rolls in a spherical bowl. Its equations contain a root, and a divisor that vanishes at the lowest point.
 pub fn bowl() -> Source {
     Source {
         parameters: entries(&[("m", "0.2 kg"), ("r", "0.05 m"), ("g", "9.81 m/s^2")]),
@@ -109,7 +109,7 @@ pub fn bowl() -> Source {
     }
 }
 
-/// Two bodies, the angular velocity of the second along the axes of the first.
+/// Two bodies on ball joints. The quasi-velocities of the second are components of its angular velocity along the axes of the first.
 pub fn joined_bodies() -> Source {
     Source {
         parameters: entries(&[

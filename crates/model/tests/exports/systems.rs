@@ -1,4 +1,4 @@
-//! Systems whose equations are written as code.
+//! Systems whose equations are exported as code.
 
 use dalembert_model::{BodySource, ConstraintSource, Entry, InertiaSource, LoadSource, Source};
 
@@ -6,7 +6,7 @@ pub fn entries(list: &[(&str, &str)]) -> Vec<Entry> {
     list.iter().map(|&entry| entry.into()).collect()
 }
 
-/// Letters that are words of the languages, a start in radians, a turn by thirty degrees.
+/// An oscillator whose parameters are named like keywords of the target languages, in a frame rotated by 30 degrees.
 pub fn oscillator() -> Source {
     Source {
         parameters: entries(&[("double", "2 kg"), ("lambda", "30 N/m"), ("fn", "0.4 N s/m"), ("M", "1.5 m")]),
@@ -23,7 +23,7 @@ pub fn oscillator() -> Source {
     }
 }
 
-/// No parameter, no letter.
+/// A falling particle, without any parameter.
 pub fn faller() -> Source {
     Source {
         coordinates: entries(&[("y", "m")]),
@@ -34,7 +34,7 @@ pub fn faller() -> Source {
     }
 }
 
-/// A mass that meets a stiff stop, by a condition, and slides with a friction that saturates.
+/// A particle with a stiff stop, given by a condition, and with a smoothed friction force `f tanh(x'/w)`.
 pub fn stop() -> Source {
     Source {
         parameters: entries(&[("m", "2 kg"), ("k", "300 N/m"), ("f", "0.7 N"), ("w", "0.1 m/s")]),
@@ -118,7 +118,7 @@ pub fn slider_crank() -> Source {
     }
 }
 
-/// A top about a fixed point, dragged by the air, in a frame that turns freely or by three angles.
+/// A top about a fixed point with air drag. Its frame is free or given by three angles, according to the arguments.
 pub fn top(coordinates: &[(&str, &str)], frames: &[(&str, &str)]) -> Source {
     let entry = |text: &str| Some(text.into());
     let moments = [entry("A"), entry("1.2*A"), entry("C"), None, None, None];
@@ -158,7 +158,7 @@ pub fn turned_top() -> Source {
     )
 }
 
-/// A body on a slide, its frame free, its corner on a plane.
+/// A free body whose corner stays on a plane; its speed in one direction of the plane is zero.
 pub fn pinned_plate() -> Source {
     Source {
         coordinates: entries(&[("x", "m"), ("z", "m")]),
@@ -172,7 +172,7 @@ pub fn pinned_plate() -> Source {
     }
 }
 
-/// A disc that rolls without slipping, in the components of its angular velocity along axes that do not spin.
+/// A disc that rolls without slipping. The quasi-velocities are components of its angular velocity along axes that do not spin with it.
 pub fn rolling_disc() -> Source {
     let entry = |text: &str| Some(text.into());
     let moments = [entry("m*r^2/4"), entry("m*r^2/2"), entry("m*r^2/4"), None, None, None];
@@ -208,7 +208,7 @@ pub fn rolling_disc() -> Source {
     }
 }
 
-/// A top whose corner is led along a path, in quasi-velocities along axes of its own.
+/// The body of [`pinned_plate`] with quasi-velocities. A stabilised constraint makes the height of its corner follow a function of time.
 pub fn led_plate() -> Source {
     let mut plate = pinned_plate();
     plate.speeds = entries(&[

@@ -1,4 +1,4 @@
-//! A free frame against three turns, by their codes.
+//! Two generated programs of one top must give one motion: with a free frame (quaternion) and with three angles.
 
 use crate::systems::{free_top, turned_top};
 use crate::{Case, answers, code, folder, output};
@@ -7,7 +7,7 @@ use std::fs;
 use std::process::Command;
 use symbolic::Language;
 
-/// The top of three angles and the free one, each by its own code and the same steps: the axis and a mark on the rim are in one place.
+/// Both programs take the same Runge-Kutta steps; the final orientations must coincide.
 #[test]
 fn the_code_of_a_free_top_moves_it_as_that_of_three_turns() {
     if !answers("python3", &["-c", "import numpy"]) {
@@ -37,6 +37,6 @@ fn the_code_of_a_free_top_moves_it_as_that_of_three_turns() {
     let source = folder("python").join("both_tops.py");
     fs::write(&source, text).expect("the code is written");
     let apart: f64 = output(Command::new("python3").arg(&source)).trim().parse().expect("a number");
-    // half of the square of half the angle between them
+    // 1 - |p . q| of two unit quaternions is a^2/8 for a small angle a between the orientations
     assert!(apart.abs() < 1e-10, "{apart}");
 }

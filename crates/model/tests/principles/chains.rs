@@ -34,7 +34,7 @@ fn a_chain_too_long_for_its_normal_form_is_proved_for_any_masses() {
     });
 }
 
-/// Twenty links are formed, compared and decided; the work of each comparison is counted before it begins.
+/// The effort of each comparison of principles is announced before its start, and the comparisons end in proofs for twenty links.
 #[test]
 fn a_chain_in_space_has_its_work_told_and_its_principles_proved() {
     let model = Model::of(&spatial_chain(20)).unwrap_or_else(|faults| panic!("{faults:?}"));

@@ -1,4 +1,4 @@
-//! Bodies that turn freely: turns about their axes do not commute.
+//! Bodies with free frames: rotations about their axes do not commute.
 
 use crate::systems::entries;
 use crate::{agree, loads::are_one, motions::vanish, statements::says_of};
@@ -17,7 +17,7 @@ fn body(name: &str, frame: &str, centre: &str, moments: [&str; 3]) -> BodySource
     }
 }
 
-/// Two heavy tops on fixed points; a torque on the second goes with the spin of the first.
+/// Two heavy tops about fixed points. A torque on the second depends on the spin of the first.
 fn tops() -> Source {
     Source {
         parameters: entries(&[
@@ -43,7 +43,8 @@ fn principles_agree_on_two_frames_that_turn_freely() {
     agree(&tops());
 }
 
-/// Euler: a body with equal moments of inertia about y and z keeps its spin about x; with three different ones, only energy.
+/// Euler's rigid body without torque: with equal moments of inertia about y and z, the angular momentum about x is constant as well as
+/// the energy; with three different moments, `prove` states only the energy.
 #[test]
 fn the_spin_of_a_free_body_is_kept_about_an_axis_of_symmetry_alone() {
     let free = |moments: [&str; 3]| {
@@ -61,7 +62,7 @@ fn the_spin_of_a_free_body_is_kept_about_an_axis_of_symmetry_alone() {
     assert_eq!(says_of(&free(["J", "K", "K"])), ["energy: (T + V)' is zero", "momentum of F.wx: (dT/dF.wx)' is zero"]);
 }
 
-/// Successive turns at the start: the axes of frames that are turned by them.
+/// Start values of a free frame as successive rotations: its axes must equal those of frames given by the same rotations.
 #[test]
 fn a_free_frame_starts_as_frames_that_are_turned_one_after_the_other() {
     let pairs = ["x", "y", "z"].map(|a| ["x", "y", "z"].map(|b| (format!("{a}{b}"), format!("F.{a} . C.{b}"))));
@@ -110,7 +111,7 @@ fn the_parts_of_an_angular_velocity_are_those_of_their_frame() {
             "angular_velocity(H) - H.wx*H.x - H.wy*H.y - H.wz*H.z",
         ],
     );
-    // a force along one of them is a torque about the axis
+    // the generalised force along `H.wz` equals a torque about H.z
     let torque = LoadSource { on: Some("H".into()), is: "c*F.wy*H.z".into(), ..LoadSource::default() };
     let along = LoadSource { along: Some("H.wz".into()), is: "c*F.wy".into(), ..LoadSource::default() };
     are_one(&[
@@ -119,7 +120,7 @@ fn the_parts_of_an_angular_velocity_are_those_of_their_frame() {
     ]);
 }
 
-/// The axes of both frames move with their angular velocities, and keep length one: by the quaternions alone.
+/// The rates of the axes of free frames are w x e, and the axes are unit vectors; verified from the quaternions.
 #[test]
 fn axes_of_free_frames_move_by_their_angular_velocities() {
     let (f, h) = ("angular_velocity(F)", "angular_velocity(H)");

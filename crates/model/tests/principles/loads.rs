@@ -1,4 +1,4 @@
-//! Loads of every kind, against equivalent energies and forces along coordinates.
+//! Loads of every kind, compared with equivalent energies and generalised forces.
 
 use crate::statements::says_of;
 use crate::systems::{entries, parameters};
@@ -6,7 +6,7 @@ use dalembert_model::principles::Principle;
 use dalembert_model::{BodySource, LoadSource, MatrixForm, Model, Source, Trace};
 use symbolic::{Decision, Hypotheses, Sym, apart};
 
-/// Every principle gives one and the same residual for all of these systems, which are different texts for one system.
+/// Asserts that all sources describe one system: every principle gives one residual for all of them.
 pub fn are_one(sources: &[Source]) {
     let models = sources.iter().map(|source| Model::of(source).unwrap_or_else(|faults| panic!("{faults:?}")));
     let models: Vec<Model> = models.collect();
@@ -32,7 +32,7 @@ fn between(first: &str, second: &str, is: &str) -> LoadSource {
     LoadSource { between: Some([first.into(), second.into()]), is: is.into(), ..LoadSource::default() }
 }
 
-/// A spring and a damper in line with two particles of a plane.
+/// A spring and a damper between two particles, as a force and as energies.
 #[test]
 fn a_force_between_two_particles_is_that_of_the_energy_of_their_spring() {
     let free = Source {
@@ -45,18 +45,18 @@ fn a_force_between_two_particles_is_that_of_the_energy_of_their_spring() {
     let by_force = vec![between("P", "Q", "-k*(distance(P, Q) - h) - c*rate(distance(P, Q))")];
     let by_energies = entries(&[
         ("potential", "k/2*(distance(P, Q) - h)^2"),
-        // Rayleigh's function is half the power that is lost
+        // Rayleigh's dissipation function is half the dissipated power
         ("dissipation", "c/2*rate(distance(P, Q))^2"),
     ]);
     let all = [Source { forces: by_force, ..free.clone() }, Source { energies: by_energies, ..free }];
     are_one(&all);
-    // V of the spring is counted as energy, or its force as a power
+    // whether the spring is a potential energy or a force, the damper dissipates
     for source in all {
         assert_eq!(says_of(&source)[0], "energy: (T + V)' is the power of the forces");
     }
 }
 
-/// Two pendulums on one axis with a spring and a damper between them.
+/// Two pendulums about one axis, coupled by a spring and a damper.
 fn coupled() -> Source {
     Source {
         parameters: parameters(),
@@ -96,7 +96,8 @@ fn forces_of_every_kind_stand_on_the_right_of_the_matrix_form() {
     apart(|| {
         let trace = Trace::of(&model);
         let [c, k, l, m, g, rate] = ["c", "k", "l1", "m1", "g", "a'"].map(Sym::symbol);
-        // by hand: the torque c a' minus twice that, force and weight at their arms; the gradient of the potential balances k
+        // derived by hand: terms of the torque c a', the dissipation -2 c a', force and weight with their lever arms; the gradient of the
+        // potential cancels the generalised force k
         let by_hand = k * l - c * rate - m * g * l * sine("a");
         for principle in Principle::ALL {
             let form = MatrixForm::of(&trace, principle).expect("it applies");

@@ -1,4 +1,4 @@
-//! Every principle gives the same equations, for every model.
+//! Every principle of mechanics gives the same equations, for every model.
 
 mod chains;
 mod free_frames;
@@ -51,16 +51,16 @@ fn principles_agree_on_systems_with_constraints_and_in_space() {
     agree(&two_bodies());
     agree(&chain(3));
     let held_by = |source: Source, zero: &[&str]| Source { constraints: vec![held("held", zero)], ..source };
-    // reactions along letters, along axes that turn, and of speeds that are not linear
+    // constraints on coordinates, along moving axes, and nonlinear in the speeds
     agree(&held_by(disc(), &["lean - (1 rad/s)*t", "x'^2 + y'^2 - (1 m/s)^2", "(G - F) . C.x"]));
     agree(&held_by(disc(), &["velocity(G in C) . B.y", "rate((G - F) . B.x)", "angular_velocity(disc in B) . C.y"]));
     agree(&held_by(two_bodies(), &["cross(K - G, S.y)", "distance(O, K) - (1 m)"]));
-    // every operation by which a constraint can be written
+    // every operation that can occur in a constraint
     agree(&held_by(disc(), &["x/(y - r) - tan(spin)", "unit(G - F) . C.y", "atan2(x, y) - exp(lean)*tanh(heading)"]));
     agree(&held_by(disc(), &["norm(rate(G - F in C)) - h*heading'^2/lean'", "cross(velocity(G in D), C.x) . B.z"]));
 }
 
-/// A point and a frame without a body, which move with the bodies' coordinates and are fixed in none of them.
+/// Loads on a point and a frame that belong to no body but depend on the coordinates.
 #[test]
 fn loads_act_on_points_and_frames_without_a_body() {
     let on = |on: &str, is: &str| LoadSource { on: Some(on.into()), is: is.into(), ..LoadSource::default() };
@@ -74,7 +74,7 @@ fn loads_act_on_points_and_frames_without_a_body() {
     agree(&source);
 }
 
-/// A mass that grows with the distance or the time is taken as solidified at each instant.
+/// A mass that depends on position or time is treated as constant at each instant.
 #[test]
 fn a_mass_that_varies_has_one_law_by_every_principle() {
     let mut source = sleigh();
@@ -92,13 +92,13 @@ fn constraints_of_speeds_are_integrable_or_not_as_frobenius_says() {
     assert_eq!(kind(&sleigh()), rolls);
     let held_by = |zero: &[&str]| Source { constraints: vec![held("held", zero)], ..disc() };
     assert_eq!(kind(&held_by(&["velocity(disc at P) . N.x", "velocity(disc at P) . N.y"])), rolls);
-    // straight ahead: x' = r spin'
+    // rolling straight ahead: x' = r spin'
     let straight = ["x' - r*spin'", "y'", "heading'", "lean'"];
     assert_eq!(kind(&held_by(&straight)), "constraints of speeds: integrable (Frobenius, identified)");
-    // the centre stays on a sphere and the heading follows: three directions, gradients that are not constant
+    // integrable constraints with variable gradients; three degrees of freedom remain
     let on_sphere = ["x*x' + y*y' + (1 m^2)*lean*lean'", "heading' - lean*spin' - spin*lean'"];
     assert_eq!(kind(&held_by(&on_sphere)), "constraints of speeds: integrable (Frobenius, identified)");
-    // a moving belt is no constraint of directions, nor is a constraint whose gradient depends on time
+    // Frobenius' theorem is applied only to constraints that are linear and homogeneous in the speeds and free of time
     for (open, why) in [
         ("x' - r*spin' - (1 m/s)", "a constraint is affine, and not homogeneous, in the speeds"),
         ("x' - (1 m/s)*t*spin'", "a constraint holds the time"),
@@ -107,7 +107,7 @@ fn constraints_of_speeds_are_integrable_or_not_as_frobenius_says() {
         let told = format!("constraints of speeds: it is not decided whether they are integrable, since {why}");
         assert_eq!(kind(&held_by(&[open])), told, "{open}");
     }
-    // one direction is left: a one-dimensional distribution is integrable
+    // one degree of freedom remains: a one-dimensional distribution is integrable
     assert_eq!(
         kind(&held_by(&["x' - r*spin'*cos(lean)", "y' - heading'*x", "lean' - spin'", "heading' - spin'*cos(lean)"])),
         "constraints of speeds: integrable (Frobenius, identified)"
@@ -131,7 +131,7 @@ fn constraints_are_told_apart_by_what_they_speak_of() {
     let model = Model::of(&source).unwrap_or_else(|faults| panic!("{faults:?}"));
     let told = apart(|| dalembert_model::constraints(&Trace::of(&model)));
     let kinds = ["of speeds, linear", "of positions, with the time", "of speeds, affine", "of speeds, nonlinear"];
-    // beside them, whether all are integrable
+    // one more sentence states whether all are integrable
     assert_eq!(told.len(), kinds.len() + 1);
     for (told, kind) in told.iter().zip(kinds) {
         assert!(told.ends_with(kind), "{told}");

@@ -1,10 +1,10 @@
-//! Velocities and accelerations of points, against independent derivations.
+//! Velocities and accelerations of points, compared with independent derivations.
 
 use crate::systems::{disc, entries, two_bodies};
 use dalembert_model::{Model, Source, Trace};
 use symbolic::{Hypotheses, apart};
 
-/// These vectors are zero whatever the motion.
+/// Asserts that vector expressions are zero for every motion.
 pub fn vanish(source: Source, vectors: &[&str]) {
     let along = |axis: &str| -> Vec<(String, String)> {
         vectors.iter().enumerate().map(|(k, is)| (format!("{axis}{k}"), format!("({is}) . N.{axis}"))).collect()
@@ -22,7 +22,7 @@ pub fn vanish(source: Source, vectors: &[&str]) {
     });
 }
 
-/// The end E of the arm is a point of the arm and has coordinates of its own; the pin of the hand stands there.
+/// The point E of the arm depends on coordinates of its own definition; the pin of the hand is there. Arm and hand must move it alike.
 #[test]
 fn a_point_of_a_body_moves_as_the_body_does() {
     vanish(
@@ -36,7 +36,7 @@ fn a_point_of_a_body_moves_as_the_body_does() {
     );
 }
 
-/// The relative motion and what its frame adds: Coriolis's composition of velocities and accelerations.
+/// Coriolis: velocity and acceleration relative to a moving frame, composed with the motion of the frame.
 #[test]
 fn a_motion_seen_from_a_frame_lacks_what_the_frame_adds() {
     let w = "angular_velocity(C)";

@@ -1,4 +1,4 @@
-//! Principles that take account of the constraints: Maggi, Shulgin.
+//! Principles that eliminate the reactions of constraints: Maggi's and Shulgin's equations.
 
 use crate::systems::{double_pendulum, entries, held, rolling_disc, sleigh, slider_crank};
 use dalembert_model::equations::{Characteristics, constraints_of};
@@ -11,7 +11,7 @@ fn found(source: &Source, projection: Projection) -> Result<Projected, String> {
     apart(|| projected_agreement(&Trace::of(&model), projection).map_err(|why| why.to_string()))
 }
 
-/// A disc on a belt that is accelerated.
+/// A disc that rolls on an accelerated belt.
 fn belt() -> Source {
     let drives = held("belt", &["velocity(disc at P) . N.x - (1 m/s^2)*t", "velocity(disc at P) . N.y"]);
     Source { constraints: vec![drives], ..rolling_disc() }
@@ -24,7 +24,7 @@ fn maggi_and_shulgin_agree_with_multipliers() {
         source
     };
     let losing = varying(slider_crank(), "m - (0.1 kg/s)*t");
-    // a mass by a dependent speed, which the constraints give
+    // a mass that depends on a speed; the constraints determine this speed from others
     let fast = varying(sleigh(), "m + (0.1 kg s/m)*y' + (0.2 kg/m)*x");
     for source in [sleigh(), rolling_disc(), slider_crank(), belt(), losing, fast] {
         for projection in Projection::ALL {
@@ -34,7 +34,7 @@ fn maggi_and_shulgin_agree_with_multipliers() {
     }
 }
 
-/// Dependent speeds and accelerations put back into the constraints' rates, for every independent one.
+/// Substituting the dependent speeds and accelerations makes the constraints' first and second rates zero for all independent ones.
 #[test]
 fn the_motion_by_independent_speeds_keeps_the_constraints() {
     for source in [sleigh(), rolling_disc(), slider_crank(), belt()] {
@@ -52,7 +52,8 @@ fn the_motion_by_independent_speeds_keeps_the_constraints() {
     }
 }
 
-/// A ball that is no sphere inside rolls, its orientation free: turns of its frame do not commute, with the constraints in T or without.
+/// A rolling ball with unequal moments of inertia and a free frame: rotations of the frame do not commute. Maggi's and Shulgin's equations
+/// must take this into account.
 #[test]
 fn free_frames_are_taken_along() {
     let some = |text: &str| Some(text.into());
@@ -75,7 +76,7 @@ fn free_frames_are_taken_along() {
         constraints: vec![held("rolling", &["velocity(ball at P) . N.x", "velocity(ball at P) . N.y"])],
         ..Source::default()
     };
-    // virtual power, Appell, Gauss and Newton-Euler need no rule of turns that do not commute
+    // virtual power, Appell, Gauss and Newton-Euler do not use the commutation rule of free frames
     crate::agree(&ball);
     for projection in Projection::ALL {
         let Projected { agreement, points } = found(&ball, projection).expect("it applies");

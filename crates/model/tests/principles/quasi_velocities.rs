@@ -1,4 +1,4 @@
-//! Equations in quasi-velocities: against textbooks, against multipliers, and by every principle that uses them.
+//! Equations in quasi-velocities, compared with textbooks, with the multiplier equations and between all principles.
 
 use crate::systems::{double_pendulum, entries, held, rolling_disc, sleigh, slider_crank};
 use dalembert_model::equations::Equations;
@@ -21,7 +21,7 @@ fn sleigh_along() -> Source {
     with(sleigh(), &[("v", "velocity(P) . B.x"), ("w", "psi'")])
 }
 
-/// Components along axes that follow the disc and do not spin with it.
+/// The rolling disc. Its quasi-velocities are components of the angular velocity along axes that follow the disc without spinning.
 fn rolling() -> Source {
     with(
         rolling_disc(),
@@ -33,7 +33,7 @@ fn rolling() -> Source {
     )
 }
 
-/// A body that turns about its centre and is resisted about one axis.
+/// A free rigid body about its centre, with viscous drag about one axis.
 fn tumbling() -> Source {
     let entry = |text: &str| Some(text.into());
     let moments = [entry("A"), entry("B"), entry("C"), None, None, None];
@@ -52,7 +52,7 @@ fn tumbling() -> Source {
     }
 }
 
-/// A ball on a turntable whose speed grows: affine constraints with the time, a free frame, speeds along axes that turn.
+/// A ball on a turntable whose angular velocity grows: rheonomic affine constraints, a free frame, components along moving axes.
 fn ball_on_a_turntable() -> Source {
     let entry = |text: &str| Some(text.into());
     let moments = [entry("J"), entry("J"), entry("1.5*J"), None, None, None];
@@ -83,7 +83,7 @@ fn ball_on_a_turntable() -> Source {
     }
 }
 
-/// Every kind of load, a constraint that is affine with the time, and one that is programmed.
+/// A sleigh with loads of every kind, a rheonomic affine constraint and a stabilised constraint.
 fn led() -> Source {
     let mut source = sleigh_along();
     source.parameters.extend(entries(&[("k", "3 N/m"), ("c", "0.4 N s/m"), ("n", "0.2 N m s")]));
@@ -120,7 +120,8 @@ fn principles_agree_in_quasi_velocities() {
     }
 }
 
-/// As many angles, each quasi-velocity a sum of all their rates: one block, by cofactors or, where it is large, by elimination.
+/// A particle with `count` angles. Every quasi-velocity is a linear combination of all rates, so all are solved as one block: by
+/// cofactors, or by elimination if the block is large.
 fn tied(count: usize) -> Source {
     let angles: Vec<String> = (0..count).map(|i| format!("a{i}")).collect();
     let sum = |i: usize| (0..count).map(|j| format!("cos({}*a{i})*a{j}'", j + 1)).collect::<Vec<_>>().join(" + ");
@@ -191,15 +192,15 @@ fn equations_with_letters_for_slopes_are_those_without() {
     assert!(letters > 10, "{letters}");
 }
 
-/// The letters of a point, by their names.
+/// Values of symbols by name.
 type Values = HashMap<String, f64>;
 
 fn value(expression: Sym, values: &Values) -> f64 {
     expression.evaluate_analytic(&|name| values.get(name).copied()).expect("every letter has a value")
 }
 
-/// Accelerations by multipliers and pivots, in the rates of coordinates, give the rates of the quasi-velocities: an independent
-/// way, without directions.
+/// The accelerations of the multiplier equations, in rates of coordinates and solved by pivoting, must satisfy the equations in
+/// quasi-velocities. Both ways are independent of each other.
 #[test]
 fn the_equations_have_the_accelerations_of_those_with_multipliers() {
     for source in all() {
@@ -227,7 +228,7 @@ fn the_equations_have_the_accelerations_of_those_with_multipliers() {
             for principle in QuasiPrinciple::ALONG_ANY {
                 let residual = principle.residual(&quasi).expect("it applies");
                 for (r, (&w, residual)) in quasi.symbols.iter().zip(residual).enumerate() {
-                    // programmed constraints keep their reactions
+                    // a stabilised constraint is not eliminated: its reaction remains in the equations
                     let reaction: f64 = (quasi.programmed.iter())
                         .map(|one| {
                             let power = quasi.by_quasi_velocities(&[one.rate])[0].diff(w);
@@ -242,7 +243,7 @@ fn the_equations_have_the_accelerations_of_those_with_multipliers() {
     }
 }
 
-/// The printed equations of textbooks, as residuals over the letters of a model.
+/// Asserts that equations printed in textbooks, given as residuals in the model's symbols, equal the equations of every principle.
 fn beside(source: &Source, printed: &[&str]) {
     let model = model(source);
     apart(|| {
@@ -262,20 +263,20 @@ fn beside(source: &Source, printed: &[&str]) {
     });
 }
 
-/// Neimark and Fufaev; Bloch, Nonholonomic Mechanics and Control, 1.7.
+/// Chaplygin's sleigh: Neimark and Fufaev; Bloch, Nonholonomic Mechanics and Control, 1.7.
 #[test]
 fn the_sleigh_has_the_equations_of_textbooks() {
     beside(&sleigh_along(), &["m*v' - m*a*w^2 - F", "(J + m*a^2)*w' + m*a*v*w"]);
 }
 
-/// Euler's equations, with a torque.
+/// Euler's equations of a rigid body with a drag torque.
 #[test]
 fn a_body_has_the_equations_of_euler() {
     beside(&tumbling(), &["A*p' + (C - B)*q*s + k*p", "B*q' + (A - C)*p*s", "C*s' + (B - A)*p*q"]);
 }
 
-/// The rolling disc of textbooks (Kane and Levinson, Dynamics, 5.6), turned to the axes of the model: moments of inertia A across and
-/// B about the axis of the disc, lean as in the file.
+/// The rolling disc of Kane and Levinson, Dynamics, 5.6, rewritten for the axes and the lean angle of the model. The moments of inertia
+/// are A across the axis of the disc and B about it.
 #[test]
 fn the_rolling_disc_has_the_equations_of_textbooks() {
     beside(
@@ -312,7 +313,7 @@ fn the_matrix_form_has_kinematic_equations_and_no_reactions() {
     assert!(!text.contains("lambda"), "{text}");
 }
 
-/// Drag that no polynomial of the speeds is, and a force by a condition, whose bracket is over the quasi-velocities too.
+/// A drag that is no polynomial in the speeds, and a conditional force: both are printed in quasi-velocities.
 #[test]
 fn forces_that_are_no_polynomials_are_written_as_they_are() {
     let mut source = sleigh_along();

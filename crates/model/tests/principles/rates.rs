@@ -1,4 +1,4 @@
-//! Rates in places where no law allows them are refused by name.
+//! Speeds and accelerations in expressions that may not contain them are refused by name.
 
 use crate::systems::{double_pendulum, entries, held, sleigh};
 use dalembert_model::{Model, Source};
@@ -37,7 +37,7 @@ fn constraints_masses_and_energies_hold_no_accelerations() {
     assert!(dissipation.contains("the dissipation holds accelerations"), "{dissipation}");
 }
 
-/// A force by accelerations has no place in a symmetric mass matrix.
+/// Acceleration-dependent forces would make the mass matrix unsymmetric.
 #[test]
 fn loads_hold_no_accelerations() {
     let load =
@@ -52,7 +52,7 @@ fn loads_hold_no_accelerations() {
     assert!(torque.contains("a torque holds accelerations"), "{torque}");
 }
 
-/// A rate of the time alone is no speed.
+/// The rate of a function of time alone is not a speed: positions may contain it.
 #[test]
 fn rates_of_the_time_may_stand_in_positions() {
     let points = entries(&[("P", "O + (1 m s)*rate(sin(t*(1 rad/s)))*N.x - l1*A.y"), ("Q", "P - l2*B.y")]);

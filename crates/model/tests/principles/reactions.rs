@@ -1,11 +1,11 @@
-//! Loads of joints and reactions of constraints, against those known by hand.
+//! Joint loads and constraint reactions, compared with results derived by hand.
 
 use crate::systems::{double_pendulum, entries, held, rolling_disc, sleigh, slider_crank};
 use dalembert_model::equations::Equations;
 use dalembert_model::{Model, Source, Trace};
 use symbolic::{Hypotheses, Sym, apart, substitute_all};
 
-/// Every output is zero along every motion: accelerations and multipliers by the equations.
+/// Asserts that every output is zero for every state, with the accelerations and multipliers of the equations substituted.
 fn vanish(source: &Source) {
     let model = Model::of(source).unwrap_or_else(|faults| panic!("{faults:?}"));
     apart(|| {
@@ -29,7 +29,8 @@ fn with_outputs(source: Source, outputs: &[&str]) -> Source {
     Source { outputs: entries(&pairs), ..source }
 }
 
-/// The upper rod of a double pendulum without friction carries both masses, along its own line; the lower one its own.
+/// A frictionless double pendulum: the force in the upper rod balances both masses, the force in the lower rod is along this rod and
+/// balances the lower mass.
 #[test]
 fn rods_of_a_pendulum_carry_what_hangs_on_them() {
     let free = Source { torques: Vec::new(), ..double_pendulum(false) };
@@ -45,7 +46,7 @@ fn rods_of_a_pendulum_carry_what_hangs_on_them() {
     ));
 }
 
-/// A disc that rolls: the plane carries the height's part of m (a + g), friction the other two; its joint has no torque.
+/// A rolling disc: the plane gives the vertical part of m (a + g), friction the two horizontal ones; the joint transmits no torque.
 #[test]
 fn a_rolling_disc_is_carried_by_the_plane_and_held_by_friction() {
     vanish(&with_outputs(
@@ -56,14 +57,14 @@ fn a_rolling_disc_is_carried_by_the_plane_and_held_by_friction() {
             "joint_force(disc) . N.y",
             "reaction(rolling, 1) - m*acceleration(G) . N.x",
             "reaction(rolling, 2) - m*acceleration(G) . N.y",
-            // the normal reaction acts at the point of contact, the joint stands at the centre
+            // the normal force acts at the contact point, the joint load is reduced to the centre
             "(joint_torque(disc) - cross(P - G, (joint_force(disc) . N.z)*N.z)) . C.x",
             "(joint_torque(disc) - cross(P - G, (joint_force(disc) . N.z)*N.z)) . C.y",
         ],
     ));
 }
 
-/// The pin of a slider-crank: its force along the guide accelerates the slider; across it the guide carries the rest.
+/// A slider-crank: the pin force along the guide accelerates the slider; the guide carries its transverse component.
 #[test]
 fn the_vector_of_a_loop_is_the_force_in_its_pin() {
     vanish(&with_outputs(
@@ -78,7 +79,7 @@ fn the_vector_of_a_loop_is_the_force_in_its_pin() {
     ));
 }
 
-/// By the sign convention M u' + h = J^T lambda the edge of a sleigh pushes along B.y with lambda.
+/// By the sign convention M u' + h = J^T lambda, the ice pushes the edge of a sleigh with lambda along B.y.
 #[test]
 fn a_multiplier_has_the_sign_of_its_constraint() {
     vanish(&with_outputs(
@@ -87,7 +88,7 @@ fn a_multiplier_has_the_sign_of_its_constraint() {
     ));
 }
 
-/// Power per rate: newtons for a length and for a speed, newton metres for an angle.
+/// A multiplier has the unit of power per constraint rate: N for a length and for a speed, N m for an angle.
 #[test]
 fn multipliers_have_the_unit_of_power_per_rate() {
     let mut source = sleigh();
@@ -124,14 +125,14 @@ fn loads_that_are_not_known_are_refused_by_name() {
     let energies = entries(&[("potential", "m*(9.81 m/s^2)*y")]);
     let given = told(with_outputs(Source { energies, ..sleigh() }, &["joint_force(sleigh) . N.x"]));
     assert!(given.contains("[energies] does not say on which bodies it acts"), "{given}");
-    // both absolute angles of two links stand in it, the lower one's through the joints of both links
+    // the constraint contains the absolute angles of both links, so its reaction acts on both joints
     let mut links = double_pendulum(false);
     links.constraints.push(held("gear", &["a - 2*b"]));
     let spread = told(with_outputs(links, &["joint_force(first) . N.x"]));
     assert!(spread.contains("moves more than one joint"), "{spread}");
 }
 
-/// T + V is constant without friction; momenta by hand, and their rates by Lagrange's equations.
+/// T + V is constant without friction. Energies are compared with results by hand; the units of momenta are checked.
 #[test]
 fn energies_and_momenta_are_outputs() {
     let free = Source { torques: Vec::new(), ..double_pendulum(false) };
@@ -161,7 +162,7 @@ fn energies_and_momenta_are_outputs() {
     });
     let faults = Model::of(&force).expect_err("no force holds the energy of a run");
     assert!(faults[0].title.contains("`kinetic_energy` stands in [outputs] only"), "{faults:?}");
-    // a name of the file keeps its meaning
+    // a parameter with the name of a built-in quantity takes precedence
     let mut own = with_outputs(sleigh(), &["kinetic_energy"]);
     own.parameters.push(("kinetic_energy", "3 kg").into());
     assert_eq!(Model::of(&own).expect("it is sound").outputs[0].dimension.to_string(), "kg");

@@ -1,4 +1,4 @@
-//! Energy, momenta, constraints; and the terms that mistaken derivations lose.
+//! Statements about energy, momenta and constraints, and the terms that common mistakes in a derivation lose.
 
 use crate::systems::{chain, disc, double_pendulum, entries, held, rolling_disc, sleigh, slider_crank, two_bodies};
 use dalembert_model::{Agreement, Mistake, Model, Source, Statement, Trace, mistaken, statements};
@@ -13,7 +13,7 @@ fn says(statements: &[Statement]) -> Vec<String> {
     statements.iter().map(|one| format!("{}: {}", one.subject, one.says)).collect()
 }
 
-/// All statements of a system, proved.
+/// Returns all statements about a system as text and asserts that all are proved.
 pub fn says_of(source: &Source) -> Vec<String> {
     let all = stated(source);
     for Statement { subject, agreement, .. } in &all {
@@ -48,7 +48,7 @@ fn what_is_kept_is_told() {
     );
 }
 
-/// A bead on a hoop that a motor turns: only T - T0 + V belongs to the bead, and the constraint that turns a body does work.
+/// A double pendulum on a hoop that rotates at a prescribed speed: the balance concerns Jacobi's function T2 - T0 + V, not T + V.
 #[test]
 fn what_is_driven_takes_in_energy() {
     let mut hoop = double_pendulum(true);
@@ -57,13 +57,13 @@ fn what_is_driven_takes_in_energy() {
     let [energy, ..] = &stated(&hoop)[..] else { panic!("it has an energy") };
     assert_eq!(energy.says, "(H = sum u dT/du - T + V)' is the power of the forces");
     assert!(matches!(energy.agreement, Agreement::Proved { .. }), "{}", energy.agreement);
-    // a force that acts on a body moved by the motor too: of its power the part at u = 0 is the motor's
+    // a force on a body that the drive moves too: its power at u = 0 is supplied by the drive
     let drag =
         dalembert_model::LoadSource { on: Some("P".into()), is: "-(1 kg/s)*velocity(P)".into(), ..Default::default() };
     hoop.forces = vec![drag];
     let [energy, ..] = &stated(&hoop)[..] else { panic!("it has an energy") };
     assert!(matches!(energy.agreement, Agreement::Proved { .. }), "{}", energy.agreement);
-    // a pivot that is accelerated: T depends on time explicitly
+    // an accelerated pivot: T depends on time explicitly
     let mut pivot = double_pendulum(true);
     pivot.points = entries(&[("P", "O + (1 m/s^2)*t^2*N.x - l1*A.y"), ("Q", "P - l2*B.y")]);
     let [energy, ..] = &stated(&pivot)[..] else { panic!("it has an energy") };
@@ -78,7 +78,7 @@ fn what_is_driven_takes_in_energy() {
     assert!(matches!(last.agreement, Agreement::Proved { .. }), "{}", last.agreement);
 }
 
-/// Appell and Hamel's constraint, of second degree in the speeds and homogeneous: its reaction is workless; at a prescribed speed not.
+/// Reactions of constraints that are homogeneous in the speeds do no work (Appell-Hamel: of second degree); at a prescribed speed they do.
 #[test]
 fn homogeneous_constraints_do_no_work() {
     let work = |zero: &str| {
@@ -92,7 +92,7 @@ fn homogeneous_constraints_do_no_work() {
     assert_eq!(work("x'^3 - y'^2*x'"), "J u' + c is its rate; its reaction does no work");
 }
 
-/// The balance of energy contains the power of the reaction of a driven constraint: the energy is not conserved.
+/// The energy balance contains the power of the reaction of a rheonomic constraint: energy is not conserved.
 #[test]
 fn the_reaction_of_a_drive_feeds_the_energy() {
     let driven = |zero: &str| {
@@ -109,14 +109,14 @@ fn the_reaction_of_a_drive_feeds_the_energy() {
         ]
     );
     assert_eq!(driven("a' - 2*b'")[0], "energy: (T + V)' is zero");
-    // a letter of the system is not a multiplier
+    // a parameter called `lambda1` must not be confused with the first multiplier
     let mut source = Source { torques: Vec::new(), ..double_pendulum(true) };
     source.parameters.push(("lambda1", "3 rad/s").into());
     source.constraints = vec![held("drive", &["a' - lambda1"])];
     assert_eq!(says(&stated(&source))[0], "energy: (T + V)' is the power of the reactions (multiplier1*lambda1)");
 }
 
-/// A programmed constraint is not zero along a motion: its reaction works, and its equation has the gains.
+/// A stabilised constraint is not exactly satisfied: its reaction does work, and the statement gives its equation with the gains.
 #[test]
 fn a_programmed_constraint_works_with_its_gains() {
     let mut source = Source { torques: Vec::new(), ..double_pendulum(true) };
@@ -136,7 +136,7 @@ fn a_programmed_constraint_works_with_its_gains() {
     }
 }
 
-/// A mass that varies: its rate stands in the balance of energy, and no letter of the derivation is printed.
+/// The energy balance of a variable mass contains the rate of the mass; the auxiliary symbols of the derivation are not printed.
 #[test]
 fn the_energy_of_a_mass_that_varies_is_balanced() {
     let mut source = sleigh();
@@ -156,7 +156,7 @@ fn the_energy_of_a_mass_that_varies_is_balanced() {
     });
 }
 
-/// A constraint that gains lead to zero is not zero on the way: its reaction has power there.
+/// A stabilised constraint is nonzero while it converges: its reaction has power during this time.
 #[test]
 fn a_programmed_constraint_is_led_by_its_gains() {
     let led = |zero: &str, gains: &[&str]| dalembert_model::ConstraintSource {
@@ -181,8 +181,8 @@ fn a_programmed_constraint_is_led_by_its_gains() {
     );
 }
 
-/// The rolling put into T: Lagrange's equations for heading, lean and spin alone lose m r^2 cos(lean) lean' times the rate of spin
-/// or heading.
+/// The rolling constraints substituted into T: Lagrange's equations for heading, lean and spin lose the term m r^2 cos(lean) lean' times
+/// the rate of spin or heading.
 #[test]
 fn a_rolling_disc_by_angles_alone_is_refuted_with_the_lost_terms() {
     let model = Model::of(&rolling_disc()).unwrap_or_else(|faults| panic!("{faults:?}"));
@@ -207,7 +207,7 @@ fn symbolic_cosine(name: &str) -> Sym {
     Sym::symbol(name).circle().cos
 }
 
-/// Integrable constraints of speeds lose no terms.
+/// Integrable constraints of speeds can be substituted into T without loss.
 #[test]
 fn an_integrable_constraint_loses_nothing() {
     let mut gear = double_pendulum(true);
@@ -223,7 +223,7 @@ fn an_integrable_constraint_loses_nothing() {
     });
 }
 
-/// A point in polar coordinates: S made of T has neither the centrifugal nor the Coriolis term.
+/// A point in polar coordinates: S formed like T, with accelerations in place of speeds, lacks the centrifugal and the Coriolis term.
 #[test]
 fn accelerations_in_the_kinetic_energy_lose_what_speeds_bring() {
     let source = Source {

@@ -1,4 +1,4 @@
-//! Systems that the tests share.
+//! Systems used by several tests.
 
 use dalembert_model::{BodySource, ConstraintSource, Entry, InertiaSource, LoadSource, Source};
 
@@ -38,7 +38,7 @@ pub fn double_pendulum(relative: bool) -> Source {
     }
 }
 
-/// A disc that leans, heads and spins, with a spring from its centre to a fixed point.
+/// A disc with heading, lean and spin angles and a spring from its centre to a fixed point.
 pub fn disc() -> Source {
     let entry = |text: &str| Some(text.into());
     Source {
@@ -75,7 +75,7 @@ fn some(text: &str) -> Option<dalembert_model::Text> {
     Some(text.into())
 }
 
-/// A body with one moment of inertia about z.
+/// A body with a moment of inertia about z.
 pub fn plane_body(name: &str, frame: &str, centre: &str, mass: &str, inertia: &str) -> BodySource {
     BodySource {
         name: name.into(),
@@ -87,7 +87,7 @@ pub fn plane_body(name: &str, frame: &str, centre: &str, mass: &str, inertia: &s
     }
 }
 
-/// A named constraint.
+/// A named constraint on the given expressions.
 pub fn held(name: &str, zero: &[&str]) -> ConstraintSource {
     ConstraintSource {
         name: some(name),
@@ -96,13 +96,13 @@ pub fn held(name: &str, zero: &[&str]) -> ConstraintSource {
     }
 }
 
-/// The disc of [`disc`], rolling without slipping, without its spring.
+/// The disc of [`disc`] without its spring, rolling without slipping.
 pub fn rolling_disc() -> Source {
     let slip = held("rolling", &["velocity(disc at P) . N.x", "velocity(disc at P) . N.y"]);
     Source { constraints: vec![slip], forces: Vec::new(), ..disc() }
 }
 
-/// Chaplygin's sleigh, pulled by a force along its edge.
+/// Chaplygin's sleigh with a force along its edge.
 pub fn sleigh() -> Source {
     Source {
         parameters: entries(&[("m", "1 kg"), ("J", "0.1 kg m^2"), ("a", "0.1 m"), ("F", "1 N")]),
@@ -116,7 +116,7 @@ pub fn sleigh() -> Source {
     }
 }
 
-/// A crank that a torque drives, a rod, a slider: one loop, closed by a vector.
+/// A slider-crank driven by a torque: one kinematic loop, closed by a vector equation.
 pub fn slider_crank() -> Source {
     let turns = BodySource {
         name: "crank".into(),
@@ -155,7 +155,7 @@ pub fn slider_crank() -> Source {
     }
 }
 
-/// Two bodies in space: one turns about a vertical axis and swings, the other hangs from it on a skew pin with a spring and a damper.
+/// Two bodies in space: the first yaws and swings, the second is hinged to it with a spring and a damper.
 pub fn two_bodies() -> Source {
     let body = |name: &str, frame: &str, centre: &str, mass: &str, entries: [&str; 6]| BodySource {
         name: name.into(),
@@ -195,7 +195,7 @@ pub fn two_bodies() -> Source {
     }
 }
 
-/// Links that hang from each other, each by the end of the one before.
+/// A plane chain of hinged links.
 pub fn chain(links: usize) -> Source {
     let before = |name: &str, first: &str, k: usize| if k == 1 { first.to_owned() } else { format!("{name}{}", k - 1) };
     let numbered = |line: &dyn Fn(usize) -> Vec<(String, String)>| -> Vec<Entry> {
@@ -217,7 +217,7 @@ pub fn chain(links: usize) -> Source {
     }
 }
 
-/// The same in space: hinges about z and x in turn.
+/// The chain of [`chain`] in space: its hinges have the axes z and x alternately.
 pub fn spatial_chain(links: usize) -> Source {
     let mut source = chain(links);
     let frame = |k: usize| {

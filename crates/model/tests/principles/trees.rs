@@ -1,11 +1,11 @@
-//! Accelerations over a tree of bodies, against those of the mass matrix.
+//! Accelerations computed recursively over the tree of bodies, compared with those of the mass matrix.
 
 use super::systems::{chain, disc, double_pendulum, held, sleigh};
 use dalembert_model::equations::{Equations, has_tree, solved_over_tree, vanishes};
 use dalembert_model::{LoadSource, Model, Source, Trace};
 use symbolic::apart;
 
-/// Whether both give the same for all values of all letters; none where there is no tree.
+/// Returns whether both methods give identical expressions; `None` if the system is no tree.
 fn agree(source: &Source) -> Option<bool> {
     let model = Model::of(source).unwrap_or_else(|faults| panic!("{faults:?}"));
     apart(|| {
@@ -24,7 +24,7 @@ fn bodies_in_a_tree_have_the_accelerations_of_their_mass_matrix() {
     }
 }
 
-/// Each joint of a chain is held by two constraints, whose equations are solved in an order of their own.
+/// Constrained trees: a double pendulum with one constraint and a disc with three.
 #[test]
 fn constraints_on_a_tree_have_the_multipliers_of_the_mass_matrix() {
     let mut loop_of = double_pendulum(true);

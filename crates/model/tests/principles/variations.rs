@@ -1,4 +1,4 @@
-//! The equations of motion and their derivatives, against other principles and the rates of constraints.
+//! Derivatives of the equations of motion, compared with differentiated residuals and constraints.
 
 use crate::systems::{chain, double_pendulum, entries, held, rolling_disc, slider_crank, two_bodies};
 use dalembert_model::equations::{Equations, constraints_of};
@@ -11,7 +11,8 @@ fn is_zero(what: &str, difference: Sym) {
     assert!(decided.is_zero(), "{what}: {decided}");
 }
 
-/// Values by Gauss's principle and the rates of each constraint; derivatives by the letters themselves.
+/// Asserts that the equations equal those of Gauss's principle and the rates of the constraints, and that all derivatives equal
+/// symbolic derivatives of the values.
 fn agree(source: &Source) {
     let model = Model::of(source).unwrap_or_else(|faults| panic!("{faults:?}"));
     apart(|| {
@@ -65,7 +66,7 @@ fn variations_are_the_equations_and_their_slopes() {
     }
 }
 
-/// The elimination of several accelerations and multipliers, put back into the equations.
+/// Substituting the solved accelerations and multipliers makes the equations of motion and the constraints' accelerations zero.
 #[test]
 fn accelerations_and_multipliers_fulfil_the_equations() {
     let closed =
@@ -85,7 +86,7 @@ fn accelerations_and_multipliers_fulfil_the_equations() {
     }
 }
 
-/// f'' + g1 f' + g2 f of positions, f' + g1 f of speeds.
+/// Stabilised constraints: f'' + g1 f' + g2 f of a position constraint, f' + g1 f of a speed constraint.
 #[test]
 fn gains_lead_a_constraint_to_zero() {
     let led = |zero: &str, gains: &[&str]| ConstraintSource {

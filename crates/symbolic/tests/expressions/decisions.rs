@@ -285,10 +285,10 @@ fn the_sine_and_cosine_of_a_direction_are_algebraic() {
         assert!(decide(zero, &none).is_zero(), "{zero}: {}", decide(zero, &none));
     }
     assert!(decide(point.sin - y / (x + length), &none).is_nonzero());
-    // on a circle of radius l
+    // the constraint makes the point stay on a circle of radius l
     let circle = Hypotheses::none().rule(y, 2, l * l - x * x);
     assert!(decide(point.sin * point.sin - y * y / (l * l), &circle).is_zero());
-    // its half is no function of x and y alone here: nothing is refuted by points that are none
+    // on this curve half of the angle is not determined by x and y: a point where it is chosen wrongly must not refute anything
     let half = (angle * Sym::ratio(1, 2)).circle();
     assert!(!decide(half.cos * half.cos + half.cos * half.cos - Sym::ONE - x / length, &none).is_nonzero());
 }

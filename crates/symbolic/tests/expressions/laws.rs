@@ -1,4 +1,4 @@
-//! Properties of random expressions.
+//! Properties of expressions, tested on random ones (proptest).
 
 use dalembert_symbolic::{Decision, Hypotheses, Sym, Tape, decide, normal, symbols};
 use field::laws::{circle_laws, field_laws};
@@ -6,7 +6,7 @@ use field::{Analytic, Circle, DoubleDouble, Scalar, Tangent};
 use num_dual::Dual;
 use proptest::prelude::*;
 
-/// An expression to be built over any field.
+/// The tree of a random expression; evaluated over any number type by [`Tree::over`].
 #[derive(Clone, Debug)]
 enum Tree {
     Variable(usize),
@@ -30,7 +30,7 @@ impl Tree {
             Tree::Sum(a, b) => of(a) + of(b),
             Tree::Difference(a, b) => of(a) - of(b),
             Tree::Product(a, b) => of(a) * of(b),
-            // Denominators and squares are kept positive, so that rounding never decides.
+            // The divisor 1 + b^2 and the radicand 1 + a^2 are positive: rounding cannot lead to a division by zero or a negative radicand.
             Tree::Quotient(a, b) => of(a) / (S::int(1) + of(b).squared()),
             Tree::Negation(a) => -of(a),
             Tree::Cosine(a) => of(a).circle().cos,
@@ -66,7 +66,8 @@ fn variables() -> [Sym; 3] {
     symbols(["x", "y", "z"])
 }
 
-/// With twice the digits: a normal form may have terms of 1e12 whose sum is below 1.
+/// Returns the value of the expression at a point, computed in double-double arithmetic: a normal form may have terms of 1e12 that
+/// cancel to a sum below 1.
 fn at(expression: Sym, point: [f64; 3]) -> f64 {
     let of = |place: usize| DoubleDouble::from(point[place]);
     let value = |name: &str| ["x", "y", "z"].iter().position(|known| *known == name).map(of);

@@ -1,4 +1,4 @@
-//! Expressions: algebra, decision, printing, programs.
+//! Tests of expressions: algebra, decisions, dimensions, parsing, printing, tapes.
 
 mod algebra;
 mod decisions;

@@ -1,4 +1,4 @@
-//! Texts are read as they are printed; all others are refused with their place.
+//! The parser reads printed expressions back and refuses malformed texts with the position of the error.
 
 use dalembert_symbolic::{Hypotheses, NotExpression, Reason, Sym, parse, symbols};
 use field::{Analytic, Rational, Scalar};

@@ -1,4 +1,4 @@
-//! Expressions read as they were written.
+//! Expressions are printed in the form in which they were entered, as text and as LaTeX.
 
 use dalembert_symbolic::{Sym, symbols};
 use field::{Analytic, Scalar};

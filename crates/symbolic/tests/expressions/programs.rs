@@ -1,4 +1,4 @@
-//! Tapes: straight-line programs.
+//! Tapes: straight-line programs recorded from expressions.
 
 use dalembert_symbolic::{Sym, Tape, Untapeable, apart, symbols};
 use field::{Analytic, Scalar, Tangent};
@@ -9,7 +9,7 @@ fn common_parts_are_computed_once_and_dead_ones_not_at_all() {
     let (a, b) = (x * y, y * x);
     let point = (x + y).circle();
     let tape = Tape::record(&[x, y, z], &[a + b - z, point.cos * point.cos, z.powi(5)]).unwrap();
-    // x*y, its double, the difference; two angles of the expanded sum with five operations; three products.
+    // 3: x*y, 2*x*y, 2*x*y - z; 2: cosine and sine of x, of y; 4: the expanded cos(x + y) and its square; 3: z^5.
     assert_eq!(tape.operations(), 3 + 2 + 4 + 3);
     let mut out = [0.0; 3];
     tape.over::<f64>().evaluate(&[0.5, 0.25, 2.0], &mut out);
@@ -33,11 +33,11 @@ fn what_has_no_value_cannot_be_taped() {
     assert_eq!(Tape::record(&[x], &[law]), Err(Untapeable::Function("M2(x)".into())));
     assert_eq!(Tape::record(&[x], &[x * y]), Err(Untapeable::Unbound("y".into())));
     assert_eq!(Tape::record(&[x], &[x / Sym::int(0)]), Err(Untapeable::Undefined));
-    // Given as an input, a function's value is as good as any.
+    // An unknown function can be recorded if it is itself an input.
     assert!(Tape::record(&[x, law], &[law * x]).is_ok());
 }
 
-/// The tape of a law whose products are ordered differently where some of them were known before.
+/// Records a tape of two products. The order of their factors depends on the products that the expression graph contains already.
 fn recorded() -> Tape {
     let [x, y, z] = symbols(["x", "y", "z"]);
     let outputs = [(x * y + z) * (y * z), (z * x) * (x * y)];

@@ -1,21 +1,21 @@
-//! Sentences of `prove` against numbers: each claim at a state, by differences along the motion through it.
+//! Sentences of `prove`, checked numerically at a state by difference quotients along the motion through this state.
 
 use super::mechanics::Mechanics;
 use super::numbers::{curvature, dot, slope, unit, value};
 use super::system::{State, System};
 use dalembert_model::equations::Level;
 
-/// Why a sentence is false at a state.
+/// The reason why a sentence is false at a state.
 pub type Fault = String;
 
-/// A state with the accelerations and multipliers of the motion through it.
+/// A state with the accelerations and multipliers of the motion at this state.
 pub struct At<'a, 's, 't, 'm> {
     pub mechanics: &'a Mechanics<'s, 't, 'm>,
     pub state: State,
     pub solved: Vec<f64>,
 }
 
-/// Differences within rounding and truncation, relative to the size of the compared values.
+/// Admissible error of a difference quotient, relative to the size of the compared values.
 const TOLERANCE: f64 = 1e-6;
 
 pub fn equal(claim: &str, one: f64, other: f64, size: f64) -> Result<(), Fault> {
@@ -28,12 +28,12 @@ impl<'t, 'm> At<'_, '_, 't, 'm> {
         self.mechanics.system
     }
 
-    /// The value of a printed expression.
+    /// Returns the value of a printed expression at the state.
     fn printed(&self, text: &str) -> f64 {
         value(text, &|name| self.system().letter(name, &self.state, &self.solved))
     }
 
-    /// J u of a constraint, by differences of its expression.
+    /// Returns J u of a constraint, computed from differences of the constraint function.
     fn along(&self, place: usize) -> f64 {
         let (system, state) = (self.system(), &self.state);
         let constraint = &system.constraints[place];
@@ -52,7 +52,7 @@ impl<'t, 'm> At<'_, '_, 't, 'm> {
         self.solved[self.state.u.len() + place]
     }
 
-    /// `(T + V)' is the power of the forces plus ...`
+    /// Checks a sentence such as `(T + V)' is the power of the forces plus ...`.
     pub fn energy(&self, says: &str) -> Result<(), Fault> {
         let (mechanics, system, state) = (self.mechanics, self.system(), &self.state);
         let (name, sum) = bare(says).split_once(" is ").ok_or("no sentence")?;
@@ -99,7 +99,7 @@ impl<'t, 'm> At<'_, '_, 't, 'm> {
         equal(says, rate, expected, mechanics.energy(is_whole, state, state))
     }
 
-    /// `(dT/dx')' is zero`, of a speed by its place.
+    /// Checks the sentence `(dT/dx')' is zero` for the speed with an index.
     pub fn momentum(&self, speed: usize, says: &str) -> Result<(), Fault> {
         let name = self.system().trace.speeds[speed];
         if bare(says) != format!("(dT/d{name})' is zero") {
@@ -110,7 +110,7 @@ impl<'t, 'm> At<'_, '_, 't, 'm> {
         equal(says, rate, 0.0, momentum(&self.state))
     }
 
-    /// `J u' + c is its rate; its reaction does no work`, of a constraint by its place and at any accelerations.
+    /// Checks a sentence such as `J u' + c is its rate; its reaction does no work` for a constraint, with arbitrary accelerations.
     pub fn constraint(&self, place: usize, accelerations: &[f64], says: &str) -> Result<(), Fault> {
         let (system, state) = (self.system(), &self.state);
         let (rates, work) = bare(says).split_once("; ").ok_or("no sentence")?;
@@ -141,7 +141,7 @@ impl<'t, 'm> At<'_, '_, 't, 'm> {
         }
     }
 
-    /// Newton's and Euler's law of every body, by differences; Lagrange's where a kinetic energy is given.
+    /// Checks Newton's and Euler's law of all bodies by differences; if a kinetic energy is given, Lagrange's equations.
     pub fn law(&self) -> Result<(), Fault> {
         let (mut inertia, mut left) = self.mechanics.inertia_less_forces(&self.state, &self.solved);
         if self.system().model().energies.kinetic.is_some() {
@@ -157,7 +157,7 @@ impl<'t, 'm> At<'_, '_, 't, 'm> {
             .try_for_each(|((left, reaction), size)| equal("Newton's law", *left, reaction, size))
     }
 
-    /// J^T lambda, by differences of the constraints.
+    /// Returns J^T lambda, computed from differences of the constraint functions.
     pub fn reactions(&self) -> Vec<f64> {
         let (system, state) = (self.system(), &self.state);
         let n = state.u.len();
@@ -185,7 +185,7 @@ impl<'t, 'm> At<'_, '_, 't, 'm> {
 const RELATIVE: &str = "; powers are computed with velocities less the velocities at u = 0";
 const CARRIED: &str = " with velocities less the velocities at u = 0";
 
-/// A sentence without the conditions that stand before it.
+/// Returns a sentence without its leading conditions ("at constant ...:", "between events").
 fn bare(says: &str) -> &str {
     let says =
         says.strip_prefix("at constant ").map_or(says, |rest| rest.split_once(": ").map_or(rest, |(_, says)| says));

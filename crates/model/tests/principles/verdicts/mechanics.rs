@@ -1,11 +1,12 @@
-//! Energies, powers and momenta of a system by differences of its positions: no velocity and no derivative of the model is used.
+//! Energies, powers and momenta of a system, computed only from difference quotients of positions: independent of the velocities and
+//! derivatives of the model.
 
 use super::numbers::{cross, dot, quadratic_slope, slope, slopes, unit};
 use super::system::{Numbers, State, System};
 use dalembert_model::{Body, Force, Inertia, Material, Torque, Trace};
 use symbolic::Sym;
 
-/// Places and axes with their velocities and angular velocities.
+/// Positions and axes with their rates, in components along the ground's axes.
 struct Kinematics {
     places: Vec<f64>,
     rates: Vec<f64>,
@@ -13,7 +14,7 @@ struct Kinematics {
 }
 
 impl Kinematics {
-    /// The kinematics of a state with other speeds than its own.
+    /// Returns the kinematics at a state whose speeds are replaced by `u`.
     fn of(system: &System<'_, '_>, state: &State, u: &[f64]) -> Self {
         let start = State { u: u.to_vec(), ..state.clone() };
         let places = |at: &State| system.at(&system.places, at, &[]);
@@ -34,7 +35,7 @@ impl Kinematics {
         &self.places[first..first + 3]
     }
 
-    /// w = sum e x e' / 2.
+    /// Returns the angular velocity w = sum e x e' / 2 over the three axes of a frame.
     fn turning(&self, frame: usize) -> Vec<f64> {
         let first = 3 * (self.points + 3 * frame);
         let axes = (first..first + 9).step_by(3);
@@ -44,7 +45,7 @@ impl Kinematics {
         })
     }
 
-    /// The velocity of a point of a body: the body carries it along.
+    /// Returns the velocity of the point as a point of the body: v_centre + w x r.
     fn material(&self, trace: &Trace<'_>, at: Material) -> Vec<f64> {
         let body = at.body.map(|body| &trace.model.bodies[body.0]);
         let Some(Body { frame: Some(frame), centre: Some(centre), .. }) = body else {
@@ -56,10 +57,10 @@ impl Kinematics {
     }
 }
 
-/// The mechanics of a system.
+/// Energies, powers, momenta and inertial forces of a system.
 pub struct Mechanics<'s, 't, 'm> {
     pub system: &'s System<'t, 'm>,
-    /// Mass, moments of inertia, of each body; its given energies; its loads.
+    /// Mass and six moments of inertia of each body.
     masses: Numbers,
     energies: Numbers,
     loads: Numbers,
@@ -97,7 +98,7 @@ impl<'s, 't, 'm> Mechanics<'s, 't, 'm> {
         Mechanics { system, masses, energies, loads }
     }
 
-    /// T of a state with other speeds than its own, masses of another state.
+    /// Returns T at a state with the speeds `u`; masses are evaluated at the state `masses`.
     pub fn kinetic(&self, state: &State, u: &[f64], masses: &State) -> f64 {
         let start = State { u: u.to_vec(), ..state.clone() };
         let given = self.system.at(&self.energies, &start, &[])[0];
@@ -110,7 +111,7 @@ impl<'s, 't, 'm> Mechanics<'s, 't, 'm> {
         })
     }
 
-    /// Linear and angular momentum of every body.
+    /// Returns the index, linear momentum and angular momentum of every body.
     fn momenta(&self, moving: &Kinematics, masses: &State) -> Vec<(usize, Vec<f64>, Vec<f64>)> {
         let values = self.system.at(&self.masses, masses, &[]);
         let bodies = self.system.model().bodies.iter().zip(values.chunks(7)).enumerate();
@@ -135,7 +136,7 @@ impl<'s, 't, 'm> Mechanics<'s, 't, 'm> {
         bodies.map(of).collect()
     }
 
-    /// V at a state, masses of another.
+    /// Returns V at a state; masses are evaluated at the state `masses`.
     pub fn potential(&self, state: &State, masses: &State) -> f64 {
         let given = self.system.at(&self.energies, state, &[])[1];
         let Some(gravity) = self.gravity(state).filter(|_| self.system.trace.uniform_gravity().is_some()) else {
@@ -156,7 +157,7 @@ impl<'s, 't, 'm> Mechanics<'s, 't, 'm> {
         Some(self.system.at(&self.loads, state, &[])[first..first + 3].to_vec())
     }
 
-    /// dT/du, masses of another state.
+    /// Returns dT/du of the speed with index `i`; masses are evaluated at the state `masses`.
     pub fn momentum(&self, state: &State, i: usize, masses: &State) -> f64 {
         quadratic_slope(|length| {
             let mut u = state.u.clone();
@@ -165,7 +166,7 @@ impl<'s, 't, 'm> Mechanics<'s, 't, 'm> {
         })
     }
 
-    /// T + V, or sum u dT/du - T + V, masses of another state.
+    /// Returns T + V if `is_whole`, else sum u dT/du - T + V; masses are evaluated at the state `masses`.
     pub fn energy(&self, is_whole: bool, state: &State, masses: &State) -> f64 {
         let kinetic = self.kinetic(state, &state.u, masses);
         let potential = self.potential(state, masses);
@@ -176,7 +177,7 @@ impl<'s, 't, 'm> Mechanics<'s, 't, 'm> {
         quadratic_slope(|length| self.kinetic(state, &scaled(length), masses)) - kinetic + potential
     }
 
-    /// The power of all loads but those with a potential, on the velocities with some speeds.
+    /// Returns the power of all loads without a potential: loads at the state, velocities of their points for the speeds `u`.
     pub fn power(&self, state: &State, u: &[f64], solved: &[f64]) -> f64 {
         let (trace, model) = (self.system.trace, self.system.model());
         let moving = Kinematics::of(self.system, state, u);
@@ -222,7 +223,7 @@ impl<'s, 't, 'm> Mechanics<'s, 't, 'm> {
         power - slope(resisted)
     }
 
-    /// Newton's and Euler's law of every body along a motion: inertia minus all forces, projected on the du of one speed.
+    /// Returns for each speed the inertial forces, and these minus all applied forces, projected on the partial velocities of the speed.
     pub fn inertia_less_forces(&self, state: &State, solved: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let n = state.u.len();
         let momenta = |at: &State| -> Vec<f64> {
@@ -253,7 +254,7 @@ impl<'s, 't, 'm> Mechanics<'s, 't, 'm> {
         (0..n).map(of).unzip()
     }
 
-    /// Whether some body moves where all speeds are zero.
+    /// Returns whether some body moves although all speeds are zero.
     pub fn is_carried(&self, state: &State) -> bool {
         self.kinetic(state, &vec![0.0; state.u.len()], state).abs() > 1e-9
     }

@@ -1,4 +1,4 @@
-//! The terms that a mistaken derivation loses, by differences of the energy that it uses.
+//! The terms that a mistaken derivation loses, checked by difference quotients of the energy that the derivation uses.
 
 use super::claims::{At, Fault, equal};
 use super::numbers::{quadratic_slope, slope, solved, unit};
@@ -6,10 +6,11 @@ use super::system::State;
 use dalembert_model::equations::Characteristics;
 use dalembert_model::{Mistake, Mistaken};
 
-/// Dependent speeds that grow faster are near a singular choice of theirs, where differences are poor.
+/// Largest derivative of a dependent by an independent speed. Above it, the choice of independent speeds is nearly singular and
+/// difference quotients are inaccurate.
 const MOST_STEEP: f64 = 8.0;
 
-/// The printed terms against the inertia minus its mistaken form.
+/// Checks the printed lost terms: they must equal the inertial forces minus those of the mistaken derivation.
 pub fn lost(
     at: &At<'_, '_, '_, '_>,
     characteristics: &Characteristics,
@@ -21,7 +22,7 @@ pub fn lost(
     let own: Vec<usize> = (0..n).collect();
     let (places, differences): (&[usize], Vec<f64>) = match mistake {
         Mistake::AccelerationsInEnergy => {
-            // affine in the speeds
+            // the momentum is affine in the speeds: differences of unit steps are exact
             let momentum =
                 |i: usize, u: Vec<f64>| at.mechanics.momentum(&State { u, ..at.state.clone() }, i, &at.state);
             let naive = |i: usize| {
@@ -53,7 +54,7 @@ pub fn lost(
     if says_nothing == made.lost.is_empty() { Ok(()) } else { Err("its sentence and its terms differ".to_owned()) }
 }
 
-/// (w x p)_i of a speed of a free frame, since turns about its axes do not commute; zero of another speed.
+/// Returns (w x p)_i if the speed is a component of a free frame's angular velocity (rotations about its axes do not commute), else zero.
 fn turned(at: &At<'_, '_, '_, '_>, i: usize, momentum: impl Fn(usize) -> f64) -> f64 {
     let Some(turn) = i.checked_sub(at.mechanics.system.model().coordinates.len()) else { return 0.0 };
     let first = i - turn % 3;
@@ -61,7 +62,7 @@ fn turned(at: &At<'_, '_, '_, '_>, i: usize, momentum: impl Fn(usize) -> f64) ->
     at.state.u[next] * momentum(last) - at.state.u[last] * momentum(next)
 }
 
-/// d/dt dT/du - dT/dq along the motion, masses at rest.
+/// Returns d/dt dT/du - dT/dq along the motion, with the masses kept constant.
 pub fn inertia(at: &At<'_, '_, '_, '_>, i: usize) -> f64 {
     let (mechanics, system, state) = (at.mechanics, at.mechanics.system, &at.state);
     let unit = unit(state.u.len(), i);
@@ -70,14 +71,14 @@ pub fn inertia(at: &At<'_, '_, '_, '_>, i: usize) -> f64 {
     rate + turned - slope(|length| mechanics.kinetic(&system.displaced(state, &unit, length), &state.u, state))
 }
 
-/// The kinetic energy by the independent speeds alone.
+/// The kinetic energy as a function of the independent speeds only.
 struct Reduced<'a, 'b, 's, 't, 'm> {
     at: &'a At<'b, 's, 't, 'm>,
     characteristics: &'a Characteristics,
 }
 
 impl Reduced<'_, '_, '_, '_, '_> {
-    /// The speeds of a state whose dependent ones follow from others.
+    /// Returns all speeds; the dependent ones follow from the independent ones by the constraints.
     fn speeds(&self, state: &State, independent: &[f64]) -> Vec<f64> {
         let mut u = vec![0.0; state.u.len()];
         for (&place, speed) in self.characteristics.independent.iter().zip(independent) {
@@ -101,7 +102,7 @@ impl Reduced<'_, '_, '_, '_, '_> {
         self.at.mechanics.kinetic(state, &self.speeds(state, independent), &self.at.state)
     }
 
-    /// The virtual displacement of one independent speed: N of it, a difference of two admissible speeds.
+    /// Returns the column of N for one independent speed: the difference of two admissible sets of speeds.
     fn direction(&self, place: usize) -> Vec<f64> {
         let state = &self.at.state;
         let mut other = self.independent(state);
@@ -110,7 +111,7 @@ impl Reduced<'_, '_, '_, '_, '_> {
         self.speeds(state, &other).iter().zip(one).map(|(other, one)| other - one).collect()
     }
 
-    /// Lagrange's operator on the reduced energy.
+    /// Returns Lagrange's operator d/dt dT/du - dT/dq applied to the reduced energy.
     fn naive(&self, place: usize) -> f64 {
         let (system, state) = (self.at.mechanics.system, &self.at.state);
         let momentum = |at: &State, place: usize| {
@@ -121,7 +122,7 @@ impl Reduced<'_, '_, '_, '_, '_> {
             })
         };
         let rate = slope(|length| momentum(&system.later(state, length), place));
-        // the reduced energy has no momentum along a dependent speed
+        // the reduced energy does not depend on dependent speeds
         let places = &self.characteristics.independent;
         let of_speed = |j: usize| places.iter().position(|&own| own == j).map_or(0.0, |own| momentum(state, own));
         let turned = turned(self.at, places[place], of_speed);

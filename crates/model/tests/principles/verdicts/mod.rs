@@ -1,5 +1,5 @@
-//! Every sentence that `prove` prints of many models, against numbers by another route: Newton's law, energies, momenta and
-//! constraints by differences along motions, at random consistent states.
+//! Every sentence that `prove` prints about many models is checked numerically in an independent way: Newton's law, energies, momenta
+//! and constraints by difference quotients along motions, at random consistent states.
 
 mod claims;
 mod mechanics;
@@ -18,7 +18,7 @@ use numbers::Drawn;
 use symbolic::{Sym, apart};
 use system::System;
 
-/// The models, by their names.
+/// Returns names and texts of the models in the folder `models`.
 fn corpus() -> Vec<(String, String)> {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/principles/models");
     let files = std::fs::read_dir(folder).expect("the models stand there");
@@ -32,17 +32,17 @@ fn corpus() -> Vec<(String, String)> {
     models
 }
 
-/// Whether a verdict says that both sides are equal.
+/// Returns whether a verdict states the equality of both sides.
 fn holds(agreement: &Agreement) -> bool {
     matches!(agreement.degree(), "proved" | "identified" | "tested")
 }
 
-/// The lines that are printed of a model, and all false ones among them.
+/// The printed lines of a model and the false ones among them.
 #[derive(Default)]
 struct Examined {
     lines: Vec<String>,
     faults: Vec<Fault>,
-    /// Sentences that were compared with numbers, at each state.
+    /// Number of comparisons of sentences with numbers, summed over the states.
     checks: usize,
 }
 
@@ -52,7 +52,7 @@ impl Examined {
         self.faults.extend(found.err().map(|fault| format!("{line}: {fault}")));
     }
 
-    /// A line that must not be refuted.
+    /// Records a printed line, as a fault if its verdict is a refutation. Returns whether the verdict states equality.
     fn printed(&mut self, line: String, agreement: &Agreement) -> bool {
         let line = format!("{line}: {agreement}");
         if !holds(agreement) {
@@ -63,7 +63,7 @@ impl Examined {
     }
 }
 
-/// States at which every sentence is checked.
+/// Number of states at which every sentence is checked.
 const STATES: usize = 6;
 
 fn examined(model: &Model) -> Examined {
@@ -167,7 +167,7 @@ fn every_sentence_of_every_model_holds_along_its_motions() {
     assert!(checks > 1_000, "{checks}");
 }
 
-/// Sentences that are false of their models, some of which `prove` printed once.
+/// False sentences, some of which earlier versions of `prove` printed, must be detected.
 #[test]
 fn a_false_sentence_is_found() {
     let texts = corpus();
@@ -229,7 +229,7 @@ fn a_false_sentence_is_found() {
     });
 }
 
-/// Models of random parts, the same each time.
+/// Models composed at random from a fixed seed.
 #[test]
 fn every_sentence_of_composed_models_holds_along_their_motions() {
     let count = std::env::var("COMPOSED").ok().and_then(|count| count.parse().ok()).unwrap_or(40);
@@ -239,7 +239,7 @@ fn every_sentence_of_composed_models_holds_along_their_motions() {
         let text = random_model::text(&mut drawn);
         let examined = examined(&text::model(&text));
         checks += examined.checks;
-        // constraints that contradict each other leave no motion
+        // a model with contradictory constraints has no consistent state
         let found = examined.faults.into_iter().filter(|fault| fault != "no consistent state is found");
         faults.extend(found.map(|fault| format!("{fault}\n{text}")));
     }

@@ -1,8 +1,8 @@
-//! Numbers of a test: linear equations, derivatives by differences, texts by values.
+//! Numerical tools of the tests: linear equations, difference quotients, random numbers, values of printed expressions.
 
 use dalembert_model::expression::{Form, read};
 
-/// Points of a difference and their weights: the error is of sixth order in the step.
+/// Step of the difference quotients. Their stencils have seven points and an error of sixth order.
 const STEP: f64 = 2e-4;
 const STENCIL: [(f64, f64); 6] = [
     (-3.0, -1.0 / 60.0),
@@ -22,17 +22,17 @@ const SECOND: [(f64, f64); 7] = [
     (3.0, 1.0 / 90.0),
 ];
 
-/// The derivative at zero.
+/// Returns f'(0).
 pub fn slope(f: impl Fn(f64) -> f64) -> f64 {
     STENCIL.iter().map(|(at, weight)| weight * f(at * STEP)).sum::<f64>() / STEP
 }
 
-/// The derivative at zero of a quadratic function: wide steps reduce rounding.
+/// Returns f'(0) of a quadratic function: central differences are exact, and the wide step reduces rounding errors.
 pub fn quadratic_slope(f: impl Fn(f64) -> f64) -> f64 {
     (f(1.0) - f(-1.0)) / 2.0
 }
 
-/// The derivatives at zero of several functions.
+/// Returns the derivatives at 0 of all components of a function.
 pub fn slopes(f: impl Fn(f64) -> Vec<f64>) -> Vec<f64> {
     let mut sum = vec![0.0; f(0.0).len()];
     for (at, weight) in STENCIL {
@@ -43,7 +43,7 @@ pub fn slopes(f: impl Fn(f64) -> Vec<f64>) -> Vec<f64> {
     sum
 }
 
-/// The second derivative at zero.
+/// Returns f''(0).
 pub fn curvature(f: impl Fn(f64) -> f64) -> f64 {
     SECOND.iter().map(|(at, weight)| weight * f(at * STEP)).sum::<f64>() / (STEP * STEP)
 }
@@ -56,13 +56,12 @@ pub fn cross(a: &[f64], b: &[f64]) -> Vec<f64> {
     (0..3).map(|k| a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3]).collect()
 }
 
-/// The vector of n numbers of which one is 1.
+/// Returns the unit vector with index `place` in n dimensions.
 pub fn unit(n: usize, place: usize) -> Vec<f64> {
     (0..n).map(|other| if other == place { 1.0 } else { 0.0 }).collect()
 }
 
-/// A solution of matrix * x = right by elimination with full pivots, and the number of pivots; an unknown that no equation determines
-/// is zero.
+/// Returns a solution of matrix * x = right by Gauss-Jordan elimination with full pivoting, and the rank. Unknowns without pivot are zero.
 pub fn solved(matrix: &[Vec<f64>], right: &[f64]) -> (Vec<f64>, usize) {
     let columns = matrix.first().map_or(0, Vec::len);
     let mut rows: Vec<Vec<f64>> = matrix.iter().zip(right).map(|(row, &right)| [&row[..], &[right]].concat()).collect();
@@ -88,7 +87,7 @@ pub fn solved(matrix: &[Vec<f64>], right: &[f64]) -> (Vec<f64>, usize) {
     (x, pivots.len())
 }
 
-/// Reproducible pseudo-random numbers (splitmix64), between -1 and 1.
+/// Pseudo-random numbers between -1 and 1 (splitmix64), reproducible from the seed.
 pub struct Drawn(pub u64);
 
 impl Drawn {
@@ -101,7 +100,7 @@ impl Drawn {
     }
 }
 
-/// The value of a text as `prove` prints it.
+/// Returns the value of an expression as `prove` prints it, for given values of its symbols.
 pub fn value(text: &str, letter: &impl Fn(&str) -> f64) -> f64 {
     let read = read(text).unwrap_or_else(|wrong| panic!("{wrong:?}: {text}"));
     let mut values: Vec<f64> = Vec::new();

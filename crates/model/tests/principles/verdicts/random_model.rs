@@ -1,8 +1,8 @@
-//! Models that are put together at random: every kind of part together with every other kind.
+//! Models composed at random from parts of every kind.
 
 use super::numbers::Drawn;
 
-/// Letters that all of them have.
+/// The parameters and coordinates of all models.
 const HEAD: &str = r#"
 [parameters]
 m = "1.3 kg"
@@ -50,7 +50,7 @@ const CONSTRAINTS: [&str; 12] = [
     "a' - 2*b'",
 ];
 
-/// Frames that turn freely, with constraints on them.
+/// Definitions of free frames, and constraints on such a frame.
 const FREE: [&str; 2] = ["N free", "H free"];
 const HOLDING: [&str; 5] = [
     "F.wz - (0.8 rad/s)*cos(w*t)",
@@ -60,7 +60,7 @@ const HOLDING: [&str; 5] = [
     "F.wx^2 - F.wy*F.wz",
 ];
 
-/// The text of the next model.
+/// Returns the text of the next model.
 pub fn text(drawn: &mut Drawn) -> String {
     let mut chosen = |count: usize| ((drawn.number() + 1.0) / 2.0 * count as f64) as usize % count;
     let mut text = "title = \"Composed\"\n".to_owned();

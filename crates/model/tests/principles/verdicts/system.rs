@@ -1,4 +1,4 @@
-//! A model in numbers: consistent states, its motion, and its mechanics by differences of positions alone.
+//! A model in numbers: consistent states, motions, and values of expressions.
 
 use super::numbers::{Drawn, dot, solved, unit};
 use dalembert_model::equations::{Equation, Level, constraints_of};
@@ -15,13 +15,13 @@ pub struct State {
     pub u: Vec<f64>,
 }
 
-/// Steps of one motion.
+/// Runge-Kutta steps of [`System::later`].
 const STEPS: usize = 3;
 
-/// Larger accelerations and multipliers are those of states near a singular one, where differences are poor.
+/// Bound of accelerations and multipliers: above it a state is nearly singular and difference quotients are inaccurate.
 const MOST: f64 = 60.0;
 
-/// Expressions that are evaluated together.
+/// Expressions recorded as one tape, and their number.
 pub struct Numbers(Tape, usize);
 
 pub struct System<'t, 'm> {
@@ -36,7 +36,7 @@ pub struct System<'t, 'm> {
 }
 
 impl<'t, 'm> System<'t, 'm> {
-    /// The model with parameters near those of its text.
+    /// Returns the system with parameters that differ randomly from those of the text by up to 20 %.
     pub fn of(trace: &'t Trace<'m>, drawn: &mut Drawn) -> Self {
         let model = trace.model;
         let open: Vec<Sym> =
@@ -76,7 +76,8 @@ impl<'t, 'm> System<'t, 'm> {
         Numbers::of(self.trace, &self.letters, wanted)
     }
 
-    /// Values at a state, accelerations and multipliers; conditions as they were at the drawn state.
+    /// Returns values of expressions at a state with given accelerations and multipliers (missing ones are zero). The truth values of
+    /// conditions are those of the state drawn last.
     pub fn at(&self, wanted: &Numbers, state: &State, solved: &[f64]) -> Vec<f64> {
         let mut inputs = self.constants.clone();
         inputs.push(state.time);
@@ -89,7 +90,7 @@ impl<'t, 'm> System<'t, 'm> {
         outputs
     }
 
-    /// The value of a letter by its name, lambda1 of the first multiplier among them.
+    /// Returns the value of a symbol; `lambda1` is the first multiplier.
     pub fn letter(&self, name: &str, state: &State, solved: &[f64]) -> f64 {
         if let Some(number) = name.strip_prefix("lambda").and_then(|number| number.parse::<usize>().ok()) {
             return solved[state.u.len() + number - 1];
@@ -99,7 +100,7 @@ impl<'t, 'm> System<'t, 'm> {
         self.at(&self.numbers(&[*letter]), state, solved)[0]
     }
 
-    /// The state after a time by one step of the classical Runge-Kutta method; the time is held fixed on request.
+    /// Returns the state after one step of the classical Runge-Kutta method. `time_runs` is false for displacements at constant time.
     fn stepped(
         &self,
         state: &State,
@@ -129,25 +130,25 @@ impl<'t, 'm> System<'t, 'm> {
         later(&(0..first.len()).map(mean).collect::<Vec<f64>>(), 1.0)
     }
 
-    /// The state after a time with constant accelerations.
+    /// Returns the state after a duration with constant accelerations.
     pub fn moved(&self, state: &State, accelerations: &[f64], length: f64) -> State {
         self.stepped(state, length, &|_| accelerations.to_vec(), true)
     }
 
-    /// The state after a time of the motion.
+    /// Returns the state after a duration of the motion.
     pub fn later(&self, state: &State, length: f64) -> State {
         let accelerations = |at: &State| self.motion(at).0[..at.u.len()].to_vec();
         (0..STEPS).fold(state.clone(), |at, _| self.stepped(&at, length / STEPS as f64, &accelerations, true))
     }
 
-    /// A displacement along speeds, at a fixed time.
+    /// Returns the state displaced along a direction of speeds at constant time; its speeds are unchanged.
     pub fn displaced(&self, state: &State, along: &[f64], length: f64) -> State {
         let start = State { u: along.to_vec(), ..state.clone() };
         let end = self.stepped(&start, length, &|at| vec![0.0; at.u.len()], false);
         State { u: state.u.clone(), ..end }
     }
 
-    /// A state on all constraints that are not programmed, whose conditions stay as they are; none where none is found.
+    /// Draws a state and projects it on all constraints without stabilisation. Returns `None` without convergence or near a singular state.
     pub fn drawn(&self, drawn: &mut Drawn) -> Option<State> {
         let numbers = |count: usize, drawn: &mut Drawn| (0..count).map(|_| 1.2 * drawn.number()).collect::<Vec<f64>>();
         let time = 0.7 + 0.5 * drawn.number();
@@ -177,7 +178,7 @@ impl<'t, 'm> System<'t, 'm> {
         None
     }
 
-    /// Rows and right sides of the constraints without gains, whose residual is chosen from [f, f'].
+    /// Returns rows and right sides of linearised constraints without stabilisation; the residual is f (0) or f' (1), by `place`.
     fn violated(&self, state: &State, place: impl Fn(&Equation) -> Option<usize>) -> (Vec<Vec<f64>>, Vec<f64>) {
         let n = state.u.len();
         let values = self.at(&self.held, state, &[]);
@@ -191,13 +192,13 @@ impl<'t, 'm> System<'t, 'm> {
         (rows, right)
     }
 
-    /// Rows and rates of all constraints.
+    /// Returns rows and rates of all constraints.
     pub fn rates(&self, state: &State) -> (Vec<Vec<f64>>, Vec<f64>) {
         let values = self.at(&self.held, state, &[]);
         values.chunks(state.u.len() + 3).map(|values| (values[3..].to_vec(), values[1])).unzip()
     }
 
-    /// Conditions by their signs, those inside of others first.
+    /// Sets the truth values of all conditions at a state; a nested condition precedes the condition that contains it.
     fn choose(&self, state: &State) {
         let conditions: Vec<Sym> =
             self.model().switches.iter().map(|&condition| self.trace.scalar(condition)).collect();
@@ -207,14 +208,13 @@ impl<'t, 'm> System<'t, 'm> {
         }
     }
 
-    /// J u' + c for accelerations.
+    /// Returns J u' + c of all constraints for given accelerations.
     pub fn kept(&self, state: &State, accelerations: &[f64]) -> Vec<f64> {
         let values = self.at(&self.held, state, &[]);
         values.chunks(state.u.len() + 3).map(|values| values[2] + dot(&values[3..], accelerations)).collect()
     }
 
-    /// The residual of the equations, and the accelerations and multipliers that solve M u' + h = J^T lambda, J u' + c = 0; the
-    /// number of accelerations and combinations of multipliers that they determine.
+    /// Solves M u' + h = J^T lambda, J u' + c = 0 for the accelerations and multipliers; returns the solution and the rank of the system.
     pub fn motion(&self, state: &State) -> (Vec<f64>, usize) {
         let (n, k) = (state.u.len(), self.constraints.len());
         let bias = self.at(&self.residual, state, &[]);

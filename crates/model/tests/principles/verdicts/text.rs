@@ -1,11 +1,11 @@
-//! A system in TOML, without the messages of the program.
+//! A model from a TOML text, without the diagnostics of the command-line program.
 
 use dalembert_model::{
     BodySource, ConstraintSource, Entry, EventSource, InertiaSource, InputSource, LoadSource, Model, Source, Text,
 };
 use toml::{Table, Value};
 
-/// The model of a text.
+/// Returns the model described by a text.
 pub fn model(text: &str) -> Model {
     let top: Table = text.parse().unwrap_or_else(|wrong| panic!("{wrong}: {text}"));
     let list = |name: &str| -> Vec<Table> {
