@@ -13,6 +13,7 @@ pub struct Statement {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chain {
     pub sides: Vec<Term>,
+    /// The relations, one fewer than sides.
     pub relations: Vec<Relation>,
 }
 

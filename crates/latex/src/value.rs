@@ -42,6 +42,7 @@ pub trait Meaning {
 pub struct NoValue {
     /// The range of bytes in the formula.
     pub span: Range<usize>,
+    /// The reason as a sentence.
     pub why: String,
 }
 

@@ -43,7 +43,7 @@ impl Agreement {
 }
 
 impl Agreement {
-    /// Returns the sentence of the result when an earlier line, with the title `line`, has listed equal divisors.
+    /// Returns the result as a sentence that refers to an earlier line, with the title `line`, instead of repeating its list of divisors.
     pub fn said_behind(&self, line: &str) -> String {
         match self {
             Self::Proved { divisors, at_start } if !divisors.is_empty() => {

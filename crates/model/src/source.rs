@@ -97,6 +97,7 @@ pub struct Source {
 /// Three angles that describe the orientation of a frame: successive rotations, each about the axis 0, 1 or 2 (x, y, z) of the previous frame.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct FrameAngles {
+    /// The axis of each rotation.
     pub axes: [usize; 3],
     /// The names of the angles, which follow that of the frame: `F.nutation`.
     pub names: [String; 3],
@@ -145,6 +146,7 @@ pub struct LoadSource {
     /// Two ends with opposite loads: a force along the line between two points, repulsive if positive; or a torque on the second frame, its reaction on
     /// the first.
     pub between: Option<[Text; 2]>,
+    /// The value: a vector for `on`, otherwise a scalar; for a torque between two frames a vector.
     pub is: Text,
     /// The range of bytes in the file.
     pub at: Range<usize>,
@@ -258,6 +260,7 @@ pub struct RegulatorSource {
     pub cost: Text,
     /// The cost of the deviation at the end.
     pub last: Option<Text>,
+    /// The horizon, a time; infinite if omitted.
     pub horizon: Option<Text>,
     /// Deviations at the start.
     pub displaced: Vec<Entry>,
@@ -269,6 +272,7 @@ pub struct RegulatorSource {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct EventSource {
     pub name: Option<Text>,
+    /// The expression, or a comparison of two.
     pub when: Text,
     /// `up`, `down` or `both`.
     pub direction: Option<Text>,

@@ -30,11 +30,17 @@ pub struct Variations {
 /// Expressions with their partial derivatives.
 #[derive(Clone, Debug)]
 pub struct Varied {
+    /// The expressions.
     pub values: Vec<Sym>,
+    /// The derivatives by the coordinate of each speed (for a free frame by rotations about its axes): one row per expression.
     pub by_coordinates: Vec<Vec<Sym>>,
+    /// The partial derivatives by the speeds.
     pub by_speeds: Vec<Vec<Sym>>,
+    /// The partial derivatives by the accelerations.
     pub by_accelerations: Vec<Vec<Sym>>,
+    /// The partial derivatives by the multipliers.
     pub by_multipliers: Vec<Vec<Sym>>,
+    /// The partial derivatives by the inputs.
     pub by_inputs: Vec<Vec<Sym>>,
     /// The partial derivatives by the time, one for each expression.
     pub by_time: Vec<Sym>,

@@ -23,7 +23,7 @@ pub struct Work {
 const SECONDS_AT_A_POINT: f64 = 1.2e-8;
 const BYTES: f64 = 150.0;
 
-/// Seconds per squared number of operations of a normal form; the largest value among chains and problems of other authors.
+/// Seconds per squared number of operations of a normal form; the largest value measured on chains and on problems from the literature.
 const SECONDS_OF_NORMAL_FORM: f64 = 1.0e-7;
 const BYTES_OF_NORMAL_FORM: f64 = 2.5e4;
 

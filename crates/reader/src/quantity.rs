@@ -69,7 +69,7 @@ macro_rules! quantities {
                 })?),* })
             }
 
-            /// The same parameters in another field.
+            /// Applies a function to every parameter, for example a conversion to another scalar type.
             #[inline(always)]
             pub fn map<T>(self, f: impl Fn(P) -> T) -> $name<T> {
                 $name { $($field: f(self.$field)),* }

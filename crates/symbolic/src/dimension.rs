@@ -27,18 +27,22 @@ impl Dimension {
         Self::of(0, 0, 0, 0)
     }
 
+    /// Returns the dimension of a mass (kg).
     pub fn mass() -> Self {
         Self::of(1, 0, 0, 0)
     }
 
+    /// Returns the dimension of a length (m).
     pub fn length() -> Self {
         Self::of(0, 1, 0, 0)
     }
 
+    /// Returns the dimension of a time (s).
     pub fn time() -> Self {
         Self::of(0, 0, 1, 0)
     }
 
+    /// Returns the dimension of an electric current (A).
     pub fn current() -> Self {
         Self::of(0, 0, 0, 1)
     }
@@ -157,7 +161,10 @@ pub fn dimension(expression: Sym, lookup: &impl Fn(&str) -> Option<Dimension>) -
     Ok(known[&expression])
 }
 
-/// The dimension of a function whose argument must be a number.
+/// Returns the dimension of a function value, a pure number.
+///
+/// # Errors
+/// The argument, whose dimension is `own`, is not a pure number.
 fn number(function: &'static str, argument: Sym, own: Option<Dimension>) -> Result<Option<Dimension>, Mismatch> {
     match own.filter(|dimension| *dimension != Dimension::none()) {
         Some(dimension) => Err(Mismatch::Argument { function, argument, dimension }),

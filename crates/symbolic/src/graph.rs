@@ -192,7 +192,9 @@ pub fn apart<R: Send>(work: impl FnOnce() -> R + Send) -> R {
 }
 
 impl Sym {
+    /// The constant 0.
     pub const ZERO: Sym = Sym::at(0);
+    /// The constant 1.
     pub const ONE: Sym = Sym::at(1);
     pub(crate) const MINUS_ONE: Sym = Sym::at(2);
 

@@ -37,8 +37,8 @@ impl Elaborator<'_> {
         Value::Scalar(self.scalar(Scalar::Dot(turning, along), per_second))
     }
 
-    /// Returns whether `name` is the start of a frame described by angles, or of its angular velocity. Start values of the angles
-    /// replace it.
+    /// Returns whether a start value called `name` belongs to a frame described by angles, or to its angular velocity. Such start values
+    /// are replaced by start values of the angles.
     pub(super) fn places_by_angles(&self, name: &str) -> bool {
         let frame = name.rsplit_once('.').map_or(name, |(frame, _)| frame);
         self.by_angles.iter().any(|FrameId(own)| self.model.frames[*own].name == frame)

@@ -2,7 +2,6 @@
 //!
 //! If all speeds change their signs, the terms of a load's power with even powers of the speeds stay: viscous friction dissipates in both directions. The
 //! terms with the third and higher odd powers change their sign. Terms with the first power belong to loads that do not depend on speeds.
-//! their third power, and with higher odd ones, changes its sign. The first power belongs to a load that does not depend on speeds.
 
 use crate::equations::vanishes;
 use crate::{Along, Fault, Force, Model, Torque, Trace};

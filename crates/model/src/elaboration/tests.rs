@@ -60,7 +60,7 @@ fn a_table_goes_through_its_points_on_straight_lines_and_is_constant_outside() {
     }
 }
 
-/// Compares with the standard library.
+/// Elementary functions equal those of the standard library.
 #[test]
 fn elementary_functions_are_those_of_numbers() {
     for (x, y) in [(0.3_f64, -0.8_f64), (-0.6, 0.2)] {

@@ -119,7 +119,9 @@ impl Characteristics {
 /// Dependent speeds and accelerations as pairs (symbol, expression in the independent ones).
 #[derive(Clone, Debug)]
 pub struct SolvedMotion {
+    /// The dependent speeds.
     pub speeds: Vec<(Sym, Sym)>,
+    /// The dependent accelerations.
     pub accelerations: Vec<(Sym, Sym)>,
 }
 

@@ -22,6 +22,7 @@ pub struct Equation {
     pub of: [usize; 2],
     /// The symbol of the multiplier lambda.
     pub multiplier: Sym,
+    /// The level, positions or speeds.
     pub level: Level,
     /// The expression f.
     pub zero: Sym,

@@ -30,6 +30,7 @@ pub type Part = usize;
 /// The syntax tree of an expression. Operands precede the operations on them; the last node is the whole expression.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expression {
+    /// The nodes.
     pub parts: Vec<Form>,
     /// The range of bytes of each node.
     pub spans: Vec<Range<usize>>,
@@ -84,7 +85,9 @@ pub struct Exponent {
 /// An argument of a function: an expression, optionally with a preposition as in `disc at P` and `v in B`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Argument {
+    /// The node of the expression.
     pub value: Part,
+    /// The preposition, the name after it, and the range of bytes of the name.
     pub place: Option<(Preposition, String, Range<usize>)>,
 }
 

@@ -30,7 +30,9 @@ pub struct Element {
 /// A force at a point, split into terms.
 #[derive(Clone, Debug)]
 pub(super) struct Load {
+    /// The index of the point.
     pub place: usize,
+    /// The terms of the force, in N.
     pub terms: Vec<Vector>,
 }
 

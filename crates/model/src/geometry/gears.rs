@@ -16,6 +16,7 @@ const MOST: usize = 20_000;
 pub struct Gear {
     /// The name of the constraint; empty if it has none.
     pub name: String,
+    /// The two angles.
     pub turns: [GearTurn; 2],
     /// The ratio of the second angular velocity to the first.
     pub ratio: f64,

@@ -14,6 +14,7 @@ use symbolic::Sym;
 /// A torsional spring or dashpot about a common axis of two frames.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Torsion {
+    /// The two frames.
     pub frames: [FrameId; 2],
     /// The common axis: 0, 1 or 2 for x, y or z.
     pub axis: usize,
@@ -24,6 +25,7 @@ pub struct Torsion {
 /// A torque on the second of two frames, with its reaction on the first.
 #[derive(Clone, Debug)]
 pub struct Couple {
+    /// The frame on which the reaction acts, and the frame on which the torque acts.
     pub frames: [FrameId; 2],
     /// The components along the axes of the ground, in N m.
     pub torque: [Sym; 3],

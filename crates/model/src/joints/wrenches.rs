@@ -17,7 +17,9 @@ use symbolic::Sym;
 /// The wrench of a constraint's reaction for the multiplier one.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Wrench {
+    /// Forces with their points of action.
     pub forces: Vec<(Material, Vector)>,
+    /// Torques with the frames on which they act.
     pub torques: Vec<(FrameId, Vector)>,
     /// Generalised forces along coordinates that occur by name in the constraint.
     pub along: Vec<(usize, Sym)>,

@@ -8,6 +8,7 @@ use symbolic::Dimension;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Constraint {
     pub name: Option<String>,
+    /// The expression f.
     pub zero: Zero,
     /// The dimension of f.
     pub dimension: Dimension,
@@ -15,6 +16,7 @@ pub struct Constraint {
     pub gains: Option<Vec<ScalarId>>,
     /// The position of the gains in the file; without gains, that of the constraint.
     pub gains_at: Range<usize>,
+    /// The range of bytes in the file.
     pub at: Range<usize>,
 }
 

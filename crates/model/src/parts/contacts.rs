@@ -68,6 +68,7 @@ pub struct Contact {
     pub velocity: VectorId,
     /// The components of the sliding velocity along the tangents, in m/s.
     pub slides: Vec<ScalarId>,
+    /// Whether the contact is unilateral or bilateral.
     pub sides: Sides,
     /// The symbols of N, and of T along each tangent.
     pub reactions: Vec<ScalarId>,
@@ -79,6 +80,7 @@ pub struct Contact {
     pub friction: Option<ScalarId>,
     /// The coefficient of restitution e; zero if it is omitted.
     pub restitution: Option<ScalarId>,
+    /// The law of impact.
     pub law: Restitution,
     /// The other body; `None` for the ground.
     pub with: Option<BodyId>,

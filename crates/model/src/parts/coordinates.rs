@@ -26,6 +26,7 @@ impl Coordinate {
 #[derive(Clone, Debug, PartialEq)]
 pub struct QuasiVelocity {
     pub name: String,
+    /// The expression, linear in the speeds.
     pub is: ScalarId,
     pub dimension: Dimension,
     /// The range of bytes of the name in the file.

@@ -22,21 +22,25 @@ pub struct Event {
     pub set: Vec<Assignment>,
     /// Whether the event ends the motion.
     pub ends: bool,
+    /// The range of bytes in the file.
     pub at: Range<usize>,
 }
 
 /// A coordinate or speed after an event, as a function of the state before it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assignment {
+    /// The index of the coordinate.
     pub coordinate: usize,
     /// 0 for the coordinate, 1 for its speed.
     pub order: usize,
+    /// The value after the event in SI units, a function of the state before it.
     pub is: ScalarId,
 }
 
 /// A coordinate or speed at time zero.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StartValue {
+    /// The index of the coordinate.
     pub coordinate: usize,
     /// 0 for the coordinate, 1 for its speed.
     pub order: usize,

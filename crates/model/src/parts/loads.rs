@@ -22,6 +22,7 @@ pub enum Force {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GeneralisedForce {
     pub along: Along,
+    /// The value in SI units: N along a length, N m along an angle.
     pub is: ScalarId,
 }
 
@@ -51,7 +52,9 @@ pub enum Torque {
 /// Energies that are given directly, in addition to those of the bodies.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Energies {
+    /// The kinetic energy in J.
     pub kinetic: Option<ScalarId>,
+    /// The potential energy in J.
     pub potential: Option<ScalarId>,
     /// Rayleigh's dissipation function in W; generalised forces are its negative derivatives by the speeds.
     pub dissipation: Option<ScalarId>,

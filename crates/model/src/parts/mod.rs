@@ -36,10 +36,12 @@ pub struct PointId(pub usize);
 pub struct BodyId(pub usize);
 
 impl FrameId {
+    /// The frame N of the ground.
     pub const GROUND: FrameId = FrameId(0);
 }
 
 impl PointId {
+    /// The origin O of the ground.
     pub const ORIGIN: PointId = PointId(0);
 }
 
@@ -91,6 +93,7 @@ pub struct Point {
 /// A point that moves with a body, or by itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Material {
+    /// The body that carries the point; `None` if the point moves by itself.
     pub body: Option<BodyId>,
     pub point: PointId,
 }
@@ -101,8 +104,11 @@ pub struct Body {
     pub name: String,
     /// The frame in which the body is fixed; `None` for a particle.
     pub frame: Option<FrameId>,
+    /// The centre of mass; `None` for a body that only rotates.
     pub centre: Option<PointId>,
+    /// The mass in kg; `None` for a massless body.
     pub mass: Option<ScalarId>,
+    /// The inertia about the centre of mass; `None` for a particle.
     pub inertia: Option<Inertia>,
     /// The range of bytes of the name in the file.
     pub at: Range<usize>,
@@ -147,6 +153,7 @@ pub enum Moves {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Output {
     pub name: String,
+    /// The expression, with values in SI units.
     pub is: ScalarId,
     pub dimension: Dimension,
 }
@@ -156,6 +163,7 @@ pub struct Output {
 pub struct Input {
     pub name: String,
     pub dimension: Dimension,
+    /// The coherent SI unit.
     pub unit: String,
     /// The value as a function of time and state; `None` for an input without a value.
     pub value: Option<ScalarId>,
@@ -206,6 +214,7 @@ pub struct Model {
     pub implied: Vec<Implied>,
     /// Faults of quasi-velocities that may disappear when redundant constraints of positions on the branch of the start are removed.
     pub unsettled: Vec<Fault>,
+    /// The outputs of a run; the quasi-velocities are among them.
     pub outputs: Vec<Output>,
     /// Vectors and points of definitions, by name.
     pub definitions: Vec<(String, Defined)>,

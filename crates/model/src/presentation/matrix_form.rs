@@ -20,7 +20,9 @@ use symbolic::{Node, Sym, substitute_all};
 /// multiplier the reaction acts along its row of J, the gradient of the constraint.
 #[derive(Clone, Debug)]
 pub struct MatrixForm {
+    /// The symbol of the time t.
     pub time: Sym,
+    /// The symbols of the parameters, in the order of the model.
     pub parameters: Vec<Sym>,
     /// All coordinates q; the quaternions of free frames come last.
     pub positions: Vec<Sym>,
@@ -30,6 +32,7 @@ pub struct MatrixForm {
     pub coordinates: Vec<Sym>,
     /// Rates of coordinates, then angular velocities of free frames; or quasi-velocities.
     pub speeds: Vec<Sym>,
+    /// The rates of the speeds, of length n.
     pub accelerations: Vec<Sym>,
     /// The mass matrix M, n x n by rows; symmetric.
     pub mass: Vec<Vec<Sym>>,
@@ -37,6 +40,7 @@ pub struct MatrixForm {
     pub inertia: Vec<Sym>,
     /// The vector Q, of length n.
     pub forces: Vec<Sym>,
+    /// The m scalar constraints.
     pub constraints: Vec<HeldEquation>,
     /// The multipliers lambda, one for each constraint.
     pub multipliers: Vec<Sym>,
@@ -59,7 +63,9 @@ pub struct MatrixForm {
 /// Line numbers in a file, counted from one; empty if the file is not known.
 #[derive(Clone, Debug, Default)]
 pub struct Lines {
+    /// The line of each condition.
     pub conditions: Vec<usize>,
+    /// The line of each event.
     pub events: Vec<usize>,
 }
 

@@ -35,6 +35,7 @@ fn mapped(coefficient: &Coefficient, map: &mut dyn FnMut(&[Sym]) -> Vec<Sym>) ->
 /// A divisor of the speeds as functions of the quasi-velocities.
 #[derive(Clone, Copy, Debug)]
 pub struct Divisor {
+    /// The expression of the divisor.
     pub is: Sym,
     /// Whether the divisor vanishes at the start; `None` if this is not known.
     pub vanishes_at_start: Option<bool>,

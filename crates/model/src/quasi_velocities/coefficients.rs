@@ -7,6 +7,7 @@ use symbolic::Sym;
 /// A named derivative of a speed by a quasi-velocity, or a named part of a speed that is independent of the quasi-velocities.
 #[derive(Clone, Copy, Debug)]
 pub struct Coefficient {
+    /// The symbol that represents the expression.
     pub letter: Sym,
     /// The expression, a function of coordinates and the time.
     pub is: Sym,

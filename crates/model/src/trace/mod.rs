@@ -41,9 +41,11 @@ use symbolic::{Derivation, Sym};
 /// A model over symbols: kinematics, energies and derivatives.
 pub struct Trace<'m> {
     pub model: &'m Model,
+    /// The symbol of the time t.
     pub time: Sym,
     /// The symbol of pi.
     pub pi: Sym,
+    /// The symbols of the parameters, in the order of the model.
     pub parameters: Vec<Sym>,
     /// The coordinates q; the quaternions of free frames come last.
     pub coordinates: Vec<Sym>,

@@ -8,11 +8,14 @@ use symbolic::Sym;
 /// A vector with components along the axes of a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vector {
+    /// The frame of the components.
     pub frame: FrameId,
+    /// The components along its axes x, y, z.
     pub components: [Sym; 3],
 }
 
 impl Vector {
+    /// The zero vector.
     pub const ZERO: Vector = Vector { frame: FrameId::GROUND, components: [Sym::ZERO; 3] };
 
     /// Returns the unit vector along the axis 0, 1 or 2 (x, y, z) of a frame.

@@ -32,7 +32,9 @@ impl std::error::Error for Unsolved {}
 /// The solution x = numerators / determinant of a linear system.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
+    /// The numerator of each unknown.
     pub numerators: Vec<Sym>,
+    /// The determinant of the matrix.
     pub determinant: Sym,
 }
 

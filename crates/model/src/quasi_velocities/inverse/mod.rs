@@ -3,7 +3,6 @@
 //! Constant pivots are eliminated first, in any position. The rest is brought to block triangular form; each block determines its unknowns
 //! from earlier ones: x = adj(B) b/det(B). The divisors are the determinants of the blocks; their product is det A up
 //! to a constant factor. For a block that is too large for its minors, the divisors are the pivots of an elimination.
-//! to a constant factor. For a block that is too large for its minors the pivots of an elimination are divisors.
 
 mod blocks;
 mod cofactors;

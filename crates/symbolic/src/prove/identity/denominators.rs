@@ -1,5 +1,4 @@
 //! Common denominators as products of powers of divisors.
-//! Common denominators as products of powers of divisors.
 //!
 //! A sum of quotients with common divisors contains each divisor only once. Without this, every sum would double the bound of the degree, and the
 //! elimination of a few unknowns would exceed the degree that any field can test.

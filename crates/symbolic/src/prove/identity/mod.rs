@@ -14,7 +14,6 @@
 //! Bounds: the expression is a quotient of polynomials in the random numbers. Its degree d and the number b of bits of its coefficients are bounded operation by
 //! operation. If it is not zero, it vanishes modulo a random prime with probability at most (b/60)/2^54, since at most b/60 primes of the set divide its
 //! coefficients; otherwise it vanishes at a random point with probability at most d/2^60. Products are not expanded: the cost is one operation per node and point.
-//! is expanded: the cost is one operation for each node and point.
 
 mod bounds;
 mod denominators;
