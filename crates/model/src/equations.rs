@@ -120,7 +120,7 @@ impl Equations {
         elimination::solved(self)
     }
 
-    /// Solves for the accelerations as linear functions of unknown multipliers.
+    /// Solves for the accelerations as affine functions of unknown multipliers.
     ///
     /// # Errors
     /// The first coordinate whose pivots are all the constant zero.
