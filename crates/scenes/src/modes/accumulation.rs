@@ -82,11 +82,14 @@ impl Modes {
         }
         let velocities = expansions.contacts(&Instant::at(time, state), &mode.cases);
         for &contact in struck {
-            let forwards = velocities[contact].slide.terms[0] > 0.0;
-            next.phases[contact] = match (stay.contains(&contact), stick.contains(&contact)) {
-                (false, _) => Phase::Apart,
-                (true, true) => Phase::Sticks(Face::Front),
-                (true, false) => Phase::Slips { forwards, face: Face::Front },
+            let Touching { gap_rate, slide, .. } = velocities[contact];
+            let [leaves, forwards] = [gap_rate, slide].map(|velocity| velocity.sign_of(0, SLACK));
+            next.phases[contact] = if leaves > 0.0 && !stay.contains(&contact) {
+                Phase::Apart
+            } else if forwards == 0.0 || stick.contains(&contact) {
+                Phase::Sticks(Face::Front)
+            } else {
+                Phase::Slips { forwards: forwards > 0.0, face: Face::Front }
             };
         }
         let Some(found) = expansions.at::<2>(&Instant::at(time, state), &next) else { return Ok(false) };
