@@ -1,10 +1,10 @@
 //! Charts as SVG, and the report as one self-contained HTML page.
 //!
 //! # Overview
-//! For programs that show results of runs and proofs. The crate takes plain data and contains no physics and no paper. [`Report`] is the
+//! This crate is for programs that show results of runs and proofs. It takes plain data and contains no physics and no paper. [`Report`] is the
 //! content of a page; [`page::render`] writes one HTML file without external references, for screens and for print. Each chart
-//! ([`WorkPrecision`], [`Trajectory`], [`Sphere`], [`Areas`], [`Branches`], [`Timings`], and [`Sheet`] with the charts of one run) is
-//! has a method `svg` for a separate picture; equal data give equal bytes. A [`Sketch`] is a drawing of a mechanism, still or moving.
+//! ([`WorkPrecision`], [`Trajectory`], [`Sphere`], [`Areas`], [`Branches`], [`Timings`], and [`Sheet`] with the charts of one run)
+//! has a method `svg` that returns a separate picture; equal data give equal bytes. A [`Sketch`] is a drawing of a mechanism, still or animated.
 //!
 //! Texts may contain LaTeX between dollar signs; labels inside pictures are plain text. LaTeX that cannot be typeset is
 //! shown as source text and reported in [`Page::unset`].

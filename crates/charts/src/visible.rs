@@ -1,11 +1,11 @@
-//! Foreign texts made harmless for a terminal, a page or a picture.
+//! Texts from outside the program, made safe to show in a terminal, a page or a picture.
 
 use std::borrow::Cow;
 use std::fmt::Write;
 
-/// Makes a text harmless: control characters (a terminal obeys those of C0 and C1, XML forbids them) and characters that change
-/// the direction of writing or break a line are replaced by their code, `\u001b`. Line feeds and tabs stay. The code is that of
-/// JSON: a string there keeps its value.
+/// The text with control characters, and characters that break a line or change the direction of writing, replaced by escapes such as `\u001b`. A terminal
+/// would obey such characters, and XML forbids some of them. Line feeds and tabs remain. The escapes are those of JSON,
+/// so that the value of a JSON string is unchanged.
 pub fn visible(text: &str) -> Cow<'_, str> {
     if !text.chars().any(acts) {
         return Cow::Borrowed(text);
@@ -27,7 +27,7 @@ fn acts(letter: char) -> bool {
         '\n' | '\t' => false,
         // marks, embeddings, overrides and isolates of direction
         '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => true,
-        // line and paragraph separators; what XML forbids
+        // line and paragraph separators, and characters that XML forbids
         '\u{2028}' | '\u{2029}' | '\u{fffe}' | '\u{ffff}' => true,
         _ => letter.is_control(),
     }

@@ -1,8 +1,8 @@
-//! The catalogue of papers, from every crate that is linked.
+//! The catalogue of papers from all linked crates.
 
 use crate::{Page, Paper};
 
-/// The papers that a crate brings, in the order of the ledger; catalogues are ordered by name.
+/// The papers of one crate, in the order of the ledger; the ledger orders catalogues by name.
 #[derive(Clone, Copy, Debug)]
 pub struct Catalogue {
     pub name: &'static str,
@@ -11,14 +11,14 @@ pub struct Catalogue {
 
 inventory::collect!(Catalogue);
 
-/// Every paper, and the workbench's own pages.
+/// All papers of all linked crates, including the workbench's own pages.
 pub fn papers() -> Vec<&'static Paper> {
     let mut catalogues: Vec<&Catalogue> = inventory::iter::<Catalogue>().collect();
     catalogues.sort_by_key(|catalogue| catalogue.name);
     catalogues.iter().flat_map(|catalogue| catalogue.papers).copied().collect()
 }
 
-/// Every paper's page, made in the calling thread.
+/// The pages of all papers, built in the calling thread.
 pub fn pages() -> Vec<Page> {
     papers().into_iter().map(|paper| (paper.page)()).collect()
 }

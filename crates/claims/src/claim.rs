@@ -1,70 +1,70 @@
-//! A claim: a statement with the way to decide it.
+//! A claim: a statement, and the way to decide it.
 
 use crate::{Condition, Proof, Verdict};
 use symbolic::{Hypotheses, Sym};
 
-/// One line of a paper's page.
+/// One claim of a paper's page.
 #[derive(Clone, Debug)]
 pub struct Claim {
-    /// Permanent: `paper/eqN/slug`.
+    /// The permanent identifier: `paper/eqN/slug`.
     pub id: String,
-    /// The paper's section.
+    /// The heading of the section of the paper.
     pub section: &'static str,
-    /// The entry of the paper that it belongs to: `eq5.3`, `statement7`.
+    /// The numbered equation or statement of the paper: `eq5.3`, `statement7`.
     pub equation: &'static str,
     /// The claim as a sentence; LaTeX between dollar signs.
     pub says: String,
     pub statement: Statement,
-    /// The verdict that the author of the page expects; a test compares it with the verdict found.
+    /// The verdict that the author of the page expects; a test compares it with the verdict that the program finds.
     pub expected: Verdict,
-    /// The corrected claim, where this one fails.
+    /// The corrected claim, for a claim that fails.
     pub correction: Option<Box<Claim>>,
-    /// Why the print fails, where it does: the slip that explains it.
+    /// The reason for which the print fails, such as the slip behind it; empty where it holds.
     pub why: String,
-    /// The reading of a damaged or ambiguous text: the source's signs, the restored ones, and the reading that is judged.
+    /// The reading of a damaged or ambiguous text: the signs of the source, the restored signs, and the reading that is judged.
     pub reading: String,
-    /// Anything else a reader should know.
+    /// Further remarks.
     pub note: String,
-    /// The sentence says it all: no formula is shown.
+    /// Whether the sentence `says` stands alone, without the formulas.
     pub in_words: bool,
 }
 
 /// The statement that a claim makes.
 #[derive(Clone, Debug)]
 pub enum Statement {
-    /// Introduces names and makes no claim.
+    /// A definition introduces names and claims nothing.
     Definition(Vec<Line>),
-    /// Equalities for all values within the hypotheses.
+    /// Equalities for all values that the hypotheses allow.
     Equations { lines: Vec<Line>, hypotheses: Hypotheses },
     /// An implication.
     Theorem(Theorem),
 }
 
-/// An equation of the paper beside the expression that was derived without it.
+/// An equation of the paper, with the expression derived independently of it.
 #[derive(Clone, Copy, Debug)]
 pub struct Line {
-    /// From first principles: equals `left - right` where the paper is right.
+    /// The expression derived from first principles; it equals `left - right` where the paper is correct.
     pub derived: Sym,
-    /// As printed.
+    /// The left side as printed.
     pub left: Sym,
-    /// As printed.
+    /// The right side as printed.
     pub right: Sym,
-    /// The derived side is the value of `right` alone, and `left` only its name.
+    /// Whether `left` is only a name, so that `derived` is compared with `right` alone.
     pub names: bool,
 }
 
 impl Line {
-    /// An equation `left = right`, where `derived` vanishes along the motion and should be `left - right`.
+    /// An equation `left = right`, where `derived` vanishes along every motion and should equal `left - right`.
     pub fn equation(derived: Sym, left: Sym, right: Sym) -> Self {
         Line { derived, left, right, names: false }
     }
 
-    /// A formula `name = right` whose value was derived.
+    /// A formula `name = right`, where `derived` should equal `right`.
     pub fn formula(derived: Sym, name: Sym, right: Sym) -> Self {
         Line { derived, left: name, right, names: true }
     }
 
-    /// The paper's side in the comparison.
+    /// The printed expression that is compared with `derived`: `right` of a formula, otherwise `left - right`.
     pub fn printed(&self) -> Sym {
         if self.names { self.right } else { self.left - self.right }
     }
@@ -75,12 +75,12 @@ impl Line {
     }
 }
 
-/// An implication for all values: `then` follows from the conditions `given` and the rules.
+/// An implication for all values: the conclusions `then` follow from the conditions `given` and the rules.
 #[derive(Clone, Debug)]
 pub struct Theorem {
     pub given: Vec<Condition>,
     pub then: Vec<Condition>,
-    /// Relations that hold throughout, such as |l| = 1.
+    /// Equalities that always hold, such as |l| = 1.
     pub rules: Hypotheses,
     pub proof: Proof,
 }

@@ -4,12 +4,12 @@ use field::Rational;
 use std::fmt;
 use symbolic::{Hypotheses, Sym, normal};
 
-/// A condition on an expression: its sign, that it vanishes, or equality with another.
+/// A condition on expressions: a sign, a zero, or an equality.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Condition {
     /// The expression vanishes.
     Zero(Sym),
-    /// Both are equal.
+    /// The two expressions are equal.
     Equal(Sym, Sym),
     /// The expression does not vanish.
     NonZero(Sym),
@@ -20,7 +20,7 @@ pub enum Condition {
 }
 
 impl Condition {
-    /// The expression that the condition is about: the difference of the sides of an equality.
+    /// The expression whose sign decides the condition: of an equality the difference of its sides.
     pub fn expression(self) -> Sym {
         match self {
             Self::Zero(e) | Self::NonZero(e) | Self::Positive(e) | Self::NotNegative(e) => e,
@@ -28,7 +28,7 @@ impl Condition {
         }
     }
 
-    /// The same condition on other expressions.
+    /// The condition with each expression replaced by its image.
     pub fn mapped(self, of: impl Fn(Sym) -> Sym) -> Self {
         match self {
             Self::Zero(e) => Self::Zero(of(e)),
@@ -39,13 +39,13 @@ impl Condition {
         }
     }
 
-    /// Whether it holds at a point; `None` where the point leaves it open or a denominator vanishes there.
+    /// Whether the condition holds at a point; `None` where the point does not decide it or a denominator vanishes there.
     pub fn holds_at(self, point: &Point) -> Option<bool> {
         let value = point.value(self.expression()).filter(|value| value.is_defined())?;
         Some(self.allows(value.sign()?))
     }
 
-    /// Whether its expression may have this sign: -1, 0 or 1.
+    /// Whether the condition allows this sign of its expression: -1, 0 or 1.
     pub fn allows(self, sign: i32) -> bool {
         match self {
             Self::Zero(_) | Self::Equal(..) => sign == 0,
@@ -55,8 +55,8 @@ impl Condition {
         }
     }
 
-    /// A condition that must not hold where this one is proved: the expression shifted by one, doubled and shifted, or
-    /// with its sign turned.
+    /// A condition that must fail where this one is proved: the expression shifted by one, doubled and shifted, or
+    /// with its sign changed.
     pub(crate) fn mutated(self) -> Self {
         let one = <Sym as num_traits::One>::one();
         match self {
@@ -64,13 +64,13 @@ impl Condition {
             Self::Equal(a, b) => Self::Equal(a, b + b + one),
             Self::NonZero(_) => Self::NonZero(Sym::ZERO),
             Self::Positive(e) => Self::Positive(-e),
-            // it can be shown beside its opposite: where both hold it vanishes
+            // the negation alone could be proved beside the condition: both hold where the expression vanishes
             Self::NotNegative(e) => Self::Positive(-e),
         }
     }
 
-    /// Text and LaTeX for a reader: a long expression in normal form, where that is short; `None` where no formula
-    /// tells a reader anything.
+    /// The condition as text and as LaTeX for a reader. A long expression is replaced by its normal form where that is short; `None` where no formula
+    /// is short enough to read.
     pub(crate) fn shown(self, rules: &Hypotheses) -> Option<(String, String)> {
         let one = |e: Sym, relation: &str, latex: &str| {
             let side = Side::of(e, rules);
@@ -94,7 +94,7 @@ impl Condition {
         }
     }
 
-    /// In LaTeX, as written.
+    /// The condition as LaTeX, without simplification.
     pub fn latex(self) -> String {
         match self {
             Self::Zero(e) => format!("{} = 0", e.latex()),
@@ -118,27 +118,27 @@ impl fmt::Display for Condition {
     }
 }
 
-/// The longest expression, in characters, that is shown; a longer one is named, and the sentence of the claim says what
-/// it is.
+/// The largest length of an expression that is shown, in characters; a longer expression is not, since the sentence of the claim
+/// describes it.
 const READABLE: usize = 420;
 
-/// An expression of at most so many characters is shown as it was written, not in normal form.
+/// The largest length of an expression, in characters, that is shown without simplification.
 const WRITTEN: usize = 64;
 
-/// A normal form replaces an expression only if it has at most so many characters and fewer than half of those that it
-/// replaces.
+/// The largest length of a normal form, in characters, that replaces an expression; it must also be shorter than half of
+/// the expression.
 const REDUCED: usize = 120;
 
 fn size(expression: Sym) -> usize {
     expression.to_string().chars().count()
 }
 
-/// One side of a condition.
+/// One side of a condition as text and LaTeX.
 struct Side {
     text: String,
     latex: String,
     readable: bool,
-    /// Whether this is a normal form in place of the expression as written.
+    /// Whether the text is a normal form instead of the expression itself.
     reduced: bool,
 }
 
@@ -161,17 +161,17 @@ impl Side {
     }
 }
 
-/// Exact values of symbols (and of circle coordinates, by the names `cos x` and `sin x`).
+/// Exact values of symbols; an angle x is given by the values of `cos x` and `sin x`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Point(Vec<(String, Rational)>);
 
 impl Point {
-    /// From symbols and their values.
+    /// The point with these values of symbols.
     pub fn of(values: impl IntoIterator<Item = (Sym, Rational)>) -> Self {
         Point(values.into_iter().map(|(symbol, value)| (symbol.to_string(), value)).collect())
     }
 
-    /// From names and values.
+    /// The point with these values of names.
     pub fn named(values: impl IntoIterator<Item = (String, Rational)>) -> Self {
         Point(values.into_iter().collect())
     }
@@ -181,7 +181,7 @@ impl Point {
         &self.0
     }
 
-    /// An expression with every symbol but `unknown` at its value here.
+    /// The expression with the values of this point inserted for all symbols except `unknown`.
     pub fn restrict(&self, expression: Sym, unknown: Sym) -> Sym {
         let values: Vec<(Sym, Sym)> = self
             .0
@@ -192,7 +192,7 @@ impl Point {
         expression.substitute(&values)
     }
 
-    /// The exact value of an expression here, `None` where a symbol has none.
+    /// The exact value of an expression at this point; `None` where a symbol has no value.
     pub fn value(&self, expression: Sym) -> Option<Rational> {
         expression.evaluate(&|name: &str| self.0.iter().find(|(known, _)| known == name).map(|(_, value)| *value)).ok()
     }

@@ -1,4 +1,4 @@
-//! Systems of papers whose equations of motion are derived for reading, from every crate that is linked.
+//! Systems of papers whose derived equations of motion a user can print, from all linked crates.
 
 use std::fmt;
 use symbolic::Sym;
@@ -6,65 +6,65 @@ use symbolic::Sym;
 /// A principle of mechanics.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Principle {
-    /// Angular momentum of the mass points.
+    /// The balance of angular momentum of mass points.
     Momentum,
     /// Appell's equations from the acceleration energy.
     Appell,
-    /// Boltzmann and Hamel: Lagrange in quasi-velocities.
+    /// The equations of Boltzmann and Hamel: Lagrange's equations in quasi-velocities.
     Hamel,
-    /// Lagrange of the second kind.
+    /// Lagrange's equations of the second kind.
     Lagrange,
-    /// Lagrange and Maxwell, with charges as coordinates: for motors.
+    /// Lagrange's equations with charges as coordinates (Maxwell), for motors.
     Maxwell,
     /// Newton's and Euler's equations projected onto partial velocities.
     VirtualPower,
-    /// The least constraint.
+    /// Gauss' principle of least constraint.
     Gauss,
 }
 
-/// An equation: accelerations, or rates of currents, stand on the left.
+/// An equation; accelerations, or time derivatives of currents, are on the left.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Equation {
     pub left: Sym,
     pub right: Sym,
 }
 
-/// A system with a name, and its equations by each principle that it is derived by.
+/// A named system with its equations by each of its principles.
 #[derive(Clone, Copy, Debug)]
 pub struct Derivation {
     pub name: &'static str,
-    /// A summary in one line, for lists.
+    /// A summary in one line.
     pub summary: &'static str,
-    /// The principles that apply; the first is taken where none is asked for.
+    /// The principles that apply to the system; the first is the default.
     pub principles: &'static [Principle],
-    /// The equations by a principle of the list, made in the calling thread.
+    /// Derives the equations by a principle of the list, in the calling thread.
     pub equations: fn(Principle) -> Result<Vec<Equation>, NotDerived>,
 }
 
 inventory::collect!(Derivation);
 
-/// A reason for which nothing was derived.
+/// The reason for which no equations were derived.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum NotDerived {
-    /// There is no such system.
+    /// No system has this name.
     UnknownSystem(String),
     /// The principle does not apply to the system.
     Inapplicable { system: &'static str, accepted: &'static [Principle] },
-    /// The normal form was given up.
+    /// The computation of the normal form was given up.
     TooLarge(String),
 }
 
-/// Every system with a name, in the order of their names.
+/// All named systems, ordered by name.
 pub fn derivations() -> Vec<&'static Derivation> {
     let mut all: Vec<&Derivation> = inventory::iter::<Derivation>().collect();
     all.sort_by_key(|derivation| derivation.name);
     all
 }
 
-/// The equations of a system by a principle, or by the first that applies.
+/// The equations of a system by a principle; with `None`, by its default principle.
 ///
 /// # Errors
-/// [`NotDerived`] says which systems or principles would be accepted.
+/// [`NotDerived`], for an unknown system (with its name), a principle that does not apply (with those that do), or an expression that is too large.
 pub fn derive(system: &str, principle: Option<Principle>) -> Result<Vec<Equation>, NotDerived> {
     let known = derivations().into_iter().find(|derivation| derivation.name == system);
     let Some(&Derivation { name, principles, equations, .. }) = known else {

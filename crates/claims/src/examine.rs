@@ -4,10 +4,10 @@ use crate::{Line, Proof, Theorem};
 use num_traits::One;
 use symbolic::{Decision, Dimension, Hypotheses, Node, Sym, decide, dimension as dimension_of};
 
-/// The number of mutants of a right side that are tried: enough to see that the prover can say no.
+/// The largest number of mutated right sides per equation, enough to show that the prover can refute.
 const MUTANTS: usize = 6;
 
-/// Objections to equalities: a derivation with mixed dimensions, two sides that are one node, a mutant that is proved,
+/// Objections to equalities: mixed dimensions in the derived expression, two sides that are one expression, a mutated equation that is proved,
 /// hypotheses that no point satisfies.
 pub fn equations(lines: &[Line], hypotheses: &Hypotheses, dimension: fn(&str) -> Option<Dimension>) -> Vec<String> {
     let mut objections = Vec::new();
@@ -17,7 +17,7 @@ pub fn equations(lines: &[Line], hypotheses: &Hypotheses, dimension: fn(&str) ->
                 .push(format!("both sides of {} = {} are one expression: nothing was compared", line.left, line.right));
         }
         objections.extend(mismatch(line.derived, dimension));
-        // a mutant of a true line must fail; of a false line too, unless the mutation is the correction
+        // mutants of a false line are not tried, since a mutation may be the correction
         let holds = decide(line.derived - line.printed(), hypotheses).is_zero();
         for mutant in mutants(line.right).into_iter().take(MUTANTS).filter(|_| holds) {
             let mutated = Line { right: mutant, ..*line };
@@ -34,18 +34,18 @@ pub fn equations(lines: &[Line], hypotheses: &Hypotheses, dimension: fn(&str) ->
     objections
 }
 
-/// Equalities that mix dimensions as printed, in themselves or beside the derived expression.
+/// Messages about printed equalities that mix dimensions, within a side, between the sides, or with the derived expression.
 pub fn mixed_lines(lines: &[Line], dimension: fn(&str) -> Option<Dimension>) -> Vec<String> {
     let sides = lines.iter().flat_map(|line| [line.left - line.right, line.derived - line.printed()]);
     sides.filter_map(|side| mismatch(side, dimension)).collect()
 }
 
-/// Conclusions of a theorem that mix dimensions.
+/// Messages about conclusions of a theorem that mix dimensions.
 pub fn mixed_conclusions(theorem: &Theorem, dimension: fn(&str) -> Option<Dimension>) -> Vec<String> {
     theorem.then.iter().filter_map(|condition| mismatch(condition.expression(), dimension)).collect()
 }
 
-/// Objections to a theorem: premises with mixed dimensions, or a proof that shows a mutated conclusion as well.
+/// Objections to a theorem: premises with mixed dimensions, or a proof that also proves a mutated conclusion.
 pub fn theorem(theorem: &Theorem, dimension: fn(&str) -> Option<Dimension>) -> Vec<String> {
     let mut objections = Vec::new();
     for condition in &theorem.given {
@@ -66,7 +66,7 @@ fn mismatch(expression: Sym, dimension: fn(&str) -> Option<Dimension>) -> Option
     dimension_of(expression, &dimension).err().map(|mismatch| mismatch.to_string())
 }
 
-/// The expression with one sign turned, term by term, and doubled.
+/// Mutants of an expression: with the sign of one term changed, for each term, and doubled.
 pub fn mutants(expression: Sym) -> Vec<Sym> {
     let terms = summands(expression);
     let turned = (0..terms.len()).map(|k| {
@@ -75,7 +75,7 @@ pub fn mutants(expression: Sym) -> Vec<Sym> {
     turned.chain([expression + expression]).collect()
 }
 
-/// The terms of a sum, signs included.
+/// The terms of a sum with their signs.
 fn summands(expression: Sym) -> Vec<Sym> {
     match expression.node() {
         Node::Sum(a, b) => [summands(a), summands(b)].concat(),

@@ -1,30 +1,30 @@
-//! Findings: each is a property that a motor or a system must have, with its verdict.
+//! Findings: verdicts on properties that a motor or a system must have.
 
 /// The verdict on a property.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum PropertyVerdict {
-    /// The statement holds exactly, for all states; an identity, for all parameters.
+    /// The property holds exactly for all states (and, for an identity, for all parameters); the text states it.
     Proved(String),
-    /// The statement holds in runs and numbers.
+    /// The property holds in runs or at sampled points; the text states it.
     Tested(String),
-    /// The statement fails, for this reason.
+    /// The property fails; the text is the reason.
     Fails(String),
-    /// The prover gave up, for this reason: neither that it holds nor that it fails is known.
+    /// The prover gave up, so that the property is neither proved nor refuted; the text is the reason.
     Undecided(String),
-    /// The statement does not apply, for this reason.
+    /// The property does not apply; the text is the reason.
     DoesNotApply(String),
 }
 
 /// A check with its result.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
-    /// The check in one word.
+    /// The name of the checked property, one word.
     pub check: &'static str,
     pub verdict: PropertyVerdict,
 }
 
 impl PropertyVerdict {
-    /// The name on pages and in output.
+    /// The name of the verdict on pages and in output.
     pub fn name(&self) -> &'static str {
         match self {
             PropertyVerdict::Proved(_) => "proved",
@@ -35,7 +35,7 @@ impl PropertyVerdict {
         }
     }
 
-    /// The sentence that holds, or the reason why none does.
+    /// The sentence that states the property, or the reason of the verdict.
     pub fn says(&self) -> &str {
         match self {
             PropertyVerdict::Proved(says)

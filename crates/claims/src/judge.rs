@@ -1,14 +1,14 @@
-//! Judging a claim: verdict, evidence and objections.
+//! Decisions on claims: verdict, evidence and objections.
 
 use crate::premises::told;
 use crate::proof::Finding;
 use crate::{Claim, Condition, Line, Proof, Statement, Verdict, examine};
 use symbolic::{Decision, Dimension, Hypotheses, decide, normal};
 
-/// The most characters of a statement with its formulas; a longer one is its sentence alone.
+/// The largest length in characters of a sentence together with its formulas; in a longer statement the formulas are left out.
 const AT_ONCE: usize = 600;
 
-/// A claim with its verdict and evidence, as text only: it can leave the thread of its expressions.
+/// A claim with its verdict and evidence. It contains text only, so that it can leave the thread that owns its expressions.
 #[derive(Clone, Debug, Default)]
 pub struct Judged {
     pub id: String,
@@ -17,32 +17,32 @@ pub struct Judged {
     pub says: String,
     pub verdict: Verdict,
     pub expected: Verdict,
-    /// The statement in LaTeX, one entry for each formula.
+    /// The statement as LaTeX, one entry for each formula.
     pub latex: Vec<String>,
     /// The statement as text, one entry for each formula.
     pub text: Vec<String>,
-    /// Hypotheses, and divisors that must not vanish: text and LaTeX.
+    /// Hypotheses, and divisors that must not vanish, each as (text, LaTeX).
     pub requires: Vec<(String, String)>,
-    /// Hypotheses of sign: text and LaTeX.
+    /// Hypotheses about signs, each as (text, LaTeX).
     pub signs: Vec<(String, String)>,
     /// The evidence for the verdict: the method of proof and its result.
     pub evidence: String,
-    /// The point at which the claim fails: name and exact value.
+    /// The point at which the claim fails, as pairs (name, exact value).
     pub counterexample: Vec<(String, String)>,
-    /// The derived expression less the printed one, text and LaTeX, where it is not zero.
+    /// The derived expression minus the printed one as (text, LaTeX); `None` where it is zero.
     pub difference: Option<(String, String)>,
     pub correction: Option<Box<Judged>>,
-    /// Why the print fails, for a refuted claim.
+    /// The reason for which the print fails; empty where it holds.
     pub why: String,
-    /// The reading of a damaged or ambiguous text; empty where there was nothing to choose.
+    /// The reading of a damaged or ambiguous text; empty where the print is unambiguous.
     pub reading: String,
     pub note: String,
-    /// The objections of the cross-examination: empty for a sound claim.
+    /// The objections of the cross-examination; empty for a sound claim.
     pub objections: Vec<String>,
 }
 
 impl Judged {
-    /// The statement for reading alone: its sentence, and its formulas where both are short enough.
+    /// The sentence of the claim, with its formulas where the whole is short enough.
     pub fn statement(&self) -> String {
         let formulas = self.text.join("; ");
         if self.says.is_empty() {
@@ -52,7 +52,10 @@ impl Judged {
         if formulas.is_empty() || whole.chars().count() > AT_ONCE { self.says.clone() } else { whole }
     }
 
-    /// Whether the verdict is the expected one, here and in the correction, and there are no objections.
+    /// Checks that the verdict is the expected one, also of the correction, and that there are no objections.
+    ///
+    /// # Errors
+    /// A message about the first deviation.
     pub fn sound(&self) -> Result<(), String> {
         if self.verdict != self.expected {
             return Err(format!(
@@ -71,7 +74,7 @@ impl Judged {
 }
 
 impl Claim {
-    /// Decides the claim and cross-examines it. `dimension` gives the dimensions of the page's symbols.
+    /// Decides the claim and cross-examines it. `dimension` returns the dimensions of the letters of the page.
     pub fn judge(&self, dimension: fn(&str) -> Option<Dimension>) -> Judged {
         let mut judged = Judged {
             id: self.id.clone(),
@@ -134,7 +137,7 @@ impl Judged {
         self.latex = lines.iter().map(Line::latex).collect();
     }
 
-    /// Mixed dimensions are evidence against a false claim, and an objection to one that is said to hold.
+    /// Records mixed dimensions: as evidence against a refuted claim, and as an objection to any other claim.
     fn mixed(&mut self, mismatches: Vec<String>) {
         match (self.verdict, mismatches.first()) {
             (Verdict::Refuted, Some(first)) => self.evidence += &format!("; {first}"),

@@ -1,4 +1,4 @@
-//! The ledger: judged claims as rows for machines.
+//! The ledger in a machine-readable form: one entry for each judged claim.
 
 use crate::Judged;
 use serde::Serialize;
@@ -11,25 +11,25 @@ pub struct Entry {
     pub paper: String,
     pub equation: String,
     pub verdict: &'static str,
-    /// The statement as a sentence, with its formulas where the whole is short enough.
+    /// The sentence of the claim, with its formulas where the whole is short enough.
     pub statement: String,
-    /// Every formula of the statement, also where it is too long to stand with the sentence.
+    /// All formulas of the statement.
     pub formulas: Vec<String>,
-    /// Everything that is presupposed: hypotheses, divisors that must not vanish, signs.
+    /// All premises: hypotheses, divisors that must not vanish, signs.
     pub requires: Vec<String>,
-    /// Why the print fails, for a refuted claim.
+    /// The reason for which the print fails, for a refuted claim.
     pub why: Option<String>,
     /// The reading of a damaged or ambiguous text.
     pub reading: Option<String>,
     /// A remark.
     pub note: Option<String>,
-    /// Exact values by name, where the claim fails (or an example of existence).
+    /// Exact values by name at which the claim fails, or that show an existence.
     pub counterexample: Option<BTreeMap<String, String>>,
     /// The corrected claim.
     pub correction: Option<Box<Entry>>,
 }
 
-/// The rows of judged claims.
+/// The entries of judged claims, in their order.
 pub fn entries(judged: &[Judged]) -> Vec<Entry> {
     judged.iter().map(entry).collect()
 }

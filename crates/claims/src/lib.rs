@@ -1,9 +1,9 @@
-//! Claims of a paper, and the verdict that the program finds for each.
+//! Claims of papers, and the verdict that the program finds for each.
 //!
 //! # Overview
-//! For authors who check a paper in Rust. A [`Page`] lists the claims of a paper in the order and letters of the paper. A [`Claim`]
-//! consists of a statement and the way to decide it; [`Claim::judge`] decides it by exact arithmetic alone, and returns a [`Judged`] claim:
-//! a [`Verdict`] with its evidence. The author states only an *expectation*, which a test compares with the verdict.
+//! This crate is for authors who check a paper in Rust. A [`Page`] lists the claims of a paper in its order and with its letters. A [`Claim`]
+//! consists of a statement and the way to decide it. [`Claim::judge`] decides the claim by exact arithmetic alone and returns a [`Judged`] claim:
+//! a [`Verdict`] with its evidence. The author states only an *expected* verdict, which a test compares with the verdict found.
 //!
 //! | statement | decided by |
 //! |---|---|
@@ -27,7 +27,7 @@
 //!     "v" => Some(Dimension::of(0, 1, -1, 0)),
 //!     _ => None,
 //! });
-//! // the derived side, here the rate of m v^2/2 by v, and the right side as printed
+//! // the derived side, here the derivative of m v^2/2 by v, and the right side as printed
 //! let derived = (m * v * v).half().diff(v);
 //! page.claim("eq1", "momentum", "the rate of the kinetic energy by the speed").holds([Line::equation(derived, m * v, Sym::ZERO)]);
 //! page.claim("eq2", "momentum", "the rate of the kinetic energy by the speed, without the mass").fails([Line::equation(derived, v, Sym::ZERO)]);
@@ -57,7 +57,7 @@ mod verdict;
 pub use catalogue::Catalogue;
 pub use claim::{Claim, Line, Statement, Theorem};
 pub use condition::{Condition, Point};
-/// Brings a [`Catalogue`] of papers, or a [`derivation::Derivation`], found wherever the crate is linked.
+/// Registers a [`Catalogue`] of papers or a [`derivation::Derivation`], which is then found wherever the crate is linked.
 pub use inventory::submit;
 pub use judge::Judged;
 pub use ledger::{Entry, entries};
@@ -67,6 +67,6 @@ pub use proof::{Combination, Proof};
 pub use snapshot::render;
 pub use verdict::Verdict;
 
-/// For the functions that [`read_by!`] writes.
+/// Re-exported for the functions that [`read_by!`] defines.
 #[doc(hidden)]
 pub use symbolic;

@@ -1,11 +1,11 @@
-//! A paper's page: its claims in order, written one line each.
+//! The page of a paper: its claims in the paper's order, each written in a few lines of Rust.
 
 use crate::certificate::Certificate;
 use crate::proof::Combination;
 use crate::{Claim, Condition, Judged, Line, Point, Proof, Statement, Theorem, Verdict};
 use symbolic::{Dimension, Hypotheses, Sym};
 
-/// The claims of a paper.
+/// The claims of a paper, with the dimensions of its letters.
 pub struct Page {
     paper: &'static str,
     dimensions: fn(&str) -> Option<Dimension>,
@@ -13,7 +13,7 @@ pub struct Page {
     claims: Vec<Claim>,
 }
 
-/// A claim in the making: the methods finish it.
+/// A claim under construction. A method such as [`Draft::holds`] completes it and adds it to the page.
 pub struct Draft<'a> {
     page: &'a mut Page,
     equation: &'static str,
@@ -28,17 +28,17 @@ pub struct Draft<'a> {
 }
 
 impl Page {
-    /// An empty page. `dimensions` gives the dimension of every symbol of the paper.
+    /// An empty page of the paper with this key. `dimensions` returns the dimension of every letter of the paper.
     pub fn of(paper: &'static str, dimensions: fn(&str) -> Option<Dimension>) -> Self {
         Page { paper, dimensions, section: "", claims: Vec::new() }
     }
 
-    /// The paper's key.
+    /// The key of the paper.
     pub fn paper(&self) -> &'static str {
         self.paper
     }
 
-    /// The dimensions of its letters.
+    /// The function that returns the dimension of a letter.
     pub fn dimensions(&self) -> fn(&str) -> Option<Dimension> {
         self.dimensions
     }
@@ -48,17 +48,17 @@ impl Page {
         (self.dimensions)(name)
     }
 
-    /// The claims in order.
+    /// The claims in the order of the page.
     pub fn claims(&self) -> &[Claim] {
         &self.claims
     }
 
-    /// Begins a section of the paper: the claims that follow belong to it.
+    /// Starts a section of the paper; the claims that follow belong to it.
     pub fn section(&mut self, title: &'static str) {
         self.section = title;
     }
 
-    /// Begins a claim of an entry of the paper.
+    /// Starts a claim about a numbered equation or statement of the paper.
     pub fn claim(&mut self, equation: &'static str, slug: &'static str, says: impl Into<String>) -> Draft<'_> {
         Draft {
             page: self,
@@ -74,17 +74,17 @@ impl Page {
         }
     }
 
-    /// Decides every claim.
+    /// Decides all claims.
     pub fn judge(&self) -> Vec<Judged> {
         self.judged(|_| true).collect()
     }
 
-    /// The claims that `asked` selects, judged one after the other.
+    /// Decides the claims that `asked` selects, one after the other.
     pub fn judged(&self, asked: impl Fn(&Claim) -> bool) -> impl Iterator<Item = Judged> {
         self.claims.iter().filter(move |claim| asked(claim)).map(|claim| claim.judge(self.dimensions))
     }
 
-    /// As [`Page::judged`], each with the certificates of its verdict and of its correction's.
+    /// Decides the claims that `asked` selects. Each is returned with the certificates of its verdict and of that of its correction.
     pub fn certified(&self, asked: impl Fn(&Claim) -> bool) -> impl Iterator<Item = (Judged, Vec<Certificate>)> {
         self.claims.iter().filter(move |claim| asked(claim)).map(|claim| {
             let judged = claim.judge(self.dimensions);
@@ -93,7 +93,7 @@ impl Page {
         })
     }
 
-    /// Makes the last claim the correction of the claim before it.
+    /// Removes the last claim from the page and makes it the correction of the claim before it.
     pub fn correct(&mut self) {
         if let Some(correction) = self.claims.pop()
             && let Some(wrong) = self.claims.last_mut()
@@ -104,64 +104,64 @@ impl Page {
 }
 
 impl<'a> Draft<'a> {
-    /// Relations that hold throughout.
+    /// Sets equalities that always hold, which the proof may use.
     pub fn under(mut self, rules: &Hypotheses) -> Self {
         self.rules = rules.clone();
         self
     }
 
-    /// Why the print fails: the slip that explains it, in a sentence. Every refuted claim has one.
+    /// Sets the reason for which the print fails, one sentence about the slip behind it. Every refuted claim needs it.
     pub fn why(mut self, why: impl Into<String>) -> Self {
         self.why = why.into();
         self
     }
 
-    /// The reading of a damaged or ambiguous text: the source's signs, the restored ones, and the reading that is judged.
+    /// Sets the reading of a damaged or ambiguous text: the signs of the source, the restored signs, and the reading that is judged.
     pub fn reading(mut self, reading: impl Into<String>) -> Self {
         self.reading = reading.into();
         self
     }
 
-    /// A remark for the reader.
+    /// Sets a remark.
     pub fn note(mut self, note: impl Into<String>) -> Self {
         self.note = note.into();
         self
     }
 
-    /// The sentence says everything: the derived expressions would tell a reader nothing more.
+    /// Shows only the sentence of the claim, where its expressions would not help a reader.
     pub fn in_words(mut self) -> Self {
         self.in_words = true;
         self
     }
 
-    /// Adds conditions that the statement presupposes.
+    /// Adds premises of the claim.
     pub fn given(mut self, conditions: impl IntoIterator<Item = Condition>) -> Self {
         self.given.extend(conditions);
         self
     }
 
-    /// The paper is expected to be right.
+    /// Completes the claim as equalities that are expected to be proved.
     pub fn holds(self, lines: impl IntoIterator<Item = Line>) -> &'a mut Page {
         self.equations(lines, Verdict::Proved)
     }
 
-    /// The paper is expected to be wrong; [`Page::correct`] adds the correction.
+    /// Completes the claim as equalities that are expected to be refuted; [`Page::correct`] adds the correction.
     pub fn fails(self, lines: impl IntoIterator<Item = Line>) -> &'a mut Page {
         self.equations(lines, Verdict::Refuted)
     }
 
-    /// A definition.
+    /// Completes the claim as a definition, which is not judged.
     pub fn defines(self, lines: impl IntoIterator<Item = Line>) -> &'a mut Page {
         let lines = lines.into_iter().collect();
         self.finish(Statement::Definition(lines), Verdict::Definition)
     }
 
-    /// Each conclusion has normal form zero under the rules.
+    /// Completes the claim as a theorem; each conclusion is to have the normal form zero under the rules.
     pub fn follows(self, then: impl IntoIterator<Item = Condition>) -> &'a mut Page {
         self.theorem(then, Proof::NormalForm, Verdict::Proved)
     }
 
-    /// Each conclusion is a combination of given conditions: (multiplier places, cofactors) for each.
+    /// Completes the claim as a theorem. Each conclusion comes with indices of the given conditions that form the multiplier, and with cofactors.
     pub fn by_combination(
         self,
         then: impl IntoIterator<Item = (Condition, Vec<usize>, Vec<(usize, Sym)>)>,
@@ -175,14 +175,14 @@ impl<'a> Draft<'a> {
         self.theorem(conclusions, Proof::Combinations(certificates), Verdict::Proved)
     }
 
-    /// An expression f does not vanish: `factor` f is the product of the given expressions at `places`, up to the
-    /// combination.
+    /// Completes the claim f ≠ 0: `factor` times f is the product of the given expressions with the indices `places`, plus a combination of
+    /// given equalities with `cofactors`.
     pub fn nonvanishing(self, f: Sym, factor: Sym, places: Vec<usize>, cofactors: Vec<(usize, Sym)>) -> &'a mut Page {
         let certificate = Combination { multiplier: places, cofactors, factor: Some(factor) };
         self.theorem([Condition::NonZero(f)], Proof::Combinations(vec![certificate]), Verdict::Proved)
     }
 
-    /// Each conclusion holds by the signs of its terms, where the symbols are given as positive.
+    /// Completes the claim as a theorem; each conclusion follows from the signs of its terms, with the given conditions that a symbol is positive.
     pub fn by_signs(self, then: impl IntoIterator<Item = Condition>) -> &'a mut Page {
         let positive = self.given.iter().filter_map(|c| match c {
             Condition::Positive(symbol) if symbol.symbol_name().is_some() => Some(*symbol),
@@ -192,17 +192,17 @@ impl<'a> Draft<'a> {
         self.theorem(then, proof, Verdict::Proved)
     }
 
-    /// A conclusion fails at an exact point.
+    /// Completes the claim as a theorem that fails: a conclusion is false at this exact point.
     pub fn refuted(self, then: impl IntoIterator<Item = Condition>, at: Point) -> &'a mut Page {
         self.theorem(then, Proof::Counterexample(at), Verdict::Refuted)
     }
 
-    /// "Some value of the unknown satisfies the conclusions" fails at an exact point of everything else.
+    /// Completes the claim that some value of the unknown satisfies the conclusions; it fails at this exact point of all other letters.
     pub fn without_root(self, then: impl IntoIterator<Item = Condition>, unknown: Sym, at: Point) -> &'a mut Page {
         self.theorem(then, Proof::NoRoot { unknown, at }, Verdict::Refuted)
     }
 
-    /// There is a point at which everything holds.
+    /// Completes the claim as an existence theorem: at this exact point all conditions and conclusions hold.
     pub fn exists(self, then: impl IntoIterator<Item = Condition>, at: Point) -> &'a mut Page {
         self.theorem(then, Proof::Example(at), Verdict::Proved)
     }

@@ -5,16 +5,16 @@ use crate::Page;
 /// A paper of the ledger.
 #[derive(Clone, Copy, Debug)]
 pub struct Paper {
-    /// The beginning of the ids of its claims.
+    /// The key of the paper, with which the ids of its claims begin.
     pub key: &'static str,
-    /// Authors, year, subject: for headings.
+    /// Authors, year, subject, as shown in headings.
     pub title: &'static str,
     /// Authors, title, journal.
     pub citation: &'static str,
-    /// Subject and findings in a paragraph; LaTeX between dollar signs.
+    /// The subject and the findings in a paragraph, with LaTeX between dollar signs.
     pub summary: &'static str,
-    /// Everything that it states: numbered equations, then statements. Each must have a claim.
+    /// All numbered equations of the paper, then its statements. Each must have a claim.
     pub entries: &'static [&'static str],
-    /// The claims of the paper, made in the calling thread.
+    /// Builds the claims of the paper in the calling thread.
     pub page: fn() -> Page,
 }

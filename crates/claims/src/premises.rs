@@ -1,14 +1,14 @@
-//! The premises of a verdict: the conditions that are given, and every divisor of its proof.
+//! The premises of a verdict: the given conditions, and all divisors of its proof.
 
 use crate::proof::one_sign;
 use crate::{Condition, Judged};
 use symbolic::{Hypotheses, Node, Sym, normal};
 
-/// The longest expression, in characters, that is shown as it stands; of a longer one its letters are given.
+/// The largest length in characters of an expression that is shown; for a longer one only its letters are listed.
 const READABLE: usize = 420;
 
 impl Judged {
-    /// Lists a given condition; signs have a list of their own.
+    /// Adds a condition to the premises; conditions about signs have a list of their own.
     pub(crate) fn presuppose(&mut self, condition: Condition) {
         let stated = told(condition);
         let is_sign = matches!(condition, Condition::Positive(_) | Condition::NotNegative(_));
@@ -18,11 +18,11 @@ impl Judged {
         }
     }
 
-    /// Lists the divisors that occurred, short ones first, except those that cannot vanish: by the given signs, by
-    /// their own form, or as a power of a divisor listed already.
+    /// Adds divisors of the proof to the premises, short ones first. Divisors that cannot vanish are left out: by the given signs, by
+    /// their own form, or as a power of a divisor in the list.
     pub(crate) fn divided_by(&mut self, divisors: &[Sym], given: &[Condition]) {
         let mut divisors: Vec<Sym> = divisors.iter().map(|divisor| radicand(*divisor)).collect();
-        // by length, then by text: the order in which they were met depends on earlier expressions
+        // ordered by length, then by text, since their own order depends on earlier expressions
         divisors.sort_by_cached_key(|divisor| {
             let text = divisor.to_string();
             (text.chars().count(), text)
@@ -38,7 +38,7 @@ impl Judged {
     }
 }
 
-/// A root vanishes where its radicand does.
+/// The radicand of a root, which vanishes exactly where the root does; any other divisor unchanged.
 fn radicand(divisor: Sym) -> Sym {
     match divisor.node() {
         Node::Root(inside) => inside,
@@ -46,10 +46,10 @@ fn radicand(divisor: Sym) -> Sym {
     }
 }
 
-/// The highest power up to which a divisor is recognised as one of an expression known to differ from zero.
+/// The largest power of a non-zero expression that is compared with a divisor.
 const MOST_POWER: i32 = 4;
 
-/// Whether the known conditions exclude zeros of the divisor.
+/// Whether the known conditions imply that the divisor does not vanish.
 fn differs_from_zero(divisor: Sym, known: &[Condition]) -> bool {
     let excluded = known.iter().filter_map(|condition| match condition {
         Condition::NonZero(e) | Condition::Positive(e) => Some(*e),
@@ -74,7 +74,7 @@ fn differs_from_zero(divisor: Sym, known: &[Condition]) -> bool {
     one_sign(divisor, &positive, &|symbol| excluded.contains(symbol)).is_some() || excluded.iter().any(power)
 }
 
-/// The condition in text and LaTeX.
+/// The condition as text and as LaTeX.
 pub(crate) fn told(condition: Condition) -> (String, String) {
     let text = condition.to_string();
     if text.chars().count() <= READABLE {

@@ -1,43 +1,43 @@
-//! Proofs of theorems, and disproofs.
+//! Proofs and disproofs of theorems.
 
 use crate::univariate::{polynomial, vanish_at_zero_alone};
 use crate::{Condition, Point, Theorem, Verdict};
 use num_traits::{One, Zero};
 use symbolic::{Decision, Hypotheses, Sym, Witness, coefficients, decide, normal};
 
-/// A proof or a disproof of an implication. Each is checked by exact arithmetic; none is taken on trust.
+/// A proof or a disproof of an implication. All of them are verified by exact arithmetic.
 #[derive(Clone, Debug)]
 pub enum Proof {
-    /// Every conclusion, an equality, has a difference with normal form zero under the rules alone.
+    /// For each conclusion, an equality, the difference of the sides has the normal form zero under the rules alone.
     NormalForm,
-    /// For each conclusion f = 0: m f = sum c_k g_k identically, where g_k are given equalities and the multiplier m is
-    /// a product of expressions given as non-zero or positive. For f != 0: d f = m + sum c_k g_k with any factor d.
+    /// A combination for each conclusion. For f = 0: m f = Σ c_k g_k identically, where g_k = 0 are given equalities and the multiplier m is
+    /// a product of expressions given as non-zero or positive. For f ≠ 0: d f = m + Σ c_k g_k with any factor d.
     Combinations(Vec<Combination>),
-    /// Every conclusion f > 0 (or f != 0) holds because f is a quotient of polynomials with coefficients of one sign in
-    /// symbols that are positive, or occur to even powers only. Where all its terms could vanish together, a given
-    /// condition excludes that their symbols do.
+    /// Every conclusion f > 0 (or f ≠ 0) holds because f is a quotient of polynomials whose coefficients have one sign, in
+    /// symbols that are positive or occur only to even powers. Where all terms could vanish together, a given
+    /// condition excludes that the symbols involved all vanish.
     Signs { positive: Vec<Sym> },
-    /// An exact point at which all given conditions hold and a conclusion does not.
+    /// An exact point at which all given conditions hold and a conclusion fails.
     Counterexample(Point),
-    /// All values but one are given at an exact point; there the conclusions are polynomials in the unknown, without a
-    /// common root other than zero: no value of the unknown satisfies them.
+    /// An exact point of all letters except the unknown, at which the conclusions are polynomials in the unknown without a
+    /// common root other than zero, so that no value of the unknown satisfies them.
     NoRoot { unknown: Sym, at: Point },
     /// For a theorem of existence: an exact point at which all given conditions and all conclusions hold.
     Example(Point),
 }
 
-/// The certificate for one conclusion.
+/// The certificate of one conclusion in [`Proof::Combinations`].
 #[derive(Clone, Debug, Default)]
 pub struct Combination {
-    /// Places in the list of given conditions whose expressions are multiplied to m; empty for m = 1.
+    /// The indices of the given conditions whose expressions multiply to m; empty for m = 1.
     pub multiplier: Vec<usize>,
-    /// (place in the list of given conditions, cofactor).
+    /// Pairs (index of the given condition g_k, cofactor c_k).
     pub cofactors: Vec<(usize, Sym)>,
-    /// d, for conclusions f != 0.
+    /// The factor d, for a conclusion f ≠ 0.
     pub factor: Option<Sym>,
 }
 
-/// The result of a check.
+/// The result of the verification of a proof.
 pub(crate) struct Finding {
     pub verdict: Verdict,
     /// The reason in a few words.
@@ -88,8 +88,8 @@ impl Theorem {
         Finding { divisors, ..last }
     }
 
-    /// The first exact point that satisfies all given conditions and at which a conclusion, an equality, fails, by a normal
-    /// form which is not zero.
+    /// The first counterexample among those that the normal forms of the conclusions (equalities) give: an exact point at which all given
+    /// conditions hold and a conclusion fails.
     pub(crate) fn witness(&self) -> Option<Witness> {
         self.then.iter().find_map(|conclusion| match decide(conclusion.expression(), &self.rules) {
             Decision::NonZero(witness) => Some(witness).filter(|witness| self.admits(witness)),
@@ -97,7 +97,7 @@ impl Theorem {
         })
     }
 
-    /// Whether all given conditions beside the rules, which any witness satisfies, hold at its point.
+    /// Whether the given conditions hold at the point of a witness; the rules hold at every witness.
     fn admits(&self, witness: &Witness) -> bool {
         let values = witness.point.iter().filter_map(|(symbol, value)| Some((*symbol, value.as_constant()?)));
         let point = Point::of(values);
@@ -118,7 +118,7 @@ impl Theorem {
             Decision::Zero(proof) => {
                 Finding { divisors: proof.requires, ..Finding::of(Verdict::Proved, "normal form zero") }
             }
-            // the point would be one of this proof and not of the statement
+            // the failure is one of this proof and refutes only the proof, not the statement
             Decision::NonZero(_) => Finding::of(Verdict::Undecided, "the proof that is given does not show it"),
             Decision::Undefined(denominator) => {
                 Finding::of(Verdict::Undefined, format!("{denominator} vanishes identically"))
@@ -211,13 +211,13 @@ impl Theorem {
     }
 }
 
-/// The sign of a polynomial all of whose terms have it, at least one of them strictly: 1 or -1.
+/// The sign of a polynomial, 1 or -1, if all its terms have this sign and it cannot vanish; `None` otherwise.
 pub(crate) fn one_sign(polynomial: Sym, positive: &[Sym], nonzero: &impl Fn(&Sym) -> bool) -> Option<i32> {
     weak_sign(polynomial, positive, nonzero).and_then(|(sign, vanishing)| vanishing.is_none().then_some(sign))
 }
 
-/// The sign of a polynomial all of whose terms have it, 1 or -1; and the symbols that all vanish wherever the polynomial
-/// does, `None` where it does not vanish.
+/// The sign of a polynomial whose terms all have it, 1 or -1, and the symbols that all vanish wherever the polynomial
+/// does (`None` where the polynomial does not vanish).
 fn weak_sign(polynomial: Sym, positive: &[Sym], nonzero: &impl Fn(&Sym) -> bool) -> Option<(i32, Option<Vec<Sym>>)> {
     let symbols = polynomial.symbols_of();
     let terms = coefficients(polynomial, &symbols).ok()?;
@@ -249,7 +249,7 @@ fn weak_sign(polynomial: Sym, positive: &[Sym], nonzero: &impl Fn(&Sym) -> bool)
     (common != 0).then(|| (common, (!strict).then_some(vanishing)))
 }
 
-/// Whether a condition forbids that all these symbols vanish.
+/// Whether a condition implies that these symbols do not all vanish.
 fn excludes(condition: Condition, all: &[Sym]) -> bool {
     let zero: Vec<(Sym, Sym)> = all.iter().map(|symbol| (*symbol, Sym::ZERO)).collect();
     match condition {

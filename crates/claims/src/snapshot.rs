@@ -1,9 +1,9 @@
-//! A page as text for review: exact content only, verdict in the first column, claims in the paper's order.
+//! A page as text for reviews: verdict in the first column, exact content only, claims in the order of the paper.
 
 use crate::{Judged, Verdict};
 use std::fmt::Write;
 
-/// A section of a page. Line 1 counts the verdicts.
+/// The text of judged claims. Its first line states the number of claims with each verdict.
 pub fn render(judged: &[Judged]) -> String {
     let counts: Vec<String> = Verdict::ALL
         .iter()
@@ -21,7 +21,7 @@ pub fn render(judged: &[Judged]) -> String {
 }
 
 fn write_claim(page: &mut String, claim: &Judged, indent: &str) {
-    // Writing to a String cannot fail.
+    // writing to a String cannot fail
     let _ = writeln!(page, "{indent}{:<10} {}  {}", claim.verdict.name(), claim.id, claim.says);
     for equation in &claim.text {
         let _ = writeln!(page, "{indent}           | {equation}");

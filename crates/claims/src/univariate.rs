@@ -1,11 +1,11 @@
-//! Polynomials in one unknown with rational coefficients, as far as a refutation needs them.
+//! Polynomials in one unknown with rational coefficients, for refutations of existence.
 
 use algebra::real::Polynomial;
 use field::Rational;
 use num_traits::Zero;
 use symbolic::{Sym, coefficients};
 
-/// `None` where the expression is no polynomial in the unknown with rational coefficients.
+/// The expression as a polynomial in the unknown; `None` where it has other symbols or is not a polynomial.
 pub(crate) fn polynomial(expression: Sym, unknown: Sym) -> Option<Polynomial> {
     let mut dense = Vec::new();
     for (exponents, coefficient) in coefficients(expression, &[unknown]).ok()? {
@@ -16,7 +16,7 @@ pub(crate) fn polynomial(expression: Sym, unknown: Sym) -> Option<Polynomial> {
     Polynomial::from_rationals(&dense)
 }
 
-/// Whether zero is the only number, real or not, at which all of them vanish: their common divisor is a power of the
+/// Whether the common complex roots of all polynomials are exactly zero: their greatest common divisor is a power of the
 /// unknown.
 pub(crate) fn vanish_at_zero_alone(all: Vec<Polynomial>) -> bool {
     let divisor = all.into_iter().fold(Polynomial::default(), |divisor, p| divisor.gcd(&p));

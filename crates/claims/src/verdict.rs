@@ -1,4 +1,4 @@
-//! The closed set of verdicts, as the page names and explains them.
+//! The verdicts on claims, with their names and meanings.
 
 /// The verdict on a claim.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -16,7 +16,7 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// All of them, the ones that ask for a reader's attention first.
+    /// All verdicts, those that need a reader's attention first.
     pub const ALL: [Verdict; 9] = [
         Verdict::Refuted,
         Verdict::Undefined,
@@ -29,7 +29,7 @@ impl Verdict {
         Verdict::Open,
     ];
 
-    /// The name in one word, lower case: the chip, the filter and the CSS class.
+    /// The name, one lower-case word; labels, filters and CSS classes use it.
     pub fn name(self) -> &'static str {
         match self {
             Verdict::Refuted => "refuted",
@@ -44,7 +44,7 @@ impl Verdict {
         }
     }
 
-    /// A sign that distinguishes verdicts without colour.
+    /// A sign that tells verdicts apart without colour.
     pub fn sign(self) -> &'static str {
         match self {
             Verdict::Refuted => "✗",

@@ -3,12 +3,12 @@
 use crate::{Table, Verdict, text::Typesetter};
 use maud::{Markup, PreEscaped, html};
 
-/// A verdict as a word; [`signs`] adds its sign.
+/// The label with the name of a verdict; the style from [`signs`] adds its sign.
 pub(super) fn chip(verdict: Verdict) -> Markup {
     html! { span class={ "chip " (verdict.name()) } { (verdict.name()) } }
 }
 
-/// The style that puts a sign before each verdict, hidden from screen readers: once for the page, not once for each claim.
+/// The CSS rules that put a sign before each verdict, hidden from screen readers. They occur once in the page, not once for each claim.
 pub(super) fn signs() -> String {
     let rule = |verdict: Verdict| {
         let (name, sign) = (verdict.name(), verdict.sign());
@@ -28,7 +28,7 @@ pub(super) fn figure(title: &str, svg: String, note: &str, set: &mut Typesetter)
     }
 }
 
-/// Names with their values, line by line.
+/// A list of names with their values, one per line.
 pub(super) fn facts(facts: &[(String, String)], set: &mut Typesetter) -> Markup {
     html! {
         @if !facts.is_empty() {
@@ -37,10 +37,10 @@ pub(super) fn facts(facts: &[(String, String)], set: &mut Typesetter) -> Markup 
     }
 }
 
-/// The number of columns from which a table has a row of its own.
+/// The least number of columns for which a table takes the full width of the page.
 const BROAD: usize = 5;
 
-/// A table of texts that scrolls in its own box. Its cells and rows end where the next begin, as HTML allows.
+/// A table of texts in a box with scroll bars of its own. End tags of cells and rows are left out, as HTML allows.
 pub(super) fn table(table: &Table, set: &mut Typesetter) -> Markup {
     let columns = table.rows.iter().map(Vec::len).chain([table.head.len()]).max().unwrap_or(0);
     let cells = |column| table.rows.iter().filter_map(move |row| row.get(column));
@@ -59,12 +59,12 @@ pub(super) fn table(table: &Table, set: &mut Typesetter) -> Markup {
 /// The number of columns that can be aligned as numbers; later ones are set as text.
 const COLUMNS: usize = 24;
 
-/// The class of a table whose columns with these indices are numbers: once for the table, not for each cell.
+/// The CSS class of a table in which the columns with these indices (from 0) are numbers. It is set once for the table, not for each cell.
 pub(super) fn numeric(columns: impl IntoIterator<Item = usize>) -> String {
     columns.into_iter().map(|column| format!("n{}", column + 1)).collect::<Vec<_>>().join(" ")
 }
 
-/// The style of [`numeric`] columns.
+/// The CSS rules for the classes of [`numeric`].
 pub(super) fn numbers() -> String {
     let all = |cell: &str| {
         let column = |n| format!(".n{n} {cell}:nth-child({n})");
@@ -77,7 +77,7 @@ pub(super) fn numbers() -> String {
     )
 }
 
-/// Whether a cell starts like a number: `−3.2·10⁻⁹`, `1 234`, `—`.
+/// Whether the text of a cell starts like a number: `−3.2·10⁻⁹`, `1 234`, `—`.
 fn is_number(cell: &str) -> bool {
     if cell.contains(", ") {
         return false;

@@ -1,10 +1,10 @@
-//! The ledger: every claim in its paper's order, under the paper's own headings.
+//! The ledger on the page: all claims in the order of their paper, under the headings of its sections.
 
 use super::{anchor, cards::chip, statement};
 use crate::{ClaimRow, PaperSection, Verdict, text::Typesetter};
 use maud::{Markup, html};
 
-/// A paper's claims, with filters where scripts run.
+/// The ledger of a paper, with buttons that filter by verdict where scripts run.
 pub(super) fn ledger(paper: &PaperSection, set: &mut Typesetter) -> Markup {
     set.at(&paper.id);
     html! {
@@ -25,17 +25,17 @@ pub(super) fn ledger(paper: &PaperSection, set: &mut Typesetter) -> Markup {
     }
 }
 
-/// The heading above the claims of one section; `None` where the paper has no section for them.
+/// The title of the section to which these claims belong; `None` where they belong to no section.
 pub(super) fn heading(group: &[ClaimRow]) -> Option<&str> {
     group.first().map(|claim| claim.section.as_str()).filter(|section| !section.is_empty())
 }
 
-/// The link to a section of a paper: sections are known by their places.
+/// The link to a section of a paper; `position` is the index of the section, from 0.
 pub(super) fn part(paper: &PaperSection, position: usize) -> String {
     format!("{}/part{}", anchor(&paper.id), position + 1)
 }
 
-/// The number of claims, and the numbers of those with a verdict that needs a reader's attention, as text.
+/// The number of claims, followed by the number of claims for each verdict that needs a reader's attention, as text.
 pub(super) fn counts(group: &[ClaimRow]) -> String {
     let noteworthy = [Verdict::Refuted, Verdict::Undefined, Verdict::Undecided, Verdict::Open];
     let counted = noteworthy.map(|verdict| (verdict, group.iter().filter(|claim| claim.verdict == verdict).count()));

@@ -1,11 +1,11 @@
-//! The conditions of a claim: short ones in a line, each long one on its own line, long lists folded.
+//! The conditions of a claim: short conditions share a line, each long condition has its own line, and a long list is folded.
 
 use crate::text::{Typesetter, sole_formula};
 use maud::{Markup, html};
 
-/// The width of a condition, in em, from which all conditions of its claim stand on lines of their own.
+/// The width in em up to which conditions share a line; where one is wider, each has its own line.
 const SHORT: f64 = 18.0;
-/// The length of a list of conditions beyond which it is folded.
+/// The largest number of conditions that are shown unfolded.
 const MANY: usize = 4;
 
 pub(super) fn requires(conditions: &[String], set: &mut Typesetter) -> Markup {

@@ -1,4 +1,4 @@
-//! Sections that are mostly pictures: spheres, maps of friction and timings.
+//! Sections that consist mainly of pictures: spheres, stability maps, maps of friction and timings.
 
 use super::cards::{facts, figure, table};
 use crate::{Report, Sphere, Table, Timings, svg::timings::seconds, text::Typesetter};
@@ -15,7 +15,7 @@ pub(super) fn spheres(report: &Report, set: &mut Typesetter) -> Markup {
     }
 }
 
-/// A sphere with its still picture, which the script of the page turns by the data next to it.
+/// A sphere as a still picture, with the data by which the script of the page turns it.
 fn card(sphere: &Sphere, set: &mut Typesetter) -> Markup {
     set.at(&sphere.title);
     html! {
@@ -89,7 +89,7 @@ pub(super) fn timings(report: &Report, set: &mut Typesetter) -> Markup {
     }
 }
 
-/// The table of the times shown as bars.
+/// The table of the times that the bars show.
 fn times(timings: &Timings) -> Table {
     let names = timings.names();
     let head = ["Task", &timings.ours].into_iter().chain(names.iter().copied()).map(String::from).collect();

@@ -1,4 +1,4 @@
-//! The first section of the page: every refuted claim next to its correction. The ledger links here for both.
+//! The section with every refuted claim next to its correction. The ledger links to the entries of this section.
 
 use super::{anchor, cards::chip, conditions, statement};
 use crate::{ClaimRow, PaperSection, Report, Verdict, text::Typesetter};
@@ -53,16 +53,16 @@ fn finding(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
     }
 }
 
-/// The link to the finding on a claim.
+/// The anchor of the finding on a claim.
 pub(super) fn link(claim: &ClaimRow) -> String {
     format!("finding/{}", anchor(&claim.id))
 }
 
-/// The width, in em, beyond which formulas next to a sentence are folded.
+/// The width in em beyond which a formula next to a sentence is folded.
 const LONG: f64 = 75.0;
 
-/// The corrected sentence, then its formulas that differ from the printed ones. The conditions are shown where only they differ,
-/// and folded elsewhere.
+/// The corrected sentence, followed by those of its formulas that differ from the printed ones. The conditions are unfolded where the formulas
+/// agree with the printed ones, so that only the conditions differ; elsewhere they are folded.
 fn correct(claim: &ClaimRow, correction: &ClaimRow, set: &mut Typesetter) -> Markup {
     let same = correction.latex == claim.latex;
     let (long, short): (Vec<&String>, Vec<&String>) = correction

@@ -1,4 +1,4 @@
-//! The font of formulas, embedded in the page: browsers without a mathematical font draw dots through letters.
+//! The font of formulas, embedded in the page. Browsers without a mathematical font misplace dots over letters.
 
 /// A subset of STIX Math under the SIL Open Font License: see `font/OFL.txt`.
 const FONT: &[u8] = include_bytes!("font/math.woff2");

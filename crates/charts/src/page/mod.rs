@@ -19,11 +19,11 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 #[derive(Clone, Debug)]
 pub struct Page {
     pub html: String,
-    /// LaTeX that is shown as source, because it could not be typeset.
+    /// LaTeX that could not be typeset and is shown as source text.
     pub unset: Vec<Unset>,
 }
 
-/// Writes the page. Equal reports give equal bytes.
+/// The report as one HTML file. Equal reports give equal bytes.
 pub fn render(report: &Report) -> Page {
     let set = &mut Typesetter::default();
     set.at("heading");
@@ -62,7 +62,7 @@ fn document(report: &Report, body: &Markup) -> String {
     })
 }
 
-/// The content security policy: nothing is loaded from outside.
+/// The content security policy: the page loads nothing from outside.
 const POLICY: &str = "default-src 'none'; font-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
 
 /// The head of a page.
@@ -71,14 +71,14 @@ struct Head<'a> {
     generator: &'a str,
     /// The content security policy.
     policy: &'a str,
-    /// CSS rules after those of every page.
+    /// CSS rules that follow the rules of every page.
     style: &'a str,
-    /// The address of the page's icon; a browser asks the server for one where this is `None`.
+    /// The address of the icon; with `None` the browser asks the server for its default icon.
     icon: Option<&'a str>,
 }
 
 impl Head<'_> {
-    /// The whole page with this body.
+    /// The whole HTML document with this head and body.
     fn over(&self, body: &Markup) -> String {
         let Head { title, generator, policy, style, icon } = self;
         let page = html! {
@@ -101,7 +101,7 @@ impl Head<'_> {
     }
 }
 
-/// A name as part of a link: no spaces.
+/// An identifier with its spaces replaced by `-`, for use in a link.
 fn anchor(id: &str) -> String {
     id.split_whitespace().collect::<Vec<_>>().join("-")
 }

@@ -1,4 +1,4 @@
-//! The head of the page: title, summary, counts by verdict, contents.
+//! The head of the page: title, summary, numbers of claims by verdict, contents.
 
 use super::{
     anchor,
@@ -8,7 +8,7 @@ use super::{
 use crate::{Report, Verdict, text::Typesetter};
 use maud::{Markup, html};
 
-/// Title, summary and the table of counts.
+/// The title, the summary and the table of the numbers of claims.
 pub(super) fn heading(report: &Report, set: &mut Typesetter) -> Markup {
     html! {
         header.masthead {
@@ -19,7 +19,7 @@ pub(super) fn heading(report: &Report, set: &mut Typesetter) -> Markup {
     }
 }
 
-/// The table of papers by verdicts, with the meaning of each verdict. Verdicts without claims are left out.
+/// The table of the numbers of claims: one row per paper, one column per verdict that occurs, with the meaning of each verdict.
 fn counts(report: &Report, set: &mut Typesetter) -> Markup {
     let number = |count: usize| html! { td { @if count > 0 { (count) } @else { span.none { "·" } } } };
     let verdicts: Vec<Verdict> = Verdict::ALL.into_iter().filter(|verdict| report.count(*verdict) > 0).collect();
@@ -48,7 +48,7 @@ fn counts(report: &Report, set: &mut Typesetter) -> Markup {
     }
 }
 
-/// The contents, beside the page or above it.
+/// The table of contents, beside the page or above it.
 pub(super) fn contents(report: &Report, set: &mut Typesetter) -> Markup {
     let refuted = report.count(Verdict::Refuted);
     html! {

@@ -1,4 +1,4 @@
-//! Scenes: parameters, the summary of the run, its trajectory, the comparison of all methods.
+//! Scenes on the page: parameters, the summary of the run, its trajectory, the comparison of all methods.
 
 use super::{
     anchor,
@@ -91,7 +91,7 @@ fn failures(charts: &[WorkPrecision]) -> Table {
     }
 }
 
-/// The series whose failures are told under a name.
+/// All series of a method family, over all charts.
 fn series<'a>(charts: &'a [WorkPrecision], name: &'a str) -> impl Iterator<Item = &'a Method> {
     charts.iter().flat_map(|chart| &chart.series).filter(move |method| method.family() == name)
 }

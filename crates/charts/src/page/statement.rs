@@ -4,7 +4,7 @@ use super::{conditions, findings};
 use crate::{ClaimRow, Verdict, text::Typesetter};
 use maud::{Markup, html};
 
-/// A claim without its heading. For a refuted claim the counterexample and the correction are among the findings.
+/// The body of a claim, without its heading. A refuted claim has a link to the finding, which shows the counterexample and the correction.
 pub(super) fn whole(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
     let found = claim.verdict == Verdict::Refuted;
     html! {
@@ -27,19 +27,19 @@ pub(super) fn whole(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
     }
 }
 
-/// Evidence that hundreds of rows share: it is stated once, beside the meaning of the verdict.
+/// Evidence that hundreds of rows share. The page states it once, beside the meaning of the verdict.
 const USUAL: [&str; 2] = ["normal form zero", "normal form of the difference is zero"];
 
-/// The sentence that replaces the evidence in `USUAL`, beside the meaning of the verdict.
+/// The sentence that stands for the evidence in `USUAL`, beside the meaning of the verdict.
 pub(super) const UNTOLD: &str = "; if no reason is given, the normal form of the difference is zero";
 
-/// The evidence of a claim; nothing where it is one of `USUAL`.
+/// The evidence of a claim; empty where it is in `USUAL`.
 pub(super) fn evidence(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
     let is_told = !claim.evidence.is_empty() && !USUAL.contains(&claim.evidence.as_str());
     html! { @if is_told { p.evidence { (set.text(&claim.evidence)) } } }
 }
 
-/// The remarks: the reason for which the print fails, its reading, and notes.
+/// The remarks on a claim: the reason for which the printed formula fails, the reading of an ambiguous print, and notes.
 pub(super) fn remarks(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
     html! {
         @for (word, remark) in [("Why. ", &claim.why), ("Reading. ", &claim.reading), ("", &claim.note)] {
@@ -57,7 +57,7 @@ pub(super) fn values(values: &[(String, String)], set: &mut Typesetter) -> Marku
     }
 }
 
-/// Exact values with true minus signs.
+/// The text with each hyphen before a number replaced by a minus sign.
 fn signed(value: &str) -> String {
     let mut out = String::with_capacity(value.len());
     let mut letters = value.chars().peekable();

@@ -1,4 +1,4 @@
-//! Studies: a question, the pictures that answer it, the numbers behind them.
+//! Studies on the page: a question, the pictures that answer it, the tables of their numbers.
 
 use super::cards::{figure, table};
 use crate::{Study, text::Typesetter};

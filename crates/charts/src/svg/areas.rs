@@ -1,4 +1,4 @@
-//! Maps over a plane of two quantities: coloured areas, curves over them, marked points.
+//! Maps over a plane of two quantities: cells coloured by kind, curves over them, marked points.
 
 use super::{
     axis::{Axis, Tick},
@@ -6,26 +6,26 @@ use super::{
     path::polyline,
 };
 
-/// A map of cells, each of one kind, with curves and points; the cells may be missing.
+/// A map of cells, each of one kind, with curves and points. A map may have no cells.
 #[derive(Clone, Debug, Default)]
 pub struct Areas {
     pub title: String,
-    /// Label and bounds of the horizontal axis.
+    /// The label and the bounds of the horizontal axis.
     pub x: (String, [f64; 2]),
-    /// Label and bounds of the vertical axis.
+    /// The label and the bounds of the vertical axis.
     pub y: (String, [f64; 2]),
-    /// The names of the rows of cells, where they are no values of a quantity: from the lowest.
+    /// The names of the rows of cells, from the lowest, where rows are not values of a quantity; empty otherwise.
     pub names: Vec<String>,
-    /// The names of the kinds: in the legend, in this order.
+    /// The names of the kinds of cells, in the order of the legend.
     pub kinds: Vec<String>,
-    /// The kind of each cell by its place in `kinds`, row by row from the lowest; all rows have one length.
+    /// The kind of each cell as an index into `kinds`: rows from the lowest, cells from the left. All rows have one length.
     pub rows: Vec<Vec<usize>>,
     pub curves: Vec<AreaCurve>,
-    /// Single points, many of one name.
+    /// Sets of single points; the points of one set share a name.
     pub dots: Vec<AreaCurve>,
-    /// Points with their labels.
+    /// Marked points (x, y) with their labels.
     pub marks: Vec<(f64, f64, String)>,
-    /// Text below.
+    /// The text below the map.
     pub note: String,
 }
 
@@ -36,19 +36,19 @@ pub struct AreaCurve {
     pub points: Vec<(f64, f64)>,
 }
 
-/// The left end of a plane over values with short numbers, and of one whose rows have names.
+/// The left edge of the map in pixels, where the labels of the ticks are short numbers; [`LEFT_OF_NAMES`] where they are names.
 const LEFT: f64 = 56.0;
 const LEFT_OF_NAMES: f64 = 160.0;
-/// The width of the label beside the axis with its gaps, and that of a digit.
+/// The width in pixels of the label beside the axis with its gaps; [`DIGIT`] is the width of a digit.
 const LABEL: f64 = 32.0;
 const DIGIT: f64 = 8.5;
 const RIGHT: f64 = WIDTH - 14.0;
 const TOP: f64 = 10.0;
 const BOTTOM: f64 = 330.0;
 
-/// The number of colours for kinds of cells.
+/// The number of colours of cells; further kinds repeat the colours.
 const COLOURS: usize = 12;
-/// The number of points beyond which a curve has no dashes, which would hide it.
+/// The largest number of points of a dashed curve; dashes would hide a longer one.
 const DENSE: usize = 300;
 
 impl Areas {
@@ -57,8 +57,7 @@ impl Areas {
         self.drawing().standalone(&self.title)
     }
 
-    /// Several pictures as one SVG file, two in a row, each under its title; below all of them their legend, which is that of the
-    /// first, and a note.
+    /// Several maps as one SVG file, two in a row, each under its title. The legend of the first map and the note stand below all of them.
     pub fn sheet(pictures: &[Areas], title: &str, note: &str) -> String {
         let mut sheet = Drawing::default();
         for row in pictures.chunks(2) {
@@ -84,7 +83,7 @@ impl Areas {
         drawing
     }
 
-    /// The map without its legend.
+    /// The drawing of the map without its legend.
     fn plane(&self) -> Drawing {
         let mut y = Axis::linear(self.y.1.into_iter(), BOTTOM, TOP, 50.0, 0.0);
         if !self.names.is_empty() {
@@ -130,13 +129,13 @@ impl Areas {
         drawing
     }
 
-    /// The left edge of the map, right of its numbers and label.
+    /// The left edge of the map in pixels, to the right of the label and numbers of the axis.
     fn left(&self, y: &Axis) -> f64 {
         let widest = y.ticks.iter().flat_map(|tick| &tick.label).map(|label| label.chars().count()).max().unwrap_or(0);
         if self.names.is_empty() { LEFT.max(LABEL + DIGIT * widest as f64) } else { LEFT_OF_NAMES }
     }
 
-    /// Draws a curve, dark over coloured cells, and in a colour of its own without cells.
+    /// Draws a curve: dark over coloured cells, in a colour of its own on a map without cells.
     fn stroke(&self, drawing: &mut Drawing, number: usize, d: &str, points: usize, tooltip: &str) {
         if d.is_empty() {
             return;
@@ -149,7 +148,7 @@ impl Areas {
         drawing.close();
     }
 
-    /// Draws the cells; neighbours of one kind in a row are one box, slightly wider to avoid visible seams.
+    /// Draws the cells. Adjacent cells of one kind in a row are one box, slightly enlarged to avoid visible seams.
     fn cells(&self, drawing: &mut Drawing, left: f64) {
         let height = (BOTTOM - TOP) / self.rows.len().max(1) as f64;
         let mut boxes = vec![Vec::new(); COLOURS];
@@ -189,7 +188,7 @@ impl Areas {
     }
 }
 
-/// Draws a dot at a place in px: filled for an even number of a kind, hollow for an odd one.
+/// Draws a dot at a position in pixels: filled for an even index of its set, hollow for an odd one.
 fn dot(drawing: &mut Drawing, number: usize, at: (f64, f64)) {
     drawing.circle(at, 1.4, if number.is_multiple_of(2) { "spot" } else { "spot hollow" });
 }

@@ -1,18 +1,18 @@
-//! Axes: from values to pixels, with ticks at decades or at round steps.
+//! Axes: maps from values to pixels, with ticks at powers of ten or at round steps.
 
 use super::number::{significant, superscript};
 
-/// The smallest value on a logarithmic axis: the last digit of double-double.
+/// The smallest value on a logarithmic axis, the relative precision of double-double numbers.
 pub(crate) const FLOOR: f64 = 1e-32;
 
-/// A tick, with its label where it has one.
+/// A tick of an axis; its label is `None` where labels would be too close.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Tick {
     pub at: f64,
     pub label: Option<String>,
 }
 
-/// A map from values to pixels. Logarithmic axes keep their bounds as logarithms.
+/// An affine map from values to pixels. The bounds of a logarithmic axis are stored as logarithms to base ten.
 #[derive(Clone, Debug)]
 pub(crate) struct Axis {
     logarithmic: bool,
@@ -24,7 +24,7 @@ pub(crate) struct Axis {
 }
 
 impl Axis {
-    /// An axis of decades about these positive values, from one pixel to another. Never shows less than one decade.
+    /// A logarithmic axis over these positive values, from the pixel `from` to the pixel `to`, with at least one decade.
     pub fn log(values: impl Iterator<Item = f64>, from: f64, to: f64, spacing: f64) -> Self {
         let (low, high) = bounds(values.map(|value| value.max(FLOOR).log10())).unwrap_or((0.0, 1.0));
         let margin = 0.12 + 0.025 * (high - low);
@@ -56,7 +56,7 @@ impl Axis {
         Axis { logarithmic: true, low, high, from, to, ticks }
     }
 
-    /// An axis about these values with ticks at 1, 2 or 5 times a power of ten; `margin` is the empty share at each end.
+    /// A linear axis over these values, with ticks at 1, 2 or 5 times a power of ten. `margin` is the empty fraction at each end.
     pub fn linear(values: impl Iterator<Item = f64>, from: f64, to: f64, spacing: f64, margin: f64) -> Self {
         let (low, high) = bounds(values).unwrap_or((0.0, 1.0));
         let flat = (high - low) <= 1e-12 * low.abs().max(high.abs());
@@ -75,7 +75,7 @@ impl Axis {
         Axis { logarithmic: false, low, high, from, to, ticks }
     }
 
-    /// Removes a common power of ten from labels that are too long with one each, and returns it.
+    /// Removes a common power of ten from the labels where each would be too long with its own, and returns this power as text.
     pub fn share_power(&mut self) -> Option<String> {
         let has_power = |tick: &Tick| tick.label.as_deref().is_some_and(|label| label.contains('·'));
         if self.logarithmic || !self.ticks.iter().any(has_power) {
@@ -95,12 +95,12 @@ impl Axis {
         Some(format!("10{}", superscript(exponent as i32)))
     }
 
-    /// The position of a value, in pixels.
+    /// The position of a value in pixels.
     pub fn place(&self, value: f64) -> f64 {
         self.place_tick(if self.logarithmic { value.max(FLOOR).log10() } else { value })
     }
 
-    /// The position of a tick, in pixels.
+    /// The position of a tick in pixels; on a logarithmic axis `at` is the logarithm.
     pub fn place_tick(&self, at: f64) -> f64 {
         self.from + (at - self.low) / (self.high - self.low) * (self.to - self.from)
     }
@@ -113,13 +113,13 @@ fn bounds(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
     })
 }
 
-/// The smallest of 1, 2, 5 times a power of ten that is at least `least`.
+/// The smallest number of the form 1, 2 or 5 times a power of ten that is at least `least`.
 fn round_step(least: f64) -> f64 {
     let power = 10_f64.powf(least.log10().floor());
     [1.0, 2.0, 5.0, 10.0].into_iter().map(|factor| factor * power).find(|step| *step >= least).unwrap_or(10.0 * power)
 }
 
-/// The number of decimals that distinguish multiples of the step.
+/// The number of decimals that suffices to tell multiples of the step apart.
 fn decimals(step: f64) -> usize {
     (-step.log10().floor()).max(0.0) as usize
 }

@@ -1,4 +1,4 @@
-//! Bifurcation diagrams: branches over a parameter as curves that are stable, unstable or undecided, with marks at their changes.
+//! Bifurcation diagrams: branches of steady motions over a parameter, drawn by their stability, with marks at bifurcations.
 
 use super::axis::{Axis, Tick};
 use super::drawing::{Anchor, Drawing, LINE, WIDTH};
@@ -13,47 +13,47 @@ pub enum Standing {
     Undecided,
 }
 
-/// A piece of a branch of one stability.
+/// A piece of a branch along which the stability does not change, as points (parameter, quantity).
 #[derive(Clone, Debug, PartialEq)]
 pub struct BranchPiece {
     pub standing: Standing,
     pub points: Vec<(f64, f64)>,
 }
 
-/// A quantity of all branches, with its axis.
+/// The chart of one quantity along all branches.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BranchPanel {
-    /// The name of the quantity with its unit.
+    /// The name of the quantity with its unit, the label of the vertical axis.
     pub y: String,
-    /// The range of the axis.
+    /// The bounds of the vertical axis.
     pub range: [f64; 2],
     pub pieces: Vec<BranchPiece>,
-    /// Points at which branches change, each with the index of its kind.
+    /// Bifurcation points: the index of the kind of bifurcation in [`Branches::kinds`], and the point.
     pub marks: Vec<(usize, (f64, f64))>,
 }
 
-/// Branches in some quantities over one parameter.
+/// A bifurcation diagram: charts of several quantities over one parameter.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Branches {
     pub title: String,
-    /// The name of the parameter with its unit, and its range.
+    /// The name of the parameter with its unit, and the bounds of the horizontal axis.
     pub x: (String, [f64; 2]),
     pub panels: Vec<BranchPanel>,
-    /// Names of the kinds of marks.
+    /// The names of the kinds of bifurcations.
     pub kinds: Vec<String>,
-    /// Text below.
+    /// The text below the charts.
     pub note: String,
 }
 
 const LEFT: f64 = 56.0;
-/// The space of the label beside the axis with its gaps, and of a digit.
+/// The width in pixels of the label beside the axis with its gaps; [`DIGIT`] is the width of a digit.
 const LABEL: f64 = 32.0;
 const DIGIT: f64 = 8.5;
 const RIGHT: f64 = WIDTH - 14.0;
 const TOP: f64 = 10.0;
 const BOTTOM: f64 = 290.0;
 
-/// Half the width of a mark.
+/// Half the width of a mark in pixels.
 const MARK: f64 = 5.0;
 
 impl Standing {
@@ -121,7 +121,7 @@ impl Branches {
         drawing.close();
     }
 
-    /// Draws the legend of the kinds that occur.
+    /// Draws the legend of those kinds of pieces and marks that occur.
     fn legend(&self, drawing: &mut Drawing) {
         let pieces = || self.panels.iter().flat_map(|panel| &panel.pieces);
         for standing in Standing::ALL.into_iter().filter(|own| pieces().any(|piece| piece.standing == *own)) {

@@ -1,7 +1,7 @@
-//! Decimation of long data that keeps all extremes.
+//! Thinning of long series of points that keeps all extremes.
 
-/// Keeps at most four points for each of `columns` equal steps of the first coordinate: the first, the lowest, the highest and
-/// the last, in their order. Data that are short enough are returned unchanged. Expects finite numbers.
+/// At most four points for each of `columns` equal intervals of the first coordinate: the first, the lowest, the highest and the last,
+/// in their order. Series of at most `4 * columns` points are returned unchanged. All numbers must be finite.
 pub(crate) fn decimate(points: &[(f64, f64)], columns: usize) -> Vec<(f64, f64)> {
     if points.len() <= 4 * columns {
         return points.to_vec();
@@ -12,7 +12,7 @@ pub(crate) fn decimate(points: &[(f64, f64)], columns: usize) -> Vec<(f64, f64)>
     points.chunk_by(|a, b| column(a) == column(b)).flat_map(corners).collect()
 }
 
-/// The first, lowest, highest and last of some points, each once.
+/// The first, lowest, highest and last of the points, in their order, without repetition.
 fn corners(chunk: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let by_height = |a: &usize, b: &usize| chunk[*a].1.total_cmp(&chunk[*b].1);
     let lowest = (0..chunk.len()).min_by(by_height);

@@ -1,4 +1,4 @@
-//! The sheet that charts are drawn on.
+//! The drawing to which charts add lines, shapes and texts.
 
 use super::{
     STYLE,
@@ -7,9 +7,9 @@ use super::{
 use maud::html;
 use std::fmt::Write;
 
-/// The width of every chart in its own units, so that text has one size across the page.
+/// The width of every chart in user units of SVG. Since all charts have this width, text has one size across the page.
 pub(crate) const WIDTH: f64 = 520.0;
-/// The height of a line of text.
+/// The height of a line of text in pixels.
 pub(crate) const LINE: f64 = 18.0;
 
 /// The alignment of a text at its point.
@@ -20,17 +20,17 @@ pub(crate) enum Anchor {
     End,
 }
 
-/// SVG under construction. Texts and tooltips are escaped here and nowhere else.
+/// The SVG elements drawn so far. Texts and tooltips are escaped here and nowhere else.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Drawing {
     body: String,
     pub height: f64,
-    /// The width in units of `WIDTH`; 0 and 1 both mean one.
+    /// The width as a multiple of `WIDTH`; both 0 and 1 mean one column.
     columns: usize,
 }
 
 impl Drawing {
-    /// A group of a class; ends with [`Drawing::close`].
+    /// Starts a group with this CSS class; [`Drawing::close`] ends it.
     pub fn open(&mut self, class: &str) {
         let _ = write!(self.body, "<g class=\"{class}\">");
     }
@@ -44,7 +44,7 @@ impl Drawing {
         let _ = write!(self.body, "<path class=\"{class}\" d=\"M{x1} {y1}L{x2} {y2}\"/>");
     }
 
-    /// Draws vertical and horizontal lines across a frame, as one path.
+    /// Draws vertical and horizontal grid lines across a frame, as one path.
     pub fn grid(
         &mut self,
         upright: impl Iterator<Item = f64>,
@@ -58,7 +58,7 @@ impl Drawing {
         self.path(&upright.chain(level).collect::<String>(), class);
     }
 
-    /// Boxes of one class, each by its corner, width and height, as one path.
+    /// Draws boxes of one class as one path; a box is given by its corner x, y, its width and its height.
     pub fn boxes(&mut self, boxes: &[[f64; 4]], class: &str) {
         let one = |each: &[f64; 4]| {
             let [x, y, width, height] = each.map(coordinate);
@@ -79,20 +79,20 @@ impl Drawing {
     }
 
     pub fn path(&mut self, d: &str, class: &str) {
-        // a minus sign separates numbers, so that the space is superfluous
+        // the space before a minus sign is superfluous, since the sign separates numbers
         let d = d.replace(" -", "-");
         if !d.is_empty() {
             let _ = write!(self.body, "<path class=\"{class}\" d=\"{d}\"/>");
         }
     }
 
-    /// A path with more attributes, and with its animation.
+    /// Draws a path with further attributes; `moved` contains the elements of its animation.
     pub fn path_with(&mut self, d: &str, class: &str, attributes: &str, moved: &str) {
         let d = d.replace(" -", "-");
         let _ = write!(self.body, "<path class=\"{class}\" d=\"{d}\"{attributes}>{moved}</path>");
     }
 
-    /// A text with more attributes, and with its animation.
+    /// Draws a text with further attributes; `moved` contains the elements of its animation.
     pub fn text_with(&mut self, (x, y): (f64, f64), class: &str, text: &str, attributes: &str, moved: &str) {
         let (x, y, text) = (coordinate(x), coordinate(y), html!((text)).0);
         let _ = write!(self.body, "<text class=\"{class}\" x=\"{x}\" y=\"{y}\"{attributes}>{text}{moved}</text>");
@@ -119,7 +119,7 @@ impl Drawing {
         let _ = write!(self.body, "<text{class} x=\"{x}\" y=\"{y}\"{anchor}>{text}</text>");
     }
 
-    /// A text read from below, centred on the point.
+    /// Draws a vertical text that reads from bottom to top, centred on the point.
     pub fn upward(&mut self, (x, y): (f64, f64), text: &str) {
         let (x, y) = (coordinate(x), coordinate(y));
         let text = html!((text)).0;
@@ -127,7 +127,7 @@ impl Drawing {
             write!(self.body, "<text text-anchor=\"middle\" transform=\"translate({x} {y})rotate(-90)\">{text}</text>");
     }
 
-    /// Drawings below everything drawn so far, side by side.
+    /// Puts these drawings side by side below everything drawn so far.
     pub fn below(&mut self, others: &[Drawing]) {
         for (column, other) in others.iter().enumerate() {
             let (x, y) = (coordinate(column as f64 * WIDTH), coordinate(self.height));
@@ -137,7 +137,7 @@ impl Drawing {
         self.height += others.iter().map(|other| other.height).fold(0.0, f64::max);
     }
 
-    /// A paragraph below everything drawn so far.
+    /// Writes a paragraph below everything drawn so far.
     pub fn paragraph(&mut self, text: &str, class: &str) {
         for line in wrap(text, 74 * self.columns.max(1)) {
             self.height += LINE - 1.0;
@@ -145,17 +145,17 @@ impl Drawing {
         }
     }
 
-    /// The picture for a page that has the styles; `label` is for screen readers.
+    /// The SVG element for a page that contains the style sheet; `label` is the text for screen readers.
     pub fn embedded(&self, label: &str) -> String {
         self.element(label, "", "")
     }
 
-    /// The picture as a file of its own, under its title.
+    /// The SVG file, with its title as a heading.
     pub fn standalone(&self, title: &str) -> String {
         self.standalone_in(title, STYLE)
     }
 
-    /// The picture as a file with other styles.
+    /// The SVG file with another style sheet.
     pub fn standalone_in(&self, title: &str, style: &str) -> String {
         let style = format!("<style>{style}</style>");
         self.element(title, " xmlns=\"http://www.w3.org/2000/svg\"", &style)
@@ -187,7 +187,7 @@ impl Drawing {
     }
 }
 
-/// Breaks a text into lines of at most `limit` characters; a longer word has a line of its own.
+/// The words of a text in lines of at most `limit` characters; a longer word has a line of its own.
 pub(crate) fn wrap(text: &str, limit: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
@@ -202,7 +202,7 @@ pub(crate) fn wrap(text: &str, limit: usize) -> Vec<String> {
     lines
 }
 
-/// A text cut to `limit` characters, with an ellipsis if it is longer.
+/// The text if it has at most `limit` characters; otherwise its beginning with an ellipsis.
 pub(crate) fn shorten(text: &str, limit: usize) -> String {
     if text.chars().count() <= limit {
         return text.to_owned();
@@ -210,7 +210,7 @@ pub(crate) fn shorten(text: &str, limit: usize) -> String {
     text.chars().take(limit.saturating_sub(1)).collect::<String>().trim_end().to_owned() + "…"
 }
 
-/// The sentence on the number of points that could not be drawn; empty for zero.
+/// The sentence that states the number of points left out of a chart, and the reason; empty for zero.
 pub(crate) fn left_out(count: usize, why: &str) -> String {
     match count {
         0 => String::new(),

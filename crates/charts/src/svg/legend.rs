@@ -1,17 +1,17 @@
-//! Legends, which stand below the plot, so that they cover no data.
+//! Legends. They stand below the plot, where they cover no data.
 
 use super::{
     drawing::{Anchor, Drawing, LINE, WIDTH, shorten},
     marker::Look,
 };
 
-/// One entry.
+/// A series in a legend.
 pub(crate) struct Entry<'a> {
     pub look: Look,
     pub name: &'a str,
 }
 
-/// Draws the entries in as many columns as fit, each with its line and, where asked, its marker.
+/// Draws the entries in as many columns as fit, at most four. Each has its line and, with `markers`, its marker.
 pub(crate) fn draw(drawing: &mut Drawing, entries: &[Entry], markers: bool) {
     let (rows, widths) =
         (1..=4).rev().map(|columns| layout(entries, columns)).find(fits).unwrap_or((entries.len(), vec![]));
@@ -29,7 +29,7 @@ pub(crate) fn draw(drawing: &mut Drawing, entries: &[Entry], markers: bool) {
     drawing.height += LINE * rows as f64 + 4.0;
 }
 
-/// Draws the entries in one row that begins at a place, without markers; returns false and draws nothing where there is no room.
+/// Draws the entries in one row from the position `(left, y)`, without markers. Where the row does not fit, draws nothing and returns false.
 pub(crate) fn in_a_row(drawing: &mut Drawing, entries: &[Entry], (left, y): (f64, f64), right: f64) -> bool {
     let width = |entry: &Entry| 7.6 * entry.name.chars().count().min(LONGEST) as f64 + 37.0;
     if left + entries.iter().map(width).sum::<f64>() > right {
@@ -48,7 +48,7 @@ pub(crate) fn in_a_row(drawing: &mut Drawing, entries: &[Entry], (left, y): (f64
 
 const LONGEST: usize = 66;
 
-/// The number of rows for a number of columns, and the width of each column in pixels.
+/// The number of rows for a given number of columns, and the width of each column in pixels.
 fn layout(entries: &[Entry], columns: usize) -> (usize, Vec<f64>) {
     let rows = entries.len().div_ceil(columns).max(1);
     let width = |name: &str| 7.1 * name.chars().count().min(LONGEST) as f64 + 57.0;

@@ -1,4 +1,4 @@
-//! Looks of series: twelve colours, twelve shapes of markers and twelve patterns of dashes.
+//! The appearance of series: twelve colours, twelve shapes of markers and twelve patterns of dashes.
 
 use super::{
     drawing::Drawing,
@@ -7,13 +7,13 @@ use super::{
 
 const STYLES: usize = 12;
 
-/// The look of a series: its colour, the shape of its markers, its dashes.
+/// The appearance of a series: its colour, the shape of its markers, its dashes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Look {
-    /// The colour and dashes: class `s0` to `s11`; `None` for grey.
+    /// The index of the CSS class for colour and dashes, `s0` to `s11`; `None` for grey.
     style: Option<usize>,
     shape: usize,
-    /// Other dashes: class `d0` to `d11`.
+    /// The index of the CSS class of other dashes, `d0` to `d11`; `None` for the dashes of `style`.
     dashes: Option<usize>,
 }
 
@@ -21,9 +21,9 @@ pub(crate) struct Look {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Paint {
     Full,
-    /// Paper inside.
+    /// Outlined, and filled with the colour of the background.
     Hollow,
-    /// Lines only.
+    /// Open lines without a fill.
     Lines,
     /// The round cap of a line of zero length, the shortest way to write a circle.
     Dot,
@@ -32,23 +32,23 @@ enum Paint {
 }
 
 impl Look {
-    /// The look of the series at a position. It repeats after 144 series: each round of colours has other shapes.
+    /// The appearance of the series at this index. Appearances repeat after 144 series: colours repeat after twelve, with other shapes.
     pub fn of(position: usize) -> Self {
         Look { style: Some(position % STYLES), shape: (position + position / STYLES) % STYLES, dashes: None }
     }
 
-    /// The look of a grey series.
+    /// The appearance of a series in grey.
     pub fn quiet() -> Self {
         Look { style: None, shape: 0, dashes: None }
     }
 
-    /// The look with the shape and the dashes of the kinds of a series, where it has any.
+    /// The appearance with the shape and the dashes of these kinds, where they are given.
     pub fn of_kind(self, shape: Option<usize>, dashes: Option<usize>) -> Self {
         let dashes = dashes.map_or(self.dashes, |kind| Some(kind % STYLES));
         Look { shape: shape.map_or(self.shape, |kind| kind % STYLES), dashes, ..self }
     }
 
-    /// The outline of a marker. Grey markers are many and small: their full circle is a dot, their full square a block.
+    /// The path of a marker and the way in which it is painted. Grey markers are many and small; a circle or square is a cap of a line.
     fn drawn(self, r: f64) -> (String, Paint) {
         match (self.style, self.shape) {
             (None, 0) => ("h0".to_owned(), Paint::Dot),
@@ -62,12 +62,12 @@ impl Look {
         self.dashes.map_or_else(|| colour.clone(), |dashes| format!("{colour} d{dashes}"))
     }
 
-    /// The marker about a point; `r` is about half its width.
+    /// Draws a marker about a point; `r` is about half its width in pixels.
     pub fn marker(self, drawing: &mut Drawing, place: (f64, f64), r: f64, tooltip: &str) {
         self.markers(drawing, &[place], r, tooltip);
     }
 
-    /// The markers about several points, as one path.
+    /// Draws markers about several points, as one path.
     pub fn markers(self, drawing: &mut Drawing, places: &[(f64, f64)], r: f64, tooltip: &str) {
         let (shape, paint) = self.drawn(r);
         let class = match paint {
@@ -84,7 +84,7 @@ impl Look {
     }
 }
 
-/// A shape repeated about several centres, as one path of relative moves.
+/// The path of a shape repeated about several centres, with relative coordinates.
 fn repeated(shape: &str, places: &[(f64, f64)]) -> String {
     let begins = shape.strip_prefix('m').map_or(0, |rest| rest.find(char::is_alphabetic).map_or(0, |at| at + 1));
     let (comes_back, mut pen) = (shape.ends_with('z') || shape == "h0", None);
@@ -102,7 +102,7 @@ fn repeated(shape: &str, places: &[(f64, f64)]) -> String {
     path
 }
 
-/// A relative path from the centre.
+/// The path of a marker relative to its centre.
 fn outline(shape: usize, r: f64) -> (String, Paint) {
     let n = coordinate;
     let (small, big) = (r * 0.9, r * 1.25);
@@ -123,7 +123,7 @@ fn outline(shape: usize, r: f64) -> (String, Paint) {
     }
 }
 
-/// One arc, from the top all the way round to a tenth of a pixel beside it: half as long as two halves.
+/// The path of a circle: one arc from the top that ends a tenth of a pixel beside its start. Two half circles would be twice as long.
 fn circle(r: f64) -> String {
     let n = coordinate;
     format!("m0 {}a{r} {r} 0 1 0 .1 0z", n(-r), r = n(r))
@@ -134,7 +134,7 @@ fn square(half: f64) -> String {
     format!("m{0}{0}h{1}v{1}h{2}z", n(-half), n(2.0 * half), n(-2.0 * half))
 }
 
-/// Its point is up where the sign is 1 and down where it is -1.
+/// The path of a triangle that points up for the sign 1 and down for the sign -1.
 fn triangle(half: f64, sign: f64) -> String {
     let n = coordinate;
     format!("m0 {}l{} {}h{}z", n(-sign * half), n(half), n(sign * 1.75 * half), n(-2.0 * half))

@@ -1,4 +1,4 @@
-//! Charts as SVG with fixed decimals, so that equal data give equal bytes.
+//! Charts as SVG. Coordinates have fixed decimals, so that equal data give equal bytes.
 
 pub(crate) mod areas;
 pub(crate) mod branches;

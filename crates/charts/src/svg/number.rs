@@ -1,11 +1,11 @@
 //! Numbers as text: coordinates with fixed decimals, values for readers.
 
-/// A coordinate, to a tenth of a pixel, without a needless `.0` or `-0`.
+/// A coordinate rounded to a tenth of a pixel, without a superfluous `.0` or `-0`.
 pub(crate) fn coordinate(x: f64) -> String {
     tenths(x).to_string_tenths()
 }
 
-/// Tenths of a pixel as an integer, so that relative paths do not drift.
+/// A coordinate in tenths of a pixel. Relative paths in integers accumulate no rounding errors.
 pub(crate) fn tenths(x: f64) -> Tenths {
     Tenths((x * 10.0).round() as i64)
 }
@@ -25,8 +25,8 @@ impl Tenths {
     }
 }
 
-/// A value with a number of significant digits: plain between 0.001 and a million, with a power of ten elsewhere; a word where it
-/// is not finite.
+/// A value with a number of significant digits: decimal between 0.001 and a million, with a power of ten elsewhere. NaN is `undefined`,
+/// an infinite value `unbounded`.
 pub fn significant(value: f64, digits: usize) -> String {
     match value {
         0.0 => return "0".to_owned(),
@@ -46,7 +46,7 @@ pub fn significant(value: f64, digits: usize) -> String {
     text.replace('-', "−")
 }
 
-/// A tolerance, as a power of ten where it is one; NaN stands for the missing tolerance of constant steps.
+/// A tolerance as text, as a power of ten where it is one; `none` for NaN, the tolerance of a method with constant steps.
 pub fn tolerance(value: f64) -> String {
     if value.is_nan() {
         return "none".to_owned();
@@ -65,7 +65,7 @@ fn trim(decimal: &str) -> String {
     }
 }
 
-/// An integer in raised digits.
+/// An integer in superscript digits.
 pub(crate) fn superscript(value: i32) -> String {
     let raise = |c: char| match c {
         '-' => '⁻',
@@ -77,7 +77,7 @@ pub(crate) fn superscript(value: i32) -> String {
     value.to_string().chars().map(raise).collect()
 }
 
-/// An integer with its thousands apart; anything else to four digits.
+/// An integer with its digits in groups of three; any other number with four significant digits.
 pub(crate) fn counted(value: f64) -> String {
     if value.fract() != 0.0 || value.abs() >= 1e15 {
         return significant(value, 4);

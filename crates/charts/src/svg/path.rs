@@ -1,11 +1,11 @@
-//! Paths, thinned to the resolution of a pixel and written in relative tenths of a pixel.
+//! Paths through many points, thinned to the resolution of a pixel and written in tenths of a pixel.
 
 use super::number::{Tenths, tenths};
 
-/// Points closer than this to the line between their neighbours are left out, in pixels.
+/// The largest distance in pixels of a point that is left out from the thinned line.
 const TOLERANCE: f64 = 0.25;
 
-/// A thinned open path through the points.
+/// The SVG path through the thinned points.
 pub(crate) fn polyline(points: &[(f64, f64)]) -> String {
     let mut out = String::new();
     let mut pen = (0, 0);
@@ -33,7 +33,7 @@ pub(crate) fn polyline(points: &[(f64, f64)]) -> String {
     if out.is_empty() || out.contains('l') { out } else { out + "h0" }
 }
 
-/// The Ramer-Douglas-Peucker algorithm: the remaining line is within [`TOLERANCE`] of all points.
+/// The points that the algorithm of Ramer, Douglas and Peucker retains: the line through them is within [`TOLERANCE`] of all points.
 fn thin(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut keep = vec![false; points.len()];
     for end in [0, points.len().saturating_sub(1)] {
@@ -56,7 +56,7 @@ fn thin(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     points.iter().zip(keep).filter_map(|(point, kept)| kept.then_some(*point)).collect()
 }
 
-/// The distance from a point to a segment.
+/// The distance from a point to the segment between two points.
 fn distance((x, y): (f64, f64), (ax, ay): (f64, f64), (bx, by): (f64, f64)) -> f64 {
     let (ux, uy) = (bx - ax, by - ay);
     let length = ux * ux + uy * uy;

@@ -3,12 +3,12 @@
 use super::drawing::Drawing;
 use super::trajectory::Trajectory;
 
-/// Columns of charts, side by side, each from above to below.
+/// Charts of one run in columns side by side, each column from top to bottom.
 #[derive(Clone, Debug, Default)]
 pub struct Sheet {
     pub title: String,
     pub columns: Vec<Vec<Trajectory>>,
-    /// Text below all.
+    /// The text below all columns.
     pub note: String,
 }
 

@@ -1,4 +1,4 @@
-//! Bar charts of the times that other programs take, as ratios to those of dalembert.
+//! Bar charts of the ratios of other programs' times to those of dalembert.
 
 use super::{
     axis::{Axis, Tick},
@@ -7,31 +7,31 @@ use super::{
     number::significant,
 };
 
-/// The times of tasks, in dalembert and in other programs.
+/// The times of tasks in dalembert and in other programs.
 #[derive(Clone, Debug, Default)]
 pub struct Timings {
     pub title: String,
-    /// The name of this program, with which the bars are compared.
+    /// The name of this program, the denominator of all ratios.
     pub ours: String,
     pub rows: Vec<TimingRow>,
-    /// Text below the chart: machine, versions, how it was measured.
+    /// The text below the chart: machine, versions, method of measurement.
     pub note: String,
 }
 
-/// One task.
+/// The times of one task.
 #[derive(Clone, Debug, Default)]
 pub struct TimingRow {
     pub task: String,
-    /// Seconds.
+    /// The time of this program in seconds.
     pub ours: f64,
     pub others: Vec<Contender>,
 }
 
-/// Another program at the same task.
+/// The result of another program for a task.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contender {
     pub name: String,
-    /// Time in seconds, or the reason for which there is no answer.
+    /// The time in seconds, or the reason for which the program gives no answer.
     pub outcome: Result<f64, String>,
 }
 
@@ -40,7 +40,7 @@ const RIGHT: f64 = WIDTH - 150.0;
 const BAR: f64 = 13.0;
 
 impl TimingRow {
-    /// The time of a contender divided by ours; `None` where either is unknown.
+    /// The time of a contender divided by that of this program; `None` where either is unknown.
     pub(crate) fn ratio(&self, contender: &Contender) -> Option<f64> {
         let ratio = contender.outcome.as_ref().ok()? / self.ours;
         (ratio.is_finite() && ratio > 0.0).then_some(ratio)
@@ -53,7 +53,7 @@ impl Timings {
         self.drawing().standalone(&self.title)
     }
 
-    /// The names of all contenders, each once.
+    /// The names of all contenders, each once, in the order of their first occurrence.
     pub(crate) fn names(&self) -> Vec<&str> {
         let mut names: Vec<&str> = Vec::new();
         for contender in self.rows.iter().flat_map(|row| &row.others) {
@@ -122,7 +122,7 @@ fn bar(drawing: &mut Drawing, row: &TimingRow, contender: &Contender, look: Look
     }
 }
 
-/// A time in its natural unit.
+/// A time in seconds as text with a suitable unit.
 pub(crate) fn seconds(time: f64) -> String {
     let (value, unit) = match time.abs() {
         t if t < 1e-6 => (time * 1e9, "ns"),

@@ -1,4 +1,4 @@
-//! Prose and formulas as markup: all texts escaped, LaTeX typeset as MathML, or kept as source and reported where that fails.
+//! Prose and formulas as HTML. Texts are escaped; LaTeX is typeset as MathML or, where this fails, shown as source text and reported.
 
 mod mathml;
 
@@ -9,20 +9,20 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 /// LaTeX that the page shows as source, because it could not be typeset.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unset {
-    /// The claim, scene or heading that holds it.
+    /// The claim, scene or heading that contains the LaTeX.
     pub place: String,
     pub latex: String,
     pub reason: String,
 }
 
-/// Formulas wider than this, in em, may break into several lines.
+/// The width in em above which a displayed formula may break into several lines.
 const BREAK_ABOVE: f64 = 20.0;
-/// The width, in em, beyond which a formula in prose may break: narrower, since it must fit on a small screen within a sentence.
+/// The width in em above which a formula in prose may break; a formula within a sentence must fit on a small screen.
 const BREAK_IN_PROSE: f64 = 16.0;
-/// The width of a printed line, in em; wider pieces are printed smaller.
+/// The width of a printed line in em; wider pieces are printed in a smaller size.
 const PAPER: f64 = 44.0;
 
-/// Turns text and LaTeX into markup, and collects LaTeX that it cannot typeset.
+/// Converts text and LaTeX into HTML and collects LaTeX that it cannot typeset.
 #[derive(Debug, Default)]
 pub(crate) struct Typesetter {
     converter: LatexToMathML,
@@ -31,7 +31,7 @@ pub(crate) struct Typesetter {
 }
 
 impl Typesetter {
-    /// Sets the place of the texts that follow, for reports of failures.
+    /// Sets the name of the place that reports of failures give for the texts that follow.
     pub fn at(&mut self, place: &str) {
         place.clone_into(&mut self.place);
     }
@@ -40,7 +40,7 @@ impl Typesetter {
         self.unset
     }
 
-    /// Prose with LaTeX between dollar signs; `\$` is a dollar sign, and so is one without a partner.
+    /// HTML of prose with LaTeX between dollar signs. `\$`, or a dollar sign without a partner, is a dollar sign of the prose.
     pub fn text(&mut self, text: &str) -> Markup {
         let mut out = String::new();
         let mut rest = text;
@@ -54,7 +54,7 @@ impl Typesetter {
         PreEscaped(out)
     }
 
-    /// A formula within prose. A long one may break like a displayed one; what still is too wide scrolls by itself.
+    /// HTML of a formula within prose. A long formula is cut into pieces; a piece that is still too wide has its own scroll bar.
     fn inline(&mut self, latex: &str) -> Markup {
         let mathml = match self.convert(latex, MathDisplay::Inline) {
             Ok(mathml) => mathml,
@@ -71,7 +71,7 @@ impl Typesetter {
         } }
     }
 
-    /// An estimate of the width of a text on one line, in em.
+    /// The estimated width of a text on one line, in em.
     pub fn width(&self, text: &str) -> f64 {
         let (mut width, mut rest, mut formula) = (0.0, text, false);
         while let Some((part, tail)) = split_at_dollar(rest) {
@@ -86,7 +86,7 @@ impl Typesetter {
         converted.map_or(prose_width(latex), |math| mathml::pieces(&math, f64::INFINITY).iter().map(|p| p.width).sum())
     }
 
-    /// One displayed formula. A long one comes in pieces between which a line may break, because MathML breaks none.
+    /// HTML of a displayed formula. A long formula is cut into pieces, between which a line may break.
     pub fn formula(&mut self, latex: &str) -> Markup {
         let mathml = match self.convert(latex, MathDisplay::Block) {
             Ok(mathml) => mathml,
@@ -107,7 +107,7 @@ impl Typesetter {
         }
     }
 
-    /// Converts LaTeX to MathML. The converter panics on some invalid LaTeX (an assertion of its debug builds), which becomes an error.
+    /// Converts LaTeX to MathML. On some invalid LaTeX the converter panics (a debug assertion); the panic is returned as an error.
     fn convert(&self, latex: &str, display: MathDisplay) -> Result<String, String> {
         let converted = catch_unwind(AssertUnwindSafe(|| self.converter.convert_with_local_state(latex, display)));
         match converted {
@@ -124,7 +124,7 @@ impl Typesetter {
     }
 }
 
-/// MathML with its spaces rounded to hundredths of an em: a page has thousands of them.
+/// MathML with shorter numbers in its spaces, since a page contains thousands of spaces.
 fn shortened(mathml: &str) -> String {
     let shorter = [("0.16666667em", ".17em"), ("0.1667em", ".17em"), ("0.2222em", ".22em"), ("0.2777778em", ".28em")];
     let spaces = shorter.into_iter().fold(mathml.to_owned(), |all, (long, short)| all.replace(long, short));
@@ -134,12 +134,12 @@ fn shortened(mathml: &str) -> String {
 /// A displayed formula as MathML Core.
 ///
 /// # Errors
-/// The reason for which the LaTeX cannot be typeset.
+/// The reason for which the LaTeX cannot be typeset, as text.
 pub fn mathml(latex: &str) -> Result<String, String> {
     Typesetter::default().convert(latex, MathDisplay::Block)
 }
 
-/// The LaTeX of a text that is one formula and nothing else.
+/// The LaTeX of a text that consists of one formula and nothing else; `None` for other texts.
 pub(crate) fn sole_formula(text: &str) -> Option<&str> {
     let (before, rest) = split_at_dollar(text.trim())?;
     let (latex, after) = split_at_dollar(rest)?;
@@ -150,12 +150,12 @@ fn prose_width(prose: &str) -> f64 {
     0.5 * prose.chars().count() as f64
 }
 
-/// The text without its LaTeX's dollar signs: for places that take no markup.
+/// The text without dollar signs, for places that take no markup.
 pub(crate) fn plain(text: &str) -> String {
     unescape(text).replace('$', "")
 }
 
-/// The texts before and after the first dollar sign that no backslash escapes.
+/// The texts before and after the first dollar sign without a backslash before it; `None` without such a dollar sign.
 fn split_at_dollar(text: &str) -> Option<(&str, &str)> {
     text.match_indices('$')
         .map(|(at, _)| at)

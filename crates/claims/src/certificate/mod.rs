@@ -1,8 +1,8 @@
-//! Certificates: everything that a checker needs to repeat the proof of a verdict, as text and without trust in this program.
+//! Certificates: the data by which a second program repeats the proof of a verdict without trust in this program.
 //!
-//! A [`Certificate`] holds expressions as they were recorded, before anything was simplified, in one straight-line
-//! program. Its [`Part`]s list what was shown: the relations of `then` follow from those of `given`, or fail at an
-//! exact point. `verify/` is a checker in another language; it shares no code with this one.
+//! A [`Certificate`] contains expressions as they were before simplification, in one straight-line
+//! program. Each of its [`Part`]s states a result: the relations `then` follow from the relations `given`, or fail at an
+//! exact point. `verify/` is such a second program, in another language; it shares no code with this one.
 
 mod of_claim;
 mod part;
@@ -14,52 +14,52 @@ pub use program::{Operation, Recorder};
 use crate::{Judged, Verdict};
 use serde::Serialize;
 
-/// The number of the format, which changes with it.
+/// The version of the format; every change of the format increases it.
 pub const FORMAT: u32 = 1;
 
-/// The certificates of a paper: one file.
+/// The file with the certificates of a paper.
 #[derive(Clone, Debug, Serialize)]
 pub struct CertificateFile {
-    /// The name and version of the program.
+    /// The program with its version.
     pub made_by: String,
-    /// [`FORMAT`].
+    /// The version of the format, [`FORMAT`].
     pub format: u32,
-    /// The key of the paper, with which the ids of its claims begin.
+    /// The key of the paper, the first part of the ids of its claims.
     pub paper: String,
     pub title: String,
     pub citation: String,
     pub claims: Vec<Certificate>,
 }
 
-/// The certificate of a claim, or the reason why there is none.
+/// The certificate of a claim, or the reason for which there is none.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Certificate {
     pub id: String,
     pub says: String,
-    /// The formulas as text, for reading only.
+    /// The formulas as text, for human readers only.
     pub formulas: Vec<String>,
     pub verdict: String,
-    /// The proof of the verdict, in a sentence.
+    /// The proof of the verdict as a sentence.
     pub evidence: String,
-    /// Divisors and hypotheses as the ledger lists them, for reading only.
+    /// Divisors and hypotheses as in the ledger, for human readers only.
     pub requires: Vec<String>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub program: Vec<Operation>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub parts: Vec<Part>,
-    /// Why this verdict has no certificate.
+    /// The reason for which this verdict has no certificate; `None` with a certificate.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub none: Option<String>,
 }
 
-/// A statement with its proof; numbers are places in the program.
+/// A result with its proof. Numbers are indices of entries of the program.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Part {
-    /// Relations that are presupposed.
+    /// The premises.
     pub given: Vec<Relation>,
-    /// Consequences of equalities of `given`, one after the other: values of letters, and powers that are rewritten.
+    /// Successive consequences of equalities in `given`: values of letters, and powers of letters replaced by lower ones.
     pub steps: Vec<Step>,
-    /// The rates of letters that move, where a conclusion is about a rate.
+    /// Pairs of a letter and its time derivative, where a conclusion is about a time derivative.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub rates: Vec<(usize, usize)>,
     pub then: Vec<Relation>,
@@ -67,7 +67,7 @@ pub struct Part {
 }
 
 impl Certificate {
-    /// The claim with its verdict, still without a proof.
+    /// The claim with its verdict, without a proof yet.
     pub fn for_claim(judged: &Judged) -> Self {
         Certificate {
             id: judged.id.clone(),
@@ -80,12 +80,12 @@ impl Certificate {
         }
     }
 
-    /// Whether the claim is one of the paper with this key.
+    /// Whether the claim belongs to the paper with this key.
     pub fn is_of(&self, paper: &str) -> bool {
         self.id.split('/').next() == Some(paper)
     }
 
-    /// The certificate with these parts, or with the reason `otherwise` where there are none.
+    /// The certificate with these parts, or with the reason `otherwise` where there are no parts.
     pub fn proved_by(self, program: Vec<Operation>, parts: Vec<Part>, otherwise: &str) -> Self {
         match parts.is_empty() {
             true => Certificate { none: Some(otherwise.to_owned()), ..self },
@@ -93,7 +93,7 @@ impl Certificate {
         }
     }
 
-    /// The reason why claims with this verdict have no certificate; `None` for other verdicts.
+    /// The reason for which claims with this verdict have no certificate; `None` for other verdicts.
     pub fn reason_without(verdict: Verdict) -> Option<&'static str> {
         match verdict {
             Verdict::Definition => Some("a definition makes no claim"),

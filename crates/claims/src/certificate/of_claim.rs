@@ -5,7 +5,7 @@ use crate::{Claim, Condition, Judged, Proof, Statement, Theorem, Verdict};
 use symbolic::{Decision, Hypotheses, Sym, Witness, decide};
 
 impl Certificate {
-    /// The certificates of a claim and of its correction.
+    /// The certificate of a claim, followed by those of its corrections.
     pub fn of(claim: &Claim, judged: &Judged) -> Vec<Self> {
         let mut all = vec![Certificate::of_one(claim, judged)];
         if let (Some(claim), Some(judged)) = (&claim.correction, &judged.correction) {
@@ -33,7 +33,7 @@ impl Certificate {
     }
 }
 
-/// Relations given beside the rules, and the steps by the rules.
+/// The conditions `given` and the equalities of the rules as relations, and the steps that the rules allow.
 fn premises(given: &[Condition], rules: &Hypotheses, relations: &mut Relations) -> (Vec<Relation>, Vec<Step>) {
     let mut all = relations.all(given);
     let mut steps = Vec::new();
@@ -41,7 +41,7 @@ fn premises(given: &[Condition], rules: &Hypotheses, relations: &mut Relations) 
     (all, steps)
 }
 
-/// Equalities that hold identically, or the first one that does not.
+/// One part that states that all equalities hold, or, for a refuted claim, a part about the first equality that fails.
 fn equalities(
     then: Vec<Condition>,
     given: &[Condition],

@@ -1,4 +1,4 @@
-//! The pieces of a part of a certificate: relations, steps from equalities to values, and proofs of the conclusions.
+//! The elements of a part of a certificate: relations, steps from equalities to values, and proofs.
 
 use super::Part;
 use super::program::Recorder;
@@ -6,143 +6,144 @@ use crate::{Combination, Condition, Point};
 use serde::Serialize;
 use symbolic::{Hypotheses, Node, Sym};
 
-/// A relation between two entries of a program.
+/// A relation between two entries of a program, given by their indices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Relation {
-    /// `=`, `!=`, `>` or `>=`; `rate` says that the rate of the left side is the right side.
+    /// `=`, `!=`, `>`, `>=`, or `rate`: the time derivative of the left side is the right side.
     pub is: &'static str,
     pub left: usize,
     pub right: usize,
 }
 
-/// A consequence of equalities of the list `given`, by their places.
+/// A consequence of equalities; `by` contains their indices in the list `given`.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(tag = "step", rename_all = "snake_case")]
 pub enum Step {
-    /// The equalities are linear in the letters, and these are their values.
+    /// The solution of equalities that are linear in these letters.
     Solve { letters: Vec<usize>, values: Vec<usize>, by: Vec<usize> },
-    /// The equality is one between this power of a letter and terms with lower powers of it.
+    /// The equality expresses this power of a letter by terms with lower powers of the letter.
     Rewrite { letter: usize, power: u32, by: usize },
 }
 
-/// The proof of the conclusions of a part, or of their failure.
+/// The proof that the conclusions of a part hold, or that a conclusion fails.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(tag = "by", rename_all = "snake_case")]
 pub enum PartProof {
     /// The difference of the sides of each conclusion vanishes after the steps.
     Identity,
-    /// One combination for each conclusion.
+    /// A linear combination of the premises for each conclusion.
     Combination { combinations: Vec<Combined> },
-    /// All terms above and below have one sign where these letters are positive.
+    /// All terms of the numerator, and all terms of the denominator, have one sign where these letters are positive.
     Signs { positive: Vec<usize> },
-    /// The signs of squares and of expressions given as positive show each conclusion as it is written, without the
-    /// steps.
+    /// The signs of squares and of expressions that are positive by a premise show each conclusion in its written form, without
+    /// the steps.
     WrittenSigns,
-    /// A sum of products of given relations and of the opposite of the one conclusion vanishes, although one of these products would be
-    /// positive.
+    /// Proof by contradiction: a sum of products of premises and of the negated conclusion vanishes identically, although at least one product is
+    /// positive and none is negative.
     Products { products: Vec<Product> },
-    /// All that is given and the one conclusion hold one unknown, a letter or an angle: real roots of polynomials show the conclusion.
+    /// The premises and the one conclusion contain a single unknown, a letter or an angle; real roots of polynomials show the conclusion.
     RealRoots,
-    /// At this point everything given holds and a conclusion does not.
+    /// An exact point at which all premises hold and a conclusion fails.
     Counterexample { point: Vec<(usize, usize)> },
-    /// At this point everything holds.
+    /// An exact point at which all premises and conclusions hold.
     Example { point: Vec<(usize, usize)> },
-    /// At this point of the other letters no value of the unknown but zero satisfies the conclusions.
+    /// At this point of the other letters no value of the unknown except zero satisfies the conclusions.
     NoRoot { unknown: usize, point: Vec<(usize, usize)> },
     /// This divisor of a conclusion vanishes identically after the steps.
     Undefined { divisor: usize },
-    /// A steady motion is stable in the first approximation where, and only where, an expression is positive.
+    /// A steady motion is stable in the first approximation if and only if an expression is positive.
     Stability(Box<Stability>),
-    /// A steady motion is stable where an expression is positive, since the energy has a minimum there, and unstable where it is negative.
+    /// A steady motion is stable where an expression is positive, since the energy has a minimum there, and unstable where the expression is negative.
     Minimum(Box<Minimum>),
-    /// After the steps all sides are numbers, and enclosures of these show every conclusion.
+    /// After the steps all sides are numbers, and interval enclosures of them show every conclusion.
     Enclosure,
-    /// After the steps all sides are numbers, and enclosures of these show that a conclusion fails.
+    /// After the steps all sides are numbers, and interval enclosures of them show that a conclusion fails.
     Excluded,
 }
 
-/// The equations about a steady motion and their characteristic polynomial, the theorem on its roots, and the printed condition beside it.
+/// A proof about linear stability: the equations about a steady motion, their characteristic polynomial, the theorem on its roots, the printed condition.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Stability {
     pub theorem: &'static str,
-    /// Expressions that vanish along every motion, as many as coordinates.
+    /// Expressions that vanish along every motion, one for each coordinate.
     pub equations: Vec<usize>,
     pub coordinates: Vec<usize>,
     pub speeds: Vec<usize>,
     pub accelerations: Vec<usize>,
-    /// The coordinates that are constant, by their places in the list; the others have constant speeds.
+    /// The indices in `coordinates` of those that are constant; the others have constant speeds.
     pub resting: Vec<usize>,
-    /// The letter of the roots.
+    /// The letter of the characteristic polynomial, whose roots are the eigenvalues.
     pub root: usize,
-    /// The determinant times this is the polynomial with these coefficients by rising powers, times the root to the power `neutral`.
+    /// `scale` times the determinant is the polynomial with `coefficients`, by increasing powers, times `root` to the power `neutral`.
     pub scale: usize,
     pub coefficients: Vec<usize>,
     pub neutral: u32,
-    /// The expression that is said to be positive.
+    /// The expression that the printed condition states to be positive.
     pub printed: usize,
-    /// The ratio of the condition that the signs of terms leave open to the printed one, and the even power of a relation of `given`
-    /// by which it was divided.
+    /// The quotient of the condition that the theorem leaves, after the signs of terms, and the printed condition. The index and the even power are
+    /// those of a relation of `given` by which the quotient was divided.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ratio: Option<(usize, Option<(usize, i32)>)>,
-    /// A point at which the printed condition and the theorem differ.
+    /// A point at which the printed condition and the theorem disagree.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub point: Option<Vec<(usize, usize)>>,
 }
 
-/// The equations about a steady motion on which all coordinates rest, M q'' + K q = 0 with symmetric matrices, and the proofs of the signs of both
-/// forms.
+/// A proof by the minimum of the potential energy at an equilibrium, M q'' + K q = 0 with symmetric matrices: the equations, and the proofs of the
+/// signs of both quadratic forms.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Minimum {
     pub theorem: &'static str,
-    /// Expressions that vanish along every motion, as many as coordinates.
+    /// Expressions that vanish along every motion, one for each coordinate.
     pub equations: Vec<usize>,
     pub coordinates: Vec<usize>,
     pub speeds: Vec<usize>,
     pub accelerations: Vec<usize>,
-    /// The expression that is said to be positive.
+    /// The expression that the printed condition states to be positive.
     pub printed: usize,
-    /// Leading principal minors of M, and of K.
+    /// The leading principal minors of M (`inertia`) and of K (`leading`).
     pub inertia: Vec<usize>,
     pub leading: Vec<usize>,
-    /// All principal minors of K, by the binary numbers of their rows.
+    /// All principal minors of K; bit i of the index of a minor, counted from 1, states whether it contains row i.
     pub principal: Vec<usize>,
-    /// Those of M are positive; those of K are where the printed expression is; that is not negative where no principal minor of K is.
+    /// Proofs that the minors of M are positive, that the leading minors of K are positive where `printed` is positive, and that `printed` is not
+    /// negative where no principal minor of K is negative.
     pub implied: Vec<Part>,
 }
 
-/// For a conclusion f = 0: m f is the sum of cofactors times equalities of `given`, where m is the product of relations that exclude
-/// zero. For f != 0 the factor d: d f is m plus that sum.
+/// A combination of premises. For a conclusion f = 0: m f = Σ c_k g_k, with equalities g_k = 0 of `given`, cofactors c_k, and the product m of
+/// expressions that differ from zero. For a conclusion f ≠ 0: d f = m + Σ c_k g_k, with the factor d.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Combined {
-    /// Places in `given`.
+    /// The indices in `given` of the relations whose expressions are the factors of m.
     pub multiplier: Vec<usize>,
-    /// Places in `given`, and entries of the program.
+    /// Pairs (index of g_k in `given`, entry of c_k in the program).
     pub cofactors: Vec<(usize, usize)>,
     pub factor: Option<usize>,
 }
 
-/// A positive number times factors that are not negative.
+/// A product of a positive number and factors that are not negative.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Product {
-    /// The entry of the number.
+    /// The entry of the positive number.
     pub number: usize,
-    /// Differences of relations of `given`, by their places; the place behind the last one is the opposite of the conclusion. A relation that
-    /// excludes zero stands there twice.
+    /// The factors that are sides' differences of relations, by their indices in `given`; the index after the last one stands for the negated
+    /// conclusion. The difference of a relation `!=` occurs twice, as a square.
     pub of: Vec<usize>,
-    /// Entries that are roots.
+    /// Entries that are square roots.
     pub roots: Vec<usize>,
     /// Entries whose squares are factors.
     pub squares: Vec<usize>,
 }
 
-/// Relations with the program that they are about.
+/// Translates conditions into relations between entries of a program, which it records.
 #[derive(Default)]
 pub struct Relations {
     pub recorder: Recorder,
 }
 
 impl Relations {
-    /// The relation of a condition.
+    /// The relation that a condition states.
     pub fn of(&mut self, condition: Condition) -> Relation {
         let (is, left, right) = match condition {
             Condition::Zero(e) => ("=", e, Sym::ZERO),
@@ -154,12 +155,12 @@ impl Relations {
         Relation { is, left: self.recorder.place(left), right: self.recorder.place(right) }
     }
 
-    /// Relations of several conditions.
+    /// The relations that several conditions state.
     pub fn all(&mut self, conditions: &[Condition]) -> Vec<Relation> {
         conditions.iter().map(|condition| self.of(*condition)).collect()
     }
 
-    /// Adds the statements of hypotheses to the given relations, and the steps that they allow.
+    /// Adds the equalities of hypotheses to `given`, and the steps that they allow to `steps`.
     pub fn rules(&mut self, hypotheses: &Hypotheses, given: &mut Vec<Relation>, steps: &mut Vec<Step>) {
         let mut known: Vec<(Sym, Sym)> = Vec::new();
         for &(left, right) in hypotheses.statements() {
@@ -180,7 +181,7 @@ impl Relations {
         }
     }
 
-    /// A certificate of one conclusion.
+    /// A combination with its expressions replaced by entries of the program.
     pub fn combined(&mut self, combination: &Combination) -> Combined {
         let cofactors = &combination.cofactors;
         Combined {
@@ -190,7 +191,7 @@ impl Relations {
         }
     }
 
-    /// The values of a point, of those among its names that stand in the expressions.
+    /// Pairs (entry of a letter, entry of its value) of a point, for those of its names that occur in the expressions.
     pub fn named_point(&mut self, point: &Point, expressions: &[Sym]) -> Vec<(usize, usize)> {
         let leaves: Vec<(String, Sym)> =
             Sym::ascending(expressions).into_iter().filter(|e| e.node().is_leaf()).map(|e| (name(e), e)).collect();
@@ -203,7 +204,7 @@ impl Relations {
         values
     }
 
-    /// The values of a point by its letters, angles and functions; a checker computes roots itself.
+    /// Pairs (entry, entry of its value) for letters, sines, cosines and functions; a checker computes square roots itself.
     pub fn point(&mut self, point: &[(Sym, Sym)]) -> Vec<(usize, usize)> {
         let is_value =
             |leaf: Sym| matches!(leaf.node(), Node::Symbol(_) | Node::Cos(_) | Node::Sin(_) | Node::Function(..));
@@ -212,7 +213,7 @@ impl Relations {
     }
 }
 
-/// The letter whose power is rewritten by a statement with this left side: the last one of a sum of squares.
+/// The letter, and its power, that an equality with this left side replaces; of a sum of squares the last one.
 fn power(left: Sym) -> Option<(Sym, u32)> {
     match left.node() {
         Node::Symbol(_) => Some((left, 1)),
@@ -222,7 +223,7 @@ fn power(left: Sym) -> Option<(Sym, u32)> {
     }
 }
 
-/// The name in points of a letter, an angle's coordinate or a function.
+/// The name that a point uses for a letter, a cosine or sine of an angle, or a function.
 fn name(leaf: Sym) -> String {
     match leaf.node() {
         Node::Cos(angle) if angle.symbol_name().is_some() => format!("cos {angle}"),

@@ -1,30 +1,30 @@
-//! Expressions as one straight-line program: a list of operations on entries before them.
+//! Expressions as one straight-line program: a list of operations whose operands are earlier entries.
 
 use serde::{Serialize, Serializer};
 use std::collections::HashMap;
 use symbolic::{Node, Sym};
 
-/// An entry of a program; its operands are places of entries before it.
+/// An operation of a program; its operands are indices of earlier entries.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Operation {
-    /// A rational number, written `p` or `p/q`.
+    /// A rational number, as text `p` or `p/q`.
     Constant(String),
-    /// A letter: any real number.
+    /// A letter that stands for any real number.
     Letter(String),
-    /// `+`, `-`, `*` or `/` of two entries.
+    /// `+`, `-`, `*` or `/` applied to two entries.
     Binary(&'static str, usize, usize),
-    /// `neg`, `cos`, `sin` or `root` (the non-negative square root) of an entry.
+    /// `neg`, `cos`, `sin` or `root` (the non-negative square root) applied to an entry.
     Unary(&'static str, usize),
-    /// An integer power, two or more.
+    /// An entry to an integer power of at least two.
     Power(usize, u32),
-    /// `exp`, `ln`, `tanh` (the same entry twice) or `atan2`.
+    /// `exp`, `ln` or `tanh`, with the argument given twice, or `atan2` of two entries.
     Elementary(&'static str, usize, usize),
-    /// An arbitrary smooth function of an entry, by its name; a prime stands for each derivative.
+    /// An arbitrary smooth function of an entry, given by its name; each prime of the name is one derivative.
     Function(String, usize),
 }
 
 impl Serialize for Operation {
-    /// Writes a list: the name of the operation, then its operands.
+    /// Serialises as a list: the name of the operation, then its operands.
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {
             Operation::Constant(value) => ("const", value).serialize(serializer),
@@ -38,7 +38,7 @@ impl Serialize for Operation {
     }
 }
 
-/// A program in the making, beside the expressions of the thread.
+/// Records expressions of the calling thread as a program.
 #[derive(Default)]
 pub struct Recorder {
     places: HashMap<Sym, usize>,
@@ -46,7 +46,7 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// The entry of an expression as it is written; a new one is added after its parts.
+    /// The index of the entry of an expression, without simplification; new entries are added after those of their operands.
     pub fn place(&mut self, expression: Sym) -> usize {
         for each in Sym::reached(&[expression], |each, _| !self.places.contains_key(&each)) {
             if !self.places.contains_key(&each) {
@@ -58,12 +58,12 @@ impl Recorder {
         self.places[&expression]
     }
 
-    /// The entries of several expressions.
+    /// The indices of the entries of several expressions.
     pub fn places(&mut self, expressions: impl IntoIterator<Item = Sym>) -> Vec<usize> {
         expressions.into_iter().map(|expression| self.place(expression)).collect()
     }
 
-    /// The program as text.
+    /// The recorded program.
     pub fn finished(self) -> Vec<Operation> {
         self.operations
     }

@@ -3,7 +3,7 @@
 use field::{Rational, Scalar};
 use symbolic::{Dimension, Sym};
 
-/// Exponents of kg, m, s, A.
+/// The exponents of kg, m, s and A.
 const fn is(kg: i64, m: i64, s: i64, a: i64) -> [i64; 4] {
     [kg, m, s, a]
 }
@@ -17,7 +17,7 @@ const VOLTAGE: [i64; 4] = is(1, 2, -3, -1);
 const VISCOUS: [[i64; 4]; 2] = [is(1, 2, -1, 0), is(1, 0, -1, 0)];
 const MOMENTS: [[i64; 4]; 2] = [is(1, 2, -2, 0), is(1, 1, -2, 0)];
 
-/// The meaning in words, as far as the dimensions of the factors decide it.
+/// The physical meaning of a term in words, as far as the dimensions of its factors decide it.
 pub fn meaning(monomial: Sym, dimension: &dyn Fn(&str) -> Option<Dimension>) -> &'static str {
     let factors = powers(monomial);
     let count = |kinds: &[[i64; 4]]| -> u32 {
@@ -52,7 +52,7 @@ fn same(dimension: Dimension, exponents: [i64; 4]) -> bool {
     dimension.exponents() == exponents.map(Rational::int)
 }
 
-/// Letters with their powers; of an angle or a root the letters inside.
+/// The letters of a monomial with their powers; letters inside roots and functions are included.
 fn powers(monomial: Sym) -> Vec<(String, u32)> {
     let mut letters: Vec<(String, u32)> = Vec::new();
     let mut open = vec![(monomial, 1)];
@@ -63,7 +63,7 @@ fn powers(monomial: Sym) -> Vec<(String, u32)> {
                 None => letters.push((name, power)),
             },
             (None, symbolic::Node::Power(base, n)) => open.push((base, power * n)),
-            // a plain number, for any content
+            // the sine or cosine of an angle counts as a pure number
             (None, symbolic::Node::Cos(_) | symbolic::Node::Sin(_)) => {}
             (None, node) => open.extend(node.children().map(|child| (child, power))),
         }

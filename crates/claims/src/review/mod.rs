@@ -1,9 +1,9 @@
-//! The difference between two texts of a page, term by term: which term of which equation changed, and its physical
+//! The difference between two versions of a page, term by term: the changed terms of each equation, and their physical
 //! meaning.
 //!
-//! A page is exact text, so a difference of pages is a difference of statements. The equations of a claim are read back
-//! ([`symbolic::parse`]), both are brought to one side and written out, and their monomials are compared: a term is gone,
-//! new, of the other sign, or has another factor. The dimensions of its letters give the meaning of a term.
+//! A page contains exact text, so that a difference of texts is a difference of statements. The equations of a claim are parsed
+//! ([`symbolic::parse`]), brought to one side and expanded, and their monomials are compared: a term may be removed,
+//! added, changed in sign, or multiplied by a factor. The dimensions of the letters give the meaning of a term.
 
 mod meaning;
 mod page;
@@ -16,34 +16,34 @@ use page::{Told, claims};
 use std::fmt;
 use symbolic::Dimension;
 
-/// A change of a claim between two texts.
+/// A change of a claim between two versions of a page.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Change {
     /// The claim was removed.
     Gone { id: String },
     /// The claim is new.
     New { id: String, verdict: String },
-    /// Another verdict.
+    /// The verdict changed.
     Verdict { id: String, from: String, to: String },
-    /// An equation of it, by its place, with the terms that differ.
+    /// Terms of the equation with the index `place` changed.
     Terms { id: String, place: usize, terms: Vec<Term> },
-    /// An equation is written otherwise and says the same.
+    /// The equation with the index `place` is written differently and is equivalent.
     Rewritten { id: String, place: usize },
-    /// An equation that cannot be read back: both as they stand.
+    /// The equation with the index `place` changed and cannot be parsed: both texts.
     Text { id: String, place: usize, from: String, to: String },
-    /// Equations came or went.
+    /// The number of equations changed.
     Lines { id: String, from: usize, to: usize },
-    /// Conditions that it needs now, or no longer.
+    /// Required conditions were added (`gained`) or removed (`lost`).
     Requires { id: String, gained: Vec<String>, lost: Vec<String> },
-    /// Another sentence.
+    /// The sentence changed.
     Sentence { id: String, from: String, to: String },
-    /// The remarks: why the print fails, how it was read.
+    /// Remarks were added or removed: the reason of a failure, the reading, notes.
     Remarks { id: String, gained: Vec<String>, lost: Vec<String> },
-    /// Another exact point, or another excess at it.
+    /// The exact point changed, or the difference at it.
     Point { id: String },
 }
 
-/// All changes, in the order of the new page; removed claims come first.
+/// All changes, first removed claims, then the others in the order of the new page.
 pub fn review(old: &str, new: &str, dimension: &dyn Fn(&str) -> Option<Dimension>) -> Vec<Change> {
     let (before, now) = (claims(old), claims(new));
     let find = |all: &'_ [Told], id: &str| all.iter().position(|claim| claim.id == id);

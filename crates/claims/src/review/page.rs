@@ -1,23 +1,23 @@
-//! A page read back, as `render` writes it.
+//! Parser of the text of a page that [`crate::render`] writes.
 
 use crate::Verdict;
 
-/// A claim as a page states it.
+/// A claim as it stands in the text of a page.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Told {
     pub id: String,
     pub verdict: String,
     pub sentence: String,
     pub equations: Vec<String>,
-    /// The conditions that the claim requires, signs among them.
+    /// The conditions that the claim requires, including those about signs.
     pub requires: Vec<String>,
-    /// Remarks: why the print fails, the reading, and notes.
+    /// Remarks: the reason of a failure, the reading, notes.
     pub remarks: Vec<String>,
-    /// The exact point and the words about it.
+    /// The exact point, and the text about it.
     pub rest: Vec<String>,
 }
 
-/// Every claim of a page; a correction counts as a claim, with an id of its own.
+/// All claims of a page; a correction is listed as a claim with its own id.
 pub(super) fn claims(page: &str) -> Vec<Told> {
     let mut claims: Vec<Told> = Vec::new();
     for line in page.lines().map(str::trim) {
@@ -39,7 +39,7 @@ pub(super) fn claims(page: &str) -> Vec<Told> {
     claims
 }
 
-/// `proved     paper/entry/slug  sentence`.
+/// Parses the first line of a claim: `proved     paper/entry/slug  sentence`.
 fn head(line: &str) -> Option<Told> {
     let (verdict, rest) = line.split_once(' ')?;
     Verdict::ALL.iter().find(|known| known.name() == verdict)?;

@@ -1,4 +1,4 @@
-//! Two equations compared monomial by monomial.
+//! The comparison of two equations, monomial by monomial.
 
 use super::meaning;
 use field::{Rational, Scalar};
@@ -7,22 +7,22 @@ use std::collections::BTreeMap;
 use std::fmt;
 use symbolic::{Dimension, Hypotheses, Node, NormalForm, Sym, normal, parse};
 
-/// The change of a term.
+/// The kind of change of a term.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Edit {
     Gone,
     New,
     /// The sign changed.
     Sign,
-    /// The term is multiplied by this factor.
+    /// The new term is this factor times the old one.
     Factor(Rational),
 }
 
-/// A term that differs.
+/// A changed term.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Term {
     pub edit: Edit,
-    /// The term as it stands now, or stood before it went; left side less right side.
+    /// The new term, or the old one if it was removed, in left side minus right side.
     pub term: String,
     /// The physical meaning of the term.
     pub meaning: &'static str,
@@ -40,13 +40,13 @@ impl fmt::Display for Term {
     }
 }
 
-/// The factors of a monomial that are no numbers, in order of their names.
+/// The factors of a monomial except its number, with their powers, ordered by name.
 type Key = Vec<(String, u32)>;
 
-/// A monomial: its number, itself without it.
+/// Monomials by their factors: the numerical coefficient, and the monomial without it.
 type Monomials = BTreeMap<Key, (Rational, Sym)>;
 
-/// The terms that differ between two equations `left = right`; `None` where one cannot be read back. A common factor is no difference.
+/// The terms that differ between two equations `left = right`; `None` where one cannot be parsed. A common factor is not a difference.
 ///
 /// ```
 /// use dalembert_claims::review::{Edit, compare};
@@ -56,7 +56,7 @@ type Monomials = BTreeMap<Key, (Rational, Sym)>;
 pub fn compare(old: &str, new: &str, dimension: &dyn Fn(&str) -> Option<Dimension>) -> Option<Vec<Term>> {
     let (old, new) = (residual(old)?, residual(new)?);
     let denominators = (old.denominator(), new.denominator());
-    // over one denominator both
+    // both sums are brought to a common denominator
     let (old, new) = match Hypotheses::none().equal(denominators.0, denominators.1).is_zero() {
         true => (monomials(old.numerator())?, monomials(new.numerator())?),
         false => {
@@ -87,21 +87,21 @@ pub fn compare(old: &str, new: &str, dimension: &dyn Fn(&str) -> Option<Dimensio
     Some(terms)
 }
 
-/// Left side less right side of `left = right`.
+/// Left side minus right side of an equation `left = right`.
 fn residual(equation: &str) -> Option<NormalForm> {
     let (left, right) = equation.split_once(" = ")?;
     let read = |text: &str| parse(text, &|name| Some(Sym::symbol(name))).ok();
     normal(read(left)? - read(right)?, &Hypotheses::none()).ok()
 }
 
-/// Whether every monomial has the same multiple: an equation multiplied by a number says the same.
+/// Whether all monomials of one sum are the same multiple of those of the other, so that the equations are equivalent.
 fn scaled(old: &Monomials, new: &Monomials) -> bool {
     let mut factors = old.iter().map(|(key, (before, _))| new.get(key).map(|(now, _)| *now / *before));
     let first = factors.next();
     old.len() == new.len() && first.is_none_or(|first| first.is_some() && factors.all(|factor| factor == first))
 }
 
-/// A sum of monomials as it is written out.
+/// The monomials of a sum that is written out; `None` where it is not expanded.
 fn monomials(sum: Sym) -> Option<Monomials> {
     let mut monomials = Monomials::new();
     let mut open = vec![(sum, Rational::int(1))];
@@ -124,7 +124,7 @@ fn monomials(sum: Sym) -> Option<Monomials> {
     Some(monomials)
 }
 
-/// The number of a product, and its other factors with their powers, in order of their names.
+/// The numerical coefficient of a product, and its other factors with their powers, ordered by name.
 fn factors(product: Sym) -> Option<(Rational, Vec<(Sym, u32)>)> {
     let mut coefficient = Rational::int(1);
     let mut factors: BTreeMap<String, (Sym, u32)> = BTreeMap::new();

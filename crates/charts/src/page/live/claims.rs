@@ -1,22 +1,22 @@
-//! The claims of a paper as they are decided: the source of each formula next to the formula as it was read.
+//! The claims of a paper on the live page, while they are judged: the LaTeX source of each formula next to the typeset formula.
 
 use super::super::cards::chip;
 use super::super::{conditions, statement};
 use crate::{ClaimRow, text::Typesetter};
 use maud::{Markup, html};
 
-/// A claim with the source of its formula.
+/// A claim with the LaTeX source of its formula.
 #[derive(Clone, Debug, Default)]
 pub struct LiveClaim {
-    /// LaTeX as the file has it.
+    /// The LaTeX as it stands in the file.
     pub source: String,
-    /// The judged claim; `None` where it is not decided yet.
+    /// The judged claim; `None` before it is judged.
     pub row: Option<ClaimRow>,
-    /// The number of the formula in the paper, and the line of the file.
+    /// The number of the formula in the paper, and its line in the file.
     pub label: String,
 }
 
-/// All claims in the order of the file, those without a verdict too.
+/// HTML of all claims in the order of the file, including claims that are not judged yet.
 pub fn claims(all: &[LiveClaim]) -> String {
     let mut set = Typesetter::default();
     let set = &mut set;
@@ -48,7 +48,7 @@ fn article(LiveClaim { source, row, label }: &LiveClaim, set: &mut Typesetter) -
     }
 }
 
-/// The formula as it was read, and its correction.
+/// The typeset formula as the program understood it, and its correction.
 fn read(row: &ClaimRow, set: &mut Typesetter) -> Markup {
     html! {
         @for latex in &row.latex { (set.formula(latex)) }
@@ -60,7 +60,7 @@ fn read(row: &ClaimRow, set: &mut Typesetter) -> Markup {
     }
 }
 
-/// The grounds of the verdict.
+/// The grounds of the verdict: conditions, evidence, counterexample, difference and remarks.
 fn known(row: &ClaimRow, set: &mut Typesetter) -> Markup {
     html! {
         div.known { (conditions::requires(&row.requires, set)) (statement::evidence(row, set)) }

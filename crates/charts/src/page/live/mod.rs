@@ -1,7 +1,7 @@
-//! A page that is updated when its file is saved, and this page as a file.
+//! A page that is updated whenever the file of a system or paper is saved, and the same page saved as a file.
 //!
-//! The page has a fixed list of parts. Each part has content and a fault, both HTML in which every text is escaped, and a
-//! [`Freshness`]. A live page has one script, allowed by a nonce, which replaces parts sent by a server; a saved page has none.
+//! The page has a fixed list of parts. Each part has content, a message about a fault, and a [`Freshness`]. Content and message are HTML with
+//! all texts escaped. A live page has one script, allowed by a nonce, which replaces parts by those that a server sends; a saved page has none.
 //!
 //! ```
 //! use dalembert_charts::page::live::{self, Freshness, LivePage, Part, Shown};
@@ -36,7 +36,7 @@ pub enum Part {
     Sketch,
     /// Parameters and the start, each with a slider.
     Values,
-    /// The lines of the file that would give it the values of the sliders.
+    /// The lines that would give the file the values of the sliders.
     Lines,
     /// The run: a summary, time series, phase portraits.
     Motion,
@@ -92,17 +92,17 @@ impl Part {
     }
 }
 
-/// The state of a part relative to the present text of the file.
+/// The age of a part's content relative to the present text of the file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Freshness {
-    /// There is no content yet, or the file has no such part.
+    /// There is no content yet, or the file describes nothing for this part.
     #[default]
     Absent,
-    /// The part is being computed for the present text; its content belongs to an earlier one.
+    /// The part is being computed for the present text; the content that is shown belongs to an earlier text.
     Working,
     /// The content belongs to the present text.
     Current,
-    /// The content belongs to an earlier text: the present one has no such part, or has a fault.
+    /// The content belongs to an earlier text, because the present text describes nothing for this part or has a fault.
     Earlier,
 }
 
@@ -118,12 +118,12 @@ impl Freshness {
     }
 }
 
-/// A part as it is shown.
+/// The content of a part, its fault, and its age.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Shown {
-    /// HTML.
+    /// The content as HTML.
     pub content: String,
-    /// HTML; empty where nothing is wrong.
+    /// The message about a fault as HTML; empty without a fault.
     pub fault: String,
     pub freshness: Freshness,
 }
@@ -132,15 +132,15 @@ pub struct Shown {
 #[derive(Clone, Copy, Debug)]
 pub struct LivePage<'a> {
     pub title: &'a str,
-    /// The maker of the page: program and version.
+    /// The program that made the page, with its version.
     pub generator: &'a str,
     pub parts: &'a [(Part, Shown)],
-    /// The version of the parts; the page asks the server for newer ones.
+    /// The version of the parts; the script of the page asks the server for parts with a higher version.
     pub version: u64,
 }
 
 impl LivePage<'_> {
-    /// The page as a server gives it, with the script of this nonce.
+    /// The HTML that a server sends; its content security policy allows only scripts with this nonce.
     pub fn served(&self, nonce: &str) -> String {
         let policy = format!(
             "default-src 'none'; font-src data:; img-src data:; style-src 'unsafe-inline'; script-src 'nonce-{nonce}'; \
@@ -150,7 +150,7 @@ impl LivePage<'_> {
         self.whole(&policy, true, &script)
     }
 
-    /// The page as a file, which needs neither a server nor a script.
+    /// The HTML of a file that needs neither a server nor a script.
     pub fn saved(&self) -> String {
         let policy = "default-src 'none'; font-src data:; img-src data:; style-src 'unsafe-inline'";
         self.whole(policy, false, &html! {})

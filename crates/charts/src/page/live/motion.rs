@@ -1,10 +1,10 @@
-//! A run: its summary, its time series, its phase portraits.
+//! The part of the live page about a run: summary, time series and phase portraits.
 
 use crate::{Sheet, visible};
 use maud::{PreEscaped, html};
 
-/// The charts of a sheet, each in a figure of its own so that they stand below each other on a narrow screen, and the summary as the
-/// program prints it.
+/// HTML of the charts of a sheet and of the printed summary. Each chart is a figure of its own, so that charts stand below each other on a
+/// narrow screen.
 pub fn motion(sheet: &Sheet, summary: &str) -> String {
     let label = |position: usize| if position == 0 { "against time" } else { "speeds over coordinates" };
     html! {

@@ -1,10 +1,10 @@
-//! The equations, vectors and verdicts of a system.
+//! The parts of the live page about a system: equations, vectors and verdicts.
 
 use super::super::cards::chip;
 use crate::{Verdict, text::Typesetter};
 use maud::html;
 
-/// Groups of equations, each a left and a right side in LaTeX, below a line that says where they come from.
+/// HTML of groups of equations, each equation a left and a right side in LaTeX. The line `from` above them names their source.
 pub fn equations(from: &str, groups: &[Vec<(String, String)>]) -> String {
     let mut set = Typesetter::default();
     let set = &mut set;
@@ -17,15 +17,15 @@ pub fn equations(from: &str, groups: &[Vec<(String, String)>]) -> String {
     .into_string()
 }
 
-/// A derived vector, or a line about one.
+/// A derived vector with its name, or a line of text about one.
 #[derive(Clone, Debug, Default)]
 pub struct LiveVector {
     pub name: String,
-    /// LaTeX; none of a line.
+    /// The vector in LaTeX; `None` for a line of text.
     pub latex: Option<String>,
 }
 
-/// Names with their values side by side, and lines.
+/// HTML of the vectors, each beside its name, and of the lines of text.
 pub fn vectors(all: &[LiveVector]) -> String {
     let mut set = Typesetter::default();
     let set = &mut set;
@@ -42,15 +42,15 @@ pub fn vectors(all: &[LiveVector]) -> String {
 #[derive(Clone, Debug, Default)]
 pub struct LiveVerdict {
     pub title: String,
-    /// The name of the verdict, or other words where there is none.
+    /// The name of the verdict, or another word where the statement has no verdict.
     pub degree: String,
     /// The verdict in a sentence.
     pub said: String,
-    /// Grounds, each a line.
+    /// Grounds of the verdict, one per line.
     pub behind: Vec<String>,
 }
 
-/// Statements with their verdicts.
+/// HTML of statements with their verdicts.
 pub fn verdicts(rows: &[LiveVerdict]) -> String {
     let known = |degree: &str| Verdict::ALL.into_iter().find(|verdict| verdict.name() == degree);
     html! {

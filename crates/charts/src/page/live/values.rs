@@ -1,19 +1,19 @@
-//! Sliders for the values of a file, and the lines that would give the file these values.
+//! Sliders for the numbers of a file, and the lines that would give the file the values of the sliders.
 
 use maud::html;
 
-/// A number of the file that a slider moves.
+/// A slider for a number of the file.
 #[derive(Clone, Debug, Default)]
 pub struct Slider {
-    /// Its place in the file: `parameters.m`.
+    /// The path of the number in the file: `parameters.m`.
     pub id: String,
     pub number: f64,
     pub unit: String,
-    /// The ends of the slider, in the unit.
+    /// The ends of the slider, in `unit`.
     pub range: [f64; 2],
 }
 
-/// A slider for each number, and a button that undoes all changes.
+/// HTML with a slider for each number, and a button that undoes all changes.
 pub fn sliders(all: &[Slider], about: &str) -> String {
     html! {
         @if !all.is_empty() {
@@ -34,15 +34,15 @@ pub fn sliders(all: &[Slider], about: &str) -> String {
     .into_string()
 }
 
-/// Letters of a name that stands in a narrow column.
+/// The largest length of a name, in bytes, that fits the narrow column of names.
 const SHORT: usize = 8;
 
-/// The name beside the slider: that of a parameter alone, others with their table.
+/// The name beside the slider: the name alone of a parameter, and the whole path of any other number.
 fn name(id: &str) -> String {
     id.strip_prefix("parameters.").unwrap_or(id).replace('"', "")
 }
 
-/// Lines of the file with their numbers; a line without a number is added to the file.
+/// HTML of lines of the file with their line numbers; a line without a number is to be added to the file.
 pub fn lines(all: &[(Option<usize>, String)]) -> String {
     html! {
         @if !all.is_empty() {

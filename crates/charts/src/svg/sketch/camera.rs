@@ -7,39 +7,39 @@ use crate::svg::drawing::WIDTH;
 /// A direction of view.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// The direction from the mechanism to the viewer; of any length.
+    /// The direction from the mechanism to the viewer, a vector of any length.
     pub towards: [f64; 3],
-    /// The direction that is drawn upwards, up to the projection.
+    /// The direction whose projection points upwards in the picture.
     pub up: [f64; 3],
 }
 
 impl Default for View {
-    /// Along the axis z, with y up.
+    /// The view along the axis z, with y upwards.
     fn default() -> Self {
         View { towards: [0.0, 0.0, 1.0], up: [0.0, 1.0, 0.0] }
     }
 }
 
-/// A parallel projection with its scale.
+/// A parallel projection with its scale, from metres to pixels.
 #[derive(Clone, Debug)]
 pub(super) struct Camera {
     right: [f64; 3],
     up: [f64; 3],
     towards: [f64; 3],
-    /// Pixels in a metre.
+    /// Pixels per metre.
     pub scale: f64,
-    /// The coordinates of the middle of the picture, to the right and up, in metres.
+    /// The coordinates of the middle of the picture, to the right and upwards, in metres.
     middle: (f64, f64),
     pub height: f64,
 }
 
-/// The largest size of the mechanism, to the right and down, in pixels.
+/// The largest width and height of the mechanism, in pixels.
 const ROOM: (f64, f64) = (WIDTH - 130.0, 300.0);
-/// The fraction of the room for the system that a picture without a scale fills.
+/// The fraction of `ROOM` that the mechanism fills in a picture without a scale.
 const SCHEMATIC: f64 = 0.55;
-/// The margin above and below.
+/// The margin above and below, in pixels.
 const MARGIN: f64 = 48.0;
-/// The least height.
+/// The least height of the picture, in pixels.
 const LEAST: f64 = 120.0;
 
 impl Camera {
@@ -60,7 +60,7 @@ impl Camera {
         camera
     }
 
-    /// The projection of a point, in metres to the right and up.
+    /// The projection of a point, in metres to the right and upwards.
     fn flat(&self, place: [f64; 3]) -> (f64, f64) {
         (dot(self.right, place), dot(self.up, place))
     }
@@ -77,29 +77,29 @@ impl Camera {
         (self.scale * x, -self.scale * y)
     }
 
-    /// The projection of a direction relative to its length, to the right and down.
+    /// The projection of the unit vector of a direction, to the right and downwards.
     pub fn share(&self, direction: [f64; 3]) -> (f64, f64) {
         let (x, y) = self.flat(unit(direction).unwrap_or_default());
         (x, -y)
     }
 
-    /// To the right on the paper.
+    /// The unit vector in space that points to the right in the picture.
     pub fn right(&self) -> [f64; 3] {
         self.right
     }
 
-    /// The direction from the mechanism to the viewer, of length one.
+    /// The unit vector from the mechanism to the viewer.
     pub fn towards(&self) -> [f64; 3] {
         self.towards
     }
 
-    /// The component of a direction towards the viewer.
+    /// The component towards the viewer of the unit vector of a direction.
     pub fn depth(&self, direction: [f64; 3]) -> f64 {
         dot(self.towards, unit(direction).unwrap_or_default())
     }
 }
 
-/// An arrow as a path: its shaft and two strokes.
+/// The SVG path of an arrow: its shaft and two strokes of its head.
 pub(super) fn arrow((x, y): (f64, f64), (to_x, to_y): (f64, f64), head: f64) -> String {
     use crate::svg::number::coordinate as n;
     let (along, down) = (to_x - x, to_y - y);
@@ -122,7 +122,7 @@ pub(super) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// A direction scaled to length one; none for zero.
+/// The unit vector of a direction; `None` for the zero vector.
 pub(super) fn unit(direction: [f64; 3]) -> Option<[f64; 3]> {
     let length = dot(direction, direction).sqrt();
     (length > 1e-9 && length.is_finite()).then(|| direction.map(|part| part / length))

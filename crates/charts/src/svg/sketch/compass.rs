@@ -1,13 +1,13 @@
-//! A strip below a mechanism: the axes of the ground, the direction of free fall, and the scale.
+//! A strip below a mechanism with the axes of the ground, the direction of gravity, and the scale.
 
 use super::camera::{Camera, arrow};
 use crate::svg::drawing::{Anchor, Drawing, WIDTH};
 use crate::svg::number::{coordinate, significant};
 
-/// Lengths of the axes and of the arrow of free fall, in pixels.
+/// The length of the axes in pixels; [`FALL`] is that of the arrow of gravity.
 const AXIS: f64 = 24.0;
 const FALL: f64 = 26.0;
-/// The height of the strip, and the places of the axes and the arrow in it.
+/// The height of the strip in pixels; the axes and the arrow stand at [`AXES_AT`] and [`FALL_AT`] from its left end.
 const HEIGHT: f64 = 84.0;
 const AXES_AT: f64 = 46.0;
 const FALL_AT: f64 = 118.0;
@@ -27,7 +27,7 @@ pub(super) fn compass(
         let (along, down) = camera.share(direction);
         let length = along.hypot(down);
         if length < 0.1 {
-            // an axis that points to the viewer, or away
+            // this axis points to the viewer or away
             drawing.circle((AXES_AT, middle), 2.6, "axis-end");
             continue;
         }
@@ -50,7 +50,7 @@ pub(super) fn compass(
     drawing.height += HEIGHT;
 }
 
-/// Draws a bar whose length is a round number of metres.
+/// Draws a scale bar whose length is a round number of metres.
 fn scale(drawing: &mut Drawing, camera: &Camera, y: f64) {
     let most = 90.0 / camera.scale;
     let power = 10_f64.powf(most.log10().floor());
@@ -63,7 +63,7 @@ fn scale(drawing: &mut Drawing, camera: &Camera, y: f64) {
     drawing.text((0.5 * (left + right), y - 8.0), Anchor::Middle, "small", &metres(length));
 }
 
-/// A length with its usual unit.
+/// A length in metres as text with a suitable unit.
 fn metres(length: f64) -> String {
     let units = [(1e3, "km"), (1.0, "m"), (1e-3, "mm"), (1e-6, "µm")];
     // centimetres are read more easily than tens of millimetres

@@ -2,7 +2,7 @@
 
 use super::{Sketch, SketchPart};
 
-/// The least and the largest of two coordinates.
+/// A bounding box: the lowest and the highest values of two coordinates.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Extent {
     low: (f64, f64),
@@ -10,7 +10,7 @@ pub(super) struct Extent {
 }
 
 impl Extent {
-    /// The bounding box of all points of parts, and of rings about them.
+    /// The bounding box of all points of the parts at all instants, including the rings and axes about them.
     pub fn of(sketch: &Sketch, flat: impl Fn([f64; 3]) -> (f64, f64)) -> Self {
         let mut extent = Extent { low: (f64::INFINITY, f64::INFINITY), high: (f64::NEG_INFINITY, f64::NEG_INFINITY) };
         for instant in &sketch.instants {
@@ -48,7 +48,7 @@ impl Extent {
         (0.5 * (self.low.0 + self.high.0), 0.5 * (self.low.1 + self.high.1))
     }
 
-    /// Width and height; one metre for a mechanism that is a single point.
+    /// The width and the height in metres; one metre each for a mechanism that is a single point.
     pub fn size(&self) -> (f64, f64) {
         let (width, height) = (self.high.0 - self.low.0, self.high.1 - self.low.1);
         if width > 0.0 || height > 0.0 { (width, height) } else { (1.0, 1.0) }
@@ -56,7 +56,7 @@ impl Extent {
 }
 
 impl SketchPart {
-    /// The points of a part.
+    /// The indices of the points of a part.
     pub(super) fn stands_at(&self) -> Vec<usize> {
         match self {
             SketchPart::Plate { corners, .. } => corners.clone(),

@@ -1,14 +1,14 @@
-//! The paper that strokes cover, as points, and the boxes of names.
+//! Sample points of everything drawn, by which names avoid covering strokes, and the bounding boxes of names.
 
 use super::camera::Camera;
 use super::pose::Flat;
 use super::surfaces::BEYOND;
 use super::{Instant, Sketch, SketchPart};
 
-/// A box on the paper: left, top, right, bottom.
+/// A box in pixels: left, top, right, bottom.
 pub(super) type Box4 = [f64; 4];
 
-/// Points that strokes cover, some pixels apart.
+/// Sample points of the strokes at one instant, a few pixels apart.
 pub(super) fn ink(sketch: &Sketch, instant: &Instant, camera: &Camera) -> Vec<Flat> {
     let mut points = Vec::new();
     for part in sketch.parts.iter().filter(|part| !matches!(part, SketchPart::Field(_))) {
@@ -59,7 +59,7 @@ pub(super) fn ink(sketch: &Sketch, instant: &Instant, camera: &Camera) -> Vec<Fl
     points
 }
 
-/// Points of a circle.
+/// 36 points of a circle.
 fn ring((x, y): Flat, radius: f64) -> impl Iterator<Item = Flat> {
     (0..36).map(move |k| {
         let (sin, cos) = (f64::from(k) * std::f64::consts::TAU / 36.0).sin_cos();
@@ -67,7 +67,7 @@ fn ring((x, y): Flat, radius: f64) -> impl Iterator<Item = Flat> {
     })
 }
 
-/// Points of a segment.
+/// Points of a segment, at most 5 pixels apart.
 fn along(from: Flat, to: Flat) -> impl Iterator<Item = Flat> {
     let count = ((to.0 - from.0).hypot(to.1 - from.1) / 5.0).ceil().clamp(1.0, 400.0) as usize;
     (0..=count).map(move |k| {

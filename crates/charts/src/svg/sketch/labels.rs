@@ -1,5 +1,5 @@
-//! Names beside what they name: each at the place near by where it covers the least over the whole motion, farther away with a line to what
-//! it names; left out where every place is taken.
+//! Names beside the points of a sketch. Each name has one position relative to its point, chosen such that it covers least over the whole motion;
+//! a name that is farther away is joined to its point by a line. A name is left out where every position is taken.
 
 use super::camera::Camera;
 use super::ink::{Box4, holds, ink, meets};
@@ -10,7 +10,7 @@ use super::{Instant, Sketch};
 use crate::svg::drawing::{Anchor, Drawing, WIDTH};
 use crate::svg::number::coordinate;
 
-/// The width of a letter, and the height of a line, in pixels.
+/// The width of a letter in pixels; [`HEIGHT`] is the height of a line.
 const LETTER: f64 = 7.9;
 const HEIGHT: f64 = 14.0;
 /// The largest number of names.
@@ -18,38 +18,38 @@ const MOST: usize = 40;
 const FEW: usize = 16;
 /// The largest number of letters of a name.
 const LONGEST: usize = 24;
-/// Instants at which names are kept from covering something.
+/// The number of instants at which the cost of a position is computed.
 const INSTANTS: usize = 6;
-/// The cost of a covered point of a stroke, of a line to a name, of a name beyond the paper, and of one that covers another.
+/// The cost of a covered sample point of a stroke; [`LINE`]: of a line to a name; [`BEYOND`]: outside the picture; [`TAKEN`]: over a name.
 const COVERED: usize = 4;
 const LINE: usize = 10;
 const BEYOND: usize = 2_000;
 const TAKEN: usize = 10_000;
 
-/// Names with their sides.
+/// The names of a sketch with their positions.
 pub(super) struct Labels {
     placed: Vec<Label>,
 }
 
 struct Label {
     text: String,
-    /// The vector from its point to the left end of its base line.
+    /// The vector from the point to the left end of the base line of the text, in pixels.
     beside: Flat,
-    /// The line from the place to the name, from and to; none of a name that is close.
+    /// The ends of the line from the point to the name; `None` for a name that is close.
     line: Option<[Flat; 2]>,
     places: Vec<Flat>,
 }
 
-/// A side of a place on which a name may stand.
+/// A candidate position of a name relative to its point.
 struct Side {
     beside: Flat,
-    /// The box of the name beside its place.
+    /// The box of the name relative to its point.
     rim: Box4,
     line: Option<[Flat; 2]>,
 }
 
 impl Side {
-    /// The side in a direction, right and down, at a distance.
+    /// The position in a direction (right, down) at a distance, for a name of this width; all in pixels.
     fn of((right, down): (f64, f64), distance: f64, width: f64) -> Self {
         let (x, y) = (distance * right, distance * down);
         let left = match right {
@@ -97,7 +97,7 @@ impl Labels {
             let sides = DISTANCES.iter().flat_map(|distance| SIDES.map(|side| Side::of(side, *distance, width)));
             let best =
                 sides.enumerate().map(|(order, side)| (cost(&side), order, side)).min_by_key(|one| (one.0, one.1));
-            // the first instant is the picture that is printed
+            // a printed picture shows the first instant, at which the name must lie inside
             let Some((_, _, side)) = best.filter(|(_, _, side)| cost_at(side, 0) < BEYOND) else { continue };
             for (taken, here) in taken.iter_mut().zip(&here) {
                 taken.push(side.rim_at(*here));
@@ -132,11 +132,11 @@ impl Labels {
     }
 }
 
-/// Directions of sides, right and down, the best first.
+/// Directions of candidate positions (right, down), the preferred ones first.
 const SIDES: [(f64, f64); 8] =
     [(1.0, 0.0), (0.8, -1.0), (0.8, 1.0), (-1.0, 0.0), (-0.8, -1.0), (-0.8, 1.0), (0.0, -1.5), (0.0, 1.7)];
 
-/// Distances of names, and the largest one that needs no line.
+/// Distances of candidate positions in pixels; beyond [`CLOSE`] a name needs a line.
 const DISTANCES: [f64; 4] = [10.5, 17.0, 30.0, 52.0];
 const CLOSE: f64 = 20.0;
 

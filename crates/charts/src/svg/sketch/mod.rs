@@ -1,8 +1,8 @@
-//! A mechanism as a mechanician sketches it: bodies, joints, springs, supports, at one instant or along a run.
+//! Sketches of mechanisms: bodies, joints, springs and supports, at one instant or along a run.
 //!
-//! Every part refers to points ("places") and directions by their numbers, and an [`Instant`] gives their coordinates. One instant gives a still
-//! picture; several give an animated one, in a page and as an image, without a script: rigid parts are moved, parts that change
-//! their shape have a path for each instant.
+//! A part refers to points and directions by their indices, and an [`Instant`] gives the coordinates of these points and directions. One instant
+//! gives a still picture. Several instants give an animated picture without a script: the animation moves rigid parts and replaces
+//! the paths of parts that change their shape.
 
 mod bars;
 mod camera;
@@ -27,41 +27,41 @@ use labels::Labels;
 use shapes::shapes;
 use timeline::Timeline;
 
-/// A mechanism with its parts and its places.
+/// A mechanism: its parts, the names of its points, and its instants.
 #[derive(Clone, Debug, Default)]
 pub struct Sketch {
     pub title: String,
     pub parts: Vec<SketchPart>,
-    /// Names at places, plain text; those of greater weight come first.
+    /// Points by their indices with names, plain text; more important names come first.
     pub names: Vec<(usize, String)>,
-    /// At least one, in the order of their times.
+    /// The instants, ordered by time; at least one.
     pub instants: Vec<Instant>,
     pub view: View,
     /// The names of the axes x, y and z of the ground.
     pub axes: [String; 3],
-    /// The acceleration of free fall, whose direction is drawn; zero without gravity.
+    /// The acceleration of free fall along the axes of the ground; only its direction is drawn. Zero without gravity.
     pub gravity: [f64; 3],
-    /// Whether the sketch has the lengths of the model, so that a scale is drawn.
+    /// Whether lengths in the sketch are those of the model, so that a scale bar is drawn.
     pub has_scale: bool,
-    /// Text below the picture.
+    /// The text below the picture.
     pub note: String,
 }
 
-/// The places and directions of a mechanism at a time.
+/// The points and directions of a mechanism at one time.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Instant {
-    /// In seconds.
+    /// The time in seconds.
     pub time: f64,
-    /// In metres, along the axes of the ground.
+    /// Coordinates of the points, in metres along the axes of the ground.
     pub places: Vec<[f64; 3]>,
-    /// Vectors along the axes of the ground; those that are lengths are in metres.
+    /// Components of the directions along the axes of the ground; directions that are lengths are in metres.
     pub directions: Vec<[f64; 3]>,
 }
 
-/// A part, at places and along directions by their numbers.
+/// A part of a mechanism. Numbers are indices of points (`at`, `corners`, pairs) and of directions (`along`, `axes`, `normal`).
 #[derive(Clone, Debug, PartialEq)]
 pub enum SketchPart {
-    /// A rigid body through points that are fixed in it, with the number of its colour.
+    /// A rigid body through points fixed in it, with the index of its colour.
     Plate {
         corners: Vec<usize>,
         colour: usize,
@@ -70,24 +70,24 @@ pub enum SketchPart {
     Rod([usize; 2]),
     /// A straight part of a belt.
     Strand([usize; 2]),
-    /// A line along which one point moves relative to another.
+    /// A telescope: a line along which one point moves relative to another.
     Telescope([usize; 2]),
     Spring([usize; 2]),
     Dashpot([usize; 2]),
-    /// A force between two points that is neither that of a spring nor that of a dashpot.
+    /// A force between two points that comes neither from a spring nor from a dashpot.
     Actuator([usize; 2]),
     /// An attraction or a repulsion at a distance.
     Field([usize; 2]),
-    /// A body that is a point with a mass.
+    /// A body that is a point mass.
     Particle {
         at: usize,
         colour: usize,
     },
     /// The centre of mass of a body.
     Centre(usize),
-    /// A joint.
+    /// A pin joint.
     Pin(usize),
-    /// A point fixed in the ground at which something is held.
+    /// A point of the ground to which a part is attached.
     Support(usize),
     /// A block that slides along a line.
     Block {
@@ -100,36 +100,36 @@ pub enum SketchPart {
         at: usize,
         along: usize,
     },
-    /// A closed curve about a point: an ellipse given by its two half axes, which are lengths among the directions.
+    /// A closed curve about a point: the ellipse of two half-axes, which are directions with a length in metres.
     Ring {
         at: usize,
         axes: [usize; 2],
         colour: usize,
         spoke: bool,
     },
-    /// The axes of a frame that turns.
+    /// The axes of a rotating frame.
     Triad {
         at: usize,
         axes: [usize; 3],
         colour: usize,
     },
-    /// A surface that is touched at a point, with its normal towards the body.
+    /// A surface in contact with a body at a point, with its normal towards the body.
     Surface {
         at: usize,
         normal: usize,
         kind: SurfaceKind,
     },
-    /// A spring about an axis: two directions across the axis in one frame, and the first of them in the other frame.
+    /// A torsion spring: two directions of one frame across its axis, and the first of them as fixed in the other frame.
     TorsionSpring {
         at: usize,
         axes: [usize; 3],
     },
-    /// A dashpot about an axis, with directions as those of a spring.
+    /// A rotary dashpot, with directions like those of [`SketchPart::TorsionSpring`].
     RotaryDashpot {
         at: usize,
         axes: [usize; 3],
     },
-    /// A torque, whose size is not drawn.
+    /// A torque along a direction; its magnitude is not drawn.
     Torque {
         at: usize,
         along: usize,
@@ -141,24 +141,24 @@ pub enum SketchPart {
     },
 }
 
-/// The kind of a surface that is touched.
+/// The kind of a surface in contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SurfaceKind {
-    /// A plane of the ground.
+    /// A plane fixed to the ground.
     Ground,
-    /// A plane of a body.
+    /// A plane fixed to a body.
     Body,
-    /// A curve: its tangent at the place alone.
+    /// A curve, of which only the tangent at the contact is drawn.
     Curve,
 }
 
 impl Sketch {
-    /// The sketch as an SVG file: still with one instant, moving with several.
+    /// The sketch as an SVG file: still with one instant, animated with several.
     pub fn svg(&self) -> String {
         self.drawing().standalone_in(&self.title, STYLE)
     }
 
-    /// The sketch inside a page, which has the [`STYLE`] of sketches.
+    /// The sketch as an SVG element for a page that contains [`STYLE`].
     pub fn embedded(&self) -> String {
         self.drawing().embedded(&self.title)
     }

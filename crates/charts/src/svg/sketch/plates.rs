@@ -1,12 +1,12 @@
-//! Rigid bodies through the points that are fixed in them: a bar through two points, a plate about several in a plane, a frame of bars in
-//! space.
+//! Rigid bodies drawn through points fixed in them: a bar through two points, a plate through several points of a plane, a frame of bars through
+//! points in space.
 
 use super::Instant;
 use super::marks::polygon;
 use super::pose::{Flat, Pose, distance};
 use super::shapes::{Scene, Shape, segments_between};
 
-/// A triangle whose height is below this fraction of its base is drawn as a bar.
+/// The largest value of [`width`] with which a convex hull is drawn as a bar.
 const THIN: f64 = 0.02;
 
 pub(super) fn plate(scene: Scene<'_>, corners: &[usize], colour: &str) -> Vec<Shape> {
@@ -24,7 +24,7 @@ pub(super) fn plate(scene: Scene<'_>, corners: &[usize], colour: &str) -> Vec<Sh
     vec![Shape::new(3, format!("bar{colour}"), segments_between(scene, &bars))]
 }
 
-/// Whether the corners stay at one distance from the viewer, so that their outline does not change.
+/// Whether all corners keep one depth along the line of sight, so that the outline of the body does not change.
 fn is_flat(scene: Scene<'_>, corners: &[usize]) -> bool {
     let mut deepest: f64 = 0.0;
     let mut widest: f64 = 0.0;
@@ -42,7 +42,7 @@ fn is_flat(scene: Scene<'_>, corners: &[usize]) -> bool {
     deepest <= 1e-6 * widest
 }
 
-/// The corners of the convex hull, by their numbers, in order: Andrew's monotone chain.
+/// The indices of the corners of the convex hull, in order, by the monotone chain of Andrew (1979).
 fn hull(points: &[Flat]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..points.len()).collect();
     order.sort_by(|a, b| points[*a].0.total_cmp(&points[*b].0).then(points[*a].1.total_cmp(&points[*b].1)));
@@ -66,7 +66,7 @@ fn hull(points: &[Flat]) -> Vec<usize> {
     [lower, upper].concat()
 }
 
-/// Twice the area divided by the square of half the perimeter: zero for a line.
+/// The roundness of a polygon, 8 area / perimeter²: zero for a segment, 1/2 for a square.
 fn width(corners: &[Flat]) -> f64 {
     let next = |k: usize| corners[(k + 1) % corners.len()];
     let area: f64 = corners.iter().enumerate().map(|(k, a)| a.0 * next(k).1 - next(k).0 * a.1).sum();
@@ -74,7 +74,7 @@ fn width(corners: &[Flat]) -> f64 {
     4.0 * area.abs() / (perimeter * perimeter).max(f64::MIN_POSITIVE)
 }
 
-/// Pairs of corners that join all of them by the shortest bars: Prim's tree.
+/// Pairs of corners, one after the other, that are the edges of a minimum spanning tree, by Prim's algorithm.
 fn spanning(instant: &Instant, corners: &[usize]) -> Vec<usize> {
     let place = |corner: usize| instant.places.get(corner).copied().unwrap_or_default();
     let apart = |a: usize, b: usize| {

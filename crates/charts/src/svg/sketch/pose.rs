@@ -1,4 +1,4 @@
-//! One stroke over all instants: at rest, moved rigidly, stretched between two points, or with a path for each instant.
+//! A path with its motion over all instants: at rest, moved rigidly, stretched between two points, or another path at each instant.
 
 use super::timeline::Timeline;
 use crate::svg::drawing::Drawing;
@@ -6,11 +6,11 @@ use crate::svg::number::coordinate as n;
 
 pub(super) type Flat = (f64, f64);
 
-/// A path and its motion.
+/// A path with its motion.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Pose {
     Still(String),
-    /// A path about its own origin, with the position of this origin, its rotation in degrees, and its stretch along its own first axis.
+    /// A path about its own origin; for each instant the position of this origin, the rotation in degrees, and the stretch along its first axis.
     Moved {
         path: String,
         places: Vec<Flat>,
@@ -20,14 +20,14 @@ pub(super) enum Pose {
     Bent(Vec<String>),
 }
 
-/// The largest accepted deviation of points, in pixels.
+/// The largest distance in pixels between points that count as equal.
 const NEAR: f64 = 0.35;
 
-/// The length of a stretched path.
+/// The length in pixels of a path before it is stretched.
 pub(super) const LENGTH: f64 = 100.0;
 
 impl Pose {
-    /// A path through points: rigid if the points keep their distances.
+    /// A path through points: at rest or moved rigidly where the points allow it, otherwise with another path at each instant.
     pub fn through(points: &[Vec<Flat>], path: impl Fn(&[Flat]) -> String) -> Self {
         let Some(first) = points.first().filter(|points| !points.is_empty()) else { return Pose::Still(String::new()) };
         let rests = |points: &Vec<Flat>| points.iter().zip(first).all(|(now, then)| near(*now, *then));
@@ -61,7 +61,7 @@ impl Pose {
         Pose::Moved { path: path(&own), places, angles: turning(angles), stretches: Vec::new() }
     }
 
-    /// A path of [`LENGTH`] along its first axis, stretched between two points.
+    /// A path of [`LENGTH`] along its first axis, stretched between two points at each instant.
     pub fn between(ends: &[[Flat; 2]], path: &str) -> Self {
         let places = ends.iter().map(|[from, _]| *from).collect();
         let angles = ends.iter().map(|[from, to]| (to.1 - from.1).atan2(to.0 - from.0).to_degrees());
@@ -95,7 +95,7 @@ impl Pose {
     }
 }
 
-/// Angles without jumps of whole turns.
+/// The angles in degrees with whole turns added, such that successive angles differ by at most half a turn.
 fn unwound(angles: impl Iterator<Item = f64>) -> Vec<f64> {
     let mut all: Vec<f64> = Vec::new();
     for angle in angles {
@@ -105,7 +105,7 @@ fn unwound(angles: impl Iterator<Item = f64>) -> Vec<f64> {
     all
 }
 
-/// The angles, or none if nothing turns.
+/// The angles; an empty list where none differs from zero.
 fn turning(angles: Vec<f64>) -> Vec<f64> {
     if angles.iter().all(|angle| angle.abs() < 0.005) { Vec::new() } else { angles }
 }
@@ -126,7 +126,7 @@ fn thousandths(value: f64) -> String {
     short(&format!("{value:.3}"))
 }
 
-/// A decimal without needless zeros.
+/// A decimal number without trailing zeros.
 fn short(decimal: &str) -> String {
     let short = decimal.trim_end_matches('0').trim_end_matches('.');
     if short == "-0" { "0".to_owned() } else { short.to_owned() }

@@ -7,40 +7,40 @@ use super::shapes::{Scene, Shape};
 use super::{Instant, SketchPart};
 use std::f64::consts::{PI, TAU};
 
-/// Radii of the ends of a spiral, in pixels, and its turns.
+/// The radii of the ends of a spiral in pixels; [`TURNS`] is its number of turns.
 const SPIRAL: (f64, f64) = (4.5, 15.0);
 const TURNS: f64 = 2.0;
-/// The radius of a housing and the ends of a vane, alone and about a spring.
+/// The radius of a housing and the radii of the ends of a vane, in pixels; [`ABOUT_SPRING`] applies about a torsion spring.
 const ALONE: [f64; 3] = [13.0, 4.0, 10.0];
 const ABOUT_SPRING: [f64; 3] = [21.0, 16.5, 20.0];
-/// Half the gap of a housing, in rad.
+/// Half the angle of the gap of a housing, in radians.
 const GAP: f64 = 0.6;
-/// The radius of a curved arrow, its angle, and the length of its head.
+/// The radius of a curved arrow in pixels; [`SWEEP`] is its angle in radians and [`HEAD`] the length of its head in pixels.
 const ARC: f64 = 24.0;
 const SWEEP: f64 = 1.4 * PI;
 const HEAD: f64 = 8.0;
-/// Points of a spiral, and of an arc: the same at all instants, so that one path becomes the other.
+/// The number of points of a spiral, and of an arc ([`OF_ARC`]). It is constant, so that the path of one instant can turn into the next.
 const POINTS: usize = 44;
 const OF_ARC: usize = 20;
 
-/// A circle about a place, across an axis.
+/// A circle about a point in the plane normal to an axis.
 struct Circle {
     centre: [f64; 3],
-    /// Two directions at right angles, of length one.
+    /// Two orthogonal unit vectors of its plane.
     axes: [[f64; 3]; 2],
-    /// The size of marks: smaller where there are many.
+    /// The factor of all radii, smaller in sketches with many parts.
     size: f64,
 }
 
 impl Circle {
-    /// A point by its radius in pixels and its angle.
+    /// The projection of the point at this radius in pixels and this angle in radians.
     fn point(&self, camera: &Camera, radius: f64, angle: f64) -> Flat {
         let (sin, cos) = angle.sin_cos();
         let r = self.size * radius / camera.scale;
         camera.place(std::array::from_fn(|k| self.centre[k] + r * (cos * self.axes[0][k] + sin * self.axes[1][k])))
     }
 
-    /// Points of an arc with radii that change evenly.
+    /// The projections of points of an arc whose radius in pixels and angle in radians change linearly.
     fn arc(&self, camera: &Camera, count: usize, radii: (f64, f64), angles: (f64, f64)) -> Vec<Flat> {
         let at = |k: usize| {
             let share = k as f64 / count as f64;
@@ -50,7 +50,7 @@ impl Circle {
     }
 }
 
-/// The circles of all instants, with the angle of an arm from the first direction, without jumps of whole turns.
+/// The circle of each instant, with the angle in radians from the first direction to `arm`, continued without jumps of whole turns.
 fn circles(scene: Scene<'_>, at: usize, [first, second, arm]: [usize; 3]) -> Vec<(Circle, f64)> {
     let (mut last, size) = (0.0, scene.mark_size());
     let one = |instant: &Instant| {
@@ -64,14 +64,14 @@ fn circles(scene: Scene<'_>, at: usize, [first, second, arm]: [usize; 3]) -> Vec
     scene.sketch.instants.iter().map(one).collect()
 }
 
-/// A spiral from the second frame, inside, to the first.
+/// A spiral whose inner end is fixed in the second frame and whose outer end is fixed in the first.
 pub(super) fn torsion_spring(scene: Scene<'_>, at: usize, axes: [usize; 3]) -> Shape {
     let spiral = |(circle, angle): (Circle, f64)| circle.arc(scene.camera, POINTS, SPIRAL, (angle, TURNS * TAU));
     let points: Vec<Vec<Flat>> = circles(scene, at, axes).into_iter().map(spiral).collect();
     Shape::new(6, "spring", Pose::through(&points, polyline))
 }
 
-/// A housing in the first frame, and a vane in the second.
+/// A housing fixed in the first frame, and a vane fixed in the second.
 pub(super) fn rotary_dashpot(scene: Scene<'_>, at: usize, axes: [usize; 3]) -> Vec<Shape> {
     let is_about = |part: &SketchPart| matches!(part, SketchPart::TorsionSpring { at: other, .. } if *other == at);
     let [housing, from, to] = if scene.sketch.parts.iter().any(is_about) { ABOUT_SPRING } else { ALONE };
@@ -86,12 +86,12 @@ pub(super) fn rotary_dashpot(scene: Scene<'_>, at: usize, axes: [usize; 3]) -> V
     vec![shape(&housings, &polyline), shape(&vanes, &segments)]
 }
 
-/// A curved arrow about a torque by the rule of the right hand; none where the torque is zero.
+/// A curved arrow about a torque by the right-hand rule; an empty path where the torque is zero.
 pub(super) fn torque(scene: Scene<'_>, at: usize, along: usize) -> Shape {
     let arrow = |instant: &Instant| {
         let Some(axis) = unit(Scene::direction(instant, along)) else { return Vec::new() };
         let right = scene.camera.right();
-        // from the side that is seen best
+        // the arc lies on the side of the axis that faces the viewer
         let first = unit(cross(axis, scene.camera.towards())).unwrap_or(right);
         let centre = instant.places.get(at).copied().unwrap_or_default();
         let circle = Circle { centre, axes: [first, cross(axis, first)], size: scene.mark_size() };

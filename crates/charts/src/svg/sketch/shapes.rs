@@ -1,4 +1,4 @@
-//! The parts of a mechanism as strokes on the paper, from the back to the front.
+//! The parts of a mechanism as paths, sorted from back to front.
 
 use super::bars::{ACTUATOR, DASHPOT, DASHPOT_BESIDE, SPRING};
 use super::camera::{Camera, arrow};
@@ -11,19 +11,19 @@ use super::timeline::Timeline;
 use super::{Instant, Sketch, SketchPart};
 use crate::svg::drawing::Drawing;
 
-/// Colours of bodies.
+/// The number of colours of bodies; further bodies repeat them.
 const COLOURS: usize = 6;
-/// Half the width of marks, in pixels.
+/// Half the width of the marks of a mass, a pin and a centre of mass, in pixels.
 const MASS: f64 = 6.5;
 const PIN: f64 = 3.6;
 const CENTRE: f64 = 5.5;
-/// The number of parts above which marks are smaller, and their least relative size.
+/// The number of parts above which marks are smaller; [`LEAST`] is their least relative size.
 const MANY: f64 = 60.0;
 const LEAST: f64 = 0.3;
-/// The length of an arrow.
+/// The length of an arrow in pixels.
 const ARROW: f64 = 44.0;
 
-/// A stroke with its looks and its motion.
+/// A path with its layer, its CSS class and its motion.
 #[derive(Clone, Debug)]
 pub(super) struct Shape {
     layer: u8,
@@ -41,7 +41,7 @@ impl Shape {
     }
 }
 
-/// The sketch and its projection, for all parts.
+/// A sketch and its projection.
 #[derive(Clone, Copy)]
 pub(super) struct Scene<'a> {
     pub sketch: &'a Sketch,
@@ -54,17 +54,17 @@ impl Scene<'_> {
         instant.places.get(place).map_or((0.0, 0.0), |place| self.camera.place(*place))
     }
 
-    /// A value for every instant.
+    /// The values of a function at all instants.
     pub fn each<T>(&self, of: impl Fn(&Instant) -> T) -> Vec<T> {
         self.sketch.instants.iter().map(of).collect()
     }
 
-    /// A direction at an instant; zero for an unknown number.
+    /// The components of a direction at an instant; zero for an unknown index.
     pub fn direction(instant: &Instant, number: usize) -> [f64; 3] {
         instant.directions.get(number).copied().unwrap_or_default()
     }
 
-    /// The size of marks: smaller if there are many.
+    /// The relative size of marks, between [`LEAST`] and 1: smaller in sketches with many parts.
     pub fn mark_size(&self) -> f64 {
         (MANY / self.sketch.parts.len().max(1) as f64).clamp(LEAST, 1.0)
     }
@@ -81,7 +81,7 @@ impl Scene<'_> {
         Pose::between(&self.each(|instant| ends.map(|end| self.at(instant, end))), path)
     }
 
-    /// A path that begins at a point and has a given direction.
+    /// The path that `path` returns for a point and a second point at a distance of [`ARROW`] in a given direction.
     fn towards(&self, place: usize, along: usize, path: impl Fn(Flat, Flat) -> String) -> Pose {
         let points = self.each(|instant| {
             let (from, way) = (self.at(instant, place), self.camera.share(Scene::direction(instant, along)));
@@ -91,7 +91,7 @@ impl Scene<'_> {
     }
 }
 
-/// All strokes of a sketch.
+/// The paths of all parts of a sketch, from back to front.
 pub(super) fn shapes(sketch: &Sketch, camera: &Camera) -> Vec<Shape> {
     let scene = Scene { sketch, camera };
     let mut all: Vec<Shape> = sketch.parts.iter().flat_map(|part| strokes(scene, part)).collect();
@@ -167,7 +167,7 @@ fn strokes(scene: Scene<'_>, part: &SketchPart) -> Vec<Shape> {
     }
 }
 
-/// Segments between pairs of places, over all instants.
+/// Segments between pairs of points, over all instants.
 pub(super) fn segments_between(scene: Scene<'_>, ends: &[usize]) -> Pose {
     Pose::through(&scene.each(|instant| ends.iter().map(|end| scene.at(instant, *end)).collect()), segments)
 }

@@ -1,4 +1,4 @@
-//! Surfaces that are touched, and the lines on which blocks slide: long enough for the positions at all instants.
+//! Surfaces of contacts, and guides of sliding blocks. They are long enough for the positions at all instants.
 
 use super::SurfaceKind;
 use super::camera::{cross, dot, unit};
@@ -6,21 +6,21 @@ use super::marks::{polygon, segments};
 use super::pose::{Flat, Pose};
 use super::shapes::{Scene, Shape};
 
-/// The length beyond the touched points, in pixels.
+/// The length beyond the points of contact, in pixels.
 pub(super) const BEYOND: f64 = 42.0;
 /// Half the length of a tangent, in pixels.
 const TANGENT: f64 = 11.0;
-/// The length of the strokes of hatching, which is also their distance.
+/// The length of the strokes of hatching and the distance between them, in pixels.
 const HATCH: f64 = 8.0;
 
-/// A surface at a point: a hatched line if it is seen from its edge, otherwise a patch.
+/// A surface at a point of contact: a hatched line where the surface is seen edge-on, otherwise a quadrilateral patch.
 pub(super) fn surface(scene: Scene<'_>, at: usize, normal: usize, kind: SurfaceKind) -> Vec<Shape> {
     let of_ground = kind == SurfaceKind::Ground;
     let normals = scene.each(|instant| unit(Scene::direction(instant, normal)).unwrap_or([0.0, 1.0, 0.0]));
     let Some(first) = normals.first().copied() else { return Vec::new() };
     let rests = of_ground && normals.iter().all(|normal| dot(*normal, first) > 1.0 - 1e-9);
     let places = scene.each(|instant| instant.places.get(at).copied().unwrap_or_default());
-    // the touched points of all instants lie along a surface at rest
+    // the points of contact of all instants lie along a surface at rest
     let reach = |along: [f64; 3], here: [f64; 3]| -> (f64, f64) {
         if !rests {
             return (0.0, 0.0);
@@ -39,7 +39,7 @@ pub(super) fn surface(scene: Scene<'_>, at: usize, normal: usize, kind: SurfaceK
     if is_edge {
         let points: Vec<Vec<Flat>> = frames
             .map(|(place, normal)| {
-                // with the free side on its left, so that the hatching is inside the solid
+                // the free side is to the left of this direction, so that the hatching lies inside the solid
                 let along = unit(cross(*normal, scene.camera.towards())).unwrap_or([1.0, 0.0, 0.0]);
                 let (low, high) = reach(along, *place);
                 [low - beyond, high + beyond].map(|length| corner(*place, &[(along, length)])).to_vec()
@@ -63,7 +63,7 @@ pub(super) fn surface(scene: Scene<'_>, at: usize, normal: usize, kind: SurfaceK
     vec![Shape::new(0, "patch", Pose::through(&points, polygon))]
 }
 
-/// A line from its first to its second end, with hatching on its right.
+/// A line between two ends, with hatching to the right of the direction from the first to the second.
 fn hatched([from, to]: [Flat; 2], of_ground: bool) -> String {
     let mut ends = vec![from, to];
     let length = (to.0 - from.0).hypot(to.1 - from.1);
@@ -78,7 +78,7 @@ fn hatched([from, to]: [Flat; 2], of_ground: bool) -> String {
     segments(&ends)
 }
 
-/// The line on which a block slides, through all its positions.
+/// The guide of a sliding block: a segment through all its positions.
 pub(super) fn guide(scene: Scene<'_>, at: usize, along: usize) -> Pose {
     let beyond = BEYOND / scene.camera.scale;
     let Some(first) = scene.sketch.instants.first() else { return Pose::Still(String::new()) };

@@ -1,6 +1,6 @@
 use super::{Instant, Sketch, SketchPart};
 
-/// A bar about a pin of the ground, at some angles in degrees.
+/// A bar that hangs from a pin on the ground, at given angles in degrees.
 fn bar(angles: &[f64]) -> Sketch {
     let instant = |(number, angle): (usize, &f64)| {
         let (sin, cos) = angle.to_radians().sin_cos();
@@ -52,7 +52,7 @@ fn nothing_and_places_that_are_no_numbers_are_pictures() {
     assert!(lost.svg().ends_with("</svg>"));
 }
 
-/// A disc about the origin that is turned by an angle in rad, with a spring, a dashpot and a torque.
+/// An instant of a disc about the origin that is turned by an angle in rad, with the directions of a spring, a dashpot and a torque.
 fn sprung(turned: f64, torque: f64) -> Instant {
     let (sin, cos) = turned.sin_cos();
     let directions = vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [cos, sin, 0.0], [0.0, 0.0, torque]];
@@ -75,10 +75,10 @@ fn a_spiral_winds_with_its_angle_and_a_torque_is_an_arc_in_its_sense() {
         [(0.0, 1.0), (0.5, 1.0), (0.0, -2.0)].map(|(turn, torque)| sketch(vec![sprung(turn, torque)]).svg());
     assert!(path(&here, "spring") != path(&wound, "spring") && path(&here, "spring") == path(&back, "spring"));
     assert!(path(&here, "force") == path(&wound, "force") && path(&here, "force") != path(&back, "force"));
-    // past half a turn the spiral winds on
+    // the spiral continues to wind beyond half a turn
     let moving = sketch((0..60).map(|k| sprung(0.2 * f64::from(k), 1.0)).collect()).svg();
     assert!(moving.contains("class=\"spring\"") && moving.contains("attributeName=\"d\"") && !moving.contains("NaN"));
-    // a torque that begins later has its arrow then
+    // a torque that is zero at first has an arrow from the later instant on
     let later = sketch(vec![sprung(0.0, 0.0), sprung(0.1, 1.0)]).svg();
     assert!(later.contains("class=\"force\" d=\"\"") && later.contains("values=\"M0 0;M"), "{later}");
     // without a torque there is no arrow

@@ -1,4 +1,4 @@
-//! The time of an animated picture: real time, slowed down or sped up by a round factor.
+//! The time of an animated picture: real time, or time slowed down or sped up by a round factor.
 
 use super::Instant;
 use crate::svg::drawing::{Anchor, Drawing, LINE, WIDTH};
@@ -7,7 +7,7 @@ use crate::svg::number::{coordinate, significant};
 /// The least and the largest duration of an animation, in seconds.
 const SEEN: (f64, f64) = (2.0, 20.0);
 
-/// From the first instant to the last.
+/// The relation between the time of the motion and the time of the animation.
 pub(super) struct Timeline {
     span: (f64, f64),
     /// The duration of the animation, in seconds.
@@ -16,7 +16,7 @@ pub(super) struct Timeline {
     slowed: f64,
     /// The factor by which the animation is faster than the motion.
     quickened: f64,
-    /// The attribute `keyTimes` of unevenly spaced instants, as fractions of the duration; empty for even ones.
+    /// The attribute `keyTimes` of unevenly spaced instants, as fractions of the duration; empty for evenly spaced ones.
     key_times: String,
 }
 
@@ -46,12 +46,12 @@ impl Timeline {
         self.seconds > 0.0
     }
 
-    /// The values of an attribute over all instants.
+    /// The SVG element that animates an attribute through these values, one per instant; empty for a still picture.
     pub fn values(&self, attribute: &str, values: &[String]) -> String {
         match self.moves() {
             false => String::new(),
             true => {
-                // a browser refuses a list with an empty path: an arrow of length zero is a point
+                // a browser refuses a list with an empty path; an arrow of length zero becomes a point
                 let value = |value: &String| if value.is_empty() { "M0 0".to_owned() } else { value.clone() };
                 let values: Vec<String> = values.iter().map(value).collect();
                 let (values, key_times) = (values.join(";"), &self.key_times);
@@ -60,7 +60,7 @@ impl Timeline {
         }
     }
 
-    /// The values of a part of a transformation, appended to the parts before it.
+    /// The SVG element that animates a transformation through these values; rotations and scalings are appended to the translation.
     pub fn transform(&self, kind: &str, values: &[String]) -> String {
         if !self.moves() {
             return String::new();
@@ -74,7 +74,7 @@ impl Timeline {
         format!(" dur=\"{}s\" repeatCount=\"indefinite\"", significant(self.seconds, 4))
     }
 
-    /// Draws a bar that shows the progress of time, with its ends and the factor of speed.
+    /// Draws a bar that shows the progress of time, with the times of its ends and the speed of the animation.
     pub fn draw(&self, drawing: &mut Drawing) {
         if !self.moves() {
             return;
@@ -83,7 +83,7 @@ impl Timeline {
         drawing.line((left, y), (right, y), "axis faint");
         let ends = [left, right].map(|x| format!("{} {}", coordinate(x), coordinate(y))).to_vec();
         let start = format!(" transform=\"translate({})\"", ends[0]);
-        // two values, at the ends: the time goes along evenly
+        // the bar has two values, at its ends, between which time is uniform
         let evenly = Timeline { key_times: String::new(), ..*self };
         drawing.path_with("M0-5V5", "now", &start, &evenly.transform("translate", &ends));
         let second = |time: f64| format!("{} s", significant(time, 3));
@@ -102,14 +102,14 @@ impl Timeline {
     }
 }
 
-/// A part of one with four decimals.
+/// A fraction between 0 and 1 with at most four decimals.
 fn written(share: f64) -> String {
     let text = format!("{:.4}", share.clamp(0.0, 1.0));
     let text = text.trim_end_matches('0').trim_end_matches('.');
     text.strip_prefix('0').filter(|rest| !rest.is_empty()).unwrap_or(text).to_owned()
 }
 
-/// The least of 1, 2, 5, 10, 20, ... that is at least a number.
+/// The smallest of 1, 2, 5, 10, 20, ... that is at least `least`.
 fn round(least: f64) -> f64 {
     let power = 10_f64.powf(least.log10().floor());
     [1.0, 2.0, 5.0, 10.0].into_iter().map(|digit| digit * power).find(|factor| *factor >= least).unwrap_or(least)

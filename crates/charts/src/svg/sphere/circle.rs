@@ -1,20 +1,20 @@
-//! Circles on the sphere, which are arcs of ellipses in the projection.
+//! Circles on the sphere. Their projections are ellipses, of which arcs are drawn.
 
 use super::super::number::coordinate;
 use super::{RADIUS, view::View};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// A circle on the unit sphere, centre + radius (u cos t + v sin t).
+/// A circle on the unit sphere, `centre + radius (u cos t + v sin t)`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Circle {
     centre: [f64; 3],
     radius: f64,
-    /// u and v, at right angles.
+    /// The orthogonal unit vectors u and v.
     across: [[f64; 3]; 2],
 }
 
 impl Circle {
-    /// Meridians and parallels, 30 degrees apart; a meridian goes on behind the poles.
+    /// Meridians and parallels, 30 degrees apart; each meridian is a full circle through both poles.
     pub fn graticule() -> impl Iterator<Item = Self> {
         let meridian = |i: i32| {
             let (sin, cos) = (f64::from(i) * PI / 6.0).sin_cos();
@@ -27,25 +27,25 @@ impl Circle {
         (0..6).map(meridian).chain((-2..=2).map(parallel))
     }
 
-    /// The point at an angle.
+    /// The point at the parameter t, in radians.
     pub fn at(&self, turn: f64) -> [f64; 3] {
         let (sin, cos) = turn.sin_cos();
         let [u, v] = self.across;
         std::array::from_fn(|i| self.centre[i] + self.radius * (u[i] * cos + v[i] * sin))
     }
 
-    /// The angles between which it is on one side of the sphere; empty where it is not.
+    /// The interval of t on which the circle lies on the front or on the back of the sphere; empty where no part does.
     fn turns(&self, view: &View, front: bool) -> (f64, f64) {
         let depth = |at: [f64; 3]| view.place(at).2;
         let [u, v] = self.across.map(depth);
         let nearest = v.atan2(u);
-        // in front where cos(t - nearest) is at least this; no number for the limb itself
+        // a point is in front where cos(t - nearest) is at least this; NaN for the limb itself
         let least = -depth(self.centre) / (self.radius * u.hypot(v));
         let half = if least.is_nan() { PI } else { least.clamp(-1.0, 1.0).acos() };
         if front { (nearest - half, nearest + half) } else { (nearest + half, nearest - half + TAU) }
     }
 
-    /// The part on one side as a path, in two arcs that are no longer than half of the ellipse.
+    /// The part on the front or on the back as an SVG path of two arcs, each at most half of the ellipse.
     pub fn path(&self, view: &View, front: bool) -> String {
         let (from, to) = self.turns(view, front);
         if to - from < 1e-6 {
@@ -59,7 +59,7 @@ impl Circle {
         let (su, sv) = (screen(u), screen(v));
         let clockwise = su[0] * sv[1] - su[1] * sv[0] > 0.0;
         let [tilt_u, tilt_v] = [u, v].map(|axis| view.place(axis).2);
-        // the radius that lies in the picture's plane
+        // the radius of the circle that is parallel to the plane of the picture
         let (sin, cos) = (tilt_v.atan2(tilt_u) + FRAC_PI_2).sin_cos();
         let [x, y] = screen(std::array::from_fn(|i| u[i] * cos + v[i] * sin));
         let long = RADIUS * self.radius;

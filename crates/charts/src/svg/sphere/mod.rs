@@ -1,4 +1,4 @@
-//! Curves and points on the unit sphere in orthographic projection; in a page the reader can turn it.
+//! Curves and points on the unit sphere in orthographic projection. On a page the reader can rotate the sphere.
 
 mod circle;
 mod scale;
@@ -12,53 +12,53 @@ use scale::Scale;
 use strand::Strand;
 use view::View;
 
-/// Directions, as curves and marked points of the unit sphere.
+/// Directions in space, drawn as curves and marked points of the unit sphere.
 #[derive(Clone, Debug, Default)]
 pub struct Sphere {
     pub title: String,
-    /// Text.
+    /// A description, as text.
     pub description: String,
-    /// Data beside the picture: name and value (texts).
+    /// Data beside the picture: names and values, as texts.
     pub facts: Vec<(String, String)>,
-    /// The quantity that colours the curves, plain text with its unit.
+    /// The quantity that colours the curves, as plain text with its unit.
     pub value: String,
-    /// Names of the three axes, plain text.
+    /// The names of the three axes, as plain text.
     pub axes: [String; 3],
-    /// The length of the sphere's radius, where curves lie in space and not on the sphere. Parts beyond one and a half radii are
-    /// left out.
+    /// The length that the radius of the sphere stands for, where curves lie in space and not on the sphere; `None` for curves on the sphere.
+    /// Parts farther than one and a half radii from the centre are left out.
     pub length: Option<f64>,
     pub curves: Vec<Curve>,
     pub marks: Vec<Mark>,
-    /// The initial view: azimuth from the first axis and elevation above the plane of the first two, in degrees.
+    /// The initial view: azimuth from the first axis, and elevation above the plane of the first two axes, in degrees.
     pub view: (f64, f64),
-    /// Text below the picture.
+    /// The text below the picture.
     pub note: String,
 }
 
-/// A curve through directions; they need not have length 1. Points may be sparse: arcs of great circles join them.
+/// A curve through directions, vectors of any length. Points may be sparse: they are joined by arcs of great circles.
 #[derive(Clone, Debug, Default)]
 pub struct Curve {
     pub name: String,
-    /// The class of curves with one colour, whose values are then shown as text only. Either all curves have a class or none.
+    /// The index of the colour, shared by curves of one class; values of such curves are shown as text only. Either all curves have a class or none.
     pub class: Option<usize>,
     pub points: Vec<CurvePoint>,
 }
 
-/// A direction and the value there, where it has one.
+/// A direction, with the value of the colouring quantity there if there is one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CurvePoint {
     pub at: [f64; 3],
     pub value: Option<f64>,
 }
 
-/// A direction with a name.
+/// A marked direction with its name.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mark {
     pub name: String,
     pub at: [f64; 3],
-    /// The note, shown on hovering; notes of hollow marks also stand below the picture, each once.
+    /// The note that is shown on hovering. Notes of hollow marks also stand below the picture, each once.
     pub note: String,
-    /// Whether the mark is a ring: a direction on a curve that is not one of the curve's motions.
+    /// Whether the mark is a ring: a direction on a curve that does not belong to the motions that the curve shows.
     pub hollow: bool,
 }
 
@@ -66,7 +66,7 @@ pub(crate) const CENTRE: (f64, f64) = (0.5 * WIDTH, 232.0);
 pub(crate) const RADIUS: f64 = 186.0;
 
 impl Sphere {
-    /// The picture as an SVG file, from its first point of view.
+    /// The picture as an SVG file, from the initial view.
     pub fn svg(&self) -> String {
         self.drawing().standalone(&self.title)
     }
@@ -132,7 +132,7 @@ impl Sphere {
         format!("[{}]", strands.join(","))
     }
 
-    /// The curves as strands, and the number of points that are no directions.
+    /// The curves as strands, and the number of points that have no direction.
     fn strands(&self) -> (Vec<Strand>, usize) {
         let mut strands = Vec::new();
         let mut dropped = self.marks.iter().filter(|mark| strand::unit(mark.at).is_none()).count();
@@ -151,7 +151,7 @@ impl Sphere {
         Scale::of(self.curves.iter().flat_map(|curve| curve.points.iter().filter_map(|point| point.value)))
     }
 
-    /// Draws the legend of hollow marks, each note once.
+    /// Draws the legend of hollow marks; equal notes occur once.
     fn holes(&self, drawing: &mut Drawing) {
         let mut told: Vec<&str> = Vec::new();
         for mark in self.marks.iter().filter(|mark| mark.hollow && !mark.note.is_empty()) {
@@ -165,7 +165,7 @@ impl Sphere {
         }
     }
 
-    /// The names of the curves that no colour scale explains, or not everywhere.
+    /// Draws the legend of curves that are, at least in part, not coloured by a value.
     fn names(&self, drawing: &mut Drawing) {
         let mut told: Vec<(String, &str)> = Vec::new();
         for (position, curve) in self.curves.iter().enumerate() {
@@ -185,14 +185,14 @@ impl Sphere {
 pub(crate) const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 impl Curve {
-    /// Colour and dashes of the curve, by its class or else by its position.
+    /// The colour and dashes of the curve, by its class if it has one, otherwise by its index.
     fn look(&self, position: usize) -> Look {
         Look::of(self.class.unwrap_or(position))
     }
 }
 
 impl Mark {
-    /// The point with its name, if it is on this side of the sphere.
+    /// Draws the mark with its name if it lies on the given side of the sphere.
     fn draw(&self, drawing: &mut Drawing, view: &View, front: bool) {
         let Some((x, y, depth)) = strand::unit(self.at).map(|at| view.place(at)) else { return };
         if (depth >= 0.0) != front {
@@ -209,7 +209,7 @@ impl Mark {
         parts.join(": ")
     }
 
-    /// `[x, y, z, name, note, hollow]`.
+    /// The JSON list `[x, y, z, name, note, hollow]`; `None` for the zero vector.
     fn json(&self) -> Option<String> {
         let at = strand::integers(strand::unit(self.at)?);
         Some(format!("[{at},{},{},{}]", quoted(&self.name), quoted(&self.told()), self.hollow))
@@ -220,7 +220,7 @@ fn stubs() -> [Strand; 3] {
     AXES.map(strand::stub)
 }
 
-/// A JSON string.
+/// A text as a JSON string.
 fn quoted(text: &str) -> String {
     let mut out = String::from("\"");
     for c in text.chars() {
@@ -233,7 +233,7 @@ fn quoted(text: &str) -> String {
     out + "\""
 }
 
-/// A value for JSON, to five digits; what is not finite is absent.
+/// A value in JSON with five significant digits; `null` where it is missing or not finite.
 fn number(value: Option<f64>) -> String {
     match value {
         Some(value) if value.is_finite() => format!("{:e}", (format!("{value:.4e}")).parse::<f64>().unwrap_or(value)),

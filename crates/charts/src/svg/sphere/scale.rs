@@ -1,4 +1,4 @@
-//! The scale of colours along curves: twelve steps, dark to light also in grey.
+//! The colour scale along curves: twelve colours from dark to light, which differ in a grey print too.
 
 use super::{
     super::{
@@ -10,19 +10,19 @@ use super::{
 
 pub(crate) const LEVELS: usize = 12;
 
-/// Bounds of the colours, and the size of a usual value: beyond it the colours go by ratios, so that a few large values
-/// do not take all of them. Outliers do not stretch the bounds: they take the last colour.
+/// The colour scale: the bounds of the values, and the median of their magnitudes, `usual`. Colours are nearly linear in values below `usual`
+/// and logarithmic above, so that a few large values do not take all colours. Outliers do not widen the bounds; they have the last colour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Scale {
     low: f64,
     high: f64,
     usual: f64,
-    /// Values lie below or above the bounds.
+    /// Whether values lie below the lower bound, and whether values lie above the upper bound.
     beyond: (bool, bool),
 }
 
 impl Scale {
-    /// The scale for these values, if there are any.
+    /// The scale for these values; `None` without finite values.
     pub fn of(values: impl Iterator<Item = f64>) -> Option<Self> {
         let mut values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
         values.sort_by(f64::total_cmp);
@@ -46,18 +46,18 @@ impl Scale {
         Some(scale)
     }
 
-    /// Nearly proportional for usual values and smaller ones, logarithmic for larger ones.
+    /// The position of a value on the scale, asinh(value / usual).
     fn bent(&self, value: f64) -> f64 {
         (value / self.usual).asinh()
     }
 
-    /// The value at a share of the way through the colours.
+    /// The value at this fraction of the scale, the inverse of `bent`.
     fn value(&self, share: f64) -> f64 {
         let (low, high) = (self.bent(self.low), self.bent(self.high));
         self.usual * (low + share * (high - low)).sinh()
     }
 
-    /// The number of the colour of a value.
+    /// The index of the colour of a value.
     pub fn level(&self, value: f64) -> usize {
         let (low, high) = (self.bent(self.low), self.bent(self.high));
         let share = if high > low { (self.bent(value) - low) / (high - low) } else { 0.5 };
@@ -68,7 +68,7 @@ impl Scale {
         format!("[{},{},{}]", number(Some(self.low)), number(Some(self.high)), number(Some(self.usual)))
     }
 
-    /// A bar of the colours with its bounds, below the picture.
+    /// Draws a bar of the colours with its bounds below the picture.
     pub fn legend(&self, drawing: &mut Drawing, quantity: &str) {
         let (left, step) = (0.5 * WIDTH - 150.0, 300.0 / LEVELS as f64);
         let top = drawing.height;

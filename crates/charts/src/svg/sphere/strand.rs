@@ -1,4 +1,4 @@
-//! Lines in space: the graticule, the axes, the curves.
+//! Polygonal lines in space: the graticule, the axes, the curves.
 
 use super::{
     super::{drawing::Drawing, marker::Look, path},
@@ -10,7 +10,7 @@ use super::{
 };
 use std::f64::consts::TAU;
 
-/// A line through points in space, near enough to be joined by straight pieces.
+/// A polygonal line in space with a value at each point, fine enough to look smooth.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Strand {
     class: String,
@@ -19,7 +19,7 @@ pub(super) struct Strand {
 }
 
 impl Strand {
-    /// The pieces on one side of the sphere, a path for each stretch of one colour.
+    /// Draws the pieces on one side of the sphere, with one path for each run of segments of one colour.
     pub fn draw(&self, drawing: &mut Drawing, view: &View, scale: Option<&Scale>, front: bool) {
         let class = |level: Option<usize>| level.map_or(self.class.clone(), |level| format!("valued v{level}"));
         let mut piece: (Option<usize>, Vec<(f64, f64)>) = (None, Vec::new());
@@ -41,7 +41,7 @@ impl Strand {
         drawing.path(&path::polyline(&piece.1), &class(piece.0));
     }
 
-    /// `[class, name, coordinates in thousandths, values or null]`.
+    /// The JSON list `[class, name, coordinates in thousandths, values or null]`.
     pub fn json(&self) -> String {
         let points: Vec<_> = self.points.iter().map(|(at, _)| integers(*at)).collect();
         let valued = self.points.iter().any(|(_, value)| value.is_some());
@@ -51,32 +51,32 @@ impl Strand {
     }
 }
 
-/// A point in thousandths, a fifth of a pixel, for the data of the page.
+/// The coordinates of a point in thousandths of the radius, about a fifth of a pixel, for the data of the page.
 pub(super) fn integers(at: [f64; 3]) -> String {
     at.map(|x| format!("{}", (x * 1e3).round() as i64)).join(",")
 }
 
-/// Meridians and parallels.
+/// Meridians and parallels, 30 degrees apart.
 pub(super) fn graticule() -> Vec<Strand> {
     let points = |circle: Circle| (0..=60).map(|j| (circle.at(f64::from(j) * TAU / 60.0), None)).collect();
     let strand = |circle| Strand { class: "graticule".into(), points: points(circle), ..Default::default() };
     Circle::graticule().map(strand).collect()
 }
 
-/// The part of an axis that stands out of the sphere.
+/// The part of an axis outside the sphere.
 pub(super) fn stub(axis: [f64; 3]) -> Strand {
     let points = [1.0, 1.2].map(|length| (axis.map(|x| length * x), None)).into();
     Strand { class: "axis".into(), name: String::new(), points }
 }
 
-/// Stretches without a value of a curve that has values elsewhere look alike on all curves.
+/// The CSS class of the segments without a value; it is common to all curves that have values elsewhere.
 pub(super) fn class(curve: &Curve, look: Look) -> String {
     let valued = curve.points.iter().any(|point| point.value.is_some());
     if valued && curve.class.is_none() { "curve beyond".to_owned() } else { format!("curve {}", look.class()) }
 }
 
-/// A curve as strands that end where a point is no direction, and how many such points it has; in space, where the sphere's
-/// radius stands for a length, strands end where they leave the picture.
+/// A curve as strands, and the number of its points that have no direction. A strand ends at such a point. With `length`, the radius of the sphere
+/// stands for this length, and strands end where they leave the picture.
 pub(super) fn curve(curve: &Curve, look: Look, length: Option<f64>) -> (Vec<Strand>, usize) {
     let class = class(curve, look);
     let fresh = || Strand { class: class.clone(), name: curve.name.clone(), points: Vec::new() };
@@ -103,12 +103,12 @@ pub(super) fn curve(curve: &Curve, look: Look, length: Option<f64>) -> (Vec<Stra
     (strands, lost)
 }
 
-/// Whether a point in space is in the picture.
+/// Whether a point in space is at most one and a half radii from the centre.
 fn is_near(at: &[f64; 3]) -> bool {
     at.iter().map(|x| x * x).sum::<f64>() <= 1.5 * 1.5
 }
 
-/// Points on the arc between two, where it is long.
+/// Points on the great circle between two points, where these are far apart.
 fn between((a, from): ([f64; 3], Option<f64>), (b, to): ([f64; 3], Option<f64>)) -> Vec<([f64; 3], Option<f64>)> {
     let chord = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt();
     let pieces = (chord / 0.06).ceil() as i32;
@@ -117,7 +117,7 @@ fn between((a, from): ([f64; 3], Option<f64>), (b, to): ([f64; 3], Option<f64>))
     (1..pieces).map(|i| f64::from(i) / f64::from(pieces)).filter_map(|s| Some((at(s)?, value(s)))).collect()
 }
 
-/// The direction of a vector, if it has one.
+/// The unit vector of a vector; `None` for zero and for components that are not finite.
 pub(super) fn unit(at: [f64; 3]) -> Option<[f64; 3]> {
     let length = at.iter().map(|x| x * x).sum::<f64>().sqrt();
     (length.is_finite() && length > 0.0).then(|| at.map(|x| x / length))

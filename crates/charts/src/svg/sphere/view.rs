@@ -31,7 +31,7 @@ impl View {
         (self.azimuth, self.height)
     }
 
-    /// The position of a point in the picture, and its distance in front of the centre.
+    /// The position of a point in the picture in pixels, and its depth in front of the centre in radii.
     pub fn place(&self, at: [f64; 3]) -> (f64, f64, f64) {
         let along = |axis: [f64; 3]| axis.iter().zip(at).map(|(a, b)| a * b).sum::<f64>();
         (CENTRE.0 + RADIUS * along(self.right), CENTRE.1 - RADIUS * along(self.up), along(self.towards))

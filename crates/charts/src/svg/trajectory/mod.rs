@@ -1,4 +1,4 @@
-//! Quantities against time, in panels that share the time.
+//! Quantities over time, in panels with a common time axis.
 
 mod track;
 
@@ -11,41 +11,41 @@ use super::{
 };
 use track::{Stop, finite};
 
-/// Stacked panels over one axis of time.
+/// Panels, one below the other, over a common time axis.
 #[derive(Clone, Debug, Default)]
 pub struct Trajectory {
     pub title: String,
-    /// The horizontal axis, plain text with its unit: `time, s`.
+    /// The label of the horizontal axis, plain text with its unit: `time, s`.
     pub x: String,
     pub panels: Vec<Panel>,
-    /// Text below the chart.
+    /// The text below the chart.
     pub note: String,
 }
 
-/// One quantity.
+/// The panel of one quantity.
 #[derive(Clone, Debug, Default)]
 pub struct Panel {
-    /// Plain text with its unit: `ω₁, rad/s`.
+    /// The label of the vertical axis, plain text with its unit: `ω₁, rad/s`.
     pub y: String,
     pub series: Vec<Track>,
 }
 
-/// One run of one quantity. Tracks of one name look alike in all panels; a number that is not finite breaks the line.
+/// The values of one quantity along one run. Tracks with equal names look alike in all panels; a value that is not finite interrupts the line.
 #[derive(Clone, Debug, Default)]
 pub struct Track {
     pub name: String,
     pub points: Vec<(f64, f64)>,
-    /// The reason for which the run ended early, where it did; marked at its last point.
+    /// The reason for which the run stopped early, if it did; a cross marks its last point.
     pub stopped: Option<String>,
 }
 
 const LEFT: f64 = 66.0;
 const RIGHT: f64 = WIDTH - 12.0;
 const HEADING: f64 = 22.0;
-/// The width of a digit, with room to spare.
+/// The width reserved for a digit, in pixels.
 const DIGIT: f64 = 9.5;
 
-/// The height of one of many panels.
+/// The height of a panel where there are many, in pixels.
 const ROOM: f64 = 92.0;
 
 impl Trajectory {
@@ -87,7 +87,7 @@ impl Trajectory {
         drawing
     }
 
-    /// Whether one legend serves all panels: they show the same runs, or the names have no room above a panel.
+    /// Whether one legend serves all panels, because all show the same runs or the names do not fit above a panel.
     fn shared(&self) -> bool {
         let names = self.names();
         let same = self.panels.iter().all(|panel| panel.names() == names);
@@ -102,7 +102,7 @@ impl Trajectory {
         (same && (self.panels.len() > 1 || names.len() < 2)) || !self.panels.iter().all(fits)
     }
 
-    /// Draws the line above a panel: its heading, its legend, and the reason of the only stop.
+    /// Draws the line above a panel: its heading, its legend, and, if only one run stopped, the reason.
     fn head(&self, drawing: &mut Drawing, heading: &str, y: f64, legend: &[&str], stops: &[Stop]) {
         drawing.text((LEFT, y), Anchor::Start, "heading", heading);
         legend::in_a_row(drawing, &entries(legend), (beyond(heading), y), RIGHT);
@@ -114,11 +114,11 @@ impl Trajectory {
         }
     }
 
-    /// Draws the foot below the last panel: times, legend, runs that stopped with their reasons, notes on omitted points.
+    /// Draws the part below the last panel: times, legend, reasons of runs that stopped, notes on omitted points.
     fn foot(&self, drawing: &mut Drawing, (x, below): (&Axis, &str), names: &[&str], stops: &[Stop]) {
         for Tick { at, label } in &x.ticks {
             let label = label.as_deref().unwrap_or("");
-            // the last label ends on the paper
+            // the last label must end inside the picture
             let middle = x.place_tick(*at).min(WIDTH - 2.0 - 0.5 * DIGIT * label.chars().count() as f64);
             drawing.text((middle, drawing.height + 17.0), Anchor::Middle, "", label);
         }
@@ -140,7 +140,7 @@ impl Trajectory {
         self.panels.iter().flat_map(|panel| &panel.series)
     }
 
-    /// The runs that stopped, each once for all its panels.
+    /// The runs that stopped, each listed once although it has a track in every panel.
     fn stops(&self) -> Vec<Stop<'_>> {
         let mut stops: Vec<Stop> = Vec::new();
         for track in self.tracks() {
@@ -153,7 +153,7 @@ impl Trajectory {
         stops
     }
 
-    /// The names of all tracks, each once.
+    /// The names of all tracks, each once, in the order of their first occurrence.
     fn names(&self) -> Vec<&str> {
         once(self.tracks())
     }
@@ -164,7 +164,7 @@ impl Panel {
         once(self.series.iter())
     }
 
-    /// The axis of its values between two pixels, and its heading.
+    /// The vertical axis between two pixels, and the heading of the panel.
     fn axis(&self, from: f64, to: f64) -> (Axis, String) {
         let values = self.series.iter().flat_map(|track| finite(track).map(|point| point.1));
         let mut axis = Axis::linear(values, from, to, 26.0, 0.06);
@@ -187,12 +187,12 @@ fn entries<'a>(names: &[&'a str]) -> Vec<Entry<'a>> {
     names.iter().enumerate().map(|(at, name)| Entry { look: Look::of(at), name }).collect()
 }
 
-/// A heading, with the power of ten by which its ticks are to be multiplied.
+/// The heading with the power of ten by which the labels of the ticks are multiplied.
 fn headed(heading: &str, power: Option<String>) -> String {
     power.map_or_else(|| heading.to_owned(), |power| format!("{heading} ×{power}"))
 }
 
-/// The right end of a panel's heading, in pixels.
+/// The right end of a panel's heading in pixels.
 fn beyond(heading: &str) -> f64 {
     LEFT + 8.0 * heading.chars().count() as f64 + 12.0
 }

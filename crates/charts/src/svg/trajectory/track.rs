@@ -12,10 +12,10 @@ use super::{
 };
 
 const COLUMNS: usize = 400;
-/// Lines with more turns than this are thin and without dashes.
+/// The largest number of turning points with which a line has its usual width and dashes.
 const DENSE: usize = 30;
 
-/// The stop of a run, with its reason.
+/// The early stop of a run, with its reason and its time.
 pub(super) struct Stop<'a> {
     pub name: &'a str,
     pub reason: &'a str,
@@ -33,7 +33,7 @@ impl<'a> Stop<'a> {
     }
 }
 
-/// The cross, with a number where several runs stopped.
+/// The cross of a stopped run, with a number where several runs stopped.
 pub(super) fn sign(stops: &[Stop], position: usize) -> String {
     if stops.len() > 1 { format!("✕{}", position + 1) } else { "✕".to_owned() }
 }
@@ -59,13 +59,13 @@ pub(super) fn draw(drawing: &mut Drawing, track: &Track, look: Look, x: &Axis, y
     drawing.close();
 }
 
-/// The number of changes of a line between rising and falling.
+/// The number of turning points of a line.
 fn turns(places: &[(f64, f64)]) -> usize {
     let slopes: Vec<f64> = places.windows(2).map(|pair| pair[1].1 - pair[0].1).filter(|slope| *slope != 0.0).collect();
     slopes.windows(2).filter(|pair| pair[0].signum() != pair[1].signum()).count()
 }
 
-/// The number beside the cross, where several runs stopped; a single one is explained above the first panel.
+/// Draws the number beside the cross where several runs stopped. A single stop needs none, since its reason stands above the first panel.
 pub(super) fn number(drawing: &mut Drawing, track: &Track, stops: &[Stop], x: &Axis, y: &Axis) {
     let (Some(stop), Some(end), [_, _, ..]) = (Stop::of(track), finite(track).last(), stops) else { return };
     let number = stops.iter().position(|known| known.is(&stop)).map_or(0, |position| position + 1);

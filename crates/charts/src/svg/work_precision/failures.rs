@@ -1,4 +1,4 @@
-//! The band of failures above the plot: a row for each method, with all its formulations.
+//! The band of failures above the plot: one row for each method, with the failures of all its formulations.
 
 use super::super::{
     axis::Axis,
@@ -10,14 +10,14 @@ use super::{
     series::{Looks, SMALL},
 };
 
-/// The series of one method.
+/// All series of one method.
 pub(super) struct Family<'a> {
     name: &'a str,
-    /// With their places on the chart.
+    /// The series with their indices in the chart.
     series: Vec<(usize, &'a Method)>,
 }
 
-/// The families in which a run failed, in the order of the chart.
+/// The methods of which at least one run failed, in the order of the chart.
 pub(super) fn families(series: &[Method]) -> Vec<Family<'_>> {
     let mut families: Vec<Family> = Vec::new();
     for (at, method) in series.iter().enumerate() {
@@ -31,7 +31,7 @@ pub(super) fn families(series: &[Method]) -> Vec<Family<'_>> {
     families
 }
 
-/// The markers of a method's failures, those of unknown work at the left, with the name of the method.
+/// Draws the markers of a method's failures with its name. Failures of unknown work are drawn at the left end.
 pub(super) fn draw(drawing: &mut Drawing, family: &Family, looks: &Looks, work: Work, x: &Axis, height: f64) {
     let (mut taken, mut unknown) = (vec![LEFT, RIGHT], 0);
     for (at, method) in &family.series {
@@ -64,7 +64,7 @@ pub(super) fn draw(drawing: &mut Drawing, family: &Family, looks: &Looks, work: 
     drawing.text((start, height + 4.5), anchor, "small said", &label);
 }
 
-/// The place of a label of this width in a row of marks: after the last, before the first, or in the widest gap.
+/// The anchor and position of a label of this width in a row of marks: after the last mark, before the first, or in the widest gap.
 fn free(mut marks: Vec<f64>, width: f64) -> (Anchor, f64) {
     marks.sort_by(f64::total_cmp);
     let gaps: Vec<(f64, f64)> = marks.windows(2).map(|pair| (pair[0], pair[1])).collect();

@@ -1,4 +1,4 @@
-//! Work-precision diagrams: error against work for each method; methods that fail stay on the chart.
+//! Work-precision diagrams: the error over the work for each method. Failed runs are shown too.
 
 mod failures;
 mod series;
@@ -12,10 +12,10 @@ use super::{
 /// The measure of work on the horizontal axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Work {
-    /// Evaluations of the right side: an integer, the same on every machine.
+    /// The number of evaluations of the right-hand side, which does not depend on the machine.
     #[default]
     Evaluations,
-    /// Time as a ratio, measured in one run.
+    /// The measured time of one run, as a ratio to the fastest.
     TimeRatio,
 }
 
@@ -28,7 +28,7 @@ impl Work {
         }
     }
 
-    /// An amount of work in words.
+    /// An amount of work as text.
     pub fn amount(self, work: f64) -> String {
         match self {
             Work::Evaluations => format!("{} evaluations", counted(work)),
@@ -37,54 +37,54 @@ impl Work {
     }
 }
 
-/// Error (vertical) against work (horizontal), both logarithmic.
+/// A diagram of error (vertical) over work (horizontal), both axes logarithmic.
 #[derive(Clone, Debug, Default)]
 pub struct WorkPrecision {
     pub title: String,
     pub x: Work,
-    /// The label of the vertical axis, the kind of error as plain text with its unit. Empty means `error`.
+    /// The label of the vertical axis, plain text with its unit. Empty means `error`.
     pub error: String,
     pub series: Vec<Method>,
-    /// The Pareto front, from the cheapest point on: no run has less work and less error. Drawn as a staircase behind the series.
+    /// The Pareto front by increasing work: no run has both less work and a smaller error. It is drawn as a staircase behind the series.
     pub front: Vec<Point>,
-    /// Text below the chart.
+    /// The text below the chart.
     pub note: String,
 }
 
-/// One method on all its tolerances.
+/// The results of one method at all its tolerances.
 #[derive(Clone, Debug, Default)]
 pub struct Method {
     pub name: String,
-    /// The name under which its failures are reported, with those of the family; empty for its own name.
+    /// The name of the family, under which failures are reported; empty where it is `name`.
     pub family: String,
-    /// The meanings of its markers' shape and of its line's dashes; empty where they stand for the series itself.
+    /// The meanings of the shape of the markers and of the dashes of the line; empty where shape and dashes identify the series.
     pub kinds: [String; 2],
-    /// Whether the series is drawn in grey and without an entry in the legend.
+    /// Whether the series is drawn in grey and left out of the legend.
     pub quiet: bool,
-    /// In the order of the tolerances: a line joins them.
+    /// The completed runs, ordered by tolerance and joined by a line.
     pub points: Vec<Point>,
     pub failures: Vec<Failure>,
 }
 
-/// One run that ended.
+/// A completed run: its work and its error.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Point {
     pub work: f64,
     pub error: f64,
 }
 
-/// One run that failed.
+/// A failed run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Failure {
-    /// The work until the failure; not finite where unknown.
+    /// The work until the failure; not finite where it is unknown.
     pub work: f64,
-    /// The tolerance; NaN for a method of constant step size.
+    /// The tolerance; NaN for a method with constant step size.
     pub tolerance: f64,
     pub reason: String,
 }
 
 impl Method {
-    /// The name under which failures are reported: the method without its kinds.
+    /// The name under which failures are reported: that of the method without its formulation and model.
     pub(crate) fn family(&self) -> &str {
         if self.family.is_empty() { &self.name } else { &self.family }
     }
@@ -108,7 +108,7 @@ impl WorkPrecision {
         let omissions = self.omissions();
         let mut drawing = Drawing::default();
         if failing.is_empty() && points().next().is_none() && !omissions.is_empty() {
-            // nothing has a place on these axes: the sentences say all
+            // without a point on these axes, sentences replace the diagram
             omissions.iter().for_each(|sentence| drawing.paragraph(sentence, "small"));
             return drawing;
         }
@@ -143,7 +143,7 @@ impl WorkPrecision {
         drawing
     }
 
-    /// Sentences on points that are left out or drawn at the edge, with the reasons.
+    /// Sentences on points that are left out or drawn at the lower edge, with the reasons.
     fn omissions(&self) -> Vec<String> {
         let points = || self.series.iter().flat_map(|method| &method.points);
         let exact = points().filter(|point| positive(point.work) && point.error == 0.0).count();
@@ -162,7 +162,7 @@ fn positive(value: f64) -> bool {
     value.is_finite() && value > 0.0
 }
 
-/// The box, its grid and ticks, and above it the band of failures.
+/// Draws the frame with grid and ticks, and the empty band of failures above it.
 fn frame(drawing: &mut Drawing, x: &Axis, y: &Axis, (roof, top, bottom): (f64, f64, f64)) {
     drawing.open("frame");
     if roof < top {

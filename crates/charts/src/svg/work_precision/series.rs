@@ -1,4 +1,4 @@
-//! Series on the plot: those of the front in colour, the others grey, the front behind them.
+//! Series on the plot: the Pareto front behind, series that reach it in colour, the others in grey.
 
 use super::super::{
     axis::Axis,
@@ -10,15 +10,15 @@ use super::super::{
 };
 use super::{Method, Point, Work, positive};
 
-/// The look of each series, and the meanings of shapes and dashes.
+/// The appearance of each series, and the meanings of shapes and dashes.
 pub(super) struct Looks<'a> {
     pub series: Vec<Look>,
-    /// The meanings of shapes, and of dashes.
+    /// The meanings of the shapes of markers, and of the dashes of lines.
     kinds: [Vec<&'a str>; 2],
 }
 
 impl<'a> Looks<'a> {
-    /// A series without kinds has a shape and dashes of its own.
+    /// The appearances of all series; a series without kinds has a shape and dashes of its own.
     pub fn of(all: &'a [Method]) -> Self {
         let mut kinds: [Vec<&str>; 2] = Default::default();
         for (kinds, which) in kinds.iter_mut().zip([0, 1]) {
@@ -38,7 +38,7 @@ impl<'a> Looks<'a> {
         Looks { series, kinds }
     }
 
-    /// Draws the legend: the coloured series by their names, then the meanings of shapes and dashes.
+    /// Draws the legend: the names of the coloured series, then the meanings of shapes and dashes.
     pub fn legend(&self, drawing: &mut Drawing, all: &[Method], with_front: bool) {
         if with_front {
             drawing
@@ -60,10 +60,10 @@ impl<'a> Looks<'a> {
     }
 }
 
-/// Half the width of a grey marker.
+/// Half the width of a grey marker in pixels.
 pub(super) const SMALL: f64 = 2.2;
 
-/// Line and markers of a series; of a quiet one all markers are one path, which says its name.
+/// Draws the line and the markers of a series. The markers of a grey series are one path, whose tooltip is the name of its method.
 pub(super) fn draw(
     drawing: &mut Drawing,
     method: &Method,
@@ -75,7 +75,7 @@ pub(super) fn draw(
     let places: Vec<_> = points.iter().map(|point| place(point)).collect();
     drawing.open(&look.class());
     let line = path::polyline(&places);
-    // the line says whose it is, once for all its points
+    // the tooltip of the line names the series once for all its points
     match method.quiet || line.is_empty() {
         true => drawing.path(&line, "line"),
         false => drawing.path_with_tooltip(&line, "line", &method.name),
@@ -96,7 +96,7 @@ pub(super) fn draw(
     drawing.close();
 }
 
-/// Draws the front as a staircase: the cost of an error is that of the first point with at most this error.
+/// Draws the Pareto front as a staircase: the cost of an error is the work of the cheapest run with at most this error.
 pub(super) fn front(drawing: &mut Drawing, points: &[Point], x: &Axis, y: &Axis) {
     let drawn = points.iter().filter(|point| positive(point.work) && positive(point.error));
     let mut stairs: Vec<(f64, f64)> = Vec::new();

@@ -1,6 +1,6 @@
-//! Elements of well-formed MathML, and how wide they are.
+//! Elements of well-formed MathML and estimates of their widths.
 
-/// An element and what it holds.
+/// A MathML element: name, attributes and content.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Element<'a> {
     pub name: &'a str,
@@ -8,7 +8,7 @@ pub(super) struct Element<'a> {
     pub inner: &'a str,
 }
 
-/// The elements at the top level of well-formed markup; text between them is skipped.
+/// The top-level elements of well-formed markup; text between them is skipped.
 pub(super) fn children(markup: &str) -> Vec<Element<'_>> {
     let mut found = Vec::new();
     let mut rest = markup;
@@ -26,7 +26,7 @@ pub(super) fn children(markup: &str) -> Vec<Element<'_>> {
     found
 }
 
-/// Where the content of the element just opened ends: at the first closing tag without a partner.
+/// The position at which the content of the element just opened ends: the first closing tag without a partner.
 fn content_end(markup: &str) -> usize {
     let mut depth = 0_usize;
     for (at, _) in markup.match_indices('<') {
@@ -47,7 +47,7 @@ pub(super) fn width(elements: &[Element]) -> f64 {
     elements.iter().map(element_width).sum()
 }
 
-/// A rough width in em: enough to tell a line from a line and a half.
+/// An estimate of the width of an element in em, good enough to tell one line from one and a half.
 pub(super) fn element_width(element: &Element) -> f64 {
     let glyphs = element.inner.chars().count() as f64;
     match element.name {

@@ -1,4 +1,4 @@
-//! Line breaks in long formulas. MathML has none, and a long formula is therefore cut into pieces in a row.
+//! Line breaks in long formulas. Since MathML does not break lines, a long formula is cut into pieces that follow each other.
 
 mod element;
 
@@ -8,12 +8,12 @@ use element::{Element, children, element_width, space, width};
 #[derive(Debug, PartialEq)]
 pub struct Piece {
     pub mathml: String,
-    /// Estimated, in em.
+    /// The estimated width in em.
     pub width: f64,
 }
 
-/// The content of a `<math>` element, cut before relations and signs of sums where it is wider than `limit`: first
-/// outside of all parentheses, then ever deeper inside them where a piece is still too wide.
+/// The pieces of the content of a `<math>` element. Content wider than `limit` (em) is cut before relations and before plus and minus signs:
+/// first outside all parentheses, then at increasing depth inside them where a piece is still too wide.
 pub fn pieces(math: &str, limit: f64) -> Vec<Piece> {
     let content = math.find('>').map_or("", |end| &math[end + 1..]).trim_end_matches("</math>");
     let elements: Vec<_> = children(content).into_iter().flat_map(|element| opened(element, limit)).collect();
@@ -31,8 +31,8 @@ pub fn pieces(math: &str, limit: f64) -> Vec<Piece> {
 /// The largest depth of parentheses at which a line may break.
 const DEEPEST: i32 = 4;
 
-/// The content of a bracketed row that is too wide for a line, or the element itself. Brackets that stood around
-/// fractions keep their height. A fraction wider than two lines becomes a quotient of brackets, which may break.
+/// The elements of a bracketed row that is too wide for a line, or the element itself. Brackets about fractions
+/// keep their height. A fraction wider than two lines becomes a quotient of bracketed expressions, which may break.
 fn opened(element: Element<'_>, limit: f64) -> Vec<Element<'_>> {
     let mut inner = children(element.inner);
     if element.name == "mfrac" && inner.len() == 2 && element_width(&element) > 2.0 * limit {
@@ -52,7 +52,7 @@ fn opened(element: Element<'_>, limit: f64) -> Vec<Element<'_>> {
     inner
 }
 
-/// A part of a fraction beside its slash: in brackets where it is more than one element.
+/// The numerator or denominator of a fraction written with a slash: in brackets where it has more than one element.
 fn operand(element: Element<'_>, limit: f64) -> Vec<Element<'_>> {
     if element.name != "mrow" {
         return vec![element];
@@ -67,8 +67,8 @@ fn sign(sign: &'static str) -> Element<'static> {
 
 const TALL: &str = "minsize=\"2.4em\" maxsize=\"2.4em\"";
 
-/// Cuts before every relation or sign that stands at most `depth` parentheses deep, and after every wide space; short
-/// parentheses stay whole.
+/// Cuts before every relation or sign at a depth of at most `depth` parentheses, and after every wide space. Short
+/// parentheses are not cut.
 fn cut<'e, 'a>(elements: &'e [Element<'a>], depth: i32, limit: f64) -> Vec<&'e [Element<'a>]> {
     let mut parts = Vec::new();
     let (mut start, mut open) = (0, 0);
@@ -87,7 +87,7 @@ fn cut<'e, 'a>(elements: &'e [Element<'a>], depth: i32, limit: f64) -> Vec<&'e [
     parts
 }
 
-/// The width of the parentheses about a position, with their content, in em.
+/// The width of the parentheses about a position, including their content, in em.
 fn group_width(elements: &[Element], at: usize) -> f64 {
     let outwards = |steps: &mut dyn Iterator<Item = &Element>, sign: i32| {
         let depths = steps.scan(0, |depth, element| {
@@ -101,7 +101,7 @@ fn group_width(elements: &[Element], at: usize) -> f64 {
     width(&elements[at - before..at + after])
 }
 
-/// 1 for an opening parenthesis, -1 for a closing one, which may carry an exponent.
+/// 1 for an opening parenthesis, -1 for a closing one (which may have an exponent), 0 for any other element.
 fn nesting(element: &Element) -> i32 {
     let scripted = matches!(element.name, "msup" | "msub" | "msubsup");
     let base = if scripted { children(element.inner).first().map_or("", |base| base.inner) } else { element.inner };
@@ -114,7 +114,7 @@ fn nesting(element: &Element) -> i32 {
 
 const BREAKS: [&str; 12] = ["=", "+", "−", "±", "≤", "≥", "&lt;", "&gt;", "≠", "≡", "⟹", "⟺"];
 
-/// Whether a sign after this element is a sign of the next operand.
+/// Whether a sign after this element is the unary sign of the next operand.
 fn starts_an_operand(before: &Element) -> bool {
     before.name == "mo" && !matches!(before.inner, ")" | "]" | "}" | "|")
 }
