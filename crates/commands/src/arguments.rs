@@ -1,4 +1,4 @@
-//! The command line: subcommands, their arguments and the parsers of their values.
+//! The command line: subcommands, their arguments, and parsers of values.
 
 use crate::clock::Keeps;
 pub use crate::output::Format;
@@ -42,7 +42,7 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    /// The name of the command, whether it can keep a part of its results, and its time limit in seconds.
+    /// The name of the command, whether it keeps partial results, and its time limit in seconds (`None`: no limit).
     pub fn timed(&self) -> (&'static str, Keeps, Option<u32>) {
         use Keeps::{Nothing, Part};
         let (name, keeps, usual) = match &self.command {
@@ -79,7 +79,7 @@ impl Arguments {
     }
 }
 
-/// The default time limit of a command, s.
+/// The default time limit in seconds.
 const USUAL: u32 = 300;
 
 #[derive(Debug, Subcommand)]
@@ -114,7 +114,7 @@ pub enum Command {
     /// Linear equations of a system with [coordinates] about a point or along a run: A, B, C, D, eigenvalues, stability
     #[command(alias = "linearize")]
     Linearise(linearise::Args),
-    /// A page in the browser that follows a file while it is written: equations, verdicts, the run, sliders, the claims of a paper
+    /// A page in the browser that is updated whenever a file is saved: equations, verdicts, the run, sliders, the claims of a paper
     Watch(watch::Args),
     /// The forces under which a system with [coordinates] moves as prescribed
     Inverse(inverse::Args),
@@ -146,7 +146,7 @@ pub enum Command {
     },
 }
 
-/// Reads a finite number.
+/// Parses a finite number.
 pub fn finite(text: &str) -> Result<f64, String> {
     text.parse()
         .ok()
@@ -154,7 +154,7 @@ pub fn finite(text: &str) -> Result<f64, String> {
         .ok_or_else(|| "a finite number such as 6.5 is accepted".to_owned())
 }
 
-/// Reads an integer within a range.
+/// A parser of integers within a range.
 pub fn whole<N>(range: RangeInclusive<N>) -> impl Fn(&str) -> Result<N, String> + Clone
 where
     N: FromStr + PartialOrd + Display + Clone,
@@ -165,7 +165,7 @@ where
     }
 }
 
-/// Reads the error allowed in a step.
+/// Parses a tolerance, the error that a method may make in one step.
 pub fn tolerance(text: &str) -> Result<f64, String> {
     let value: f64 = text.parse().map_err(|_| "a number such as 1e-8 is accepted".to_owned())?;
     check_tolerance(value).map_err(|wrong| format!("{wrong}; from 1e-14 to below 1 is accepted"))?;
@@ -178,7 +178,7 @@ mod tests {
     use proptest::prelude::*;
     use proptest::test_runner::{RngSeed, TestRunner};
 
-    /// Words for random command lines: commands, options, values, and words that no command takes.
+    /// Words of random command lines: commands, options, values, and words that no command accepts.
     const WORDS: &[&str] = &[
         "run",
         "chart",

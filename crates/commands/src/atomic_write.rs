@@ -1,7 +1,7 @@
 //! Atomic writing of output files: a kill of the program never leaves an incomplete file under the requested name.
 //!
-//! The content goes to a temporary file in the same folder, is synced to the disk, and is then renamed to the requested name,
-//! which holds either the old content or all of the new. A kill during the writing leaves `.NAME.*.part` behind; Ctrl-C does not.
+//! The content is written to a temporary file in the same folder and synced to the disk. The temporary file is then renamed to the requested name,
+//! under which there is at any time either the old content or all of the new. A kill during the writing leaves `.NAME.*.part` behind; Ctrl-C does not.
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
@@ -9,17 +9,17 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use tempfile::{Builder, NamedTempFile};
 
-/// A complete temporary file in the folder of its destination; it is removed when the value is dropped.
+/// A complete temporary file in the folder of its destination. Dropping the value removes the file.
 pub struct Beside {
     file: NamedTempFile,
     path: PathBuf,
     part: Part,
 }
 
-/// The paths of all temporary files, which are removed when the program is ended early.
+/// The paths of all temporary files; an early end of the program removes them.
 static PARTS: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// The path of a temporary file, listed in `PARTS` while this lives.
+/// The path of a temporary file. It is listed in `PARTS` until the value is dropped.
 struct Part(PathBuf);
 
 impl Part {
@@ -40,26 +40,26 @@ fn parts<T>(change: impl FnOnce(&mut Vec<PathBuf>) -> T) -> T {
     change(&mut PARTS.lock().unwrap_or_else(PoisonError::into_inner))
 }
 
-/// Removes all temporary files, when the program is ended early.
+/// Removes all temporary files, before an early end of the program.
 pub fn remove_parts() {
     for part in parts(std::mem::take) {
-        // where it cannot be removed there is nothing else to do
+        // a failure has no remedy, since the program ends
         let _ = fs::remove_file(part);
     }
 }
 
 /// The reason for which a temporary file was not renamed to its destination.
 pub enum Untaken {
-    /// The destination exists; the temporary file is kept.
+    /// The destination exists; the value contains the temporary file.
     Occupied(Beside),
     Failed(io::Error),
 }
 
 impl Beside {
-    /// Writes a temporary file beside its destination, in a folder that exists, and syncs it to the disk.
+    /// Writes a temporary file in the folder of its destination, which must exist, and syncs it to the disk.
     ///
     /// # Errors
-    /// Those of the system; then nothing is left behind.
+    /// Errors of the file system or of `content`; the temporary file is then removed.
     pub fn write(
         path: &Path,
         content: impl FnOnce(&mut BufWriter<NamedTempFile>) -> io::Result<()>,
@@ -73,10 +73,10 @@ impl Beside {
         Ok(Beside { file, path: path.to_owned(), part })
     }
 
-    /// Replaces the file at the destination, and keeps its permissions.
+    /// Renames the temporary file to its destination, and gives it the permissions of the file that it replaces.
     ///
     /// # Errors
-    /// Those of the system; then the file at the destination is unchanged.
+    /// Errors of the file system; the file at the destination is then unchanged.
     pub fn replace(self) -> io::Result<()> {
         if let Ok(before) = fs::metadata(&self.path) {
             self.file.as_file().set_permissions(before.permissions())?;
@@ -86,10 +86,10 @@ impl Beside {
         Ok(())
     }
 
-    /// Renames the file to its destination if nothing exists there.
+    /// Renames the temporary file to its destination if nothing exists there.
     ///
     /// # Errors
-    /// [`Untaken`].
+    /// [`Untaken`], where the destination exists or the file system fails.
     pub fn take(self) -> Result<(), Untaken> {
         let Beside { file, path, part } = self;
         match file.persist_noclobber(&path) {
@@ -100,34 +100,34 @@ impl Beside {
             Err(refused) if fs::symlink_metadata(&path).is_ok() => {
                 Err(Untaken::Occupied(Beside { file: refused.file, path, part }))
             }
-            // some file systems cannot rename on the condition that the destination is free
+            // some file systems have no renaming that fails if the destination exists
             Err(refused) => {
                 refused.file.persist(&path).map(|_| settle(&path)).map_err(|error| Untaken::Failed(error.error))
             }
         }
     }
 
-    /// Keeps the file under its temporary name, which is returned.
+    /// Keeps the file under its temporary name, and returns this name.
     ///
     /// # Errors
-    /// Those of the system.
+    /// Errors of the file system.
     pub fn keep(self) -> io::Result<PathBuf> {
         Ok(self.file.keep()?.1)
     }
 }
 
-/// Replaces the content of a file, atomically.
+/// Replaces the content of a file atomically.
 ///
 /// # Errors
-/// Those of the system; then the file is unchanged.
+/// Errors of the file system; the file is then unchanged.
 pub fn replace(path: &Path, content: &str) -> io::Result<()> {
     Beside::write(path, |out| out.write_all(content.as_bytes()))?.replace()
 }
 
-/// Writes a new file, atomically.
+/// Creates a file atomically.
 ///
 /// # Errors
-/// Those of the system, also where the file exists already.
+/// The file exists, or the file system fails.
 pub fn create(path: &Path, content: &str) -> io::Result<()> {
     let written = Beside::write(path, |out| out.write_all(content.as_bytes()))?;
     written.take().map_err(|untaken| match untaken {
@@ -136,13 +136,13 @@ pub fn create(path: &Path, content: &str) -> io::Result<()> {
     })
 }
 
-/// Checks that a file can be written at a path whose folders need not exist yet; nothing is made.
+/// Checks that a file can be written at a path whose folders need not exist; creates nothing.
 ///
 /// # Errors
-/// Those of the system.
+/// The reason for which the file system could not write the file.
 pub fn probe(path: &Path) -> io::Result<()> {
     let name = path.file_name().ok_or(io::ErrorKind::IsADirectory)?;
-    // the nearest folder that exists, in which the missing ones would be made
+    // the nearest existing folder, in which the missing ones would be created
     let there = folder(path).ancestors().find(|folder| folder.as_os_str().is_empty() || folder.exists());
     let there = there.filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     if !there.is_dir() {
@@ -151,14 +151,14 @@ pub fn probe(path: &Path) -> io::Result<()> {
     part(&there.join(name)).map(drop)
 }
 
-/// The folder of a file.
+/// The folder of a file; `.` for a name without a folder.
 pub fn folder(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// An empty temporary file beside a destination, with the permissions of a usual new file.
+/// An empty temporary file in the folder of its destination, with the usual permissions of a new file.
 fn part(path: &Path) -> io::Result<NamedTempFile> {
-    // a long name is cut, since prefix and suffix must fit into a file name too
+    // a long name is cut, since the temporary name with its prefix and suffix must be valid too
     let name: String =
         path.file_name().ok_or(io::ErrorKind::IsADirectory)?.to_string_lossy().chars().take(50).collect();
     let prefix = format!(".{name}.");
@@ -169,7 +169,7 @@ fn part(path: &Path) -> io::Result<NamedTempFile> {
     builder.tempfile_in(folder(path))
 }
 
-/// Syncs the folder of a new name to the disk, where the system can sync folders.
+/// Syncs the folder of a renamed file to the disk; systems that cannot sync folders are ignored.
 fn settle(path: &Path) {
     let _ = File::open(folder(path)).and_then(|folder| folder.sync_all());
 }

@@ -1,4 +1,4 @@
-//! `dalembert bodies`: mass properties of a scene's gyrostat, from its physical data.
+//! `dalembert bodies`: mass properties of the gyrostat of a scene, from its physical data.
 
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
@@ -21,7 +21,7 @@ pub struct Args {
     pub format: Format,
 }
 
-/// Prints both inertia tensors, their principal moments and axes, the rotation between them, and the weight.
+/// Prints both inertia tensors, their principal moments of inertia and principal axes, the rotation between these axes, and the weight.
 pub fn show(asked: &Args) -> Result<Exit, Exit> {
     let scene = Scene::open(&asked.scene)?;
     let Setup::Gyrostat(bodies) = &scene.system else {
@@ -40,7 +40,7 @@ pub fn show(asked: &Args) -> Result<Exit, Exit> {
 fn text(bodies: &Gyrostat<f64>) -> String {
     let derived = bodies.derived();
     let mut out = String::from("In the axes of the data; kg m^2, m, N m.\n");
-    // Writing to a String cannot fail.
+    // writing to a String cannot fail
     let mut tensor = |name: &str, tensor: &Matrix3<f64>| {
         let _ = writeln!(out, "\n{name}");
         for row in tensor.row_iter() {

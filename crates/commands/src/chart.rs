@@ -1,4 +1,4 @@
-//! `dalembert chart`: speed against accuracy of one scene, in every formulation with every model.
+//! `dalembert chart`: the accuracy and the speed of all methods on one scene, in all formulations and with all models.
 
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
@@ -45,7 +45,7 @@ pub struct Args {
     /// The unit of the horizontal axis; the default is evaluations
     #[arg(long, value_enum, requires = "out")]
     pub x: Option<Axis>,
-    /// Another machine, made of the scene's data
+    /// Another model of the motor, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,
     /// For gyrostats: the equations in the principal axes of A (first) or of A* (second)
@@ -57,12 +57,12 @@ pub struct Args {
 pub enum Axis {
     /// An integer, the same on every computer
     Evaluations,
-    /// A ratio to the fastest run
+    /// Time as a ratio to the fastest run
     Time,
 }
 
-/// Measures every method, prints the tables, draws the chart where one is asked for. The reference may take a third of the time, the
-/// runs another third, and the timing of the runs a part of the rest.
+/// Runs every method, prints the tables, and draws the requested chart. The reference may take a third of the time, the
+/// runs another third, and the measurement of times a part of the rest.
 pub fn chart(asked: &Args) -> Result<Exit, Exit> {
     let scene = match AnyScene::open(&asked.scene)? {
         AnyScene::Driven(scene) => {
@@ -88,10 +88,10 @@ pub fn chart(asked: &Args) -> Result<Exit, Exit> {
     }
 }
 
-/// The errors of all methods on a scene against its reference, in the time that is left.
+/// The errors of all methods on a scene against its reference; `left` returns the remaining time.
 ///
 /// # Errors
-/// Why there is no reference, on lines of their own.
+/// The reason for which there is no reference, as one or more lines.
 fn measured(
     scene: &AnyScene,
     form: Option<Axes>,
@@ -106,11 +106,11 @@ fn measured(
     }
     let problem = smooth.problem(form.unwrap_or_default());
     let mut ways = smooth.ways();
-    // reduced models run right after the scene's own: other formulations may use up the time, and their errors would stay unknown
+    // reduced models run directly after the scene's own model, since other formulations may use up the time
     let models = smaller(scene, &ways);
     ways.splice(1..1, models);
     ways.retain(|way| form.is_none_or(|form| written_in(way, form)));
-    // methods are compared up to the end of the law only, beyond which there is no motion
+    // methods are compared up to the end of the motion: the law may end before the span does
     let run = problem.simulate(&following(smooth.run().choice()), |_| ());
     if run.left.is_some() || run.ends_before(problem.span) {
         let ends = || format!("the run ends at t = {} s, before its span", run.outcome.time);
@@ -125,7 +125,7 @@ fn measured(
     }
 }
 
-/// The errors of all methods on a scene whose law changes at events, which each method locates itself.
+/// The errors of all methods on a scene with events; each method locates the events itself.
 fn across_events(
     scene: &dyn Hybrid,
     trials: &Trials,
@@ -142,7 +142,7 @@ fn across_events(
     }
 }
 
-/// Every run of a scene beside its reference: as text, as an object for programs, and as pictures by evaluations and by time.
+/// The results of all methods: as text, as a JSON object, and as two SVG pictures (error over evaluations, error over time).
 #[derive(Debug)]
 pub struct Charted {
     pub text: String,
@@ -150,10 +150,10 @@ pub struct Charted {
     pub pictures: [String; 2],
 }
 
-/// Speed against accuracy of a system that is written in its file; `left` is the time for all of it.
+/// The errors and costs of all methods on a system that is defined in its file; `left` returns the remaining time.
 ///
 /// # Errors
-/// Why there is no reference.
+/// The reason for which there is no reference.
 pub fn charted(scene: &Arc<dyn Modelled>, left: impl Fn() -> Duration) -> Result<Charted, String> {
     let title = scene.title().to_owned();
     let atlas = measured(&AnyScene::Model(Arc::clone(scene)), None, None, left)?;
@@ -164,7 +164,7 @@ pub fn charted(scene: &Arc<dyn Modelled>, left: impl Fn() -> Duration) -> Result
     Ok(Charted { text: text(&title, &atlas), object: object(&title, &atlas), pictures })
 }
 
-/// Prints the results, and draws them where a picture is asked for.
+/// Prints the results, and writes the requested picture, page or table.
 fn told(
     title: &str,
     atlas: &Atlas,
@@ -183,7 +183,7 @@ fn told(
     Ok(Exit::Done)
 }
 
-/// Why there is no reference; where its time was over, that it has a part of the command's time.
+/// The reason for which there is no reference; where its time was over, the message explains which fraction of the time limit it had.
 fn with_share(failure: &Failure) -> String {
     match failure {
         Failure::OutOfTime { .. } => {
@@ -202,7 +202,7 @@ fn no_reference(scene: &dyn IvpScene, run: &Trajectory, reason: &str) -> String 
     format!("no reference: {reason}\n{diagnosis}")
 }
 
-/// The reduced models of the hierarchy that are not machines by name, such as lumped windings or unfollowed currents.
+/// The reduced models of the scene that are not models of the motor with a name of their own, such as quasi-steady currents.
 fn smaller(scene: &AnyScene, known: &[Configuration]) -> Vec<Configuration> {
     let (ladder, formulation) = match scene {
         AnyScene::Driven(scene) if matches!(scene.system, Setup::Bench { .. }) => {
@@ -227,11 +227,11 @@ fn written_in(way: &Configuration, form: Axes) -> bool {
     }
 }
 
-/// The columns of a table of runs.
+/// The headings of the table of runs.
 const COLUMNS: [&str; 8] =
     ["formulation", "model", "method", "tolerance [1]", "evaluations", "time [s]", "error [1]", "failure"];
 
-/// The destination of the chart, checked before the work.
+/// The destination of the chart, checked before the runs.
 fn output(asked: &Args) -> Result<Option<Output>, Exit> {
     let kept = references::place(&asked.scene);
     let writes = Writes { command: "chart", force: asked.force, reads: vec![&asked.scene, &kept] };
@@ -247,7 +247,7 @@ fn output(asked: &Args) -> Result<Option<Output>, Exit> {
     }
 }
 
-/// A page, a table of all runs, or one picture.
+/// The content of the file: a page, a table of all runs, or one picture.
 fn drawn(
     title: &str,
     atlas: &Atlas,
@@ -277,7 +277,7 @@ fn drawn(
     }
 }
 
-/// Every run, a row each.
+/// The table of all runs as CSV, with one row for each run.
 fn runs(atlas: &Atlas) -> String {
     let number = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value:e}"));
     let row = |(way, point): (&Configuration, &Point)| {
@@ -296,7 +296,7 @@ fn runs(atlas: &Atlas) -> String {
     rows.map(|row| row + "\n").collect()
 }
 
-/// The reference, and every run.
+/// The JSON object with the reference and all runs.
 fn object(title: &str, atlas: &Atlas) -> Value {
     let run = |(way, point): (&Configuration, &Point)| {
         json!({
@@ -315,7 +315,7 @@ fn object(title: &str, atlas: &Atlas) -> Value {
     })
 }
 
-/// The Pareto fronts, the models, and a line for each run of the scene's first formulation with its own model.
+/// The Pareto fronts, the models, and one line for each run of the scene's first formulation with its own model.
 fn text(title: &str, atlas: &Atlas) -> String {
     let reference = &atlas.reference;
     let mut text = format!(
@@ -331,7 +331,7 @@ fn text(title: &str, atlas: &Atlas) -> String {
     }
     let Some(own) = atlas.explored.first() else { return text };
     let mut points: Vec<_> = own.points.iter().collect();
-    // stable: the tolerances of a method, and its numbers of steps, stay in their order
+    // the sort is stable, so that the tolerances or numbers of steps of one method keep their order
     points.sort_by_key(|point| family(point.means));
     let row = |point: &&Point| {
         let error = point.error.as_ref();
@@ -351,7 +351,7 @@ fn text(title: &str, atlas: &Atlas) -> String {
     })
 }
 
-/// A table of texts in columns.
+/// A table of texts with aligned columns.
 fn set(table: &Table) -> String {
     let widths: Vec<usize> = (0..table.head.len())
         .map(|column| {

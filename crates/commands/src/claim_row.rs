@@ -5,7 +5,7 @@ use charts::ClaimRow;
 use claims::{Judged, Verdict};
 use manuscript::UnjudgedClaim;
 
-/// The row of a judged claim; to be called in the thread that made the paper's claims.
+/// The row of a judged claim. Call it in the thread in which the claims of the paper were built.
 pub fn row(claim: &Judged) -> ClaimRow {
     let requires = claim.requires.iter().chain(&claim.signs).map(|(_, latex)| format!("${latex}$")).collect();
     ClaimRow {
@@ -26,7 +26,7 @@ pub fn row(claim: &Judged) -> ClaimRow {
     }
 }
 
-/// The row of a claim that could not be read: its print, its fault and the spelling that would be accepted.
+/// The row of a claim that could not be read: the printed text, the fault, and the accepted spelling.
 pub fn unread_row(claim: &UnjudgedClaim) -> ClaimRow {
     let accepted = claim.accepted.as_ref().map_or_else(String::new, |accepted| format!("; accepted: {accepted}"));
     ClaimRow {
@@ -39,7 +39,7 @@ pub fn unread_row(claim: &UnjudgedClaim) -> ClaimRow {
     }
 }
 
-/// The evidence for the verdict. A formula that fails is named by its line, since it stands typeset above.
+/// The evidence for the verdict. A formula that fails is named by its number, since the formula itself stands above.
 fn evidence(claim: &Judged) -> String {
     let failing =
         claim.evidence.strip_suffix(" fails").and_then(|text| claim.text.iter().position(|line| line == text));
@@ -51,7 +51,7 @@ fn evidence(claim: &Judged) -> String {
     }
 }
 
-/// `eq5.3` is printed as (5.3), `statement3D` as Statement 3D, `section7.1-staude` as Section 7.1.
+/// The printed form of an identifier: `eq5.3` gives (5.3), `statement3D` Statement 3D, `section7.1-staude` Section 7.1.
 fn label(equation: &str) -> String {
     if let Some(number) = equation.strip_prefix("eq") {
         return format!("({number})");

@@ -1,8 +1,8 @@
-//! The one clock of a command: its deadline, Ctrl-C, and the thread that sees that both are obeyed.
+//! The clock of a command: its deadline, Ctrl-C, and the thread that enforces both.
 //!
-//! A command that can keep partial results stops by itself: its integrations ask [`integrators::clock`]. All other work, such as
-//! algebra, need not ask: the thread of the clock ends the program instead, after it has printed the results so far. While
-//! something is printed or written the thread waits.
+//! A command that can keep partial results stops by itself, since its integrations ask [`integrators::clock`]. Other work, such as
+//! algebra, does not ask; for such work the thread of the clock ends the program after it has printed the results so far. The thread
+//! waits while something is printed or written.
 
 use crate::{atomic_write, progress};
 use integrators::clock::{is_asked, request_end, set_deadline, was_obeyed};
@@ -16,19 +16,19 @@ use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError, RwLock, RwLockReadGuard};
 use std::time::{Duration, Instant};
 
-/// The time that a command has to stop by itself after its deadline.
+/// The time after its deadline in which a command can stop by itself.
 const GRACE: Duration = Duration::from_millis(700);
-/// The least time that is reserved for judging and printing the results.
+/// The least time that is reserved for judging and printing results.
 const CLOSING: Duration = Duration::from_millis(400);
-/// The reserved part of the time limit: one over this number.
+/// The reserved fraction of the time limit is one over this number.
 const CLOSING_PART: u32 = 20;
-/// The interval at which the thread checks the time: too short for a user to notice.
+/// The interval at which the thread checks time and signals.
 const TICK: Duration = Duration::from_millis(20);
-/// Ticks between two drawings of the progress bar: ten drawings a second.
+/// The number of checks between two drawings of the progress bar.
 const TICKS_A_DRAWING: u32 = 5;
-/// The time that is left where there is no limit.
+/// The remaining time of a command without a limit.
 const NO_LIMIT: Duration = Duration::from_secs(366 * 86_400);
-/// The exit code that shells report for a program ended by SIGINT.
+/// The exit code of shells for a program ended by SIGINT.
 const BY_CTRL_C: u8 = 130;
 
 /// Whether a command can keep partial results when it is stopped.
@@ -36,7 +36,7 @@ const BY_CTRL_C: u8 = 130;
 pub enum Keeps {
     /// Partial results are useful and are kept.
     Part,
-    /// Results are complete or none.
+    /// Only complete results are useful.
     Nothing,
 }
 
@@ -48,21 +48,21 @@ struct Clock {
 }
 
 static CLOCK: OnceLock<Clock> = OnceLock::new();
-/// Locked for reading by code that prints or writes, for writing by the thread when it ends the program.
+/// A lock that code takes for reading while it prints or writes, and the thread for writing before it ends the program.
 static OUTPUT: RwLock<()> = RwLock::new(());
 /// Whether the user pressed Ctrl-C.
 static PRESSED: AtomicBool = AtomicBool::new(false);
 /// Whether a command that stopped by itself has no results to keep.
 static NOTHING: AtomicBool = AtomicBool::new(false);
-/// The phase of the work in which the end came.
+/// The phase of the work in which the command was stopped.
 static PHASE: OnceLock<Option<String>> = OnceLock::new();
-/// Results that are printed if the program is ended before it prints them.
+/// The results so far, which are printed if the program is ended early.
 static FOUND: Mutex<String> = Mutex::new(String::new());
 
-/// The file that a command writes last, until it is written.
+/// The file that the command will write last; `None` once it is written.
 static DUE: Mutex<Option<PathBuf>> = Mutex::new(None);
 
-/// Starts the clock of a command; once, before its work.
+/// Starts the clock of a command; called once, before its work.
 pub fn start(command: &'static str, keeps: Keeps, seconds: Option<u32>) {
     let deadline = seconds.map(|seconds| Instant::now() + Duration::from_secs(seconds.into()));
     let clock = CLOCK.get_or_init(|| Clock { command, keeps, seconds, deadline });
@@ -70,7 +70,7 @@ pub fn start(command: &'static str, keeps: Keeps, seconds: Option<u32>) {
         set_deadline(deadline);
     }
     let pressed = Arc::new(AtomicBool::new(false));
-    // without signals or threads Ctrl-C ends the program in the system's own way
+    // where signals or threads are unavailable, Ctrl-C has its usual effect
     let watched = std::thread::Builder::new().name("clock".to_owned());
     let flag = Arc::clone(&pressed);
     if watched.spawn(move || clock.watch(&pressed)).is_ok() {
@@ -78,49 +78,49 @@ pub fn start(command: &'static str, keeps: Keeps, seconds: Option<u32>) {
     }
 }
 
-/// The time that is left.
+/// The remaining time; a year where there is no limit.
 pub fn left() -> Duration {
     let deadline = CLOCK.get().and_then(|clock| clock.deadline);
     deadline.map_or(NO_LIMIT, |deadline| deadline.saturating_duration_since(Instant::now()))
 }
 
-/// Breaks once the user has pressed Ctrl-C.
+/// `Break` after the user has pressed Ctrl-C, else `Continue`.
 pub fn goes_on() -> ControlFlow<()> {
     if is_asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }
 
-/// Whether there is time for more work, besides the time reserved for judging and printing the results.
+/// Whether there is time for more work, in addition to the time reserved for judging and printing the results.
 pub fn has_time() -> bool {
     let given = CLOCK.get().and_then(|clock| clock.seconds).map_or(Duration::ZERO, |s| Duration::from_secs(s.into()));
     goes_on().is_continue() && left() > CLOSING.max(given / CLOSING_PART)
 }
 
-/// A guard during which the clock does not end the program, so that no output is cut.
+/// A guard that keeps the clock from ending the program, so that no output is incomplete.
 pub fn held() -> RwLockReadGuard<'static, ()> {
     OUTPUT.read().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Results so far: printed if the clock ends the program before more are found.
+/// Stores the results so far; the clock prints them if it ends the program early.
 pub fn publish(found: String) {
     *FOUND.lock().unwrap_or_else(PoisonError::into_inner) = found;
 }
 
-/// Names the file that is written last: if the clock ends the program before, it says that the file is missing. None where the file is written.
+/// Stores the name of the file that is written last, which the clock reports as missing if it ends the program early; `None` once it is written.
 pub fn due(file: Option<&Path>) {
     *DUE.lock().unwrap_or_else(PoisonError::into_inner) = file.map(Path::to_owned);
 }
 
-/// Records the present phase as the one in which the end came; only the first call counts.
+/// Stores the present phase as the one in which the command was stopped; only the first call has an effect.
 pub fn note_phase() {
     PHASE.get_or_init(progress::phase);
 }
 
-/// Records that a command that stopped by itself keeps nothing.
+/// Records that a stopped command keeps no results.
 pub fn keeps_nothing() {
     NOTHING.store(true, Relaxed);
 }
 
-/// Prints the reason for which a command stopped by itself, and returns its exit code; `None` where it was not stopped.
+/// Prints the reason for which a command was stopped, and returns its exit code; `None` if it was not stopped.
 pub fn broke_off() -> Option<u8> {
     let clock = CLOCK.get().filter(|_| PRESSED.load(Relaxed) || was_obeyed())?;
     clock.tell(if NOTHING.load(Relaxed) { "nothing is kept" } else { "the results so far are kept" });
@@ -139,7 +139,7 @@ impl Clock {
                 }
                 asked = Some(Instant::now());
                 PRESSED.store(true, Relaxed);
-                // commands that need complete results must not take a stopped run for a result
+                // commands that need complete results must not mistake a stopped run for one
                 if self.keeps == Keeps::Part {
                     request_end();
                 }
@@ -160,14 +160,14 @@ impl Clock {
         }
     }
 
-    /// Ends the program, whatever it does.
+    /// Ends the program at once.
     fn end(&self) -> ! {
         progress::clear();
         atomic_write::remove_parts();
         let found = FOUND.try_lock().map(|found| found.clone()).unwrap_or_default();
-        // a second Ctrl-C may come while a full pipe blocks standard output: all results are printed then
+        // a second Ctrl-C may come while a full pipe blocks standard output; all results have been printed then
         if !found.is_empty() {
-            // where this cannot be written, the exit code must do
+            // if writing fails, the exit code alone reports the end
             let _ = io::stdout().write_all(charts::visible(&found).as_bytes()).and_then(|()| io::stdout().flush());
         }
         let kept = if found.is_empty() { "nothing is kept" } else { "the results so far are printed" };
@@ -191,7 +191,7 @@ impl Clock {
             ),
             _ => format!("interrupted: `{command}`{phase} was broken off by Ctrl-C; {kept}"),
         };
-        // where even this cannot be written, the exit code must do
+        // if writing fails, the exit code alone reports the end
         let _ = writeln!(io::stderr(), "{}", charts::visible(&told));
     }
 }

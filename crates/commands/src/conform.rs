@@ -1,4 +1,4 @@
-//! `dalembert conform`: checks of the properties that every motor and every system should have.
+//! `dalembert conform`: checks of the physical laws that every motor and every system should obey.
 
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
@@ -15,10 +15,10 @@ use studies::scene::Scene;
 /// Arguments of `conform`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// A machine by its name, with data of a small motor; or a scene, a TOML file, whose motor or whose system may be written in it
+    /// A motor by its name, with the data of a small motor; or a scene, a TOML file, whose motor or whose system may be defined in it
     #[arg(value_name = "MACHINE|SCENE.toml")]
     pub motor: String,
-    /// Another machine, made of the scene's data
+    /// Another model of the motor, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,
     /// Output format; JSON is one object: motor, checks, each with check, verdict, says (the sentence)
@@ -63,7 +63,7 @@ pub fn show(asked: &Args) -> Result<Exit, Exit> {
         Format::Text => page(&title, &findings),
         Format::Json => format!("{:#}\n", object(&title, &findings)),
     })?;
-    // an undecided property counts as one that may fail
+    // an undecided property counts as a failure
     let open = |finding: &Finding| matches!(finding.verdict, PropertyVerdict::Fails(_) | PropertyVerdict::Undecided(_));
     Ok(if findings.iter().any(open) { Exit::Stopped } else { Exit::Done })
 }

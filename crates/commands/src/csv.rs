@@ -1,5 +1,5 @@
-//! Tables as CSV: their origin as comments, names of columns with their units, then rows with all digits of every number; cells without
-//! a value are empty. A trajectory may also be a NumPy archive.
+//! Tables as CSV: comments with their origin, a line with the names and units of the columns, then rows with all digits of every number. A cell
+//! without a value is empty. A trajectory may also be written as a NumPy archive.
 
 use crate::exit::Exit;
 use crate::output::{Form, Output, Provenance, Writes, Written};
@@ -8,7 +8,7 @@ use exchange::npz::{self, Array};
 use std::io::{self, Write};
 use std::path::Path;
 
-/// The destination of a trajectory, where one is asked for.
+/// The file for a trajectory, if one is requested.
 pub struct Table {
     output: Option<Output>,
     heading: Vec<String>,
@@ -16,7 +16,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// Checks the destination before the work. The columns have names with units, time first.
+    /// Checks the destination before the run. `columns` are names with units, without the time, which is added as the first column.
     pub fn at(
         writes: &Writes<'_>,
         path: Option<&Path>,
@@ -33,7 +33,7 @@ impl Table {
         self.output.as_ref()
     }
 
-    /// Writes the samples of a run, then its end where that comes after the last sample, as at an event.
+    /// Writes the samples of a run, and its last state where the run ends after the last sample, for example at an event.
     pub fn write(self, times: &[f64], rows: &[Vec<f64>], end: (f64, &[f64])) -> Result<Option<Written>, Exit> {
         let Table { output, heading, provenance } = self;
         let samples = times.iter().copied().zip(rows.iter().map(Vec::as_slice));
@@ -60,7 +60,7 @@ impl Table {
     }
 }
 
-/// The origin, the names with their units, then each column under its name.
+/// The arrays of an archive: the origin, the names with their units, then each column under its name.
 fn columns(heading: &[String], rows: &[(f64, &[f64])], provenance: &Provenance) -> Vec<(String, Array)> {
     let split = |name: &String| {
         let (name, unit) = name.rsplit_once(" [").unwrap_or((name, ""));
@@ -77,7 +77,7 @@ fn columns(heading: &[String], rows: &[(f64, &[f64])], provenance: &Provenance) 
     told.into_iter().chain(values).collect()
 }
 
-/// The destination of a transition matrix, the derivatives of the state at the end by that at the start, where one is asked for.
+/// The file for a transition matrix, the derivatives of the final state by the initial state, if one is requested.
 pub struct Matrix {
     output: Option<Output>,
     columns: Vec<String>,
@@ -85,7 +85,7 @@ pub struct Matrix {
 }
 
 impl Matrix {
-    /// Checks the destination before the work. The names have units.
+    /// Checks the destination before the run. `columns` are the names of the states with units.
     pub fn at(
         writes: &Writes<'_>,
         path: Option<&Path>,
@@ -101,7 +101,7 @@ impl Matrix {
         self.output.as_ref()
     }
 
-    /// Writes the matrix, a row for each quantity at the end; the unit of an entry is that of its row over that of its column.
+    /// Writes the matrix with one row for each final state. The unit of an entry is the unit of its row divided by that of its column.
     pub fn write(self, rows: &[Vec<f64>]) -> Result<Option<Written>, Exit> {
         let Matrix { output, columns, provenance } = self;
         let content = |out: &mut dyn Write| {
@@ -127,12 +127,12 @@ fn cell(value: f64) -> String {
     if value.is_finite() { value.to_string() } else { String::new() }
 }
 
-/// The name of a column with its unit.
+/// A column heading, the name with its unit in brackets.
 pub fn headed(name: &str, unit: &str) -> String {
     format!("{name} [{unit}]")
 }
 
-/// A line of a table without its end.
+/// A line of a CSV table without its line end.
 pub fn line<C: AsRef<[u8]>>(cells: &[C]) -> String {
     let mut table = builder().buffer_capacity(1 << 9).from_writer(Vec::new());
     // writing to memory cannot fail
@@ -141,7 +141,7 @@ pub fn line<C: AsRef<[u8]>>(cells: &[C]) -> String {
     String::from_utf8_lossy(&bytes).trim_end_matches('\n').to_owned()
 }
 
-/// The error of the system, with its kind: a full disk, a reader who is gone.
+/// The error of the file system within a CSV error, with its kind, such as a full disk or a closed pipe.
 fn of_system(error: csv::Error) -> io::Error {
     match error.into_kind() {
         csv::ErrorKind::Io(error) => error,

@@ -1,4 +1,4 @@
-//! `dalembert draw`: a sketch of a system, drawn from its model: still, or moving as a run does.
+//! `dalembert draw`: a sketch of a system, drawn from its model: still, or animated along a run.
 
 use crate::clock;
 use crate::exit::{Exit, placed, print, warn};
@@ -36,12 +36,12 @@ pub struct Args {
     /// The instant of a run that is drawn, in seconds; without it the start
     #[arg(long, value_name = "S", value_parser = instant, allow_negative_numbers = true)]
     pub time: Option<f64>,
-    /// From where it is seen: a direction from the system to the eye, along x, y and z of the ground
+    /// The direction of view: from the system to the eye, along x, y and z of the ground
     #[arg(long, value_name = "X,Y,Z", value_parser = direction, allow_hyphen_values = true)]
     pub view: Option<Direction>,
 }
 
-/// A direction of sight.
+/// A direction of view, a unit vector from the system to the eye.
 #[derive(Clone, Copy, Debug)]
 pub struct Direction([f64; 3]);
 
@@ -70,10 +70,10 @@ fn finite(text: &str) -> Option<f64> {
     text.trim().parse().ok().filter(|value: &f64| value.is_finite())
 }
 
-/// The largest length whose square is a finite number, with room to spare, in metres.
+/// The largest accepted distance from the origin in metres; its square is far below the largest double.
 const FARTHEST: f64 = 1e100;
 
-/// Draws the system.
+/// Draws the system at its start, at an instant of its run, or animated.
 pub fn draw(asked: &Args) -> Result<Exit, Exit> {
     let writes = Writes { command: "draw", force: asked.force, reads: vec![&asked.scene] };
     let output = writes.optional(asked.out.as_deref(), &[Form::Picture])?;
@@ -99,13 +99,13 @@ pub fn draw(asked: &Args) -> Result<Exit, Exit> {
     Ok(ending)
 }
 
-/// The sketch of a text at its start, whatever its run is.
+/// The sketch of a system at its start, without a run.
 pub fn still(path: &Path, text: &SystemText, towards: Option<[f64; 3]>) -> Result<Sketch, Exit> {
     let (title, model) = ::scenes::parse_titled(&text.name, &text.text, Task::Run)?;
     still_of(path, (&title, model), towards)
 }
 
-/// The sketch of a model at its start; parameters without values count as one, inputs as zero.
+/// The sketch of a model at its start. Parameters without values are set to one, inputs to zero.
 fn still_of(path: &Path, (title, mut model): (&str, Model), towards: Option<[f64; 3]>) -> Result<Sketch, Exit> {
     let open = close(&mut model)?;
     let start = start_of(&model).map_err(|issue| placed(path, issue))?;
@@ -117,7 +117,7 @@ fn still_of(path: &Path, (title, mut model): (&str, Model), towards: Option<[f64
     Ok(drawn)
 }
 
-/// Sets parameters without a value to one, inputs without one to zero; returns the names of these parameters.
+/// Sets parameters without values to one and inputs without values to zero; returns the names of these parameters.
 fn close(model: &mut Model) -> Result<Vec<String>, Exit> {
     model.close_inputs();
     let open = model.parameters.iter().filter(|parameter| parameter.value.is_none());
@@ -126,7 +126,7 @@ fn close(model: &mut Model) -> Result<Vec<String>, Exit> {
     Ok(open.into_iter().map(|(name, _)| name).collect())
 }
 
-/// The geometry of a model; where it has none, the reason.
+/// The points, bodies and frames of a model at a state.
 fn geometry(path: &Path, model: &Arc<Model>, state: &[f64]) -> Result<Geometry, Exit> {
     let refused = |why: String| Exit::refused(format!("{}: {why}", path.display()));
     let geometry = Geometry::of(model, state).map_err(|why| refused(format!("its places have no values: {why}")))?;
@@ -147,13 +147,13 @@ fn geometry(path: &Path, model: &Arc<Model>, state: &[f64]) -> Result<Geometry, 
     Ok(geometry)
 }
 
-/// The first place that is too far from the origin.
+/// The index of the first point that is too far from the origin.
 fn far_place(geometry: &Geometry, figure: &Figure) -> Option<usize> {
     let is_far = |place: &usize| figure.places[*place].iter().any(|part| part.abs() > FARTHEST);
     (0..geometry.names.len()).find(is_far)
 }
 
-/// The fault of a place that is too far, at the coordinate that puts it there, where it is one alone.
+/// The message about a point that is too far from the origin. It refers to the coordinate that is responsible, if there is exactly one.
 fn too_far(geometry: &Geometry, place: usize, state: &[f64]) -> Issue {
     let model = &geometry.model;
     let at = geometry.figure(0.0, state).places[place];
@@ -179,7 +179,7 @@ fn too_far(geometry: &Geometry, place: usize, state: &[f64]) -> Issue {
     }
 }
 
-/// The run of a text.
+/// The scene of a text, ready to run.
 fn scene(text: &SystemText) -> Result<ModelScene, Exit> {
     Ok(ModelScene::parse(&text.name, &text.text)?)
 }
@@ -188,7 +188,7 @@ fn choice(scene: &ModelScene, samples: usize) -> Choice {
     Choice { samples, allowed: clock::left(), ..scene.run().choice() }
 }
 
-/// The sketch of a run at an instant.
+/// The sketch of a run at an instant, in seconds.
 fn at_time(path: &Path, text: &SystemText, time: f64, towards: Option<[f64; 3]>) -> Result<Sketch, Exit> {
     let scene = scene(text)?;
     let span = scene.run.span;
@@ -225,7 +225,7 @@ fn at_time(path: &Path, text: &SystemText, time: f64, towards: Option<[f64; 3]>)
     Ok(drawn)
 }
 
-/// The sketch of a run, or of the part of it that is asked for.
+/// The animated sketch of a run, or of the requested part of it.
 fn moving(
     path: &Path,
     text: &SystemText,

@@ -1,4 +1,4 @@
-//! The end of the program: exit codes, messages, and writing that survives a closed pipe.
+//! The end of the program: exit codes, messages, and output into a pipe that may be closed.
 
 use crate::{clock, progress};
 use ::scenes::with_ways_to_a_system;
@@ -10,10 +10,10 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
-/// The escape character, which begins the commands of a terminal.
+/// The escape character, with which control sequences of terminals begin.
 const ESCAPE: &str = "\u{1b}";
 
-/// Whether only results and errors are printed: set once, when the program begins.
+/// Whether only results and errors are printed; set once, at the start of the program.
 static QUIET: AtomicBool = AtomicBool::new(false);
 
 /// Restricts all output to results and errors.
@@ -31,21 +31,21 @@ pub fn is_quiet() -> bool {
 pub enum Exit {
     /// Success.
     Done,
-    /// The command ran, but its result is not as it should be; the reason has been printed.
+    /// The command ran, but its result is incomplete or negative; the reason has been printed.
     Stopped,
-    /// The input is not acceptable: a message without terminal commands but our own colours.
+    /// The input is not acceptable. The message contains no control sequences of terminals except the program's own colours.
     Refused(String),
     /// The command line is not acceptable; the reason has been printed.
     Wrong,
 }
 
 impl Exit {
-    /// A command that cannot be carried out.
+    /// A refusal with the message `error: ...`.
     pub fn refused(error: impl Display) -> Self {
         Exit::Refused(visible(&format!("error: {error}")).into_owned())
     }
 
-    /// A file that cannot be written.
+    /// The refusal of a command whose file cannot be written, with the reason and a remedy.
     pub fn unwritable(path: &Path, error: &io::Error) -> Self {
         const A_FILE: &str = "the name of a file is accepted";
         const ROOM: &str = "free some, or name a file on another disk";
@@ -88,7 +88,7 @@ impl Exit {
     }
 }
 
-/// A fault of a file that was read, at its place.
+/// The refusal of a file with a fault, shown at its place in the file.
 pub fn placed(path: &Path, issue: Issue) -> Exit {
     match read_text(path) {
         Ok(text) => SceneError { path: path.display().to_string(), text, issues: vec![issue] }.into(),
@@ -102,7 +102,7 @@ impl From<SceneError> for Exit {
     }
 }
 
-/// All faults of a scene as text for standard error, without terminal commands from the scene.
+/// All faults of a scene as text for standard error, without control sequences of terminals that come from the scene.
 fn rendered(error: &SceneError) -> String {
     let mut error = error.clone();
     let seen = |text: &mut String| *text = visible(text).into_owned();
@@ -113,14 +113,14 @@ fn rendered(error: &SceneError) -> String {
         issue.help.iter_mut().for_each(seen);
     }
     let colours = io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
-    // in the lines of the file the renderer has replaced the escape: those that are left begin its own colours
+    // the renderer has replaced escape characters of the file, so that those that remain begin its own colours
     error.render(colours).split(ESCAPE).map(visible).collect::<Vec<_>>().join(ESCAPE)
 }
 
-/// Prints to standard output, without terminal commands in the text. A closed pipe is no error.
+/// Prints to standard output, with control characters made visible. A closed pipe is not an error.
 pub fn print(text: &str) -> Result<(), Exit> {
     let _held = clock::held();
-    // the final text contains the interim results, which are not to be printed again
+    // the final text contains the interim results, which must not be printed a second time
     clock::publish(String::new());
     progress::clear();
     let mut out = io::stdout().lock();
@@ -132,7 +132,7 @@ pub fn print(text: &str) -> Result<(), Exit> {
     }
 }
 
-/// Prints the messages of clap: help and version to standard output, where a failure is an error; faults of the command line to
+/// Prints a message of clap: help and version to standard output, where a failure is an error; faults of the command line to
 /// standard error.
 pub fn print_instead(said: &clap::Error) -> Exit {
     let hostile = std::env::args_os().any(|argument| {
@@ -140,7 +140,7 @@ pub fn print_instead(said: &clap::Error) -> Exit {
         visible(&argument) != argument
     });
     if said.use_stderr() && hostile {
-        // arguments are repeated as they are
+        // clap repeats arguments without making control characters visible
         warn(said.to_string().trim_end());
         return Exit::Wrong;
     }

@@ -1,4 +1,4 @@
-//! `dalembert export`: a system for other simulators.
+//! `dalembert export`: writes a system for other simulators.
 
 use crate::clock;
 use crate::exit::{Exit, is_quiet, warn};
@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 /// The C compiler for the sources of a functional mock-up unit.
 const COMPILER: &str = "cc";
 
-/// The end of the long help.
+/// The last part of the long help.
 pub const HELP: &str = "\
 A unit of FMI 3.0, or of FMI 2.0, is for model exchange and for co-simulation. Its parameters can be changed, its inputs are those of the file that have no
 value, its events are those of the file and the conditions of `if`, `sign`, `abs`, `min`, `max` and `table`; it has directional derivatives.
@@ -68,7 +68,7 @@ fn version(text: &str) -> Result<Version, String> {
     }
 }
 
-/// Writes the file.
+/// Writes the requested file.
 pub fn export(asked: &Args) -> Result<Exit, Exit> {
     let writes = Writes { command: "export", force: asked.force, reads: vec![&asked.scene] };
     let Target { fmu, modelica, c, python, rust, casadi } = &asked.target;
@@ -106,7 +106,7 @@ pub fn export(asked: &Args) -> Result<Exit, Exit> {
     Ok(Exit::Done)
 }
 
-/// The binary of a functional mock-up unit; `None`, with a warning, where there is no compiler.
+/// The compiled binary of a functional mock-up unit; `None`, with a warning, where no compiler is found.
 fn compiled(output: &Output, unit: &Unit) -> Result<Option<Binary>, Exit> {
     let folder = tempfile::tempdir().map_err(Exit::refused)?;
     match Binary::of(unit, COMPILER, folder.path(), || clock::goes_on().is_continue()) {
@@ -121,7 +121,7 @@ fn compiled(output: &Output, unit: &Unit) -> Result<Option<Binary>, Exit> {
     }
 }
 
-/// The name of a file as an identifier.
+/// The name of a file without its extension, as an identifier.
 fn identifier(path: &Path) -> String {
     let stem = path.file_stem().map_or_else(|| "system".to_owned(), |stem| stem.to_string_lossy().into_owned());
     let plain: String = stem.chars().map(|letter| if letter.is_ascii_alphanumeric() { letter } else { '_' }).collect();

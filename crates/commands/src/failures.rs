@@ -1,4 +1,4 @@
-//! `dalembert failures`: the catalogue of failure, measured.
+//! `dalembert failures`: a catalogue of cases in which methods fail, with measured limits.
 
 use crate::arguments::Format;
 use crate::clock;
@@ -15,7 +15,7 @@ use studies::failures::{ALL, Failing, Found, NotFound, Threshold, measure_text, 
 /// Arguments of `failures`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// Entries whose name contains this, such as windings or pull-out; or a scene of your own with the table [failure]
+    /// Entries whose name contains this text, such as windings or pull-out; or a scene of your own with the table [failure]
     #[arg(default_value = "", value_name = "NAME|SCENE.toml")]
     pub name: String,
     /// The folder of scene files; those in its subfolder `failures` with a table [failure] are measured too
@@ -26,17 +26,17 @@ pub struct Args {
     pub format: Format,
 }
 
-/// An entry of the catalogue: one of the program's own, or a scene with the table `[failure]`.
+/// An entry of the catalogue: a built-in case, or a scene with the table `[failure]`.
 pub enum Way {
     Known { failing: &'static Failing, scene: PathBuf },
     Text { entry: Box<FailureEntry>, scene: PathBuf },
 }
 
-/// An entry with its measured threshold and trials.
+/// An entry with its measured thresholds and trials, or the reason for which it could not be measured.
 pub type Measured = (Way, Result<Found, NotFound>);
 
 impl Way {
-    /// All entries with the scenes of a folder, and the errors of texts that cannot be read.
+    /// All entries: the built-in cases, and those of the scenes of a folder. Scenes that cannot be read are returned as errors.
     pub fn all(folder: &Path) -> (Vec<Self>, Vec<SceneError>) {
         let known = ALL.iter().map(|failing| Way::Known { failing, scene: folder.join(failing.scene) });
         let (mut ways, mut errors) = (known.collect::<Vec<_>>(), Vec::new());
@@ -49,7 +49,7 @@ impl Way {
         (ways, errors)
     }
 
-    /// Measures the entry by runs.
+    /// Measures the thresholds of the entry by runs.
     pub fn measured(self, folder: &Path) -> Measured {
         let found = match &self {
             Way::Known { failing, .. } => failing.measure(folder),
@@ -78,7 +78,7 @@ impl Way {
         }
     }
 
-    /// The path of the scene in the folder of scenes; of a text its own path.
+    /// The path of the scene relative to the folder of scenes; for a scene with `[failure]` its own path.
     fn scene_in_folder(&self) -> String {
         match self {
             Way::Known { failing, .. } => failing.scene.to_owned(),
@@ -100,7 +100,7 @@ impl Way {
         }
     }
 
-    /// The condition that a run meets where it holds.
+    /// The condition that a successful run satisfies.
     pub fn asked(&self) -> String {
         match self {
             Way::Known { failing, .. } => failing.asked.to_owned(),
@@ -112,7 +112,7 @@ impl Way {
     }
 }
 
-/// Measures the entries whose name contains the argument, or the entry of a file, and prints them.
+/// Measures and prints the entries whose name contains the argument, or the entry of a scene.
 pub fn list(asked: &Args) -> Result<Exit, Exit> {
     let file = Path::new(&asked.name);
     let (chosen, mut missed) = match file.extension().is_some_and(|extension| extension == "toml") {
@@ -136,7 +136,7 @@ pub fn list(asked: &Args) -> Result<Exit, Exit> {
             Err(why) => missed.push(Exit::refused(why)),
         }
     }
-    // one scene that cannot be measured does not hide the others
+    // a scene that cannot be measured must not hide the results of others
     if told.is_empty() {
         return Err(missed.into_iter().next().unwrap_or(Exit::Stopped));
     }
@@ -152,7 +152,7 @@ pub fn list(asked: &Args) -> Result<Exit, Exit> {
     Ok(if agree && all { Exit::Done } else { Exit::Stopped })
 }
 
-/// The entries that are asked for, and the errors of files that cannot be read.
+/// The requested entries, and the errors of files that cannot be read.
 fn chosen(asked: &Args) -> Result<(Vec<Way>, Vec<Exit>), Exit> {
     let (ways, errors) = Way::all(&asked.scenes);
     let names = ways.iter().map(Way::name).collect::<Vec<_>>().join(", ");
@@ -166,7 +166,7 @@ fn chosen(asked: &Args) -> Result<(Vec<Way>, Vec<Exit>), Exit> {
     Ok((chosen, errors.into_iter().map(Exit::from).collect()))
 }
 
-/// The trials grouped by their outcome: those that hold first, then those with a silent error.
+/// The trials grouped by their outcome, successful ones first, then those with an undetected error.
 pub fn grouped(found: &Found) -> Vec<(String, String)> {
     let mut groups: Vec<(u8, String, Vec<&str>)> = Vec::new();
     for trial in &found.trials {
@@ -180,13 +180,13 @@ pub fn grouped(found: &Found) -> Vec<(String, String)> {
     groups.into_iter().map(|(_, fate, by)| (fate, by.join("; "))).collect()
 }
 
-/// `4.000·10⁻⁶ s`, or why there is no number.
+/// A value with its unit, `4.000·10⁻⁶ s`; a sentence where there is no value.
 pub fn quantity(value: Option<f64>, unit: &str) -> String {
     let number = value.map_or_else(|| "no edge was found".to_owned(), |value| significant(value, 6));
     if unit.is_empty() || value.is_none() { number } else { format!("{number} {unit}") }
 }
 
-/// Whether the thresholds of theory and measurement agree, with the accuracy of the comparison.
+/// Whether the theoretical and the measured threshold agree, with the accuracy of the comparison.
 pub fn judged(threshold: &Threshold) -> String {
     format!("{} {}", if threshold.agrees() { "agrees" } else { "DISAGREES" }, threshold.within)
 }

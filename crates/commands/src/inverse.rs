@@ -1,4 +1,4 @@
-//! `dalembert inverse`: the forces under which a system that is written in its file moves as prescribed.
+//! `dalembert inverse`: inverse dynamics, the forces under which a system that is defined in its file moves as prescribed.
 
 use crate::arguments::{finite, whole};
 use crate::csv;
@@ -11,7 +11,7 @@ use reader::SceneError;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
-/// Arguments of `inverse`: the prescribed motion and the unknown parameters.
+/// Arguments of `inverse`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
     /// A file with `[coordinates]`
@@ -54,7 +54,7 @@ fn positive(text: &str) -> Result<f64, String> {
     if value > 0.0 { Ok(value) } else { Err("a positive number of seconds is accepted".to_owned()) }
 }
 
-/// Prints the motion with the forces that it needs.
+/// Prints the prescribed motion and the forces that produce it.
 pub fn show(asked: &Args) -> Result<Exit, Exit> {
     let text = SystemText::read(&asked.scene)?;
     let times: Vec<f64> = (0..=asked.samples).map(|k| asked.span * f64::from(k) / f64::from(asked.samples)).collect();
@@ -72,37 +72,37 @@ pub fn show(asked: &Args) -> Result<Exit, Exit> {
     Ok(Exit::Done)
 }
 
-/// A prescribed motion, and the unknown forces that are sought.
+/// A prescribed motion and the unknown forces.
 #[derive(Clone, Copy, Debug)]
 pub struct Wanted<'a> {
-    /// Names of coordinates, free frames and currents, each with an expression of the time.
+    /// Names of coordinates, free frames and currents, each with an expression in the time.
     pub motions: &'a [(String, String)],
-    /// Parameters and inputs that are sought; a name that stands twice counts once.
+    /// The names of the unknown parameters and inputs; a repeated name counts once.
     pub unknowns: &'a [String],
-    /// Instants, in seconds, which rise.
+    /// Instants in seconds, in ascending order.
     pub times: &'a [f64],
-    /// The name of the motions in messages.
+    /// The name of the prescribed motions in messages, such as `--motion`.
     pub called: &'a str,
 }
 
 /// The forces along a prescribed motion.
 #[derive(Clone, Debug)]
 pub struct ForceTable {
-    /// Names with units: time, coordinates, speeds, accelerations, unknowns, multipliers of constraints.
+    /// Names of the columns with units: time, coordinates, speeds, accelerations, unknowns, multipliers of constraints.
     pub columns: Vec<(String, String)>,
-    /// A row for each instant, in SI units.
+    /// The values in SI units, one row for each instant.
     pub rows: Vec<Vec<f64>>,
-    /// Names of the columns of unknowns, each once, and of multipliers.
+    /// The names of the columns with unknowns, each once; `multipliers` are those with multipliers.
     pub unknowns: Vec<String>,
     pub multipliers: Vec<String>,
-    /// Warnings of constraints that follow from others, and have no column.
+    /// Warnings about redundant constraints, whose multipliers are left out.
     pub left_out: Vec<String>,
 }
 
-/// The forces under which a system that is written as text moves as prescribed.
+/// The forces under which a system that is defined in a text moves as prescribed.
 ///
 /// # Errors
-/// All that is wrong with the system and with the motions, and the reason for which there are no forces.
+/// All faults of the system and of the prescribed motions, or the reason for which no forces produce the motion.
 pub fn forces_along(text: &SystemText, wanted: &Wanted<'_>) -> Result<ForceTable, SceneError> {
     let (model, prescribed) = parse_prescribed(text, wanted.motions, wanted.unknowns, wanted.called)?;
     let mut unknowns: Vec<String> = Vec::new();
@@ -116,7 +116,7 @@ pub fn forces_along(text: &SystemText, wanted: &Wanted<'_>) -> Result<ForceTable
     let with_unit = |name: &String| (name.clone(), unit_of(&model, name));
     let state: Vec<(String, String)> = model.state_names().iter().map(|(name, _)| with_unit(name)).collect();
     let speeds = &state[model.positions()..];
-    // charges are not shown: each is the integral of its current from an arbitrary value
+    // charges are left out, since each is the integral of its current from an arbitrary value
     let is_shown = |place: &usize| !charges.contains(place);
     let shown =
         |all: &[(String, String)]| (0..all.len()).filter(is_shown).map(|place| all[place].clone()).collect::<Vec<_>>();

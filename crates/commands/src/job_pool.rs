@@ -1,8 +1,8 @@
-//! A pool of independent jobs, run on all processors, the longest first.
+//! A pool of independent jobs that run on all processors, the longest first.
 
 use std::sync::{Mutex, PoisonError, mpsc};
 
-/// Independent jobs, each with a place for its result. The results do not depend on the order or thread of execution.
+/// Independent jobs, each with a variable for its result. The results do not depend on the order or the threads of execution.
 #[derive(Default)]
 pub struct JobPool<'s> {
     jobs: Vec<Job<'s>>,
@@ -14,18 +14,18 @@ struct Job<'s> {
 }
 
 impl<'s> JobPool<'s> {
-    /// Adds a job. Its cost, roughly in seconds, decides when it begins and its share of the progress.
+    /// Adds a job. Its cost, roughly in seconds, determines the order of execution and its share of the progress.
     pub fn add<T: Send>(&mut self, cost: f64, place: &'s mut Option<T>, work: impl FnOnce() -> T + Send + 's) {
         self.jobs.push(Job { cost, work: Box::new(move || *place = Some(work())) });
     }
 
-    /// Runs all jobs, and reports the completed part of the work, from 0 to 1.
+    /// Runs all jobs, and calls `done` with the completed fraction of the work, from 0 to 1.
     pub fn work(mut self, mut done: impl FnMut(f64)) {
         self.jobs.sort_by(|a, b| b.cost.total_cmp(&a.cost));
         let all: f64 = self.jobs.iter().map(|job| job.cost).sum();
         let hands = std::thread::available_parallelism().map_or(1, usize::from).min(self.jobs.len());
         let jobs = Mutex::new(self.jobs.into_iter());
-        // a job that panics takes the scope with it, so that a poisoned list is never worked on
+        // a panic in a job ends the scope, so that a poisoned list is never used further
         let next = || jobs.lock().unwrap_or_else(PoisonError::into_inner).next();
         std::thread::scope(|scope| {
             let (sender, receiver) = mpsc::channel();
@@ -34,7 +34,7 @@ impl<'s> JobPool<'s> {
                 scope.spawn(move || {
                     while let Some(Job { cost, work }) = next() {
                         work();
-                        // the other end lives as long as this scope
+                        // the receiver exists as long as this scope
                         let _ = sender.send(cost);
                     }
                 });

@@ -1,6 +1,6 @@
 //! The commands of the program `dalembert`, for all motors and papers that a program links.
 //!
-//! For programs with motors, systems or papers of their own. Such a program links its crates and calls [`run()`]:
+//! This crate is for programs with motors, systems or papers of their own. Such a program links its crates and calls [`run()`]:
 //!
 //! ```no_run
 //! use std::process::ExitCode;
@@ -12,15 +12,15 @@
 //!
 //! # Overview
 //! * `arguments`: the command line; the options of each command are in the file of the command;
-//! * `report`, `ledger` with `judge`, `review`, `derive`, `draw`, `linearise`, `inverse`, `regulate`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `numerical-stability`, `motor`, `conform`, `new`,
-//!   `failures`, `chart`, `choose`, `reference`, `scenes`: one file for each command;
+//! * `report`, `ledger` with `judge`, `review`, `derive`, `draw`, `linearise`, `inverse`, `regulate`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`,
+//!   `numerical-stability`, `motor`, `conform`, `new`, `failures`, `chart`, `choose`, `reference`, `scenes`: one file for each command;
 //! * `export`: a system for other simulators;
 //! * `watch`: a page that is updated whenever a file is saved;
 //! * `summary`, `csv`, `pictures`, `sphere`: output of a run as text, JSON, a table and the data of pictures;
-//! * `speed`: the atlas of a scene as pictures, tables and advice;
+//! * `speed`: the errors and costs of all methods on a scene as pictures, tables and advice;
 //! * `job_pool`: independent jobs on all processors;
 //! * `values`, `timings`: exact values and measured times as text;
-//! * `exit`: exit codes, and writing into a pipe that may be closed; `atomic_write`: files that are written atomically; `output`: the
+//! * `exit`: exit codes, and output into a pipe that may be closed; `atomic_write`: atomic writing of files; `output`: the
 //!   files that a command may write and replace;
 //! * [`charted`], [`chosen_model`], [`steady_motions`], [`forces_along`], [`regulator`], [`consistent_regimes`], [`reference_solution`],
 //!   [`finding_object`], [`unjudged_object`]: results of commands as values, for other programs;
@@ -89,7 +89,7 @@ use clap_complete::Shell;
 use exit::Exit;
 use std::process::ExitCode;
 
-/// Runs the command that the arguments of the process name.
+/// Runs the command that the arguments of the process specify, and returns the exit code of the process.
 pub fn run() -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
@@ -139,14 +139,14 @@ pub fn run() -> ExitCode {
     ending.unwrap_or_else(|refused| refused).tell()
 }
 
-/// The script for a shell.
+/// The completion script for a shell.
 fn completions(shell: Shell) -> String {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Arguments::command(), "dalembert", &mut script);
     String::from_utf8_lossy(&script).into_owned()
 }
 
-/// Makes the report, the job without a command.
+/// Writes the report, the task of the program without a command.
 fn report(asked: &report::Args) -> Result<Exit, Exit> {
     let files = scenes::files(&asked.scenes)?;
     report::write(asked, &files)

@@ -1,4 +1,4 @@
-//! `dalembert motor`: a synchronous motor under load: synchronous and asynchronous motions, and the starts that synchronise.
+//! `dalembert motor`: a synchronous motor under load: its synchronous and asynchronous motions, and the starts from which it synchronises.
 
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
@@ -22,7 +22,7 @@ pub struct Args {
     /// The scene, a TOML file with a synchronous motor, on a bench or in a gyrostat
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
-    /// Another machine, made of the scene's data
+    /// Another model of the motor, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,
     /// Output format
@@ -30,41 +30,41 @@ pub struct Args {
     pub format: Format,
 }
 
-/// The numbers of bars that are compared, beside the scene's own.
+/// The numbers of bars that are compared, in addition to the scene's own number.
 const BARS: [usize; 5] = [0, 1, 2, 3, 8];
-/// The loads of the table, as shares of the pull-out torque.
+/// The loads of the table, as fractions of the pull-out torque.
 const LOADS: [f64; 8] = [0.0, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.05];
-/// Angles and slips of the starts.
+/// The numbers of initial angles and of initial slips.
 const STARTS: (usize, usize) = (8, 6);
-/// The length of the run from each start, in units of 1/omega, omega the angular frequency of small oscillations.
+/// The duration of the run from each start, in units of 1/ω, where ω is the angular frequency of small oscillations.
 const SWINGS: f64 = 200.0;
 
-/// A motor with a number of bars, and its results.
+/// The results for a motor with a given number of bars.
 struct Case {
     bars: Option<usize>,
-    /// The axial moment of inertia, kg m^2.
+    /// The axial moment of inertia, kg m².
     axial: f64,
     in_gyrostat: bool,
     pull_in: Result<Option<PullIn>, String>,
-    /// The load to which asynchronous motions tend as their period grows, N m.
+    /// The limit of the load for asynchronous motions as their period tends to infinity, N m.
     limit: Option<f64>,
-    /// Asynchronous motions without a further load.
+    /// Asynchronous motions without an additional load.
     unloaded: Vec<Slipping>,
     shares: Result<Vec<Share>, String>,
 }
 
-/// Results that do not depend on bars or on the body that carries the motor.
+/// Results that depend neither on the number of bars nor on the body that carries the motor.
 struct Common {
     motor: Loaded,
     in_step: Vec<Standing>,
-    /// Synchronous angles without a further load, exact.
+    /// Enclosures of the synchronous angles without an additional load.
     angles: Vec<Angle>,
     pull_out: Standing,
     loads: Vec<f64>,
     span: f64,
 }
 
-/// Prints the results.
+/// Prints the synchronous and asynchronous motions at several loads, and the fractions of starts that synchronise.
 pub fn show(asked: &Args) -> Result<Exit, Exit> {
     let scene = with_model(Scene::open(&asked.scene)?, asked.model.as_deref(), &asked.scene)?;
     let refused = |reason: String| Exit::refused(format!("{}: {reason}", asked.scene.display()));
@@ -96,7 +96,7 @@ pub fn show(asked: &Args) -> Result<Exit, Exit> {
         let same = own.and_then(|bars| with_bars(&scene, bars)).unwrap_or_else(|| scene.clone());
         motors.push((own, same));
     }
-    // one thread for each motor: an expression graph stays in its thread
+    // each motor has its own thread, since an expression graph belongs to one thread
     let cases: Vec<Case> = std::thread::scope(|scope| {
         let running: Vec<_> = motors.iter().map(|(bars, scene)| scope.spawn(|| case(*bars, scene, &common))).collect();
         running.into_iter().filter_map(|case| case.join().ok().flatten()).collect()
@@ -124,7 +124,7 @@ fn case(bars: Option<usize>, scene: &Scene, common: &Common) -> Option<Case> {
     Some(Case { bars, axial: motor.axial, in_gyrostat, pull_in, limit, unloaded, shares })
 }
 
-/// An angle in degrees.
+/// An angle in degrees, from radians.
 fn degrees(angle: f64) -> f64 {
     angle.to_degrees()
 }
@@ -213,7 +213,7 @@ fn text(scene: &Scene, common: &Common, cases: &[Case]) -> String {
     out
 }
 
-/// The share of starts that synchronise, such as `48  0.35`, with the number of undecided ones.
+/// The number of starts that synchronise, `?` with the number of undecided starts, and the time, as a cell of the table.
 fn share(share: &Share) -> String {
     let time = share.time.map_or_else(|| "-".to_owned(), |time| format!("{time:.2}"));
     let open = if share.undecided() > 0 { format!("?{}", share.undecided()) } else { String::new() };

@@ -1,4 +1,4 @@
-//! A scene's runs as the data of pictures.
+//! Results as the data of charts: runs, stability maps, errors of series, maps of friction.
 
 use charts::{AreaCurve, Areas, Panel, Sheet, Track, significant};
 use integrators as run;
@@ -8,7 +8,7 @@ use studies::governors::StabilityMap;
 use studies::regimes::maps::{Kind, Map};
 use studies::scene::state::unit;
 
-/// The outputs that the scene names against time; components of one vector, and all currents, share a panel.
+/// The chart of the scene's outputs over time. Components of one vector share a panel, and so do all currents.
 pub fn trajectory(scene: &dyn IvpScene, run: &Trajectory) -> charts::Trajectory {
     let outputs = &scene.run().outputs;
     let shown: Vec<&String> = run.names.iter().filter(|name| outputs.is_empty() || outputs.contains(name)).collect();
@@ -38,11 +38,11 @@ pub fn trajectory(scene: &dyn IvpScene, run: &Trajectory) -> charts::Trajectory 
     }
 }
 
-/// One run on one sheet: its outputs against time, below them quantities that should stay zero, and beside them speeds over coordinates.
+/// The charts of one run on one sheet: outputs over time, below them quantities that should stay zero, beside them speeds over coordinates.
 pub fn sheet(scene: &dyn IvpScene, run: &Trajectory) -> Sheet {
     let mut against_time = trajectory(scene, run);
     let stopped = run.stopped();
-    // the sheet states the reason once, for all panels
+    // the reason of an early stop appears once, below all panels
     let tracks = against_time.panels.iter_mut().flat_map(|panel| &mut panel.series);
     tracks.for_each(|track| track.stopped = None);
     let checks = run.checks.iter().enumerate().map(|(place, name)| {
@@ -73,7 +73,7 @@ fn with_unit(name: &str, unit: &str) -> String {
     if unit == "1" || unit.is_empty() { name.to_owned() } else { format!("{name}, {unit}") }
 }
 
-/// A panel whose curves lie far apart and hardly move shows their changes since the start instead.
+/// The panel; where its curves are far apart and hardly change, a panel with their changes since the start.
 fn small(mut panel: Panel) -> Panel {
     let extent = |points: &mut dyn Iterator<Item = f64>| {
         let (low, high) = points.fold((f64::MAX, f64::MIN), |(low, high), value| (low.min(value), high.max(value)));
@@ -93,15 +93,15 @@ fn small(mut panel: Panel) -> Panel {
     panel
 }
 
-/// Curves that move less than this share of the range of all of them are shown as changes.
+/// The fraction of the common range of all curves; where every curve varies less than this, the panel shows changes.
 const SMALL: f64 = 0.1;
 
-/// The label of a panel for columns with one unit.
+/// The label of a panel for columns with this unit.
 fn of_unit(unit: &str) -> String {
     if unit.is_empty() { "without a unit".to_owned() } else { unit.to_owned() }
 }
 
-/// The name of a state as a label.
+/// The label of a state or output.
 pub fn label(name: &str) -> String {
     match name {
         "angle" => "\u{3b3}".to_owned(),
@@ -115,7 +115,7 @@ pub fn label(name: &str) -> String {
     }
 }
 
-/// The label of a panel by the name of a column, with its unit.
+/// The label of the panel for a column, with its unit.
 fn quantity(name: &str) -> String {
     let kind = match name.as_bytes() {
         b"angle" => "angle to the field",
@@ -131,7 +131,7 @@ fn quantity(name: &str) -> String {
     }
 }
 
-/// A map of stability over two parameters.
+/// A stability map over two parameters.
 pub fn stability(map: StabilityMap) -> Areas {
     let distance = significant(map.distance, 1);
     Areas {
@@ -148,7 +148,7 @@ pub fn stability(map: StabilityMap) -> Areas {
     }
 }
 
-/// Errors of a series against its order, a line for each speed.
+/// The error of a series over its order, one line for each speed.
 pub fn series_errors(errors: &[(f64, Vec<(usize, f64)>)]) -> charts::Trajectory {
     let track = |(speed, points): &(f64, Vec<(usize, f64)>)| Track {
         name: format!("ω₂ = {speed} rad/s"),
@@ -165,7 +165,7 @@ pub fn series_errors(errors: &[(f64, Vec<(usize, f64)>)]) -> charts::Trajectory 
     }
 }
 
-/// A map of verdicts over angle and friction.
+/// A map of verdicts over the angle and the coefficient of friction.
 pub fn areas(map: Map) -> Areas {
     let place = |kind: &Kind| Kind::ALL.iter().position(|known| known == kind).unwrap_or(0);
     let (at, least, name) = map.least;

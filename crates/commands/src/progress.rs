@@ -1,4 +1,4 @@
-//! Progress of work that takes long, on a terminal only: a bar where the part done is known, else the seconds.
+//! The progress of long work, shown on terminals only: a bar where the completed fraction is known, otherwise the elapsed time.
 
 use crate::clock;
 use crate::exit::is_quiet;
@@ -8,40 +8,40 @@ use integrators::clock::was_obeyed;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// The time before which no progress is shown.
+/// The duration of the work from which on progress is shown.
 const PATIENCE: Duration = Duration::from_millis(700);
 const MARKS: u64 = 1000;
 const WITH_BAR: &str = "{msg} {wide_bar} {percent} % {eta}";
 const WITH_SECONDS: &str = "{spinner} {msg}, {elapsed}";
 
-/// The present phase of the work: drawn by the thread of the clock, so that long steps show progress too.
+/// The present phase of the work. The thread of the clock draws it, so that progress is shown during long steps too.
 static WORK: Mutex<Option<Work>> = Mutex::new(None);
 
 struct Work {
     label: String,
     begun: Instant,
-    /// The completed part in units of 1 / [`MARKS`]; zero where the work does not report it.
+    /// The completed fraction in units of 1 / [`MARKS`]; zero where the work does not report it.
     done: u64,
     bar: Option<ProgressBar>,
 }
 
-/// A phase of the work; its progress bar disappears when this is dropped.
+/// A phase of the work. Dropping the value removes the progress bar and restores the phase before.
 pub struct Progress {
     before: Option<Work>,
     shown: u64,
 }
 
 impl Progress {
-    /// Begins a phase of work, shown under a label.
+    /// Starts a phase of the work with this label.
     pub fn new(label: &str) -> Self {
         clear();
-        // a title may contain terminal commands
+        // a title of a scene may contain control sequences of terminals
         let label = visible(label).into_owned();
         let work = Work { label, begun: Instant::now(), done: 0, bar: None };
         Progress { before: at_work().replace(work), shown: 0 }
     }
 
-    /// Reports the completed fraction, from 0 to 1. Cheap: nothing happens between two marks of the bar.
+    /// Reports the completed fraction, from 0 to 1. Frequent calls are cheap, since only whole marks of the bar are stored.
     pub fn set(&mut self, fraction: f64) {
         let mark = (fraction * MARKS as f64) as u64;
         if mark > self.shown {
@@ -87,7 +87,7 @@ pub fn draw() {
     bar.tick();
 }
 
-/// Removes the progress bar until it is drawn again.
+/// Removes the progress bar from the terminal until it is drawn again.
 pub fn clear() {
     if let Some(bar) = at_work().as_mut().and_then(|work| work.bar.take()) {
         bar.finish_and_clear();

@@ -1,4 +1,4 @@
-//! `dalembert prove`: proofs that every principle gives the same equations of motion of a system, and that these conserve what they should.
+//! `dalembert prove`: proofs that all principles give the same equations of motion of a system, and proofs of conservation laws.
 
 use crate::arguments::Format;
 use crate::exit::{Exit, is_quiet, print, warn};
@@ -38,7 +38,7 @@ impl From<MistakeName> for Mistake {
     }
 }
 
-/// Compares the residuals of every principle with those of the first, with parameters as letters, judges conservation statements, and
+/// Compares the residuals of each principle with those of the first one, with parameters as letters, judges the conservation laws, and
 /// prints a verdict for each.
 pub fn prove(asked: &Args) -> Result<Exit, Exit> {
     let model = SystemText::read(&asked.scene)?.for_judgement()?;
@@ -62,10 +62,10 @@ pub fn prove(asked: &Args) -> Result<Exit, Exit> {
     Ok(if rows.iter().any(fails) { Exit::Stopped } else { Exit::Done })
 }
 
-/// The expected time, s, above which a comparison is announced.
+/// The expected time in seconds above which a comparison is announced.
 const SHORT: f64 = 0.2;
 
-/// Announces equations that take long to derive.
+/// Announces a long derivation of equations with its expected time and memory.
 fn tell_of_forming(model: &Model) {
     let (seconds, bytes) = forming(model);
     if seconds > SHORT && !is_quiet() {
@@ -73,17 +73,17 @@ fn tell_of_forming(model: &Model) {
     }
 }
 
-/// Announces a long comparison before it begins.
+/// Announces a long comparison.
 fn tell(work: &Work) {
     if work.seconds() > SHORT && !is_quiet() {
         warn(&work.to_string());
     }
 }
 
-/// The length, in characters, up to which a list of divisors is repeated in each line; a longer one is written once.
+/// The largest length in characters of a list of divisors that is repeated in each line; a longer list is written once.
 const MOST_REPEATED: usize = 100;
 
-/// The line of a judgement; `known` holds the lists of divisors of the lines before it.
+/// The line of a judgement. `known` contains the lists of divisors of earlier lines, each with the title of its line.
 fn text(row: &Judgement, known: &mut Vec<(Vec<String>, String)>) -> String {
     let behind = row.behind.iter().map(|line| format!("    {line}\n"));
     let mut said = row.said();

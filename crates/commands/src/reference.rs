@@ -1,4 +1,4 @@
-//! `dalembert reference`: a scene's solution to all digits that two methods share, kept in a file.
+//! `dalembert reference`: computes the solution of a scene to the digits on which two methods agree, and keeps it in a file.
 
 use crate::arguments::Format;
 use crate::clock;
@@ -32,8 +32,8 @@ pub struct Args {
     pub until: Option<f64>,
 }
 
-/// Computes the reference, prints it, and writes it where charts and the report look for it. Another computer may give a digit more
-/// or less: an existing reference is replaced by a better one only.
+/// Computes the reference, prints it, and writes it to the file where charts and the report look for it. Since another computer may obtain a digit
+/// more or less, an existing reference is replaced only by one with more digits.
 pub fn reference(asked: &Args) -> Result<Exit, Exit> {
     let scene = AnyScene::open(&asked.scene)?;
     let smooth = scene.smooth();
@@ -80,17 +80,17 @@ pub fn reference(asked: &Args) -> Result<Exit, Exit> {
     }
 }
 
-/// A reference as text, and as an object for programs, whose numbers are texts with all digits.
+/// A reference as text, and as a JSON object in which numbers are texts with all digits.
 #[derive(Debug)]
 pub struct ReferenceResult {
     pub text: String,
     pub object: Value,
 }
 
-/// The motion of a scene to all digits that two methods share, which take so long at most.
+/// The motion of a scene to the digits on which two methods agree; `allowed` limits the time of the computation.
 ///
 /// # Errors
-/// The reason for which the motion is not known to enough digits, a sentence.
+/// The reason for which the motion is not known to enough digits, as a sentence.
 pub fn reference_solution(scene: &dyn IvpScene, allowed: Duration) -> Result<ReferenceResult, String> {
     let problem = scene.problem(Axes::default());
     let found = found(scene, &problem, allowed).map_err(|unknown| match unknown {
@@ -125,9 +125,9 @@ pub fn reference_solution(scene: &dyn IvpScene, allowed: Duration) -> Result<Ref
     Ok(ReferenceResult { text, object })
 }
 
-/// The reason for which a motion is not known.
+/// The reason for which a motion is not known to enough digits.
 enum Unknown {
-    /// It ends at a time before the end of its span.
+    /// The motion ends before its span; the last accepted span is `last`, s.
     EndsBefore {
         why: String,
         last: f64,
@@ -135,7 +135,7 @@ enum Unknown {
     Other(String),
 }
 
-/// The motion as two methods find it, across its events where it has some.
+/// The motion as two methods compute it, including its events.
 fn found(scene: &dyn IvpScene, problem: &Problem, allowed: Duration) -> Result<Exact, Unknown> {
     if let Some(hybrid) = scene.hybrid() {
         return hybrid.exact(allowed).map_err(|why| Unknown::Other(why.to_string()));
@@ -152,7 +152,7 @@ fn found(scene: &dyn IvpScene, problem: &Problem, allowed: Duration) -> Result<E
     Ok(Exact { reference, events: Vec::new() })
 }
 
-/// The methods with their digits, and the events.
+/// The methods with the number of digits on which they agree, and the events.
 fn text(title: &str, Exact { reference, events }: &Exact) -> String {
     let ([one, other], digits) = (reference.methods, reference.digits);
     let enough = match reference.is_trusted() {
@@ -170,14 +170,15 @@ fn text(title: &str, Exact { reference, events }: &Exact) -> String {
     text
 }
 
-/// The path of the reference.
+/// The path of the file of the reference.
 fn place(asked: &Args) -> PathBuf {
     asked.out.clone().unwrap_or_else(|| references::place(&asked.scene))
 }
 
-/// The method that searches for the end of a law: constant steps may leave the law's domain where the motion does not.
+/// The method for a run that determines where the motion ends. A method with constant steps is replaced, since it may leave the domain of the law
+/// where the motion does not.
 pub fn following(own: Choice) -> Choice {
-    // a reference is the one motion that the equations determine
+    // a reference requires a motion that the equations determine uniquely
     let own = Choice { through_singular_positions: false, ..own };
     match own.method.steps() {
         None => own,
@@ -185,10 +186,10 @@ pub fn following(own: Choice) -> Choice {
     }
 }
 
-/// Writes a reference, unless one of the same motion exists on which the methods agree to as many digits.
+/// Writes a reference, unless the file contains one of the same motion with at least as many digits.
 fn keep(output: Output, owner: &dyn Owner, made: &Stored, asked: &Args) -> Result<Exit, Exit> {
     let path = place(asked);
-    // reading a pipe would wait for a writer
+    // opening a pipe would wait for a writer
     let there = path.is_file().then(|| std::fs::read_to_string(&path).ok()).flatten();
     let there = there.and_then(|text| Stored::read(&text).ok());
     let of_this = |there: &Stored| there.reference.times == made.reference.times && there.belongs_to(owner);
@@ -197,7 +198,7 @@ fn keep(output: Output, owner: &dyn Owner, made: &Stored, asked: &Args) -> Resul
             print(&format!("{} is kept: its methods agree to {digits:.1} digits\n", path.display()))?;
         }
         _ => {
-            // the command as it is given, so that it makes the file again
+            // the comment contains the command that makes this file again
             let until = asked.until.map_or_else(String::new, |until| format!(" --until {until}"));
             output.write_text(&made.write(&format!("{}{until}", asked.scene.display())))?.tell(Format::Text)?;
         }

@@ -1,4 +1,4 @@
-//! `dalembert regimes`: every consistent regime of contacts and conditions at the start of a scene.
+//! `dalembert regimes`: all consistent regimes of contacts and conditions at the start of a scene.
 
 use crate::arguments::Format;
 use crate::exit::{Exit, placed, print};
@@ -31,19 +31,19 @@ pub fn show(asked: &Args) -> Result<Exit, Exit> {
     Ok(if found.is_determined { Exit::Done } else { Exit::Stopped })
 }
 
-/// The consistent regimes at a start, as text and as an object for programs.
+/// The consistent regimes at the start, as text and as a JSON object.
 #[derive(Debug)]
 pub struct RegimesResult {
     pub text: String,
     pub object: Value,
-    /// Whether there is one motion from the start.
+    /// Whether the motion from the start is uniquely determined.
     pub is_determined: bool,
 }
 
-/// Every regime of the contacts and conditions of a model that is consistent at its start.
+/// All regimes of the contacts and conditions of a model that are consistent at its start.
 ///
 /// # Errors
-/// The reason for which the model cannot be at its start, or has no regimes, at its place in the text.
+/// The reason for which the model has no start that satisfies its constraints, or no regimes, with the place in the text.
 pub fn consistent_regimes(title: &str, model: Model) -> Result<RegimesResult, Issue> {
     let answer = Answer::of(regimes(model)?);
     Ok(RegimesResult {
@@ -53,23 +53,23 @@ pub fn consistent_regimes(title: &str, model: Model) -> Result<RegimesResult, Is
     })
 }
 
-/// The regimes of contacts and conditions that are consistent at the start.
+/// The consistent regimes at the start, with the verdict on the uniqueness of the motion.
 struct Answer {
     regimes: Vec<Regime>,
     verdict: String,
     determined: bool,
-    /// The friction up to which reactions are determined.
+    /// The critical coefficient of friction, up to which reactions are uniquely determined.
     critical: Option<CriticalFriction>,
 }
 
-/// A regime with its conditions.
+/// A regime with the margins of its conditions.
 struct Regime {
     name: String,
     margins: Vec<Margin>,
     reactions_determined: bool,
 }
 
-/// A condition on a contact, and the margin by which it is met.
+/// A condition on a contact, with the margin by which it is satisfied.
 struct Margin {
     contact: String,
     condition: String,

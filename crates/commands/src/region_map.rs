@@ -1,4 +1,4 @@
-//! Maps of every stationary motion over two data: computed by all processors, as pictures, text and JSON.
+//! Maps of all steady motions of a scene over two of its data, computed on all processors, as pictures, text and JSON.
 
 use crate::job_pool::JobPool;
 use crate::progress::Progress;
@@ -15,32 +15,32 @@ use studies::stationary::stability::region::{
     Atlas, Border, Branch, Change, Class, NoRegion, Node, NodeMotions, Region,
 };
 
-/// Columns and rows of nodes.
+/// The numbers of columns and rows of nodes.
 const CELLS: [usize; 2] = [28, 21];
-/// Branches that are drawn.
+/// The largest number of branches that are drawn.
 const DRAWN: usize = 8;
-/// The work for a column of nodes relative to that for a line of links.
+/// The work for a column of nodes, relative to the work for the continuation along one line of the grid.
 const NODES: f64 = 3.0;
 
-/// The note below the map: the statements that it makes, and those that it does not.
+/// The note below the map, on the meaning and the limits of the map.
 const NOTE: &str = "In the middle of each cell the motion is isolated and judged exactly. Between neighbours it is followed \
     with proof, and where its verdict changes, or it merges with another, the place is bracketed: a dot lies between two points \
     1/32 of a cell apart that are judged exactly too; where omega0 is the second datum, merging motions are roots of a polynomial \
     up each column. Nothing is interpolated, and an island smaller than a cell may be missed.";
 
-/// A scene over two data, each in its range.
+/// A scene with the two data over which it is mapped, and their ranges.
 pub struct MapRequest<'a> {
     pub scene: &'a Scene,
     pub data: [(&'a Datum, [f64; 2]); 2],
-    /// rad/s
+    /// The angular velocity about the vertical, rad/s.
     pub speed: f64,
 }
 
 impl MapRequest<'_> {
-    /// The stationary motions at all nodes, their continuation between neighbours, and the changes on the way.
+    /// The steady motions at all nodes, their continuation between adjacent nodes, and the changes between these.
     ///
     /// # Errors
-    /// [`NoRegion`].
+    /// [`NoRegion`], where the data of the scene cannot be varied over these ranges.
     pub fn atlas(&self) -> Result<Atlas, NoRegion> {
         let region = Region::of(self.scene, self.data, self.speed, CELLS)?;
         let mut progress = Progress::new("map");
@@ -69,7 +69,7 @@ impl MapRequest<'_> {
         Ok(Atlas::of(nodes, across, upwards))
     }
 
-    /// One SVG file with a picture of each branch.
+    /// One SVG file with a map for each branch.
     pub fn sheet(&self, atlas: &Atlas) -> String {
         let drawn = atlas.branches.iter().take(DRAWN).enumerate();
         let pictures: Vec<Areas> = drawn.map(|(number, branch)| self.picture(atlas, number, branch)).collect();
@@ -188,12 +188,12 @@ impl MapRequest<'_> {
     }
 }
 
-/// A coordinate of a place in the map, as text.
+/// A value of a datum as text with nine digits.
 fn shown(value: f64) -> String {
     significant(value, 9)
 }
 
-/// The range of a branch, and its kind.
+/// A description of a branch: its mean direction, its kind, and the number of its nodes.
 fn described(atlas: &Atlas, branch: &Branch) -> String {
     let all = atlas.columns.iter().map(Vec::len).sum::<usize>();
     let mut mean = [0.0; 3];
@@ -240,7 +240,7 @@ fn changes(change: Change) -> &'static str {
     }
 }
 
-/// The text for a node with families of motions, or without motions; `None` where all motions are isolated.
+/// A text on a node with connected families of motions or without motions; `None` where all motions are isolated.
 fn unusual(node: &Node) -> Option<String> {
     match &node.place {
         NodeMotions::Motions { families, .. } if families.is_empty() => None,

@@ -1,4 +1,4 @@
-//! `dalembert run`: integrates one scene by one method.
+//! `dalembert run`: integrates a scene with one method.
 
 use crate::arguments::{Format, tolerance, whole};
 use crate::exit::{Exit, print, warn};
@@ -20,7 +20,7 @@ use studies::AnyScene;
 use studies::model_reduction::{Hierarchy, ReducedScene, Simplification, SimplifiedScene};
 use studies::scene::Scene;
 
-/// Arguments of `run`; the scene gives the values of those that are left out.
+/// Arguments of `run`. For arguments that are left out, the values of the scene apply.
 #[derive(clap::Args, Debug)]
 pub struct Args {
     /// The scene, a TOML file; the folder `scenes` holds examples
@@ -32,7 +32,7 @@ pub struct Args {
     /// Allowed error of a step: relative to the state, plus the same number in SI units
     #[arg(long = "tol", value_name = "T", value_parser = tolerance, allow_negative_numbers = true)]
     pub tolerance: Option<f64>,
-    /// Another machine, made of the scene's data, or a reduced model, as `choose` names it: for a system with [coordinates]
+    /// Another model of the motor, made of the scene's data, or a reduced model, as `choose` names it: for a system with [coordinates]
     /// "without P", "rigid P", "quasi-steady X", "fixed X", "unfollowed X", with a parameter P or a state X; the handbook's chapter on smaller
     /// models explains them
     #[arg(long)]
@@ -64,7 +64,7 @@ pub struct Args {
     pub samples: Option<u32>,
 }
 
-/// The end of the long help: names of methods and models.
+/// The last part of the long help: names of methods and models.
 pub fn help() -> String {
     let column = |name: &str, what: &str| format!("  {name:<22} {what}\n");
     let methods: String = methods::list().map(|(name, what)| column(&name, what)).collect();
@@ -76,7 +76,7 @@ fn method(text: &str) -> Result<Method, String> {
     methods::method(text).map_err(|(_, accepted)| accepted)
 }
 
-/// Runs the scene, writes the trajectory where one is asked for, prints the summary.
+/// Runs the scene, writes the requested files, and prints the summary.
 pub fn run(asked: &Args) -> Result<Exit, Exit> {
     if asked.force && asked.out.is_none() && asked.transition.is_none() && asked.plot.is_none() {
         return Err(Exit::refused(
@@ -116,7 +116,7 @@ pub fn run(asked: &Args) -> Result<Exit, Exit> {
     }
 }
 
-/// Runs a reduced model of a system that is written in its file: a known one, or one without some elements.
+/// Runs a reduced model of a system that is defined in its file: one of its hierarchy, or one without some of its elements.
 fn smaller(scene: &Arc<dyn Modelled>, name: &str, asked: &Args) -> Result<Exit, Exit> {
     if let Ok(known) = ReducedScene::of(&**scene, vec![Hierarchy::of_model(&**scene)], name) {
         return follow(&known, asked, None);
@@ -126,18 +126,18 @@ fn smaller(scene: &Arc<dyn Modelled>, name: &str, asked: &Args) -> Result<Exit, 
     follow(&found, asked, None)
 }
 
-/// The machine and the reduced model of a name: `multi_current`, `lumped windings`, or both with a semicolon between them.
+/// The model of the motor and the reduced model in a name: `multi_current`, `lumped windings`, or both separated by a semicolon.
 fn machine_and_smaller(name: Option<&str>) -> (Option<&str>, Option<&str>) {
     match name.map(|name| (name, name.split_once(';'))) {
         None => (None, None),
         Some((_, Some((machine, smaller)))) => (Some(machine.trim()), Some(smaller.trim())),
-        // names of machines are one word
+        // the name of a model of a motor is one word
         Some((name, None)) if name.trim().contains(' ') => (None, Some(name.trim())),
         Some((name, None)) => (Some(name), None),
     }
 }
 
-/// Refuses --transition for a reduced model, which lacks some of the matrix's states.
+/// Refuses --transition for a reduced model, which lacks some of the states of the matrix.
 fn without_transition(asked: &Args) -> Result<(), Exit> {
     match asked.transition {
         None => Ok(()),
@@ -159,7 +159,7 @@ pub fn refuse(what: &str, model: bool, form: bool, path: &Path) -> Result<(), Ex
     }
 }
 
-/// Refuses --form for a motor alone, whose equations have one form.
+/// Refuses --form for a motor alone, whose equations have only one form.
 pub fn one_form(scene: &Scene, form: bool, path: &Path) -> Result<(), Exit> {
     match form && scene.on_bench() {
         false => Ok(()),
@@ -170,7 +170,7 @@ pub fn one_form(scene: &Scene, form: bool, path: &Path) -> Result<(), Exit> {
     }
 }
 
-/// Runs one initial value problem.
+/// Runs an initial value problem, writes the requested files, and prints the summary.
 fn follow(scene: &dyn IvpScene, asked: &Args, form: Option<Axes>) -> Result<Exit, Exit> {
     let choice = choice(scene.run(), asked);
     if asked.tolerance.is_some() && asked.transition.is_none() && choice.method.steps().is_some() {
@@ -230,7 +230,7 @@ fn follow(scene: &dyn IvpScene, asked: &Args, form: Option<Axes>) -> Result<Exit
         }
     };
 
-    // files are written first: the checks below may take longer than the run, and must not lose it
+    // files are written before the checks below, which may take longer than the run and may be interrupted
     let table = table.write(&trajectory.times, &trajectory.rows, (trajectory.outcome.time, &trajectory.last));
     let plot = plot
         .map(|plot| plot.write_text(&(provenance.markup() + &pictures::sheet(scene, &trajectory).svg())))
@@ -241,7 +241,7 @@ fn follow(scene: &dyn IvpScene, asked: &Args, form: Option<Axes>) -> Result<Exit
     let beside =
         phase("the run with half of its step", || problem.check_by_step_halving(&choice, &trajectory, clock::goes_on));
     clock::publish(text(&told, beside));
-    // a run with undefined values, or one that departs from its law, is no result
+    // a run with undefined values, or one that left the validity of its law, is not a result
     let spoilt = told.failures.iter().any(|failure| failure.kind.spoils());
     let is_kept = trajectory.undefined().is_empty() && trajectory.lost().is_none() && !spoilt;
     let serves = beside.is_none_or(|beside| beside.verdict.serves()) && is_kept;
@@ -271,14 +271,14 @@ fn follow(scene: &dyn IvpScene, asked: &Args, form: Option<Axes>) -> Result<Exit
         }
     }
     print(&text(&told, beside))?;
-    // the summary is printed even where a file cannot be written
+    // the summary is printed even if a file cannot be written
     for written in [table?, plot?, depends?].into_iter().flatten() {
         written.tell(asked.format)?;
     }
     Ok(ending)
 }
 
-/// The error of a splitting method on a law that has no sub-flows.
+/// The refusal of a splitting method for a law without sub-flows.
 fn no_pieces(choice: &Choice, path: &Path) -> Exit {
     let others = methods::list().map(|(name, _)| name).filter(|name| {
         let numbered = name.replace("STEPS", "1");
@@ -292,22 +292,22 @@ fn no_pieces(choice: &Choice, path: &Path) -> Exit {
     ))
 }
 
-/// The scenes that splittings apply to.
+/// A sentence on the scenes to which splitting methods apply.
 const SPLITTINGS: &str = "splittings (strang, blanes_moan_4, blanes_moan_6, kahan_li_8) apply to gyrostats and motors whose law has pieces \
                           with known flows, and not to a system that is written in its file";
 
-/// Does a part of a command that may take long, with a progress bar.
+/// Runs a part of a command that may take long, with a progress bar.
 fn phase<T>(label: &str, work: impl FnOnce() -> T) -> T {
     let _progress = Progress::new(label);
     work()
 }
 
-/// The outputs of a run.
+/// The files that `run` may write and replace.
 pub fn writes(asked: &Args) -> Writes<'_> {
     Writes { command: "run", force: asked.force, reads: vec![&asked.scene] }
 }
 
-/// The scene with the machine that is asked for, where one is.
+/// The scene with the requested model of the motor; unchanged without a request.
 pub fn with_model(scene: Scene, model: Option<&str>, path: &Path) -> Result<Scene, Exit> {
     let Some(model) = model else { return Ok(scene) };
     scene.with_model(model).map_err(|error| {
@@ -319,7 +319,7 @@ pub fn with_model(scene: Scene, model: Option<&str>, path: &Path) -> Result<Scen
     })
 }
 
-/// The choices of the scene, replaced by those of the command line.
+/// The settings of the scene, replaced by those of the command line where given.
 fn choice(own: &simulation::Run, asked: &Args) -> Choice {
     let own = own.choice();
     Choice {

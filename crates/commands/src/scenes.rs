@@ -19,7 +19,7 @@ pub struct Args {
     pub format: Format,
 }
 
-/// Prints each scene of a folder with its machine or its system, and its title; an unacceptable file is listed with the
+/// Prints each scene of a folder with the model of its motor or `model`, and its title. A file that cannot be read is listed with the
 /// number of its faults.
 pub fn list(asked: &Args) -> Result<Exit, Exit> {
     let files = files(&asked.folder)?;
@@ -31,7 +31,7 @@ pub fn list(asked: &Args) -> Result<Exit, Exit> {
     Ok(Exit::Done)
 }
 
-/// The machine or system of a scene, and its title; or the number of its faults.
+/// The model of the motor or system of a scene, and its title; or the number of faults of the file.
 fn listed(path: &Path) -> Result<(String, String), usize> {
     match AnyScene::open(path) {
         Ok(AnyScene::Driven(scene)) => Ok((scene.machine.name().to_owned(), scene.title)),
@@ -55,7 +55,7 @@ fn object(path: String, scene: Result<(String, String), usize>) -> Value {
     }
 }
 
-/// The TOML files of a folder and of the folders in it, each folder's own first, by name.
+/// The paths of the TOML files in a folder and its subfolders: the files of each folder first, sorted by name.
 pub fn files(folder: &Path) -> Result<Vec<PathBuf>, Exit> {
     let unreadable = |error: io::Error| {
         let accepted = "a folder with scene files is accepted; the project's own is `scenes`";
@@ -72,7 +72,7 @@ pub fn files(folder: &Path) -> Result<Vec<PathBuf>, Exit> {
         for entry in std::fs::read_dir(next).map_err(unreadable)? {
             let entry = entry.map_err(unreadable)?;
             let path = entry.path();
-            // a link to a folder is not followed: it might lead to a parent folder
+            // links to folders are not followed, since they may lead to a parent folder
             if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
                 folders.push(path);
             } else if path.extension().is_some_and(|extension| extension == "toml") {

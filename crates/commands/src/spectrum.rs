@@ -1,10 +1,10 @@
-//! Enclosed eigenvalues as text and JSON: zeros with their reasons, discs, and the verdict that they give.
+//! Enclosed eigenvalues as text and JSON: exact zeros with their reasons, enclosing discs, and the verdict on stability.
 
 use ::scenes::steady_motions::{EigenvalueDisc, EnclosedSpectrum, EnclosedVerdict, Side, ZeroReason};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// The zero eigenvalues by their reasons: `5 of x, y, yaw, rear, front, on which nothing depends; 1 of the energy, which is kept`.
+/// The numbers of zero eigenvalues by their reasons, as text: `5 of x, y, yaw, rear, front, on which nothing depends; 1 of the energy, which is kept`.
 fn zeros(all: &[ZeroReason]) -> String {
     let named = |of: &dyn Fn(&ZeroReason) -> Option<&String>| -> Vec<&str> {
         all.iter().filter_map(of).map(String::as_str).collect()
@@ -43,7 +43,7 @@ fn zeros(all: &[ZeroReason]) -> String {
     parts.join("; ")
 }
 
-/// A line for the zero eigenvalues, and one for each disc.
+/// A line on the zero eigenvalues, and one line for each disc.
 pub(crate) fn lines(found: &EnclosedSpectrum) -> String {
     let mut out = "eigenvalues by enclosures\n".to_owned();
     // writing to a String cannot fail
@@ -68,7 +68,7 @@ pub(crate) fn lines(found: &EnclosedSpectrum) -> String {
     out
 }
 
-/// The verdict of enclosed eigenvalues, or of Routh's criterion where it is exact.
+/// The verdict on stability by enclosed eigenvalues, or by Routh's criterion where the matrices are exact.
 pub(crate) fn verdict(found: &EnclosedSpectrum) -> String {
     let but = match found.zeros.len() {
         0 => String::new(),
@@ -110,12 +110,12 @@ pub(crate) fn verdict(found: &EnclosedSpectrum) -> String {
     }
 }
 
-/// Whether the eigenvalues decide stability, or show that the linear equations do not.
+/// Whether the eigenvalues decide stability, or prove that the linear equations do not decide it.
 pub(crate) fn is_decided(found: &EnclosedSpectrum) -> bool {
     !matches!(found.verdict(), EnclosedVerdict::Undecided { touching, .. } if touching > 0)
 }
 
-/// The verdict in a word.
+/// The verdict in one or two words.
 pub(crate) fn word(found: &EnclosedSpectrum) -> &'static str {
     match found.verdict() {
         EnclosedVerdict::Asymptotic => "asymptotically stable",
@@ -124,7 +124,7 @@ pub(crate) fn word(found: &EnclosedSpectrum) -> &'static str {
     }
 }
 
-/// The spectrum as JSON.
+/// The eigenvalues as JSON.
 pub(crate) fn object(found: &EnclosedSpectrum) -> Value {
     let reason = |reason: &ZeroReason| match reason {
         ZeroReason::Cyclic(name) => json!({ "cyclic": name }),

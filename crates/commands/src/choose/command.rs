@@ -1,18 +1,18 @@
-//! The command line of `dalembert run` for the chosen model and method.
+//! The command line `dalembert run ...` for the chosen model and method.
 
 use simulation::{Axes, methods};
 use std::path::Path;
 use studies::model_reduction::Line;
 
-/// The arguments for a line of the receipt: its model where it is not the default one, its method, its tolerance, and its form
-/// where the scene has several.
+/// The words of the command that runs a line of the receipt: its model unless it is the default, its method, its tolerance, and its form
+/// where the scene has several. `None` for a line without a choice.
 pub fn of(scene: &Path, model: Option<&str>, place: usize, line: &Line, formed: bool) -> Option<Vec<String>> {
     let plan = &line.choice.as_ref()?.plan;
     let mut words = vec!["run".to_owned(), scene.display().to_string()];
     let mut option = |name: &str, value: &str| words.extend([name.to_owned(), value.to_owned()]);
     let smaller = line.asked_as.as_deref().filter(|_| place > 0);
     let both = match (model, smaller) {
-        // another machine replaces the requested one; a reduction of the requested machine is added to its name
+        // another model of the motor replaces the requested one; a reduction of the requested model is appended to its name
         (Some(model), Some(smaller)) if smaller.contains(' ') => Some(format!("{model}; {smaller}")),
         (model, smaller) => smaller.or(model).map(str::to_owned),
     };
@@ -27,7 +27,7 @@ pub fn of(scene: &Path, model: Option<&str>, place: usize, line: &Line, formed: 
     Some(words)
 }
 
-/// The command as it is typed into a shell.
+/// The words as one line for a shell, quoted where necessary.
 pub fn typed(words: &[String]) -> String {
     let plain = |word: &str| word.chars().all(|letter| letter.is_alphanumeric() || "-_./:=+,@".contains(letter));
     let word = |word: &String| match plain(word) && !word.is_empty() {

@@ -1,4 +1,4 @@
-//! `dalembert choose`: the smallest model that meets a tolerance in the outputs that matter, with its receipt.
+//! `dalembert choose`: the cheapest model and method that meet a tolerance in selected outputs, with a receipt of the decision.
 
 mod command;
 mod picture;
@@ -20,7 +20,7 @@ use studies::AnyScene;
 use studies::model_reduction::{Forms, Hierarchy, Models, Receipt, TextModels, Wish, choose};
 use studies::scene::Setup;
 
-/// Arguments of `choose`: the tolerance, the outputs that must meet it, and the forms of the answer.
+/// Arguments of `choose`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
     /// The scene, a TOML file
@@ -33,7 +33,7 @@ pub struct Args {
     /// [run] names none. The answer says which were taken
     #[arg(long, value_name = "A,B", value_delimiter = ',')]
     pub outputs: Vec<String>,
-    /// The model to compare with: another machine, made of the scene's data
+    /// The model to compare with: another model of the motor, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,
     /// Draws error against the cost of every model
@@ -51,10 +51,10 @@ pub struct Args {
     pub format: Format,
 }
 
-/// The time for measuring times, which are reported and decide nothing, and again for finding where to switch between models.
+/// The time for measuring times, which are reported only, and again for finding instants at which to switch between models.
 const MEASURING: Duration = Duration::from_secs(3);
 
-/// Chooses, prints the receipt, draws what is asked for.
+/// Chooses a model and a method, prints the receipt, and draws the requested picture.
 pub fn show(asked: &Args) -> Result<Exit, Exit> {
     let scene = match AnyScene::open(&asked.scene)? {
         AnyScene::Driven(scene) => {
@@ -105,10 +105,10 @@ pub fn show(asked: &Args) -> Result<Exit, Exit> {
     Ok(if receipt.taken.is_some() { Exit::Done } else { Exit::Stopped })
 }
 
-/// The choice among models.
+/// The receipt of the choice among models.
 ///
 /// # Errors
-/// The reason for which nothing is chosen, a sentence.
+/// The reason for which nothing can be chosen, as a sentence.
 fn decided(models: &dyn Models, wish: &Wish, own: Option<&dyn Modelled>) -> Result<Receipt, String> {
     let receipt = choose(models, wish).map_err(|why| format!("nothing can be chosen: {why}"))?;
     match own.and_then(|scene| missed(scene, &receipt)) {
@@ -120,7 +120,7 @@ fn decided(models: &dyn Models, wish: &Wish, own: Option<&dyn Modelled>) -> Resu
     }
 }
 
-/// The choice of a model as text, as an object for programs, and as a picture.
+/// The receipt of a choice: as text, as a JSON object, and as an SVG picture.
 #[derive(Debug)]
 pub struct ChosenModel {
     pub text: String,
@@ -128,10 +128,10 @@ pub struct ChosenModel {
     pub picture: String,
 }
 
-/// The smallest model of a system that is written in its file that meets a tolerance in outputs; all columns where none are named.
+/// The cheapest model and method that compute the given outputs of a system to a tolerance; all columns where `outputs` is empty.
 ///
 /// # Errors
-/// An output is not known, or nothing is chosen.
+/// An output is unknown, or nothing can be chosen.
 pub fn chosen_model(scene: &Arc<dyn Modelled>, tolerance: f64, outputs: Vec<String>) -> Result<ChosenModel, String> {
     let models = TextModels::of(scene, None);
     let (outputs, origin) = watched(&outputs, scene.run().outputs.clone(), models.columns(), ORIGINS)?;
@@ -144,7 +144,7 @@ pub fn chosen_model(scene: &Arc<dyn Modelled>, tolerance: f64, outputs: Vec<Stri
     })
 }
 
-/// A failure that spoils the chosen run of the scene's own model, such as a pulse between two steps, which no error estimate sees.
+/// A failure of the chosen run of the scene's own model that no error estimate shows, such as a pulse that falls between two steps.
 fn missed(scene: &dyn Modelled, receipt: &Receipt) -> Option<RunFailure> {
     let plan = &receipt.lines.get(receipt.taken.filter(|at| *at == 0)?)?.choice.as_ref()?.plan;
     let choice = Choice { method: plan.method, tolerance: plan.tolerance, ..scene.run().choice() };
@@ -155,7 +155,7 @@ fn missed(scene: &dyn Modelled, receipt: &Receipt) -> Option<RunFailure> {
 
 const AXES: [Axes; 2] = [Axes::First, Axes::Second];
 
-/// Descriptions of the three sources of outputs: the scene's columns, its `outputs`, the command line.
+/// Descriptions of the three possible origins of the outputs: all columns, `outputs` of the scene, the command line.
 type Origins = [&'static str; 3];
 
 const ORIGINS: Origins = ["all columns of the run", "as `outputs` of [run] names them", "as `outputs` names them"];
@@ -170,14 +170,14 @@ fn outputs(asked: &Args, given: Vec<String>, known: &[String]) -> Result<(Vec<St
         .map_err(|why| Exit::refused(format!("{}: {why}", asked.scene.display())))
 }
 
-/// The outputs of the command line, or those of the scene, or all states that its own model shows, with the source in words.
+/// The outputs that must meet the tolerance, with a description of their origin: those `asked`, else those of the scene, else all states.
 fn watched(
     asked: &[String],
     given: Vec<String>,
     known: &[String],
     [all, of_scene, named]: Origins,
 ) -> Result<(Vec<String>, &'static str), String> {
-    // the work that a mechanism's run meters is not a column of its reduced models
+    // the column `work` of a run does not exist in reduced models
     if let Some(wrong) = asked.iter().find(|name| !known.contains(name) || *name == "work") {
         let known: Vec<&str> = known.iter().map(String::as_str).filter(|name| *name != "work").collect();
         return Err(format!("unknown output `{wrong}`; known: {}", known.join(", ")));

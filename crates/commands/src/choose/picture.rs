@@ -1,11 +1,11 @@
-//! A chart of error against cost for all models.
+//! The chart of error over cost of all models.
 
 use charts::{Method, Point, Work, WorkPrecision};
 use std::time::Duration;
 use studies::model_reduction::{Models, Receipt, Wish, choose};
 
-/// The error against the evaluations of every model, each by the cheapest method for a tolerance: the error against the reference
-/// where one is kept, else the estimated one.
+/// A chart of the error of every model over its evaluations, with the cheapest method for each of several tolerances. The error is that against the
+/// reference where there is one, otherwise the estimate.
 pub fn of(title: &str, models: &dyn Models, wish: &Wish, first: Receipt) -> WorkPrecision {
     let mut receipts = vec![first];
     for tolerance in [1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8] {

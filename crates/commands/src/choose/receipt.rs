@@ -89,7 +89,7 @@ pub fn text(title: &str, (receipt, origin): (&Receipt, &str), command: Option<&[
     out
 }
 
-/// The times for which errors are estimated, and the kind of estimate.
+/// A sentence on the error estimates: their kind, and the instants at which errors are compared.
 fn promise(receipt: &Receipt) -> String {
     let mut text = format!(
         "promised: the largest error of the whole run: of a method the difference from a finer run, of a smaller model the difference from \
@@ -108,18 +108,18 @@ fn promise(receipt: &Receipt) -> String {
     text
 }
 
-/// Whether a model runs but does not meet the tolerance: one sentence names all of these.
+/// Whether a model runs but does not meet the tolerance. One sentence names all such models.
 fn hopeless(line: &Line) -> bool {
     line.verdict == Sufficiency::TooFar && line.asked_as.is_some()
 }
 
-/// A model that does not meet the tolerance, with its error where it is known.
+/// The name of a model that does not meet the tolerance, with its estimated error if there is one.
 fn beyond(line: &Line) -> String {
     let error = line.model.as_ref().ok().filter(|model| model.first > 0.0);
     error.map_or_else(|| line.name.clone(), |model| format!("{} ({:.0e})", line.name, model.first))
 }
 
-/// The evaluations that the choice took, and from which run on it saves more than that.
+/// The evaluations that the choice itself took, and the number of runs after which it saves work.
 fn decided(receipt: &Receipt) -> String {
     let worth = receipt
         .worth()
@@ -137,7 +137,7 @@ fn told(value: Option<f64>) -> String {
     known.map_or_else(|| "-".to_owned(), |value| format!("{value:.1e}"))
 }
 
-/// The reason for which a line has no run.
+/// The reason for which a line of the receipt has no run.
 fn said(line: &Line) -> String {
     match line.verdict {
         Sufficiency::Suffices => "too inexact",

@@ -1,4 +1,4 @@
-//! `dalembert derive`: equations of motion by a chosen principle, or a scene's right-hand side, in many notations.
+//! `dalembert derive`: equations of motion by a chosen principle, or the right-hand side of a scene, in many notations.
 
 mod notation;
 
@@ -18,8 +18,8 @@ use symbolic::Language;
 /// Arguments of `derive`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// The system: gyrostat, motor; a file with `[coordinates]`, whose equations of motion are written; or another scene, SCENE.toml,
-    /// whose right-hand side and Jacobian are written as code
+    /// The system: `gyrostat`, `motor`; a file with `[coordinates]`, of which the equations of motion are printed; or another scene, SCENE.toml,
+    /// of which the right-hand side and the Jacobian are printed as code
     #[arg(value_name = "SYSTEM|SCENE.toml")]
     pub system: String,
     /// The principle; without it the first that applies
@@ -53,7 +53,7 @@ pub enum PrincipleName {
     /// Newton's and Euler's equations of every body, projected onto partial velocities (Jourdain, Kane)
     #[value(alias = "kane", alias = "jourdain")]
     VirtualPower,
-    /// Gauss, from the least constraint
+    /// Gauss, from the principle of least constraint
     Gauss,
     /// Newton's and Euler's equations of every body with the loads of its joints
     NewtonEuler,
@@ -83,7 +83,7 @@ pub enum Equations {
 /// Prints the equations.
 pub fn derive(asked: &Args) -> Result<Exit, Exit> {
     let path = Path::new(&asked.system);
-    // a scene with a motor shows the motor alone; with --echo or --principle the equations of the whole system
+    // for a scene with a motor, only the motor is shown; with --echo or --principle the equations of the whole system
     let of_whole = asked.echo || asked.principle.is_some();
     let is_model = is_held(path, if of_whole { has_model } else { holds_model });
     if asked.echo && !is_model {
@@ -103,12 +103,12 @@ pub fn derive(asked: &Args) -> Result<Exit, Exit> {
     Ok(Exit::Done)
 }
 
-/// Whether a file can be read and its text has a property.
+/// Whether a file can be read and its text has a given property.
 fn is_held(path: &Path, kind: fn(&str) -> bool) -> bool {
     read_text(path).is_ok_and(|text| kind(&text))
 }
 
-/// The equations of motion of a system that is written in its file.
+/// The equations of motion of a system that is defined in its file.
 fn of_model(asked: &Args, path: &Path) -> Result<String, Exit> {
     refuse_form(asked, "a system that is written in its file has one form")?;
     let principle = asked.principle.map(in_file).transpose()?;
@@ -151,17 +151,17 @@ fn mathml(derived: &Derived<'_, '_>) -> Result<String, String> {
     Ok(lines.join("\n") + "\n")
 }
 
-/// The principle of a system that is written in its file.
+/// The principle for a system that is defined in its file.
 fn in_file(name: PrincipleName) -> Result<NamedPrinciple, Exit> {
     let named = name.to_possible_value().and_then(|value| NamedPrinciple::of_name(value.get_name()).ok());
-    // some names are principles of the built-in systems alone
+    // some principles exist only for built-in systems
     named.ok_or_else(|| {
         let names: Vec<&str> = NamedPrinciple::all().into_iter().map(NamedPrinciple::name).collect();
         Exit::refused(format!("for a system that is written in its file the principle may be: {}", names.join(", ")))
     })
 }
 
-/// Refuses --form, which applies to a scene's code alone.
+/// Refuses --form, which is accepted only for the code of a scene.
 fn refuse_form(asked: &Args, why: &str) -> Result<(), Exit> {
     match asked.form {
         None => Ok(()),

@@ -1,4 +1,4 @@
-//! Equations of the program's own systems, and right-hand sides of scenes, in many notations.
+//! Equations of the built-in systems, and right-hand sides of scenes, in many notations.
 
 use super::{Args, Equations, refuse_form};
 use crate::exit::Exit;
@@ -28,7 +28,7 @@ pub(super) fn written(equations: &[Equation], format: Equations) -> Result<Strin
     }
 }
 
-/// The letters of all equations, in the order in which they occur.
+/// The letters of all equations, in the order of their first occurrence.
 fn letters(equations: &[Equation]) -> Vec<Sym> {
     let mut letters = Vec::new();
     for letter in equations.iter().flat_map(|each| [each.left, each.right]).flat_map(Sym::symbols_of) {
@@ -53,7 +53,7 @@ fn sympy(equations: &[Equation]) -> String {
     text + "]\n"
 }
 
-/// A language of straight-line code: the sign of its comments, and the lines before the functions.
+/// A language for straight-line code: the sign of its comments, and the lines before the functions.
 struct Written {
     language: Language,
     comment: &'static str,
@@ -65,7 +65,7 @@ const PYTHON: Written =
     Written { language: Language::Python, comment: "#", needs: "from math import cos, sin, sqrt\n\n\n" };
 const RUST: Written = Written { language: Language::Rust, comment: "//", needs: "\n" };
 
-/// A function of the letters whose values vanish where the equations hold.
+/// The code of a function whose values are the left sides minus the right sides of the equations.
 fn residuals(equations: &[Equation], written: &Written) -> Result<String, Exit> {
     let letters = letters(equations);
     let sides: Vec<Sym> = equations.iter().map(|each| each.left - each.right).collect();
@@ -77,7 +77,7 @@ fn residuals(equations: &[Equation], written: &Written) -> Result<String, Exit> 
     Ok(format!("{comment} The letters y: {}.\n{comment} Left sides less right sides.\n{needs}{code}", names.join(", ")))
 }
 
-/// Refuses a law with a constant outside the range of double precision: its code would compute with infinity or zero instead.
+/// Refuses a law with a constant outside the range of double precision, in place of which the code would contain infinity or zero.
 fn in_doubles(tape: &Tape) -> Result<(), Exit> {
     tape.beyond_range().map_or(Ok(()), |constant| {
         let mut digits = constant.to_string();
@@ -92,7 +92,7 @@ fn in_doubles(tape: &Tape) -> Result<(), Exit> {
     })
 }
 
-/// The equations of a scene's motor as text, or the scene's rates and Jacobian as functions.
+/// The equations of the motor of a scene, or the code for the rates and the Jacobian of the scene.
 pub(super) fn of_scene(asked: &Args) -> Result<String, Exit> {
     let format = asked.format.unwrap_or(Equations::Text);
     let sympy = Written { needs: "from sympy import cos, sin, sqrt, symbols\n\n\n", ..PYTHON };

@@ -1,4 +1,4 @@
-//! Counts of the ensemble members that reached the end and of those that stopped, by reason.
+//! Counts of ensemble members that reached the end of their run, and of members that stopped, by reason.
 
 use crate::exit::is_quiet;
 use simulation::RunFailure;
@@ -6,24 +6,24 @@ use simulation::ensemble::Stopped;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// Counts of the members that reached the end and of those that stopped.
+/// Counts of members that reached the end and of members that stopped.
 #[derive(Default)]
 pub struct Fates {
     pub members: u64,
-    /// Stopped members by the kind of their reason.
+    /// Counts of stopped members by the kind of reason.
     stopped: BTreeMap<String, Counted>,
 }
 
-/// The members that stopped for reasons of one kind.
+/// The count of members that stopped for reasons of one kind.
 struct Counted {
     count: u64,
-    /// The first such member.
+    /// The number of the first such member.
     member: u64,
     why: String,
 }
 
 impl Fates {
-    /// Counts a member by its number, with the reason for which it stopped, where it did.
+    /// Adds a member by its number; `stopped` is the reason for which it stopped, if it did.
     pub fn add(&mut self, member: u64, stopped: Option<&str>) {
         self.members += 1;
         if let Some(why) = stopped {
@@ -41,7 +41,7 @@ impl Fates {
         self.members - self.stopped()
     }
 
-    /// The counts as text, with the failures of the first member of each kind.
+    /// The counts as text, with the failures of the first stopped member of each kind. `before` is the number of members of earlier runs.
     pub fn text(&self, path: &Path, before: u64, failures: impl Fn(u64) -> Vec<RunFailure>) -> String {
         let (reached, stopped) = (self.reached(), self.stopped());
         let mut text = format!("{} members: {reached} reached the end, {stopped} did not\n", self.members);
@@ -54,7 +54,7 @@ impl Fates {
         if before > 0 {
             text += &format!("the first {before} were there already\n");
         }
-        // the name of a file is not a result, and --quiet prints results only
+        // --quiet prints only results, and the name of the file is not one
         if is_quiet() { text } else { text + &format!("{}\n", path.display()) }
     }
 }

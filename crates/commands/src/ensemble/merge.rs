@@ -1,4 +1,4 @@
-//! Joining the tables of the parts of an ensemble: the missing members, and one table, byte for byte as one run would have written it.
+//! Joins the tables of the parts of an ensemble: lists missing members, and writes one table, byte for byte as a single run would write it.
 
 use super::fates::Fates;
 use super::rows::{Makers, RowOfMember, Rows, heading};
@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 /// The number of members between two checks of the clock.
 const BETWEEN: u64 = 1 << 12;
 
-/// A table of a part with its current row.
+/// The table of a part, with its current row.
 struct Part<'a> {
     path: &'a Path,
     rows: Rows<'a, BufReader<File>>,
@@ -32,7 +32,7 @@ fn foreign(path: &Path, line: usize, why: &str) -> Exit {
     Exit::refused(format!("{}, line {line}: {why}; tables of the parts of this ensemble are accepted", path.display()))
 }
 
-/// Goes through all members once: `take` gets the row of a member, or a range of members that no part has.
+/// Visits all members once. `take` receives the row of a member, or a range of members that occur in no part.
 fn joined(
     scene: &EnsembleScene,
     paths: &[PathBuf],
@@ -79,7 +79,7 @@ enum Joined<'a> {
     Missing(RangeInclusive<u64>),
 }
 
-/// Prints the members that no part has, a range in each line.
+/// Prints the members that occur in no part, one range per line.
 pub fn missing(scene: &EnsembleScene, paths: &[PathBuf], makers: Makers) -> Result<Exit, Exit> {
     let mut any = false;
     joined(scene, paths, makers, |joined| match joined {
@@ -92,7 +92,7 @@ pub fn missing(scene: &EnsembleScene, paths: &[PathBuf], makers: Makers) -> Resu
     Ok(if any { Exit::Stopped } else { Exit::Done })
 }
 
-/// Writes one table of all members.
+/// Writes one table with all members.
 pub fn merge(
     scene: &EnsembleScene,
     paths: &[PathBuf],
@@ -154,15 +154,15 @@ pub fn merge(
     Ok(if fates.reached() > 0 { Exit::Done } else { Exit::Stopped })
 }
 
-/// A table of this ensemble that stands where the joined one is to be written: its rows are those of the parts, unless the parts have changed.
+/// An existing table of this ensemble at the destination. Its rows must agree with those of the parts, otherwise it is not replaced.
 struct Standing<'a> {
     path: &'a Path,
     rows: Option<Rows<'a, BufReader<File>>>,
 }
 
-/// The table at a path, if its first row is one of this ensemble.
+/// The table at a path; `None` unless its first row belongs to this ensemble.
 fn of_this<'a>(scene: &'a EnsembleScene, path: &Path) -> Option<Rows<'a, BufReader<File>>> {
-    // reading a pipe would wait for a writer
+    // opening a pipe would wait for a writer
     let open =
         || Rows::of(BufReader::new(File::open(path).ok().filter(|_| path.is_file())?), scene, Makers::This).ok()?;
     open()?.next_row().ok()??;
@@ -170,7 +170,7 @@ fn of_this<'a>(scene: &'a EnsembleScene, path: &Path) -> Option<Rows<'a, BufRead
 }
 
 impl Standing<'_> {
-    /// Refuses a next row that is another than that of the parts; one that ends early loses nothing.
+    /// Refuses a row that differs from the joined one. A table that ends early is accepted, since nothing is lost.
     fn meets(&mut self, wanted: Option<&[u8]>) -> Result<(), Exit> {
         let Some(rows) = &mut self.rows else { return Ok(()) };
         match rows.next_row() {

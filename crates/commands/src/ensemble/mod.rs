@@ -1,4 +1,4 @@
-//! `dalembert ensemble`: runs the members of an ensemble; the table of results survives a kill, and parts run on several computers.
+//! `dalembert ensemble`: runs the members of an ensemble. Its table of results survives a kill, and parts may run on several computers.
 
 mod fates;
 mod merge;
@@ -56,7 +56,7 @@ impl Args {
     }
 }
 
-/// Runs the members that are not done yet, and prints the counts of all.
+/// Runs the members that are not in the table yet, and prints the counts of all members.
 pub fn run(asked: &Args) -> Result<Exit, Exit> {
     if asked.any_processor && asked.merge.is_empty() && asked.missing.is_empty() {
         return Err(Exit::refused(
@@ -103,7 +103,7 @@ pub fn run(asked: &Args) -> Result<Exit, Exit> {
     drop(progress);
     print(&told.text(path, before, |member| scene.failures(member, &|| clock::goes_on().is_continue())))?;
     if told.members == all {
-        // the exit code of a run that stops, where no member reached its end
+        // a single run that stops has this exit code too
         return Ok(if told.reached() > 0 { Exit::Done } else { Exit::Stopped });
     }
     print(&format!("interrupted: the same command continues with member {}\n", next(told.members)))?;

@@ -1,10 +1,10 @@
-//! One part of an ensemble: a contiguous range of members; the sizes of parts differ by at most one.
+//! A part of an ensemble: a contiguous range of members. The sizes of parts differ by at most one.
 
 use std::fmt;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
 
-/// Part number `I` of `N`.
+/// Part `number`, counted from 1, of `parts`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Part {
     number: u64,
@@ -12,7 +12,7 @@ pub struct Part {
 }
 
 impl Part {
-    /// The members of the part; `None` where there are fewer members than parts.
+    /// The members of the part, for an ensemble of this many members; `None` where there are fewer members than parts.
     pub fn of(self, members: u64) -> Option<RangeInclusive<u64>> {
         let end = |number: u64| (u128::from(number) * u128::from(members) / u128::from(self.parts)) as u64;
         (self.parts <= members).then(|| end(self.number - 1) + 1..=end(self.number))
@@ -32,7 +32,7 @@ impl FromStr for Part {
     }
 }
 
-/// Prints `I-of-N`, as in names of files; `{:#}` prints `I/N`, as in the option.
+/// Formats as `I-of-N`, for names of files; the alternate form `{:#}` gives `I/N`, the form of the option.
 impl fmt::Display for Part {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let between = if f.alternate() { "/" } else { "-of-" };

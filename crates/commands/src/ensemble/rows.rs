@@ -1,4 +1,4 @@
-//! Reads the table of an ensemble row by row; a file with a row of another ensemble is refused.
+//! Reads the table of an ensemble row by row. A file with a row of another ensemble is refused.
 
 use crate::csv;
 use crate::output::each_row;
@@ -6,24 +6,24 @@ use ::csv::{ReaderBuilder, StringRecord};
 use simulation::ensemble::{EnsembleScene, Fingerprint};
 use std::io::{self, BufRead, Read};
 
-/// The largest length of a row, in bytes.
+/// The largest accepted length of a row in bytes.
 const LONGEST: u64 = 1 << 24;
 
-/// The line at which a file is no table of the ensemble, and the reason.
+/// The number of the line at which a file turns out not to be a table of the ensemble, and the reason.
 pub type Foreign = (usize, String);
 
-/// The origins of rows that are accepted.
+/// The programs and processors whose rows are accepted.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Makers {
-    /// Rows of this version of the program, on a processor that rounds as this one does.
+    /// This version of the program, on a processor that rounds like this one.
     This,
     Any,
 }
 
-/// A row: its member, and whether it reached the end.
+/// A row: the number of its member, and whether the member reached the end of its run.
 pub struct RowOfMember {
     pub member: u64,
-    /// The reason for which the member stopped, where it did.
+    /// The reason for which the member stopped; `None` if it reached the end.
     pub stopped: Option<String>,
 }
 
@@ -32,7 +32,7 @@ pub fn heading(scene: &EnsembleScene) -> String {
     format!("{},{}\n", csv::line(&scene.headings()), each_row::COLUMN)
 }
 
-/// A reader of a table, which holds one line at a time.
+/// A reader of a table; it stores one line at a time.
 pub struct Rows<'a, R> {
     table: R,
     scene: &'a EnsembleScene,
@@ -41,14 +41,14 @@ pub struct Rows<'a, R> {
     heading: String,
     /// The number of columns before the hashes of rows.
     columns: usize,
-    /// The last row, with its end of line.
+    /// The last row with its line end.
     text: Vec<u8>,
     line: usize,
     before: u64,
 }
 
 impl<'a, R: BufRead> Rows<'a, R> {
-    /// Opens a table; `None` where the headings are incomplete, since a run was killed before its first row.
+    /// Opens a table. `None` where its first line is incomplete, because a run was killed before its first row.
     pub fn of(mut table: R, scene: &'a EnsembleScene, makers: Makers) -> Result<Option<Self>, Foreign> {
         let heading = heading(scene);
         let unreadable = |error: io::Error| (1, error.to_string());
@@ -82,7 +82,10 @@ impl<'a, R: BufRead> Rows<'a, R> {
         self.line
     }
 
-    /// The next complete row.
+    /// The next complete row; `None` at the end of the file or at an incomplete last line.
+    ///
+    /// # Errors
+    /// The line and the reason, where the row does not belong to this ensemble.
     pub fn next_row(&mut self) -> Result<Option<RowOfMember>, Foreign> {
         self.line += 1;
         let line = self.line;
@@ -123,7 +126,7 @@ impl<'a, R: BufRead> Rows<'a, R> {
     }
 }
 
-/// The cells of one line; `None` where it is not one row.
+/// The cells of a line; `None` where the line is not exactly one row.
 fn cells(line: &[u8]) -> Option<StringRecord> {
     let mut reader = ReaderBuilder::new().has_headers(false).buffer_capacity(1 << 10).from_reader(line);
     let mut records = reader.records();

@@ -1,8 +1,8 @@
-//! The table of an ensemble on the disk: complete rows in the order of the members, so that a run continues after the last one.
+//! The table of an ensemble on the disk: complete rows in the order of the members, so that a later run continues after the last row.
 //!
-//! Each row ends with the fingerprint of all that decides a member's result, and of the program and processor, then with its hash, by which
-//! a row that was edited is refused. Columns work with every reader and stay with their rows when tables are joined, unlike a comment or
-//! a second file. An incomplete last line is removed, and the last complete row is computed again: it must be reproduced.
+//! Each row ends with a fingerprint and a hash. The fingerprint depends on everything that determines a member's result, including program and
+//! processor; the hash reveals an edited row. Both are columns, since every reader accepts columns, and since columns remain with their rows
+//! when tables are joined. When a table is continued, an incomplete last line is removed, and the last complete row is computed again and compared.
 
 use super::fates::Fates;
 use super::rows::{Foreign, Makers, Rows, heading};
@@ -18,28 +18,28 @@ use std::ops::{ControlFlow, RangeInclusive};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// The number of waiting bytes at which rows are written.
+/// The number of buffered bytes at which rows are written.
 const BLOCK: usize = 1 << 14;
 
 /// The interval at which written rows are synced to the disk.
 const CHUNK: Duration = Duration::from_millis(500);
 
-/// The table on the disk.
+/// The table of an ensemble on the disk, open for appending.
 pub struct Table {
     path: PathBuf,
     file: File,
     fingerprint: String,
     /// The number of columns before the hashes of rows.
     columns: usize,
-    /// Rows that are not written yet.
+    /// Rows that are buffered and not written yet.
     waiting: String,
-    /// The length of the file, in bytes.
+    /// The length of the file in bytes.
     length: u64,
     settled: Instant,
 }
 
 impl Table {
-    /// Makes the table of some members, or continues an existing one.
+    /// Creates the table for a range of members, or opens an existing one to continue it. Returns the counts of the members in it.
     pub fn open(
         writes: &Writes<'_>,
         path: &Path,
@@ -54,7 +54,7 @@ impl Table {
                 let reason = "another run writes to it; wait for its end, or name another file";
                 return Err(Exit::refused(format!("{}: {reason}", path.display())));
             }
-            // where files cannot be locked, the user must avoid two runs at once
+            // on systems without locks for files, the user must not start two runs at once
             Ok(()) | Err(TryLockError::Error(_)) => {}
         }
         let fingerprint = Fingerprint::of(scene);
@@ -84,7 +84,7 @@ impl Table {
         Ok((table, told))
     }
 
-    /// Adds a row. A kill loses rows that are not written yet, a power failure those that are not synced.
+    /// Adds a row. A kill loses buffered rows; a power failure loses rows that are not synced.
     pub fn push(&mut self, row: &Row) -> Result<(), Exit> {
         self.waiting += &line(row, self.columns, &self.fingerprint);
         if self.settled.elapsed() >= CHUNK {
@@ -93,13 +93,13 @@ impl Table {
         if self.waiting.len() >= BLOCK { self.write().map_err(|error| self.unwritable(&error)) } else { Ok(()) }
     }
 
-    /// Writes the waiting rows, syncs all to the disk, and checks that the file is still the same.
+    /// Writes buffered rows, syncs the file to the disk, and checks that the path still leads to this file.
     pub fn settle(&mut self) -> Result<(), Exit> {
         let settled = self.write().and_then(|()| self.file.sync_data());
         settled.map_err(|error| self.unwritable(&error))?;
         self.settled = Instant::now();
         let same = self.file.try_clone().and_then(Handle::from_file).and_then(|own| {
-            // opening a pipe in the place of the file would wait for a reader
+            // the path may meanwhile be a pipe, and opening a pipe would wait for a reader
             Ok(self.path.is_file()
                 && Handle::from_path(&self.path)? == own
                 && self.file.metadata()?.len() == self.length)
@@ -121,13 +121,13 @@ impl Table {
         Ok(())
     }
 
-    /// The error of a failed write; complete rows are kept, so that the run can be continued.
+    /// The error of a failed write. The complete rows remain in the file, so that the run can be continued.
     fn unwritable(&self, error: &io::Error) -> Exit {
         Exit::unwritable(&self.path, error)
     }
 }
 
-/// The number of bytes of a file's complete rows, which belong to the members from the first one on, and their counts.
+/// The number of bytes of the heading and of the complete rows, and the counts of the members in these rows. The rows must be those of the first members.
 fn read(
     table: impl BufRead,
     scene: &EnsembleScene,
@@ -155,7 +155,7 @@ fn read(
         last.clear();
         last.extend_from_slice(rows.text());
     }
-    // the row of a member; empty where the clock stopped it
+    // the row of a member as it is computed now; empty where the clock stopped the computation
     let computed = |member: u64| {
         let mut text = String::new();
         scene.run(member..=member, 1, |row| {
@@ -170,7 +170,7 @@ fn read(
             return Err((rows.line() - 1, format!("member {} gives another row when it is computed again", next - 1)));
         }
     }
-    // an incomplete line is removed only where a killed run left it
+    // an incomplete line is removed only if it is the beginning of the next row, as a killed run leaves it
     if !rows.text().is_empty() {
         let begun = (next <= *members.end()).then(|| computed(next));
         let why = match begun {
@@ -187,12 +187,12 @@ fn read(
     Ok((whole, told))
 }
 
-/// The line of a row, with its end of line; cells without a value are empty.
+/// The line of a row with its line end; cells without a value are empty.
 fn line(row: &Row, columns: usize, fingerprint: &str) -> String {
     let number = |x: Option<f64>| x.filter(|x| x.is_finite()).map_or_else(String::new, |x| x.to_string());
     let mut cells = vec![row.number.to_string()];
     cells.extend(row.drawn.iter().map(f64::to_string));
-    // a reason must not break the line
+    // a reason must not contain a line end
     cells.push(row.stopped.as_deref().map_or_else(String::new, |why| why.replace(['\n', '\r'], " ")));
     cells.push(number(row.last.as_ref().map(|last| last.time)));
     cells.push(row.steps.to_string());

@@ -1,4 +1,4 @@
-//! Files of certificates of verdicts: one for each paper, in a folder.
+//! Files with certificates of verdicts, one for each paper, in a folder.
 
 use crate::arguments::Format;
 use crate::exit::Exit;
@@ -14,6 +14,8 @@ pub struct CertificateFolder<'a> {
 }
 
 impl<'a> CertificateFolder<'a> {
+    /// The folder at a path; the command creates it where it is missing.
+    ///
     /// # Errors
     /// The path exists and is not a folder.
     pub fn of(path: &'a Path, command: &'static str, force: bool) -> Result<Self, Exit> {
@@ -26,7 +28,7 @@ impl<'a> CertificateFolder<'a> {
         Ok(CertificateFolder { path, command, force })
     }
 
-    /// Writes the certificates of a paper, with its key, title and citation; no file where it has none.
+    /// Writes the certificates of a paper with its key, title and citation; writes nothing where there are no certificates.
     pub fn write(
         &self,
         [key, title, citation]: [&str; 3],
@@ -47,7 +49,7 @@ impl<'a> CertificateFolder<'a> {
             claims,
         };
         let text = serde_json::to_string(&file).map_err(Exit::refused)?;
-        // the seal, its last key, closes the object
+        // the object stays open, since the seal is added as its last key
         output.write_text(text.strip_suffix('}').unwrap_or(&text))?.tell(format)
     }
 }

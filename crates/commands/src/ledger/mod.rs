@@ -1,4 +1,4 @@
-//! `dalembert ledger`: every claim with its verdict.
+//! `dalembert ledger`: all claims with their verdicts.
 
 mod certificates;
 pub mod paper_file;
@@ -36,7 +36,7 @@ pub struct Args {
     pub force: bool,
 }
 
-/// Prints the claims whose id contains the filter, and whose verdict is the requested one, if any.
+/// Prints the claims whose id contains the filter and whose verdict is the requested one, if any.
 pub fn list(asked: &Args) -> Result<Exit, Exit> {
     let verdict = asked.verdict.as_deref().map(verdict).transpose()?;
     let folder =
@@ -86,7 +86,7 @@ fn verdict(name: &str) -> Result<Verdict, Exit> {
 /// A claim with its certificates.
 type Certified = (Judged, Vec<Certificate>);
 
-/// Judges the claims whose id contains the filter and no others, with their certificates where these are wanted.
+/// The judged claims whose id contains the filter, with their certificates if `certified`.
 fn those_with(filter: &str, certified: bool) -> Vec<Certified> {
     let mut judged: Vec<Option<Vec<Certified>>> = papers().iter().map(|_| None).collect();
     let mut crew = JobPool::default();
@@ -102,12 +102,12 @@ fn those_with(filter: &str, certified: bool) -> Vec<Certified> {
     }
     crew.work(|_| ());
     let mut all: Vec<Certified> = judged.into_iter().flatten().flatten().collect();
-    // a filter that names a page or the beginning of an id means these: ids with the word elsewhere come last
+    // claims whose id begins with the filter come first, since the user probably means these
     all.sort_by_key(|(claim, _)| !claim.id.starts_with(filter));
     all
 }
 
-/// A paper's section of the report, and whether every claim in it is sound.
+/// The section of a paper in the report, and whether every claim in it is sound.
 pub fn judged(paper: &Paper) -> (PaperSection, bool) {
     let judged = (paper.page)().judge();
     let sound = judged.iter().all(|claim| claim.sound().is_ok());

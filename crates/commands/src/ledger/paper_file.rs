@@ -16,7 +16,7 @@ use serde_json::json;
 use std::path::PathBuf;
 use std::time::Duration;
 
-/// The time before the deadline in which no correction is searched for.
+/// The time before the deadline at which the search for corrections ends.
 const KEPT: Duration = Duration::from_millis(500);
 
 /// Arguments of `judge`.
@@ -46,7 +46,7 @@ pub struct Args {
     pub test: bool,
 }
 
-/// The end of the long help: the contents of a paper's file.
+/// The last part of the long help: an example of a paper's file.
 pub const HELP: &str = r#"A paper's file:
 
   title = "A pendulum"
@@ -102,7 +102,7 @@ pub fn judge(asked: &Args) -> Result<Exit, Exit> {
     let so_far = |findings: &[Finding]| {
         let settled = findings.len() - findings.iter().filter(is_open).count();
         progress.set((findings.len() + settled) as f64 / (2 * all) as f64);
-        // the exit code says that a list is not whole
+        // the exit code reports that the list is incomplete
         if asked.json {
             clock::publish(format!("{:#}\n", findings.iter().map(object).collect::<serde_json::Value>()));
         } else if !asked.test {
@@ -111,7 +111,7 @@ pub fn judge(asked: &Args) -> Result<Exit, Exit> {
     };
     let folder =
         asked.certificates.as_deref().map(|path| CertificateFolder::of(path, "judge", asked.force)).transpose()?;
-    // corrections are optional: the search for them ends in time for printing
+    // corrections are optional; the search for them ends early enough to print the verdicts
     let goes_on = || !asked.test && clock::left() > KEPT;
     let PaperFindings { findings, unjudged, error } = paper.findings(folder.is_some(), so_far, goes_on)?;
     drop(progress);
@@ -171,7 +171,7 @@ fn tested(findings: &[Finding], unjudged: usize) -> String {
     format!("{met} of {} verdicts as expected{rest}{unread}\n", expected.len())
 }
 
-/// A claim without a verdict as JSON.
+/// A claim without a verdict as a JSON object.
 pub fn unjudged_object(claim: &UnjudgedClaim) -> serde_json::Value {
     let UnjudgedClaim { id, equation, printed, line, fault, accepted } = claim;
     json!({
@@ -183,7 +183,7 @@ pub fn unjudged_object(claim: &UnjudgedClaim) -> serde_json::Value {
     })
 }
 
-/// A claim with its verdict as JSON.
+/// A claim with its verdict as a JSON object.
 pub fn object(finding: &Finding) -> serde_json::Value {
     let Finding { judged, printed, given, expected, allowed, sides, kind, corrections, search, .. } = finding;
     let told = |pairs: &[(String, String)]| pairs.iter().map(|(text, _)| text.clone()).collect::<Vec<_>>();
@@ -208,7 +208,7 @@ pub fn object(finding: &Finding) -> serde_json::Value {
         "right": sides.as_ref().map(|sides| &sides.right),
         "missing": judged.difference.as_ref().map(|(text, _)| text),
         "missing_latex": judged.difference.as_ref().map(|(_, latex)| latex),
-        // the reason for which there is no correction, or the smallest edits that make the claim true, all of one size
+        // the reason for which there is no correction; corrections, if any, are all of the smallest size
         "search": search.told().filter(|_| corrections.is_empty()),
         "corrections": corrections.iter().map(corrected).collect::<serde_json::Value>(),
         "objections": judged.objections,
@@ -241,12 +241,12 @@ fn report(paper: &PaperText, findings: &[Finding], unjudged: &[UnjudgedClaim]) -
     }
 }
 
-/// The claims in the order of the file, those that were not read among them.
+/// The section of the report with all claims in the order of the file, including those that could not be read.
 fn section(paper: &PaperText, findings: &[Finding], unjudged: &[UnjudgedClaim]) -> PaperSection {
     let (mut judged, mut unread) = (findings.iter().peekable(), unjudged.iter().peekable());
     let claims = paper.claims.iter().filter_map(|claim| {
         let id = paper.id_of(claim);
-        // the second of two claims with one name was not judged
+        // of two claims with one name, the second was not judged
         let finding = judged.next_if(|finding| finding.judged.id == id && claim.faults.is_empty());
         finding.map(|finding| row(&finding.judged)).or_else(|| {
             unread.next_if(|one| one.id == id).map(|one| ClaimRow { section: claim.section.clone(), ..unread_row(one) })
@@ -261,14 +261,14 @@ fn section(paper: &PaperText, findings: &[Finding], unjudged: &[UnjudgedClaim]) 
     }
 }
 
-/// A paper's section of the report, and whether every verdict is the one that its file expects.
+/// The section of a paper in the report, and whether every verdict is the one that its file expects.
 ///
 /// # Errors
 /// All faults of the file.
 pub fn judged(paper: &PaperText) -> Result<(PaperSection, bool), SceneError> {
     let findings = paper.judge_each(|_| (), || clock::left() > KEPT)?;
     let mut section = section(paper, &findings, &[]);
-    // to keep the report small, formulas of proved claims are left as printed; `judge --page` typesets them
+    // to keep the report small, proved claims are shown as printed and not typeset again; `judge --page` typesets them
     for row in section.claims.iter_mut().filter(|row| row.verdict == Verdict::Proved && !row.reading.is_empty()) {
         row.latex.clear();
     }

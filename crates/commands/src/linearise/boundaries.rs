@@ -1,4 +1,4 @@
-//! `dalembert linearise --along`: exact values of a parameter at which stability changes.
+//! `dalembert linearise --along NAME`: exact values of a parameter at which stability changes, by Routh's criterion.
 
 use super::{Args, Form};
 use crate::exit::{Exit, print};
@@ -9,14 +9,14 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use units::nearest;
 
-/// The quantity that varies: a parameter, or with a range also a coordinate or a speed at the start.
+/// The quantity that varies: a parameter; with a range also a coordinate or a speed at the start.
 #[derive(Clone, Debug)]
 pub struct AlongWhat {
     pub name: String,
     pub range: Option<[f64; 2]>,
 }
 
-/// Reads `p` or `p=0..1`.
+/// Parses `p` or `p=0..1`.
 pub(super) fn asked(text: &str) -> Result<AlongWhat, String> {
     let Some((name, range)) = text.split_once('=') else {
         return Ok(AlongWhat { name: text.trim().to_owned(), range: None });
@@ -28,7 +28,7 @@ pub(super) fn asked(text: &str) -> Result<AlongWhat, String> {
     Ok(AlongWhat { name: name.trim().to_owned(), range: Some(range.ok_or_else(accepted)?) })
 }
 
-/// Prints the boundaries.
+/// Prints the values of a parameter at which stability changes.
 pub(super) fn show(asked: &Args, model: &Model, state: &[f64], parameter: &str) -> Result<Exit, Exit> {
     let refused = |why: String| Exit::refused(format!("{}: --along {parameter}: {why}", asked.scene.display()));
     let names: Vec<&str> = model.parameters.iter().map(|own| own.name.as_str()).collect();

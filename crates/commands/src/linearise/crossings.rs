@@ -1,5 +1,5 @@
-//! `dalembert linearise --along NAME=FROM..TO`: brackets of the values at which eigenvalues cross the imaginary axis, by enclosures. At each
-//! value the steady motion is that of the start, or the one that is found from there.
+//! `dalembert linearise --along NAME=FROM..TO`: brackets of the values at which eigenvalues cross the imaginary axis, by enclosures. For each
+//! value the motion is that from the start, or, with `--about equilibrium`, the equilibrium found from there.
 
 use super::{Args, Form};
 use crate::clock::has_time;
@@ -11,7 +11,7 @@ use model::Model;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// Prints the crossings.
+/// Prints the brackets of the crossings.
 pub(super) fn show(asked: &Args, model: &Model, name: &str, range: [f64; 2]) -> Result<Exit, Exit> {
     let refused = |why: String| Exit::refused(format!("{}: --along {name}: {why}", asked.scene.display()));
     let at = |value: f64| -> Result<(Model, Vec<f64>), String> {

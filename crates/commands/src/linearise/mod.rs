@@ -1,4 +1,4 @@
-//! `dalembert linearise`: the linear equations of a system that is written in its file, about a point or along its run.
+//! `dalembert linearise`: the linear equations of a system that is defined in its file, about a point or along its run.
 
 mod boundaries;
 mod crossings;
@@ -21,7 +21,7 @@ use serde_json::json;
 use std::borrow::Cow;
 use std::path::PathBuf;
 
-/// Arguments of `linearise`: the model and the point of linearisation.
+/// Arguments of `linearise`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
     /// A file with `[coordinates]`
@@ -53,7 +53,7 @@ pub struct Args {
 }
 
 impl Args {
-    /// The scene of the file, ready to run.
+    /// The scene of the file with the values of `--set`, ready to run.
     fn run(&self) -> Result<ModelScene, Exit> {
         let given = Given { values: self.values.clone(), ..Given::default() };
         Ok(ModelScene::parse_with(&self.scene.display().to_string(), &read_text(&self.scene)?, given)?)
@@ -96,7 +96,7 @@ pub fn linearise(asked: &Args) -> Result<Exit, Exit> {
     }
     let mut model = read_model(&asked.scene, Task::Vary)?;
     set_values(&mut model, &asked.values).map_err(|why| refused(format!("--set: {why}")))?;
-    // inputs without a value are zero at the point
+    // inputs without a value are zero at the point of linearisation
     model.close_inputs();
     let inputs = inputs_of(&mut model, &asked.inputs).map_err(refused)?;
     let whole = model.clone();
@@ -134,7 +134,7 @@ pub fn linearise(asked: &Args) -> Result<Exit, Exit> {
             _ if !equations.feedback.is_empty() => Some(Err(NotEnclosed::Feedback)),
             standing => {
                 let found = EnclosedSpectrum::near(&model, &state, || clock::goes_on().is_continue());
-                // along a motion in a circle the linear equations without cyclic coordinates are constant
+                // along a relative equilibrium the linear equations are constant once the cyclic coordinates are left out
                 Some(found).filter(|found| found.is_ok() || standing != Standing::Moving)
             }
         };
@@ -151,7 +151,7 @@ pub fn linearise(asked: &Args) -> Result<Exit, Exit> {
     Ok(Exit::Done)
 }
 
-/// The times of linearisation with the states then.
+/// The times of linearisation, each with its state.
 fn instances(model: &mut Model, asked: &Args) -> Result<Vec<points::Instance>, Exit> {
     let refused = |why: String| Exit::refused(format!("{}: {why}", asked.scene.display()));
     if !asked.times.is_empty() {

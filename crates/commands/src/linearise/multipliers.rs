@@ -7,7 +7,7 @@ use ::scenes::linearisation::{Multipliers, Names, NoMultipliers, Ones, Orbit, Va
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// Prints the Floquet multipliers.
+/// Prints the Floquet multipliers, and the verdict on stability.
 pub(super) fn show(asked: &Args, period: f64) -> Result<Exit, Exit> {
     let refused = |why: String| Exit::refused(format!("{}: {why}", asked.scene.display()));
     let scene = asked.run()?;

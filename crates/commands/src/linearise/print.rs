@@ -1,4 +1,4 @@
-//! Linear equations as text, JSON and a table.
+//! Linear equations as text, JSON and CSV.
 
 use crate::csv::{headed as csv_headed, line};
 use crate::spectrum;
@@ -11,13 +11,13 @@ use serde_json::json;
 use std::collections::HashMap;
 use std::fmt::Write;
 
-/// The linear equations about a point; at a steady motion also its eigenvalues in discs, or the reason for which there are none.
+/// The linear equations at a point. At a steady motion, `enclosed` contains enclosures of the eigenvalues, or the reason for which there are none.
 pub(super) struct Found {
     pub linear: Linear,
     pub enclosed: Option<Result<EnclosedSpectrum, NotEnclosed>>,
 }
 
-/// The names of rows and columns, each with its unit.
+/// The names of rows and columns of the matrices, without and with units.
 pub(super) struct Headed {
     names: Names,
     headed: HashMap<String, String>,
@@ -34,7 +34,7 @@ impl Headed {
         Headed { headed: headed.collect(), names }
     }
 
-    /// The values of a point, each coordinate with its rates; accelerations that are rounding are printed as zero.
+    /// The coordinates, speeds and accelerations of a point as text. Rounding errors are shown as zero, and at a steady motion all accelerations.
     fn point(&self, point: &Point, standing: Standing) -> String {
         let still = if standing == Standing::Moving { 1.0 } else { 0.0 };
         let point = Point {
@@ -123,13 +123,13 @@ pub(super) fn text(headed: &Headed, Found { linear: found, enclosed }: &Found) -
     text
 }
 
-/// One verdict: by enclosures where these decide, or show that the linear equations do not; otherwise by numbers.
+/// The verdict on stability: by enclosures where these decide it, or prove that the linear equations do not; otherwise by floating-point numbers.
 fn verdict(
     Linear { eigenvalues, stability, .. }: &Linear,
     enclosed: Option<&Result<EnclosedSpectrum, NotEnclosed>>,
 ) -> String {
     match enclosed.filter(|_| !eigenvalues.is_empty()) {
-        // exact fractions leave no room for numbers
+        // where exact arithmetic leaves the verdict open, floating-point numbers cannot decide it either
         Some(Ok(enclosed)) if spectrum::is_decided(enclosed) || enclosed.exact.is_some() => spectrum::verdict(enclosed),
         Some(Ok(enclosed)) => {
             let stability = enclosed.by_centres().unwrap_or(*stability);
@@ -140,17 +140,17 @@ fn verdict(
     }
 }
 
-/// Values of one kind, with rounding errors replaced by zero.
+/// The values with those replaced by zero that are rounding errors compared with the largest.
 fn without_rounding(values: &DVector<f64>) -> DVector<f64> {
     values.map(|value| shown(value, values.amax()))
 }
 
-/// An entry, or zero where it is rounding compared with the largest one.
+/// The value, or zero where it is a rounding error compared with the largest one.
 fn shown(value: f64, largest: f64) -> f64 {
     if value.abs() < 1e-14 * largest { 0.0 } else { value }
 }
 
-/// A number with twelve digits, padded for a column.
+/// A number with twelve significant digits, padded for a column.
 fn number(value: f64) -> String {
     let value = if value == 0.0 { 0.0 } else { value };
     let text = match value.abs() {
@@ -186,8 +186,8 @@ pub(super) fn object(headed: &Headed, Found { linear: found, enclosed }: &Found)
     object
 }
 
-/// A row for each entry of a matrix, then for each eigenvalue. Rows and columns carry their units: an entry has that of its row, per
-/// second in A and B, over that of its column.
+/// The CSV table: a row for each entry of a matrix, then for each eigenvalue. Names of rows and columns contain their units. The unit of an entry is that
+/// of its row divided by that of its column, and per second in A and B.
 pub(super) fn csv(headed: &Headed, all: &[Found]) -> String {
     let mut text = "time [s],matrix,row,column,value\n".to_owned();
     for Found { linear: Linear { linear, eigenvalues, .. }, .. } in all {

@@ -1,4 +1,4 @@
-//! `dalembert new motor`: a motor that compiles and conforms, for its author to change.
+//! `dalembert new motor`: a motor that compiles and passes all checks, for its author to change.
 
 mod names;
 
@@ -40,17 +40,17 @@ pub struct Motor {
     pub project: PathBuf,
 }
 
-/// The file that lists the machines, as modules and as motors.
+/// The file that lists the motors, as modules and as registered motors.
 const LIST: &str = "derivations/machines/src/lib.rs";
 const ENDS: [&str; 2] = ["\n\nmotor::submit! {", "\n        ],"];
 
-/// A file with the text to be written.
+/// A file to be created, with its text.
 struct Begun {
     place: PathBuf,
     text: String,
 }
 
-/// Writes all files of the new motor, or none.
+/// Creates all files of the new motor, or none.
 pub fn write(asked: &Args) -> Result<Exit, Exit> {
     let What::Motor(asked) = &asked.what;
     let name = asked.name.as_str();
@@ -68,7 +68,7 @@ pub fn write(asked: &Args) -> Result<Exit, Exit> {
     let scene = scene_place(asked, in_project);
     let begun = begun(asked, &scene);
     for Begun { place, .. } in &begun {
-        // a folder of this name would be a module of the same name
+        // a folder of this name could contain a module of the same name
         if place.exists() || (!asked.text && place.with_extension("").is_dir()) {
             let place = place.display();
             return Err(Exit::refused(format!("{place} exists; the name of a motor that does not exist is accepted")));
@@ -108,7 +108,7 @@ pub fn write(asked: &Args) -> Result<Exit, Exit> {
     Ok(Exit::Done)
 }
 
-/// The path of the new scene: among the project's scenes, or in the folder itself without a project.
+/// The path of the new scene: in the project's folder of scenes, or without a project in the given folder.
 fn scene_place(asked: &Motor, in_project: bool) -> PathBuf {
     let folder = if in_project { "scenes/machines" } else { "" };
     asked.project.join(folder).join(&asked.name).with_extension("toml")
@@ -130,7 +130,7 @@ fn begun(asked: &Motor, scene: &Path) -> Vec<Begun> {
     ]
 }
 
-/// The name of a type for a motor's name: `SalientPole` for `salient_pole`.
+/// The name of a type for the name of a motor: `SalientPole` for `salient_pole`.
 fn camel(name: &str) -> String {
     let capital = |part: &str| {
         let mut letters = part.chars();
@@ -144,7 +144,7 @@ fn read(place: &Path) -> String {
     fs::read_to_string(place).unwrap_or_default()
 }
 
-/// A text with a line inserted before the end of a list.
+/// The text with a line inserted before the first occurrence of `end`.
 fn with_line(text: &str, line: &str, end: &str) -> String {
     match text.split_once(end) {
         Some((before, after)) => format!("{before}\n{line}{end}{after}"),
@@ -152,7 +152,7 @@ fn with_line(text: &str, line: &str, end: &str) -> String {
     }
 }
 
-/// Makes a file, and its folder where it is missing.
+/// Creates a file, and its folder if it is missing.
 fn create(place: &Path, text: &str) -> Result<(), Exit> {
     if let Some(folder) = place.parent() {
         fs::create_dir_all(folder).map_err(|error| Exit::unwritable(folder, &error))?;

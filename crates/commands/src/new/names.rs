@@ -1,11 +1,11 @@
-//! Checks of names of new motors: each must serve as a file, a module, a type and a test on every system, without a clash of names.
+//! Checks of the name of a new motor: it must be valid as a file, a module, a type and a test on every system, and not be in use.
 
 use super::{LIST, MACHINE, TEST, camel};
 use crate::exit::Exit;
 use std::fs;
 use std::path::Path;
 
-/// Keywords of Rust, which no module can have as its name; a test called `main` has a special meaning.
+/// Keywords of Rust, which cannot name a module, and `main`, which has a special meaning for a test.
 const WORDS: &[&str] = &[
     "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do", "dyn", "else",
     "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro", "main",
@@ -13,7 +13,7 @@ const WORDS: &[&str] = &[
     "trait", "true", "try", "type", "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
 ];
 
-/// Rust's own crates, those of the tests, and those that motors use: a module of such a name would hide them.
+/// Rust's own crates, and the crates that tests and motors use; a module with such a name would hide the crate.
 const CRATES: &[&str] = &[
     "alloc",
     "claims",
@@ -37,7 +37,7 @@ const PRIMITIVES: &[&str] = &[
     "u64", "u128", "usize",
 ];
 
-/// Names of Rust's prelude: a motor's type would hide them.
+/// Names of Rust's prelude, which a type of such a name would hide.
 const PRELUDE: &[&str] = &[
     "AsMut",
     "AsRef",
@@ -87,10 +87,10 @@ const PRELUDE: &[&str] = &[
     "Vec",
 ];
 
-/// Names of devices, which cannot be names of files on some systems, with any extension.
+/// Names of devices, which some systems do not accept as names of files, with any extension.
 const DEVICES: &[&str] = &["aux", "con", "nul", "prn"];
 
-/// Accepts letters, digits and _, beginning with a letter, and no keyword of Rust.
+/// Accepts lower-case letters, digits and _, beginning with a letter; refuses keywords of Rust.
 pub fn check_letters(name: &str) -> Result<(), Exit> {
     let begins = name.bytes().next().is_some_and(|byte| byte.is_ascii_lowercase());
     let goes_on = name.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'_');
@@ -104,7 +104,7 @@ pub fn check_letters(name: &str) -> Result<(), Exit> {
     Ok(())
 }
 
-/// Refuses a name that Rust, an operating system or the project uses already.
+/// Refuses a name that Rust, an operating system or the project already uses.
 pub fn check_free(name: &str, project: &Path) -> Result<(), Exit> {
     match taken(name, project) {
         None => Ok(()),
@@ -114,7 +114,7 @@ pub fn check_free(name: &str, project: &Path) -> Result<(), Exit> {
     }
 }
 
-/// The present owner of the name, or of the type's name.
+/// The reason for which the name, or the name of the type, is in use; `None` if it is free.
 fn taken(name: &str, project: &Path) -> Option<String> {
     let capital = camel(name);
     if is_device(name) {
@@ -124,7 +124,7 @@ fn taken(name: &str, project: &Path) -> Option<String> {
         return Some(format!("the language has `{name}` or `{capital}` already"));
     }
     let manifest = fs::read_to_string(project.join("Cargo.toml")).unwrap_or_default();
-    // lines of a manifest begin with a key, for dependencies the name of the crate
+    // a line of a manifest begins with a key, which for a dependency is the name of the crate
     let key = |line: &str| line.split(['.', '=', ' ']).next().is_some_and(|key| key.replace('-', "_") == name);
     if manifest.lines().any(key) {
         return Some("Cargo.toml has a crate or a key of this name".to_owned());
@@ -137,14 +137,14 @@ fn taken(name: &str, project: &Path) -> Option<String> {
     used.then(|| format!("the files of a new motor use `{capital}` for something else"))
 }
 
-/// Whether a name is that of a device, also with a number, as for the first serial port.
+/// Whether a name is that of a device, also with a digit: `com1` is the first serial port.
 fn is_device(name: &str) -> bool {
     let port = name.strip_prefix("com").or_else(|| name.strip_prefix("lpt"));
     DEVICES.contains(&name)
         || port.is_some_and(|number| number.len() == 1 && number.bytes().all(|n| n.is_ascii_digit()))
 }
 
-/// The identifiers in a Rust text, without those in its comments.
+/// The identifiers in a Rust text except those in comments.
 fn identifiers(text: &str) -> impl Iterator<Item = &str> {
     let code = text.lines().map(|line| line.split("//").next().unwrap_or_default());
     code.flat_map(|line| line.split(|c: char| !c.is_ascii_alphanumeric() && c != '_')).filter(|word| !word.is_empty())

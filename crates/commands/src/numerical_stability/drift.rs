@@ -1,4 +1,4 @@
-//! `dalembert numerical-stability --drift`: integrals along the motion from the start, by theory and by runs.
+//! `dalembert numerical-stability --drift`: the drift of conserved quantities along the motion from the start, by theory and by runs.
 
 use super::Args;
 use crate::arguments::Format;
@@ -18,7 +18,7 @@ use std::fmt::Write;
 use std::ops::ControlFlow;
 use studies::scene::Scene;
 
-/// The number of periods over which the drift is reported.
+/// The number of periods over which the theoretical drift is reported.
 const MILLION: f64 = 1e6;
 
 /// The default number of steps of a run.
@@ -35,7 +35,7 @@ pub(super) const CLASSICAL: [Method; 4] = [
     Method::BackwardEuler { steps: 1 },
 ];
 
-/// A method with a number of steps in a period, and the drifts that it causes.
+/// The drifts for a method with a number of steps per period.
 struct Row {
     method: Method,
     steps: u32,
@@ -50,7 +50,7 @@ struct Found {
     integrals: Vec<Integral>,
     sizes: Vec<f64>,
     rows: Vec<Row>,
-    /// Whether the work of loads is metered beside the state.
+    /// Whether the work of loads is integrated as an additional state.
     is_metered: bool,
 }
 
@@ -58,25 +58,25 @@ pub(super) fn goes_on() -> ControlFlow<()> {
     if clock::has_time() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
 }
 
-/// All combinations of the requested methods and numbers of steps.
+/// All combinations of the requested methods and numbers of steps per period.
 pub(super) fn methods(asked: &Args) -> Vec<(Method, u32)> {
     let methods = if asked.method.is_empty() { &CLASSICAL[..] } else { &asked.method[..] };
     let each = |method: &Method| asked.steps.iter().map(|steps| (*method, *steps)).collect::<Vec<_>>();
     methods.iter().flat_map(each).collect()
 }
 
-/// The number of periods of a run with a given number of steps in each.
+/// The number of periods of a run with a given number of steps per period.
 pub(super) fn periods(asked: &Args, steps: u32) -> u32 {
     asked.periods.unwrap_or((AFFORDABLE / steps).clamp(2, MILLION as u32))
 }
 
-/// The name of a method without its steps.
+/// The name of a method without its number of steps.
 pub(super) fn name(method: Method) -> String {
     let all = method.to_string();
     all.split(',').next().unwrap_or_default().to_owned()
 }
 
-/// Prints the drift of every integral under every method.
+/// Prints the drift of every conserved quantity with every method.
 pub(super) fn show(asked: &Args) -> Result<Exit, Exit> {
     let refused = |why: &str| Exit::refused(format!("{}: --drift: {why}", asked.scene.display()));
     let text = read_text(&asked.scene)?;
@@ -140,7 +140,7 @@ pub(super) fn show(asked: &Args) -> Result<Exit, Exit> {
 }
 
 impl Found {
-    /// The change of an integral relative to its size; the change itself where it has no size.
+    /// The change of a conserved quantity relative to its magnitude; the change itself where the magnitude is zero.
     fn part(&self, place: usize, change: f64) -> f64 {
         if self.sizes[place] > 0.0 { change / self.sizes[place] } else { change }
     }
@@ -183,7 +183,7 @@ impl Found {
         out
     }
 
-    /// The drift by theory in one window, and in a million of them.
+    /// The theoretical drift over one window, and over a million of them.
     fn theory(&self, place: usize, row: &Row) -> [String; 2] {
         let expected = match &row.expected {
             Ok(all) => all[place],

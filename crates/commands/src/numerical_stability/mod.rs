@@ -1,4 +1,4 @@
-//! `dalembert numerical-stability`: the step sizes for which a method preserves the stability or instability of a stationary motion.
+//! `dalembert numerical-stability`: the step sizes for which a method preserves the stability or instability of a steady motion.
 
 mod drift;
 mod model;
@@ -33,7 +33,7 @@ pub struct Args {
     pub omega0: Option<f64>,
     #[command(flatten)]
     pub steady: SteadyBox,
-    /// Another machine, made of the scene's data
+    /// Another model of the motor, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,
     /// The drift of conserved energies and momenta, by theory and by runs: along the motion from the start, or for oscillations about each
@@ -55,7 +55,7 @@ pub struct Args {
     pub format: Format,
 }
 
-/// A motion along which integrals drift.
+/// The motion along which the drift of conserved quantities is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Motion {
     /// The motion from the start of the file
@@ -64,7 +64,7 @@ pub enum Motion {
     Steady,
 }
 
-/// Reads a method with constant steps, by its name.
+/// Parses the name of a method with constant steps.
 fn constant(name: &str) -> Result<Method, String> {
     let known = || {
         let named = methods::list().filter_map(|(written, _)| written.strip_suffix(":STEPS").map(str::to_owned));
@@ -73,10 +73,10 @@ fn constant(name: &str) -> Result<Method, String> {
     methods::method(&format!("{name}:1")).ok().filter(|method| method.steps().is_some()).ok_or_else(known)
 }
 
-/// The tests of every splitting method on a motion.
+/// The tests of all splitting methods at a motion.
 type Courses = [Tested; Splitting::ALL.len()];
 
-/// Prints the verdicts of all methods on all motions.
+/// Prints the verdicts of all methods at all steady motions.
 pub fn show(asked: &Args) -> Result<Exit, Exit> {
     match asked.drift {
         Some(Motion::Start) => return drift::show(asked),
@@ -97,7 +97,7 @@ pub fn show(asked: &Args) -> Result<Exit, Exit> {
     let omega0 = asked.omega0.unwrap_or_default();
     let chart =
         Chart::of(&scene, omega0).map_err(|reason| Exit::refused(format!("{}: {reason}", asked.scene.display())))?;
-    // for a member of a family several multipliers are exactly one, which rounding would separate
+    // along a family of motions several multipliers are exactly one, and rounding would move them apart
     let of_motion = |motion: &Stationed| {
         let near = motion.member.is_none().then(|| SplitRuns::near(&scene, motion))?;
         Some(Splitting::ALL.map(|splitting| near.course(splitting, &steps())))
@@ -143,7 +143,7 @@ fn object(scene: &Scene, w: f64, chart: &Chart, tested: &[Option<Courses>]) -> V
     json!({ "scene": scene.title, "model": scene.machine.name(), "omega0": w, "motions": each.collect::<Vec<_>>() })
 }
 
-/// The verdicts of a method over the ranges of step sizes from zero on, s; the last range has no end.
+/// The verdicts of a method on the ranges of step sizes, in seconds, from zero on; the last range is unbounded.
 fn method(row: &Row) -> Value {
     let stretches = row.steps.as_ref().map(|steps| {
         let each = steps.all().map(|(from, to, stretch)| {

@@ -1,4 +1,4 @@
-//! Numerical stability of methods on the steady motions of a system that is written in its file.
+//! Numerical stability of methods at the steady motions of a system that is defined in its file.
 
 use super::{Args, method};
 use crate::arguments::Format;
@@ -15,24 +15,24 @@ use std::fmt::Write;
 use studies::numerical_stability::chart::{Row, rows};
 use studies::numerical_stability::modes::modes;
 
-/// A steady motion with its modes.
+/// A steady motion with its linear equations.
 struct Judged<'a> {
     motion: &'a SteadyMotion,
-    /// The linear motion, or the reason for which there is none.
+    /// The linear equations, or the reason for which there are none.
     near: Result<Near, String>,
 }
 
-/// The linear motion about a steady motion.
+/// The linear equations about a steady motion.
 struct Near {
     /// Real and imaginary parts of the eigenvalues, 1/s.
     eigenvalues: Vec<[f64; 2]>,
-    /// The number of zero eigenvalues, which are left out.
+    /// The number of zero eigenvalues, which are not in `eigenvalues`.
     zeros: usize,
     modes: Vec<Mode>,
     rows: Vec<Row>,
 }
 
-/// Prints the verdicts of every method on every steady motion.
+/// Prints the verdicts of all methods at all steady motions.
 pub(super) fn show(asked: &Args) -> Result<Exit, Exit> {
     let given = [("--omega0", asked.omega0.is_some()), ("--model", asked.model.is_some())];
     if let Some((option, _)) = given.iter().find(|(_, is_given)| *is_given) {
@@ -79,7 +79,7 @@ pub(super) fn show(asked: &Args) -> Result<Exit, Exit> {
     Ok(last)
 }
 
-/// The motions of a search with their modes.
+/// The steady motions of a search with their linear equations.
 fn judged<'a>(asked: &Args, found: &'a Found, (law, is_at_condition): (&Model, bool)) -> Vec<Judged<'a>> {
     if !found.motions.families.is_empty() {
         warn(&format!(
@@ -90,7 +90,7 @@ fn judged<'a>(asked: &Args, found: &'a Found, (law, is_at_condition): (&Model, b
         ));
     }
     let equations = VariedEquations::of(law, &[]).map_err(|why| why.to_string());
-    // a law whose first derivatives do not jump at its condition has linear equations
+    // at a condition of the law there are linear equations only if the first derivatives of the law are continuous
     let is_kink = |motion: &SteadyMotion| {
         (is_at_condition || matches!(motion.stability, SteadyStability::AtCondition(_)))
             && !matches!(
@@ -130,8 +130,8 @@ fn near(equations: &VariedEquations, motion: &SteadyMotion, keeps_energy: bool) 
     Ok(Near { rows: rows(&modes), zeros, modes, eigenvalues })
 }
 
-/// The eigenvalues of the linear equations without cyclic coordinates, which are constant along a motion in which those with them change: centres
-/// of the discs that enclose them.
+/// The eigenvalues of the linear equations without cyclic coordinates, as centres of enclosing discs. Along a motion in which cyclic coordinates
+/// change, only these equations are constant.
 fn without_cyclic(motion: &SteadyMotion) -> Result<Vec<[f64; 2]>, String> {
     let (SteadyStability::Linear(found) | SteadyStability::InTouch(found)) = &motion.stability else {
         return Err("the linear equations change along the motion".to_owned());
@@ -141,7 +141,7 @@ fn without_cyclic(motion: &SteadyMotion) -> Result<Vec<[f64; 2]>, String> {
     Ok(std::iter::repeat_n([0.0; 2], enclosed.zeros.len()).chain(others).collect())
 }
 
-/// A sentence on the linear motion.
+/// A sentence on the signs of the real parts of the eigenvalues.
 fn does(Near { modes, zeros, .. }: &Near) -> String {
     let count =
         |sign: i32| -> usize { modes.iter().filter(|mode| mode.place.sign() == sign).map(|mode| mode.count).sum() };

@@ -1,5 +1,5 @@
-//! `dalembert numerical-stability --drift=steady`: the energy of small oscillations about each steady motion, by stability functions and by runs
-//! on the nonlinear law.
+//! `dalembert numerical-stability --drift=steady`: the change of the energy of small oscillations about each steady motion, by stability functions
+//! and by runs with the nonlinear law.
 
 use super::Args;
 use super::drift::{goes_on, methods, name, periods};
@@ -21,13 +21,13 @@ use studies::numerical_stability::methods::OneStep;
 use studies::numerical_stability::oscillation::displaced;
 use studies::stabilisation::schemes::Scheme;
 
-/// The number of periods over which the drift is reported.
+/// The number of periods over which the theoretical change is reported.
 const MILLION: f64 = 1e6;
 
-/// The largest displacement of a run, relative to one in SI units and to the coordinate itself.
+/// The largest initial displacement, as a fraction of 1 SI unit and of the coordinate itself.
 const SMALL: f64 = 1e-3;
 
-/// A method on an oscillation.
+/// The change of the energy of an oscillation, for a method with a number of steps per period.
 struct Row {
     method: Method,
     steps: u32,
@@ -36,14 +36,14 @@ struct Row {
     measured: Result<Measured, String>,
 }
 
-/// An oscillation about a motion.
+/// A small oscillation about a steady motion.
 struct Oscillation {
-    /// rad/s
+    /// The angular frequency in rad/s.
     frequency: f64,
     rows: Vec<Row>,
 }
 
-/// Prints the drift of the energy of every oscillation.
+/// Prints the change of the energy of every oscillation.
 pub(super) fn show(asked: &Args) -> Result<Exit, Exit> {
     let path = asked.scene.display();
     let text = read_text(&asked.scene)?;
@@ -54,7 +54,7 @@ pub(super) fn show(asked: &Args) -> Result<Exit, Exit> {
         )));
     }
     let found = asked.steady.find(&asked.scene, asked.steady.system_in(&asked.scene)?)?;
-    // a system without [run] gets a default one
+    // these settings replace a missing table [run]
     let run = Run {
         span: 1.0,
         samples: 2,
@@ -85,7 +85,7 @@ pub(super) fn show(asked: &Args) -> Result<Exit, Exit> {
     Ok(asked.steady.ended(&asked.scene, &found.motions))
 }
 
-/// Every oscillation about a motion, with every method.
+/// All small oscillations about a steady motion, with the results of every method.
 fn oscillations(
     asked: &Args,
     equations: &VariedEquations,
@@ -123,7 +123,7 @@ fn oscillations(
     Ok(all.into_iter().map(of).collect())
 }
 
-/// The relative change of an oscillation's energy in a period of a given number of steps.
+/// The relative change of the energy of an oscillation in one period, by the stability function of the method; `None` where it has none.
 fn theory(method: Method, steps: u32) -> Option<f64> {
     let (scheme, _) = Scheme::of(method, 1.0)?;
     let function = OneStep::Classical(scheme).function()?;
@@ -131,7 +131,7 @@ fn theory(method: Method, steps: u32) -> Option<f64> {
     Some((f64::from(steps) * change.ln_1p()).exp_m1())
 }
 
-/// The energy after a million periods relative to that at the start.
+/// The energy after a million periods divided by the initial energy, as text; `change` is the relative change in one period.
 fn after_a_million(change: f64) -> String {
     let power = MILLION * change.ln_1p();
     match power.abs() {

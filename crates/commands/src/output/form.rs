@@ -1,11 +1,11 @@
-//! The forms of output files, and the marks by which a command recognises its own files.
+//! The forms of output files, and the marks and seals by which a command recognises files that it wrote.
 //!
-//! Every file holds a hash of itself, a seal, so that what was changed by hand is never replaced: a table in its first comment, the table of
-//! an ensemble in each of its rows, an archive and a functional mock-up unit in a file of their own, the others in their last line. A file
-//! without its seal was edited, and is not replaced either. Only references were written without a seal before; they do not state the
-//! version of the program, and are replaced. A picture begins with a comment that names the command, a page names the command as its generator, a reference says which
-//! command made it. A table begins with comments, `# ...`, on its origin (`pandas.read_csv(..., comment="#")`); it is
-//! recognised by the line after them, the names of its columns with their units.
+//! Every file contains a seal, a hash of its content, so that a command never replaces a file that was changed by hand. The seal is in the first
+//! comment of a table, in each row of the table of an ensemble, in a separate member of an archive and of a functional mock-up unit, and in the last
+//! line of all other files. A file without its seal counts as changed. The exception is references of earlier versions of the program, which have
+//! no seal; they do not name the version, and are replaced. A file also contains the mark of its command: a picture in its first comment, a page in
+//! the name of its generator, a reference in the line on its maker. A table is recognised by its first line after the comments `# ...` (its origin;
+//! read it with `pandas.read_csv(..., comment="#")`), which contains the names of its columns with their units.
 
 use super::seal::last_line::Around;
 use super::seal::{each_row, first_line, last_line};
@@ -16,23 +16,23 @@ use std::path::Path;
 /// The form of an output file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// A picture, SVG.
+    /// An SVG picture.
     Picture,
-    /// A page, HTML.
+    /// An HTML page.
     Page,
-    /// A solution with its digits.
+    /// A reference solution.
     Reference,
-    /// A table, CSV, with this first line after its comments.
+    /// A CSV table; the text is the line with the names of its columns.
     Table(String),
-    /// The table of an ensemble, CSV, with this first line, and a hash in each row.
+    /// The CSV table of an ensemble, with a hash in each row; the text is the line with the names of its columns.
     Rows(String),
-    /// Arrays of NumPy.
+    /// An archive of NumPy arrays (.npz).
     Archive,
-    /// The certificates of a paper, JSON.
+    /// The certificates of a paper, as JSON.
     Certificates,
-    /// A functional mock-up unit.
+    /// A functional mock-up unit (.fmu).
     Unit,
-    /// A program in a language.
+    /// A program in this language.
     Program(Source),
 }
 
@@ -45,14 +45,14 @@ pub struct Source {
     seal: Around,
 }
 
-/// The maker of a file that stands where another is to be written.
+/// The origin of an existing file at the destination of an output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Origin {
-    /// The command wrote it; an empty file counts as such, since nothing can be lost.
+    /// This command wrote the file. An empty file counts as such, since its replacement loses nothing.
     Own,
-    /// The command wrote it, and it was changed since.
+    /// This command wrote the file, and the file was changed afterwards.
     Changed,
-    /// It has the mark of the command, and lacks the seal with which it was written.
+    /// The file has the mark of this command, but lacks its seal.
     Unsealed,
     Other,
 }
@@ -64,11 +64,11 @@ impl Source {
     pub const RUST: Source = Source { ends: &["rs"], comment: "//", seal: Around::SLASHES };
 }
 
-/// The command that writes; the report's has no name.
+/// The name of the command that writes a file; empty for the report.
 #[derive(Clone, Copy, Debug)]
 pub struct Maker(pub &'static str);
 
-/// The number of bytes at the beginning of a file within which its mark stands.
+/// The number of bytes at the beginning of a file that contain its mark.
 const HEAD: u64 = 4096;
 
 impl Maker {
@@ -77,7 +77,7 @@ impl Maker {
         format!("dalembert {}", self.0).trim_end().to_owned()
     }
 
-    /// The name of the generator in pages and pictures.
+    /// The name of the command with the version of the program, for pages and pictures.
     pub fn generator(self) -> String {
         format!("{}, version {}", self.name(), env!("CARGO_PKG_VERSION"))
     }
@@ -98,7 +98,7 @@ impl Form {
         }
     }
 
-    /// The form for the extension of a path, among some forms.
+    /// The form, among `forms`, that the extension of a path determines; `None` for other extensions.
     pub fn named(path: &Path, forms: &[Form]) -> Option<Form> {
         let end = path.extension()?.to_str()?;
         forms.iter().find(|form| form.ends().iter().any(|known| known.eq_ignore_ascii_case(end))).cloned()
@@ -118,7 +118,7 @@ impl Form {
         }
     }
 
-    /// The mark of the maker, which precedes the content.
+    /// The mark of the command that is written before the content.
     pub fn mark(&self, maker: Maker) -> String {
         match self {
             Form::Picture => format!("<!-- {} -->\n", maker.generator()),
@@ -126,7 +126,7 @@ impl Form {
         }
     }
 
-    /// The text around the seal in the last line of a file of this form.
+    /// The text around the seal, for forms with the seal in their last line.
     pub fn last_line(&self) -> Option<Around> {
         match self {
             Form::Program(source) => Some(source.seal),
@@ -137,14 +137,14 @@ impl Form {
         }
     }
 
-    /// Whether a file that begins like this was written with a seal: all but references that do not state the version of the program.
+    /// Whether a file with this beginning was written with a seal, as all files except references without the version of the program.
     fn was_sealed(&self, head: &str) -> bool {
         let has_version =
             |head: &str| head.lines().any(|line| line.starts_with("# Made by: ") && line.contains(", version "));
         !head.is_empty() && (*self != Form::Reference || has_version(head))
     }
 
-    /// Whether this command wrote a file, by its mark and its seal.
+    /// The origin of an existing file, by its mark and its seal.
     ///
     /// # Errors
     /// The file cannot be read.
@@ -160,7 +160,7 @@ impl Form {
         })
     }
 
-    /// Whether the seal of a file is that of its content; `None` where it has none.
+    /// Whether the seal of a file is the hash of its content; `None` where it has no seal.
     fn seal_holds(&self, file: &Path) -> io::Result<Option<bool>> {
         Ok(match (self, self.last_line()) {
             (_, Some(around)) => last_line::holds(&fs::read(file)?, around),
@@ -171,7 +171,7 @@ impl Form {
         })
     }
 
-    /// The beginning of a file, in which its mark stands.
+    /// The beginning of a file, which contains its mark.
     fn head(&self, file: &Path) -> io::Result<String> {
         let mut head = Vec::new();
         let room = match self {
@@ -182,7 +182,7 @@ impl Form {
         Ok(String::from_utf8_lossy(&head).into_owned())
     }
 
-    /// Whether a file that begins like this is empty, or has the mark of this command in this form.
+    /// Whether the beginning of a file is empty or contains the mark of this command in this form.
     fn is_marked(&self, maker: Maker, text: &str) -> bool {
         let name = maker.name();
         text.is_empty()
@@ -195,7 +195,7 @@ impl Form {
                 Form::Unit => text.contains(&format!("generationTool=\"{name}, version ")),
                 Form::Program(source) => text.starts_with(&format!("{} made by: {name}, version ", source.comment)),
                 Form::Certificates => text.starts_with(&format!("{{\"made_by\":\"{name}, version ")),
-                // characters of a NumPy array of texts have four bytes each
+                // a NumPy array of texts stores four bytes for each character
                 Form::Archive => text.replace('\0', "").contains(&format!("made by: {name}, version ")),
                 Form::Table(heading) => {
                     let comments: usize =

@@ -1,12 +1,12 @@
-//! Output files: the rule by which all commands write and replace them.
+//! Output files: the rules by which all commands write and replace them.
 //!
-//! * The extension of a name determines the form, and a command refuses extensions of forms that it does not write.
-//! * Folders that are missing are made when the file is written.
-//! * An existing file is replaced only if this command wrote it, as its first lines show (see [`Form`]), and nobody changed it since, as
-//!   its seal shows, or with `--force`; a file that the command reads is never replaced, under any of its names.
-//! * All of this is checked before the work and again when the file is written: a file that appeared meanwhile is left alone,
-//!   and the results are kept beside it.
-//! * A pipe or a device is written to directly, under any name; a pipe without a reader is refused.
+//! * The extension of a name determines the form; a command refuses extensions of forms that it does not write.
+//! * Missing folders are created when the file is written.
+//! * An existing file is replaced only if this command wrote it and nobody has changed it since, which its mark and seal show (see [`Form`]),
+//!   or with `--force`. A file that the command reads is never replaced, whatever the path to it.
+//! * These rules are checked before the work, and again when the file is written. If another program has created the file meanwhile, that file
+//!   remains, and the results are kept beside it under another name.
+//! * Output to a pipe or a device is written directly, whatever its name; a pipe without a reader is refused.
 
 mod form;
 mod place;
@@ -28,7 +28,7 @@ use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-/// The form in which results are printed.
+/// The format in which results are printed.
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
 pub enum Format {
     /// Text for readers
@@ -38,17 +38,17 @@ pub enum Format {
     Json,
 }
 
-/// The rights of a command to write and replace files.
+/// The files that a command may write and replace.
 pub struct Writes<'a> {
-    /// The name of the command, by which it recognises its own files.
+    /// The name of the command, which is part of the mark of its files.
     pub command: &'static str,
-    /// Whether a file of another maker may be replaced.
+    /// Whether a file that this command did not write may be replaced.
     pub force: bool,
     /// The files that the command reads.
     pub reads: Vec<&'a Path>,
 }
 
-/// The destination of an output: a file to be written, or an open device.
+/// The checked destination of an output: the path of a file to be written, or an open device.
 pub struct Output {
     path: PathBuf,
     form: Form,
@@ -56,7 +56,7 @@ pub struct Output {
     rights: Rights,
 }
 
-/// An owned copy of [`Writes`] for the instant at which the file is written.
+/// An owned copy of [`Writes`], used when the file is written.
 struct Rights {
     maker: Maker,
     force: bool,
@@ -64,8 +64,8 @@ struct Rights {
 }
 
 impl Writes<'_> {
-    /// The destination for one of these forms, by the extension: checked before the work, so that a wrong name does not
-    /// waste it. Nothing is made yet.
+    /// The destination at a path, in the form among `forms` that its extension determines. It is checked before the work, so that an unacceptable
+    /// name does not waste the work; nothing is created yet.
     pub fn output(&self, path: &Path, forms: &[Form]) -> Result<Output, Exit> {
         let place = Target::of(path).map_err(|error| Exit::unwritable(path, &error))?;
         let form = match (Form::named(path, forms), &place) {
@@ -91,12 +91,12 @@ impl Writes<'_> {
         Ok(Output { path: path.to_owned(), form, place, rights })
     }
 
-    /// The destination where a path is given; `None` where none is.
+    /// The destination at a path; `None` without a path.
     pub fn optional(&self, path: Option<&Path>, forms: &[Form]) -> Result<Option<Output>, Exit> {
         path.map(|path| self.output(path, forms)).transpose()
     }
 
-    /// The path of a table that is read before it is continued: a file, or nothing yet. Its rows show whether it is the command's own.
+    /// The path of a table that is read before it is continued: an existing file or a free name. Its rows show whether the command wrote it.
     pub fn continued(&self, path: &Path) -> Result<PathBuf, Exit> {
         let output = Writes { force: true, reads: self.reads.clone(), ..*self };
         match output.output(path, &[Form::Table(String::new())])?.place {
@@ -108,14 +108,14 @@ impl Writes<'_> {
         }
     }
 
-    /// The command, as it marks its files.
+    /// The name of the command for marks.
     pub fn maker(&self) -> Maker {
         Maker(self.command)
     }
 }
 
 impl Rights {
-    /// Checks that a file may be written at a path; true where it replaces an existing one.
+    /// Checks that a file may be written at a path. True where it replaces an existing file, false where none exists.
     fn admit(&self, path: &Path, file: &Path, form: &Form) -> Result<bool, Exit> {
         if std::fs::symlink_metadata(file).is_err() {
             return Ok(false);
@@ -154,12 +154,12 @@ impl Output {
         &self.path
     }
 
-    /// The content to be written.
+    /// The form of the content.
     pub fn form(&self) -> &Form {
         &self.form
     }
 
-    /// Writes the output atomically, with the mark of its maker where the form has one.
+    /// Writes the content atomically, with the mark of the command and the seal of the form.
     pub fn write(self, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<Written, Exit> {
         let _held = clock::held();
         let Output { path, form, place, rights } = self;
@@ -216,7 +216,7 @@ impl Written {
     }
 }
 
-/// Writes to a device or pipe; a pipe that its reader has closed is no error.
+/// Writes to a device or a pipe. A pipe that its reader has closed is not an error.
 fn to_device(device: File, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     let mut out = BufWriter::new(device);
     match content(&mut out).and_then(|()| out.flush()) {
@@ -225,7 +225,7 @@ fn to_device(device: File, content: impl FnOnce(&mut dyn Write) -> io::Result<()
     }
 }
 
-/// The error of a file that appeared or changed at the destination after the first check.
+/// The error for a destination at which a file has appeared since the first check; the results are kept under another name.
 fn came_meanwhile(path: &Path, written: Beside) -> Exit {
     let kept = match written.keep() {
         Ok(kept) => format!("the results are kept in {}", kept.display()),
@@ -234,7 +234,7 @@ fn came_meanwhile(path: &Path, written: Beside) -> Exit {
     Exit::refused(format!("{} was created meanwhile by another program, and is not replaced; {kept}", path.display()))
 }
 
-/// Refuses two outputs of one command to one file.
+/// Refuses two outputs of one command that lead to the same file.
 pub fn apart(one: Option<&Output>, other: Option<&Output>) -> Result<(), Exit> {
     let (Some(one), Some(other)) = (one, other) else { return Ok(()) };
     match one.path == other.path || one.place.is(&other.place) {

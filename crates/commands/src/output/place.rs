@@ -1,4 +1,4 @@
-//! The target of a path: a file that may exist, or a pipe or device, which is opened at once.
+//! The target of a path: a file that may exist, or a pipe or device, which is opened immediately.
 
 use std::fs::{self, File, FileType, OpenOptions};
 use std::io;
@@ -6,15 +6,15 @@ use std::path::{Path, PathBuf};
 
 /// The target of a path.
 pub enum Target {
-    /// A file that may exist; links are followed.
+    /// The path of a file that may exist, with links resolved.
     File(PathBuf),
-    /// A terminal, a pipe or the null device: written to directly.
+    /// An open terminal, pipe or null device, to which output is written directly.
     Device(File),
 }
 
 impl Target {
-    /// Finds the target of a path. A pipe is opened here and stays open, so that its reader waits for the output; a reader is waited
-    /// for a few seconds at most.
+    /// Finds the target of a path. A pipe is opened here and stays open, so that its reader waits for the output. If it has no reader, this
+    /// function waits a few seconds for one.
     pub fn of(path: &Path) -> io::Result<Self> {
         let found = match fs::metadata(path) {
             Ok(found) => found,
@@ -39,7 +39,7 @@ impl Target {
         }
     }
 
-    /// Whether two targets are one file.
+    /// Whether two targets are the same file.
     pub fn is(&self, other: &Target) -> bool {
         let whole = |path: &Path| {
             let folder = fs::canonicalize(crate::atomic_write::folder(path)).ok()?;
@@ -71,13 +71,13 @@ fn is_pipe(_: FileType) -> bool {
     false
 }
 
-/// Always true: on such systems all that is neither file nor folder counts as a device.
+/// Always true: on systems other than Unix, everything that is neither a file nor a folder counts as a device.
 #[cfg(not(unix))]
 fn is_characters(_: FileType) -> bool {
     true
 }
 
-/// Opens a pipe that has a reader, or gets one soon.
+/// Opens a pipe for writing; waits up to five seconds for a reader.
 #[cfg(unix)]
 fn pipe(path: &Path) -> io::Result<File> {
     use rustix::fs::{Mode, OFlags, fcntl_setfl, open};
@@ -89,7 +89,7 @@ fn pipe(path: &Path) -> io::Result<File> {
     loop {
         match open(path, OFlags::WRONLY | OFlags::NONBLOCK | OFlags::CLOEXEC, Mode::empty()) {
             Ok(pipe) => {
-                // blocking from here on: a slow reader is waited for
+                // later writes block, so that a slow reader is waited for
                 fcntl_setfl(&pipe, OFlags::empty())?;
                 return Ok(pipe.into());
             }

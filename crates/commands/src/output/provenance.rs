@@ -1,4 +1,4 @@
-//! The origin of a result: the program, the scene with its hash, the method and the tolerance, so that the result can be reproduced.
+//! The origin of a result, with which it can be reproduced: the program, the scene with its hash, the method and the tolerance.
 
 use super::Maker;
 use hmac_sha256::Hash;
@@ -6,14 +6,14 @@ use simulation::{Choice, methods};
 use std::fmt::Display;
 use std::path::Path;
 
-/// The origin of a file that a command writes.
+/// The origin of an output file, as lines `name: value`.
 #[derive(Clone, Debug)]
 pub struct Provenance {
     lines: Vec<String>,
 }
 
 impl Provenance {
-    /// The origin of a file that follows from a scene alone; the hash is that of the file, as `sha256sum` prints it.
+    /// The origin of a file that depends only on a scene. The hash is the SHA-256 of the scene's file, as `sha256sum` prints it.
     pub fn of(maker: Maker, scene: &Path) -> Self {
         let hash = std::fs::read(scene).map(|bytes| Hash::hash(&bytes));
         let hash =
@@ -23,18 +23,18 @@ impl Provenance {
             format!("scene: {}", scene.display()),
             format!("sha256 of the scene: {hash}"),
         ];
-        // a value must not break its line
+        // a line end in a value would break the line
         Provenance { lines: lines.into_iter().map(|line| line.replace(['\n', '\r'], " ")).collect() }
     }
 
-    /// Adds a fact, such as the method.
+    /// Adds a line `name: value`, such as the method.
     #[must_use]
     pub fn with(mut self, name: &str, value: impl Display) -> Self {
         self.lines.push(format!("{name}: {value}").replace(['\n', '\r'], " "));
         self
     }
 
-    /// Adds the method of a run, and its tolerance unless the steps are constant.
+    /// Adds the method of a run, and its tolerance unless the method has constant steps.
     #[must_use]
     pub fn of_run(self, choice: &Choice) -> Self {
         let told = self.with("method", methods::written(choice.method));
@@ -44,22 +44,22 @@ impl Provenance {
         }
     }
 
-    /// The origin as comments with a sign.
+    /// The origin as comment lines that begin with `sign`.
     pub fn comment(&self, sign: &str) -> String {
         self.lines.iter().map(|line| format!("{sign} {line}\n")).collect()
     }
 
-    /// The origin as a comment of SVG, in which two hyphens in a row are not allowed.
+    /// The origin as a comment of SVG, in which two successive hyphens are not allowed.
     pub fn markup(&self) -> String {
         format!("<!-- {} -->\n", self.line().replace("--", "- -").replace("--", "- -"))
     }
 
-    /// The origin in one line.
+    /// The origin as one line.
     pub fn line(&self) -> String {
         self.lines.join("; ")
     }
 
-    /// The origin, line by line.
+    /// The lines of the origin.
     pub fn lines(&self) -> &[String] {
         &self.lines
     }

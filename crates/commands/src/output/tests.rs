@@ -2,7 +2,7 @@ use super::{Form, Writes, apart, each_row};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A folder with a scene and the table of another program.
+/// A temporary folder with a scene and a table of another program.
 struct Folder(tempfile::TempDir);
 
 impl Folder {
@@ -61,7 +61,7 @@ fn a_file_that_was_edited_or_lost_its_seal_is_replaced_by_force_alone() {
         ("a.csv", table()[0].clone(), "# made by: dalembert run, version 9\ntime [s],x [m]\n0,\"old\"\n"),
         ("a.html", Form::Page, page),
         ("a.reference", Form::Reference, reference),
-        // the seal closes the object
+        // the seal closes this object
         ("a.json", Form::Certificates, "{\"made_by\":\"dalembert run, version 9\",\"x\":\"old\""),
     ] {
         let (path, forms) = (folder.at(name), [form]);

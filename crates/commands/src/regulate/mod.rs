@@ -1,4 +1,5 @@
-//! `dalembert regulate`: the optimal regulator of a system, its run on the nonlinear model, and the cost compared with Riccati's.
+//! `dalembert regulate`: the linear-quadratic regulator of a system, its run on the nonlinear model, and the cost of the run compared with the
+//! prediction by Riccati's equation.
 
 mod told;
 
@@ -32,7 +33,7 @@ pub struct Args {
     pub format: Format,
 }
 
-/// Finds the regulator, runs its loop and prints both.
+/// Computes the regulator, runs the closed loop and prints both.
 pub fn show(asked: &Args) -> Result<Exit, Exit> {
     let path: &Path = &asked.scene;
     let text = read_text(path)?;
@@ -62,24 +63,24 @@ pub fn show(asked: &Args) -> Result<Exit, Exit> {
     Ok(if stopped(run).is_some() { Exit::Stopped } else { Exit::Done })
 }
 
-/// An optimal regulator with the run of its loop, as text and as an object for programs.
+/// An optimal regulator with the run of its closed loop, as text and as a JSON object.
 #[derive(Debug)]
 pub struct RegulatorResult {
     pub text: String,
     pub object: Value,
 }
 
-/// The optimal regulator of a scene; its loop runs for so long at most.
+/// The optimal regulator of a scene, with a run of the closed loop; `allowed` limits the time of the run.
 ///
 /// # Errors
-/// The reason for which there is no regulator, at its place in the text.
+/// The reason for which there is no regulator, with the place in the text.
 pub fn regulator(scene: &ModelScene, allowed: Duration) -> Result<RegulatorResult, Issue> {
     let found = regulated(scene, allowed)?;
     let told = Told::of(scene, &found);
     Ok(RegulatorResult { text: told.text(), object: told.object() })
 }
 
-/// The states and the inputs of the regulator, each with its unit.
+/// The states and the inputs of the regulated system, each with its unit.
 fn columns(scene: &ModelScene) -> Vec<(String, String)> {
     let model = &*scene.model;
     let inputs = model.regulator.iter().flat_map(|regulator| &regulator.inputs);
@@ -88,7 +89,7 @@ fn columns(scene: &ModelScene) -> Vec<(String, String)> {
     names.map(|name| (name.clone(), unit_of(model, &name))).collect()
 }
 
-/// The reason for which a run does not reach its end; `None` where it does.
+/// The reason for which a run stopped before its end; `None` where it reached the end.
 fn stopped(run: &ClosedRun) -> Option<String> {
     run.left.map(str::to_owned).or_else(|| run.outcome.failure().map(|failure| failure.to_string()))
 }

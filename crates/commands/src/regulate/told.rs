@@ -1,4 +1,4 @@
-//! A regulator for a reader, and for programs.
+//! A regulator as text and as JSON.
 
 use super::{columns, stopped};
 use crate::summary::{passed, told_passages};
@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use simulation::events::Passage;
 use std::fmt::Write;
 
-/// A regulator with its names.
+/// A regulator with the names of its states and inputs.
 pub(super) struct Told<'a> {
     scene: &'a ModelScene,
     found: &'a Regulated,
@@ -27,12 +27,12 @@ impl<'a> Told<'a> {
         Told { scene, found, names, chosen, units }
     }
 
-    /// The name of a variation.
+    /// The name of the variation with this index.
     fn variation(&self, place: usize) -> &str {
         &self.names[self.found.places[place]]
     }
 
-    /// Names of states: that of a variation, minus multiples of the variations that are left out.
+    /// The names of the states. A state is a variation plus multiples of the variations that are left out, for example `x - 2 theta`.
     fn states(&self) -> Vec<String> {
         let States { by_variations, kept, left_out } = &self.found.states;
         let named = |(row, &place): (usize, &usize)| {
@@ -51,7 +51,7 @@ impl<'a> Told<'a> {
         kept.iter().enumerate().map(named).collect()
     }
 
-    /// Each variation that is no state, with the reason.
+    /// A sentence on each variation that is not a state, with the reason.
     fn left_out(&self) -> Vec<String> {
         let States { by_variations, left_out, .. } = &self.found.states;
         let states = self.states();
@@ -72,7 +72,7 @@ impl<'a> Told<'a> {
         left_out.iter().map(told).collect()
     }
 
-    /// The cost of the run up to its end, plus the cost of the remaining deviation.
+    /// The cost of the run up to its end, plus the predicted cost of the remaining deviation.
     fn cost(&self) -> f64 {
         self.found.run.costs.last().copied().unwrap_or(0.0) + self.found.left
     }
@@ -164,7 +164,7 @@ impl<'a> Told<'a> {
     }
 }
 
-/// A number with about nine digits.
+/// A number with nine decimals, or in scientific notation with nine digits.
 fn number(value: f64) -> String {
     if value == 0.0 || (1e-3..1e6).contains(&value.abs()) { format!("{value:.9}") } else { format!("{value:.8e}") }
 }

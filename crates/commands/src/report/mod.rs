@@ -1,4 +1,4 @@
-//! The report: one page with the ledger of every paper and the runs and charts of every scene.
+//! The report: one page with the ledgers of all papers, and the runs and charts of all scenes.
 
 mod parts;
 mod scene;
@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 use studies::AnyScene;
 use studies::failures;
 
-/// Arguments of the report, which is made where no command is given.
+/// Arguments of the report, which the program makes without a command.
 #[derive(clap::Args, Debug)]
 pub struct Args {
     /// Where the scene files are
@@ -36,18 +36,18 @@ pub struct Args {
     pub force: bool,
 }
 
-/// Judges the ledger, runs and charts the scenes, and writes the page. A scene that cannot be read is reported at once and on the
-/// page, and does not stop the others.
+/// Judges the claims of all papers, runs and charts the scenes, and writes the page. A scene that cannot be read is reported immediately and on the
+/// page; the others are computed nevertheless.
 pub fn write(asked: &Args, files: &[PathBuf]) -> Result<Exit, Exit> {
     let folder = &asked.scenes;
     let reads = files.iter().map(PathBuf::as_path).collect();
     let output = Writes { command: REPORT, force: asked.force, reads }.output(&asked.out, &[Form::Page])?;
-    // all scenes are read before the first one runs, so that faults are reported at once
+    // all scenes are read before the first run, so that faults are reported immediately
     let (mut scenes, mut unread) = (Vec::new(), Vec::new());
-    // scenes that are made to fail belong to the catalogue of failures
+    // scenes with the table [failure] belong to the catalogue of failures
     for file in files.iter().filter(|file| !failures::is_own(file)) {
         match AnyScene::open(file) {
-            // left out, since the page must stay small enough to be sent: `chart` makes a page for each of these
+            // left out to keep the page small; `chart` makes a page for such a scene
             Ok(AnyScene::Model(_)) if is_example(file, folder) => {}
             Ok(scene) => scenes.push(Read { id: id(file), scene, kept: Stored::beside(file) }),
             Err(error) => {
@@ -82,7 +82,7 @@ pub fn write(asked: &Args, files: &[PathBuf]) -> Result<Exit, Exit> {
     Ok(if whole { Exit::Done } else { Exit::Stopped })
 }
 
-/// The files of papers in a folder, sorted; files of systems there are skipped.
+/// The sorted paths of the files of papers in a folder; files of systems are skipped.
 fn paper_files(folder: &Path) -> Vec<PathBuf> {
     let entries = folder.read_dir().into_iter().flatten().flatten();
     let mut files: Vec<PathBuf> = entries.map(|entry| entry.path()).collect();
@@ -92,18 +92,18 @@ fn paper_files(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// The folders of scenes with examples of the language, and with problems of public collections.
+/// The folders of scenes that are left out of the report: examples of the language, and problems of public collections.
 const EXAMPLES: [&str; 2] = ["models", crate::studies::FOLDER];
 
 fn is_example(file: &Path, scenes: &Path) -> bool {
     file.strip_prefix(scenes).is_ok_and(|inner| EXAMPLES.iter().any(|folder| inner.starts_with(folder)))
 }
 
-/// The names of the commands that write pages: the report, which has none, and the charts of one scene.
+/// The names of the commands that write pages, for the mark of the page; that of the report is empty.
 const REPORT: &str = "";
 const CHART: &str = "chart";
 
-/// A page with nothing but a scene and its atlas.
+/// A page about one scene, with the errors and costs of all methods.
 pub fn of_scene(scene: &dyn IvpScene, atlas: &Atlas, work: Vec<WorkPrecision>) -> String {
     let choice = scene.run().choice();
     let run = scene.problem(choice.axes).simulate(&choice, |_| ());
@@ -114,20 +114,20 @@ pub fn of_scene(scene: &dyn IvpScene, atlas: &Atlas, work: Vec<WorkPrecision>) -
     charts::page::render(&report).html
 }
 
-/// Adds advice, the note on the measurements and the tables of Pareto fronts to the section of a scene.
+/// Adds advice, the note on the measurements and the Pareto fronts to the section of a scene.
 fn explained(section: &mut SceneSection, atlas: &Atlas) {
     section.facts.extend([1e-3, 1e-6, 1e-9].map(|error| ("advice".to_owned(), advice(atlas, error))));
     section.note = pictures::measured_by(atlas);
     section.tables.splice(0..0, tables::fronts(atlas));
 }
 
-/// A report of a command, without content yet.
+/// An empty report of a command.
 fn titled(command: &'static str, title: &str, summary: &str) -> Report {
     let generated_by = Maker(command).generator();
     Report { title: title.to_owned(), summary: summary.to_owned(), generated_by, ..Default::default() }
 }
 
-/// A file's name without its ending, as it may stand in a link.
+/// The name of a file without its extension, as an identifier for links.
 fn id(file: &Path) -> String {
     let stem = file.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     stem.chars().map(|c| if c.is_ascii_alphanumeric() || c == '_' { c } else { '-' }).collect()

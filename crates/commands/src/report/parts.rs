@@ -1,4 +1,4 @@
-//! The parts of the report: those computed in parallel, those timed alone, and the page that they make.
+//! The parts of the report: those that are computed in parallel, the times, and the page that contains all of them.
 
 use super::scene::{NoReference, Prepared, Read, prepare};
 use super::{REPORT, explained, titled};
@@ -21,7 +21,7 @@ use studies::governors;
 use studies::regimes;
 use studies::scene::Scene;
 
-/// The parts of the report. Most are independent and are computed in parallel; times are measured afterwards,
+/// The parts of the report. Most are independent and are computed in parallel. Times are measured afterwards,
 /// while nothing else runs.
 pub struct Parts {
     papers: Vec<Option<(PaperSection, bool)>>,
@@ -41,7 +41,7 @@ pub struct Parts {
 }
 
 impl Parts {
-    /// Empty parts, of which none is computed yet.
+    /// Parts that are not computed yet.
     pub fn of(scenes: &[Read], texts: &[PaperText], folder: &Path) -> Self {
         Parts {
             papers: papers().iter().map(|_| None).collect(),
@@ -61,7 +61,7 @@ impl Parts {
         }
     }
 
-    /// Computes all parts but the times.
+    /// Computes all parts except the times; `done` receives the completed fraction.
     pub fn compute(&mut self, scenes: &[Read], texts: &[PaperText], folder: &Path, done: impl FnMut(f64)) {
         let mut crew = JobPool::default();
         for (place, paper) in self.papers.iter_mut().zip(papers()) {
@@ -92,7 +92,7 @@ impl Parts {
         crew.work(done);
     }
 
-    /// Measures the times, while nothing else runs.
+    /// Measures the times, while nothing else runs; `done` receives the completed fraction.
     pub fn take_times(&mut self, mut done: impl FnMut(f64)) {
         let whole = (self.prepared.len() + 1) as f64;
         for (count, prepared) in self.prepared.iter_mut().flatten().enumerate() {
@@ -104,7 +104,7 @@ impl Parts {
         self.gains.take_times();
     }
 
-    /// Every paper with an unsound claim, and every scene with an unexpected result, with the reason.
+    /// Messages about papers with an unsound claim, and about scenes with an unexpected result.
     pub fn faults(&self) -> Vec<String> {
         let unsound = self.papers.iter().flatten().filter(|(_, sound)| !sound);
         let unsound =
@@ -121,7 +121,7 @@ impl Parts {
         unsound.chain(texts).chain(unreached).collect()
     }
 
-    /// The page.
+    /// The content of the page.
     pub fn report(self, folder: &Path) -> Report {
         let mut report = titled(REPORT, "dalembert", SUMMARY);
         let mut digits = f64::INFINITY;
@@ -149,7 +149,7 @@ impl Parts {
         let prepared = self.prepared.into_iter().flatten();
         let (across, smooth): (Vec<Prepared>, Vec<Prepared>) = prepared.partition(|one| one.across_events);
         report.scenes = smooth.into_iter().map(&mut charted).collect();
-        // scenes with events get tables without pictures, which keeps the page small; `dalembert chart` draws them
+        // scenes with events have tables without pictures, to keep the page small; `dalembert chart` draws the pictures
         let tabled = |prepared| SceneSection { work: Vec::new(), ..charted(prepared) };
         report.rough = across.into_iter().map(tabled).collect();
         let texts = self.texts.into_iter().flatten().flatten();
@@ -191,7 +191,7 @@ fn driven(scenes: &[Read]) -> impl Iterator<Item = &Scene> {
 const SUMMARY: &str = "Equations of motion derived from bodies and energies; every statement of a paper judged by exact \
                        arithmetic; every method on every scene measured by a reference that two methods confirm.";
 
-/// The summary of the results, and where to begin to read.
+/// The summary of the results, with advice on where to begin.
 fn found(report: &Report, digits: f64) -> String {
     let claims: usize = report.papers.iter().map(|paper| paper.claims.len()).sum();
     let mut text = String::new();
@@ -213,7 +213,7 @@ fn found(report: &Report, digits: f64) -> String {
     text.trim_end().to_owned()
 }
 
-/// `149 are proved, 11 refuted, 3 definitions`: the most frequent first.
+/// The numbers of claims by verdict, the most frequent first: `149 are proved, 11 refuted, 3 definitions`.
 fn counted(report: &Report) -> String {
     let mut counts = Verdict::ALL.map(|verdict| (report.count(verdict), verdict));
     counts.sort_by_key(|(count, _)| std::cmp::Reverse(*count));

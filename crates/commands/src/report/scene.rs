@@ -13,29 +13,29 @@ use std::time::Duration;
 use studies::AnyScene;
 use studies::scene::Scene;
 
-/// The time for a reference. References share the processors, so that each has less of them than alone.
+/// The time limit for a reference of a scene with a motor. References are computed in parallel, so that each takes longer than alone.
 const PATIENCE: Duration = Duration::from_secs(15);
-/// The time for the reference of a system without a motor of the catalogue: there are many, and `dalembert chart` allows more.
+/// The time limit for a reference of a system that is defined in its file; `dalembert chart` allows more.
 const OF_A_MECHANISM: Duration = Duration::from_secs(8);
 /// The largest number of evaluations in one run of such a system, whose law is expensive.
 const EVALUATIONS: u64 = 20_000;
-/// The time for timing all runs of a scene with a motor, and of another scene.
+/// The time for measuring times of a scene with a motor, and of any other scene.
 const TIMED: [Duration; 2] = [Duration::from_millis(800), Duration::from_millis(500)];
 
-/// A scene's section without its charts, the outcome of its run, and the errors of its methods.
+/// The section of a scene without its charts, the outcome of its run, and the errors of all methods.
 pub struct Prepared {
     pub section: SceneSection,
-    /// Whether its law changes at events.
+    /// Whether the law changes at events.
     pub across_events: bool,
-    /// The fault, where the result is not as it should be.
+    /// A message where the result is not as expected.
     pub unreached: Option<String>,
     pub atlas: Result<Atlas, NoReference>,
     pub trials: Trials,
-    /// The time for timing its runs.
+    /// The time for measuring the times of the runs.
     pub timed: Duration,
 }
 
-/// A scene with the reference that is kept beside its file.
+/// A scene with the reference that is stored beside its file.
 pub struct Read {
     pub id: String,
     pub scene: AnyScene,
@@ -45,13 +45,13 @@ pub struct Read {
 /// The reason for which methods are not compared on a scene.
 pub enum NoReference {
     Stopped(Failure),
-    /// There is no reference across events.
+    /// No reference across the events could be computed.
     Unknown(Unknown),
-    /// The run ends early, for a known reason.
+    /// The run ends early for a known reason.
     Ends,
 }
 
-/// Runs a scene, computes its reference, and measures the errors of all methods against it.
+/// Runs a scene, computes its reference, and computes the errors of all methods against it.
 pub fn prepare(Read { id, scene: any, kept }: &Read) -> Prepared {
     let scene = any.smooth();
     let choice = scene.run().choice();
@@ -66,7 +66,7 @@ pub fn prepare(Read { id, scene: any, kept }: &Read) -> Prepared {
         true => (OF_A_MECHANISM, mechanism, Trials { evaluations: EVALUATIONS, ..usual }),
         false => (PATIENCE, motor, usual),
     };
-    // a scene may be made to show a failure: then the early end is no fault of the run
+    // a scene may demonstrate a failure; its early end is then not a fault
     let atlas = match (scene.told(&choice, &run).diagnosis, scene.hybrid()) {
         (Some(_), None) => Err(NoReference::Ends),
         (_, Some(hybrid)) => {
@@ -82,11 +82,11 @@ pub fn prepare(Read { id, scene: any, kept }: &Read) -> Prepared {
     }
     let unreached = match &atlas {
         Err(NoReference::Ends) => None,
-        // no fault: a mechanism may need more time than the report has for it, which the page says
+        // not a fault: a reference across events may need more time than the report allows; the page says so
         Err(NoReference::Unknown(_)) => None,
         Err(NoReference::Stopped(failure)) if of_a_mechanism && failure.is_broken_off() => None,
         Err(NoReference::Stopped(failure)) => Some(format!("its reference stopped: {failure}")),
-        // no fault: a motion may reach the end of its law, as a jam does; the reference confirms it, and the page says it
+        // not a fault: a motion may end where its law ends, for example by jamming; the reference confirms it, and the page says so
         Ok(_) if run.left.is_some() => None,
         Ok(_) => run.stopped().map(|why| format!("its run stopped: {why}")),
     };
@@ -94,7 +94,7 @@ pub fn prepare(Read { id, scene: any, kept }: &Read) -> Prepared {
     Prepared { section, across_events, unreached, atlas, trials, timed }
 }
 
-/// A scene's section with its run and without its charts.
+/// The section of a scene with its run, without its charts.
 pub fn described(id: &str, scene: &dyn IvpScene, run: &Trajectory) -> SceneSection {
     let parameters = scene.parameters().into_iter().map(|datum| Parameter {
         symbol: datum.name.replace('_', " "),
@@ -114,7 +114,7 @@ pub fn described(id: &str, scene: &dyn IvpScene, run: &Trajectory) -> SceneSecti
     }
 }
 
-/// The events of a run with the laws that follow, and its end.
+/// The table of the events of a run, each with the law after it, and of its end.
 fn log(run: &Trajectory) -> Table {
     let time = |time: f64| format!("{time:.6}");
     let events = told_passages(&run.passages).into_iter().map(|told| match told {
@@ -185,7 +185,7 @@ fn ladder(scene: &Scene, run: &Trajectory, atlas: Option<&Atlas>) -> Option<Tabl
     (!rows.is_empty()).then(|| Table { caption, head: head.map(String::from).into(), rows })
 }
 
-/// The largest difference, over all samples, of the angular velocity and the rotor's speed, which every model has, rad/s.
+/// The largest difference, over all samples, of the angular velocities and the speed of the rotor, which all models have, in rad/s.
 fn difference(a: &Trajectory, b: &Trajectory) -> f64 {
     let common = ["w1", "w2", "w3", "rotor_speed"].into_iter();
     let columns: Vec<(usize, usize)> = common.filter_map(|name| Some((a.column(name)?, b.column(name)?))).collect();

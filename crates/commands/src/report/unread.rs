@@ -1,9 +1,9 @@
-//! Scenes that could not be read, in the report: each with its faulty lines.
+//! The section of the report on scenes that could not be read, with their faulty lines.
 
 use charts::{Study, Table};
 use reader::{Issue, SceneError};
 
-/// The section of unread scenes; `None` where all were read.
+/// The section on unread scenes; `None` where all were read.
 pub fn study(unread: &[SceneError]) -> Option<Study> {
     (!unread.is_empty()).then(|| Study {
         id: "unread".into(),
@@ -25,7 +25,7 @@ fn rows(error: &SceneError) -> impl Iterator<Item = Vec<String>> {
     })
 }
 
-/// The number of a faulty line, from one; empty where the whole file is faulty.
+/// The number of a faulty line, counted from 1; empty where the fault concerns the whole file.
 fn line(error: &SceneError, issue: &Issue) -> String {
     issue.span.as_ref().map_or_else(String::new, |span| {
         let before = error.text.bytes().take(span.start);

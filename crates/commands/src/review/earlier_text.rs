@@ -1,16 +1,16 @@
-//! Earlier texts of a file: at a commit, or in another file.
+//! Earlier texts of a file: at a commit of git, or in another file.
 
 use crate::exit::Exit;
 use scenes::SystemText;
 use std::path::Path;
 use std::process::Command;
 
-/// The file for the value of --against; `None` where it is a commit.
+/// The path given by --against if it is a file; `None` where it names a commit.
 pub(super) fn other_file(against: &str) -> Option<&Path> {
     Some(Path::new(against)).filter(|other| other.is_file())
 }
 
-/// The earlier text of a file, with its name for messages: the text of another file where `against` is one, else that at a commit.
+/// The earlier text of a file, with its name for messages: from another file if `against` is one, otherwise from the commit `against`.
 pub(super) fn of(file: &Path, against: &str) -> Result<SystemText, Exit> {
     if let Some(other) = other_file(against) {
         return Ok(SystemText::read(other)?);
@@ -28,7 +28,7 @@ pub(super) fn of(file: &Path, against: &str) -> Result<SystemText, Exit> {
     Ok(SystemText { name: format!("{} at {against}", file.display()), text, values: Vec::new() })
 }
 
-/// The output of git.
+/// The standard output of git with these arguments.
 pub(super) fn git(arguments: &[&str]) -> Result<String, Exit> {
     let output = Command::new("git").args(arguments).output();
     let output = output.map_err(|error| Exit::refused(format!("git, which keeps earlier texts: {error}")))?;

@@ -1,4 +1,4 @@
-//! `dalembert review`: changes of the reviewed pages, of a system or of a paper in its file, in terms of mechanics.
+//! `dalembert review`: the changes of reviewed pages, of a system or of a paper, in terms of mechanics.
 
 mod earlier_text;
 mod pages;
@@ -38,13 +38,13 @@ pub struct Args {
     pub format: Format,
 }
 
-/// A group of changes under one title.
+/// Changes under a title.
 struct Part {
     title: String,
     told: Vec<String>,
 }
 
-/// Prints every change.
+/// Prints all changes.
 pub fn review(asked: &Args) -> Result<Exit, Exit> {
     let Some(file) = &asked.file else {
         if let Some((name, _)) = asked.range.first() {

@@ -10,16 +10,16 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 const FOLDER: &str = "snapshots";
-/// The largest number of changed lines shown for a page without claims.
+/// The largest number of changed lines that are shown for a page without claims.
 const SHOWN: usize = 12;
 
-/// A page with its changes.
+/// A page with the descriptions of its changes.
 struct Changed {
     page: String,
     told: Vec<String>,
 }
 
-/// Prints every change of every page.
+/// Prints all changes of all pages.
 pub(super) fn show(against: &str, format: Format) -> Result<Exit, Exit> {
     if !Path::new(FOLDER).is_dir() {
         return Err(Exit::refused("there is no folder `snapshots` here: the project's own folder is accepted"));
@@ -40,13 +40,13 @@ fn text(Changed { page, told }: &Changed) -> String {
     told.iter().fold(format!("{page}\n"), |text, change| format!("{text}  {}\n", change.replace('\n', "\n  "))) + "\n"
 }
 
-/// Every page that differs, by name.
+/// All pages that differ from the commit, ordered by name.
 fn pages(commit: &str) -> Result<Vec<Changed>, Exit> {
     let listed = |arguments: &[&str]| git(arguments).map(|text| text.lines().map(str::to_owned).collect::<Vec<_>>());
     let mut names = BTreeSet::from_iter(listed(&["diff", "--name-only", "--relative", commit, "--", FOLDER])?);
     names.extend(listed(&["ls-files", "--others", "--", FOLDER])?);
     let now = |name: &str| std::fs::read_to_string(name).unwrap_or_default();
-    // a page that is not in the commit is compared with nothing
+    // a page that the commit does not contain is compared with an empty one
     let before = |name: &str| git(&["show", &format!("{commit}:./{name}")]).unwrap_or_default();
     let compared = names.iter().map(|name| match name.strip_suffix(".new") {
         Some(standing) => Changed { page: name.clone(), told: told(standing, &now(standing), &now(name)) },
@@ -55,7 +55,7 @@ fn pages(commit: &str) -> Result<Vec<Changed>, Exit> {
     Ok(compared.collect())
 }
 
-/// The changes of one page: claim by claim for a page of claims, else line by line.
+/// The changes of a page: by claims for a page of claims, otherwise by lines.
 fn told(name: &str, old: &str, new: &str) -> Vec<String> {
     let paper = papers().into_iter().find(|paper| Path::new(name).starts_with(Path::new(FOLDER).join(paper.key)));
     match paper {
@@ -67,7 +67,7 @@ fn told(name: &str, old: &str, new: &str) -> Vec<String> {
     }
 }
 
-/// Removed and added lines; where two lines have the same words, the changes of their numbers.
+/// Removed and added lines. Two lines that differ only in numbers are listed once, with the changes of the numbers.
 fn lines(old: &str, new: &str) -> Vec<String> {
     let (old, new): (Vec<&str>, Vec<&str>) = (old.lines().collect(), new.lines().collect());
     let gone: Vec<&str> = old.iter().filter(|line| !new.contains(line)).copied().collect();
@@ -86,12 +86,12 @@ fn lines(old: &str, new: &str) -> Vec<String> {
     told
 }
 
-/// The words of a row that are not numbers.
+/// The words of a line that are not numbers.
 fn words(line: &str) -> Vec<&str> {
     line.split_whitespace().filter(|word| word.parse::<f64>().is_err()).collect()
 }
 
-/// The change between two rows with the same words.
+/// The changes of the numbers between two lines with equal words.
 fn moved(old: &str, new: &str) -> String {
     let numbers = |line: &str| line.split_whitespace().filter_map(|word| word.parse::<f64>().ok()).collect::<Vec<_>>();
     let (before, now) = (numbers(old), numbers(new));

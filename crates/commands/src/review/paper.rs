@@ -1,4 +1,4 @@
-//! Changes of a paper in its file: claims that were added or removed, or have another verdict, formula, correction or hypothesis.
+//! Changes of a paper in its file: claims that were added or removed, and claims with another verdict, formula, correction or hypothesis.
 
 use super::earlier_text::{self, other_file};
 use super::system::{Changes, of_equations};
@@ -10,13 +10,13 @@ use reader::SceneError;
 use scenes::SystemText;
 use std::path::Path;
 
-/// The changes between two texts of a paper, and the faults of those claims of the present text that cannot be read.
+/// The changes between two texts of a paper, and the faults of claims of the new text that cannot be read.
 pub(super) struct PaperChanges {
     pub changes: Changes,
     pub faults: Option<SceneError>,
 }
 
-/// All changes between two texts of a paper, each judged on the system of its time.
+/// All changes between two texts of a paper. The claims of each text are judged on the system that the paper had then.
 pub(super) fn changes(file: &Path, against: &str, [before, now]: [SystemText; 2]) -> Result<PaperChanges, Exit> {
     let mut old = PaperText::parse(other_file(against).unwrap_or(file), before.text)?;
     let model = old.model_file().filter(|_| other_file(against).is_none()).map(Path::to_owned);
@@ -39,7 +39,7 @@ pub(super) fn changes(file: &Path, against: &str, [before, now]: [SystemText; 2]
         all.push((id.clone(), told));
     }
     for UnjudgedClaim { id, fault, .. } in &new.unjudged {
-        // the second of two claims with one name has no verdict of its own
+        // of two claims with one name, the second has no verdict of its own
         let told = match (finding_of(&old, id).filter(|_| finding_of(&new, id).is_none()), fault_of(&old, id)) {
             (Some(before), _) => vec![format!("{} before, not read now: {fault}", before.judged.verdict.name())],
             (None, Some(before)) if before == fault => Vec::new(),
@@ -59,7 +59,7 @@ fn finding_of<'a>(paper: &'a PaperFindings, id: &str) -> Option<&'a Finding> {
     paper.findings.iter().find(|finding| finding.judged.id == id)
 }
 
-/// The fault of a claim that was not read.
+/// The fault of a claim that could not be read; `None` where the claim was read.
 fn fault_of<'a>(paper: &'a PaperFindings, id: &str) -> Option<&'a String> {
     paper.unjudged.iter().find(|claim| claim.id == id).map(|claim| &claim.fault)
 }

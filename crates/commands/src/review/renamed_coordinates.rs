@@ -1,11 +1,11 @@
-//! Renamed coordinates: those with another name and the same equations.
+//! Renamed coordinates: coordinates whose equations are unchanged except for the name.
 
 use model::Model;
 
 /// Pairs of old and new names.
 pub(super) type Renamed = Vec<(String, String)>;
 
-/// Removed coordinates paired with added ones, in their order, where the dimensions agree.
+/// Removed coordinates paired with added ones, in their order; empty unless their numbers and dimensions agree.
 pub(super) fn candidates([old, new]: [&Model; 2]) -> Renamed {
     let without = |these: &Model, those: &Model| {
         let is_new = |name: &String| those.coordinates.iter().all(|other| other.name != *name);
@@ -20,7 +20,7 @@ pub(super) fn candidates([old, new]: [&Model; 2]) -> Renamed {
     gone.into_iter().zip(come).map(|((old, _), (new, _))| (old, new)).collect()
 }
 
-/// A text with old names replaced by new ones.
+/// A text in which old names, as whole words, are replaced by new ones.
 pub(super) fn with_new_names(text: &str, renamed: &Renamed) -> String {
     let mut out = String::with_capacity(text.len());
     let mut word = String::new();

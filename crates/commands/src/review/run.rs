@@ -1,4 +1,4 @@
-//! Changes of the run of a system: its end, and its columns.
+//! Changes of the run of a system: its end, and the values of its columns.
 
 use super::renamed_coordinates::{Renamed, with_new_names};
 use crate::clock;
@@ -7,15 +7,15 @@ use ::scenes::{ModelScene, SystemText};
 use reader::SceneError;
 use simulation::{Axes, Choice, IvpScene, Trajectory};
 
-/// Differences of a run below this part of a column's size are rounding.
+/// Differences below this fraction of the magnitude of a column are rounding errors.
 const ROUNDING: f64 = 1e-9;
 
-/// Columns of the run whose values differ, and another end of the run.
+/// The columns of the run whose values differ, and the end of the run if it differs.
 pub(super) fn changes(texts: &[SystemText; 2], renamed: &Renamed) -> Vec<String> {
     let read = |text: &SystemText| ModelScene::parse(&text.name, &text.text);
     let scenes = match [read(&texts[0]), read(&texts[1])] {
         [Ok(old), Ok(new)] => [old, new],
-        // files for `derive` and `prove`
+        // neither text has a run, as files for `derive` and `prove`
         [Err(old), Err(new)] if [&old, &new].iter().all(|why| is_without_run(why)) => return Vec::new(),
         [Err(why), _] | [_, Err(why)] => {
             warn(&format!("warning: runs are not compared: {why}"));
@@ -67,12 +67,12 @@ pub(super) fn changes(texts: &[SystemText; 2], renamed: &Renamed) -> Vec<String>
     told
 }
 
-/// Whether a file has no run.
+/// Whether the only fault of a file is a missing table [run].
 fn is_without_run(why: &SceneError) -> bool {
     why.issues.iter().all(|issue| issue.title == "the table [run] is missing")
 }
 
-/// The end of a run in words: its time, and what stopped it.
+/// The end of a run in words: its time, and the reason of an early stop.
 fn end(run: &Trajectory) -> String {
     let time = instant(run.outcome.time);
     match run.stopped() {
@@ -81,12 +81,12 @@ fn end(run: &Trajectory) -> String {
     }
 }
 
-/// An instant in seconds, without the rounding error of sums of steps.
+/// An instant in seconds rounded to 1e-9 s, without the rounding error of sums of steps.
 fn instant(time: f64) -> f64 {
     (time * 1e9).round() / 1e9
 }
 
-/// A number with nine digits.
+/// A number with nine decimals, or in scientific notation with nine digits.
 fn short(value: f64) -> String {
     if value != 0.0 && !(1e-4..1e9).contains(&value.abs()) { format!("{value:.8e}") } else { format!("{value:.9}") }
 }

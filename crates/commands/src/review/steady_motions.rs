@@ -13,7 +13,7 @@ use ::scenes::steady_motions::{Range, SteadyMotions, SteadySearch};
 /// The largest number of boxes in a search for steady motions.
 const MOST_BOXES: usize = 50_000;
 
-/// Steady motions that were added or removed, moved, or have another stability.
+/// Steady motions that were added or removed, that moved, or whose stability changed.
 pub(super) fn changes(texts: &[SystemText; 2], ranges: &[(String, Range)], renamed: &Renamed) -> Vec<String> {
     let asked = SteadySearch { ranges: ranges.to_vec(), boxes: MOST_BOXES, ..SteadySearch::default() };
     let [old, new] = match [found(&texts[0], &asked), found(&texts[1], &asked)] {
@@ -45,13 +45,13 @@ fn not_compared(name: &str, why: &str) -> Vec<String> {
     Vec::new()
 }
 
-/// The motions of a search in words.
+/// The steady motions that a search found, in words, and the number of undecided boxes.
 struct SearchedMotions {
     told: Vec<String>,
     undecided: usize,
 }
 
-/// The steady motions of a text, in each combination of the cases of its law.
+/// The steady motions of a text, for all combinations of the cases of its law.
 fn found(text: &SystemText, asked: &SteadySearch) -> Result<SearchedMotions, String> {
     let system = sought(text).map_err(|error| error.to_string())?;
     let parts = Combinations::of_system(&system, asked, clock::has_time).map_err(|issue| issue.title)?;
@@ -67,7 +67,7 @@ fn found(text: &SystemText, asked: &SteadySearch) -> Result<SearchedMotions, Str
     Ok(SearchedMotions { told: each.collect(), undecided })
 }
 
-/// Each motion with its verdict, and the case of the law in which it lies.
+/// A sentence for each motion with its verdict and, where the law has cases, the case in which it lies.
 fn told(found: &Found, case: &str) -> Vec<String> {
     let case = if case.is_empty() { String::new() } else { format!(" ({case})") };
     let each = found.motions.motions.iter();

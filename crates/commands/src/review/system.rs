@@ -1,4 +1,4 @@
-//! Changes of a system in its file: terms of equations, with the principles that show them; steady motions and runs beside them.
+//! Changes of a system in its file: terms of equations with the principles that show them, steady motions, and the run.
 
 use super::renamed_coordinates::{Renamed, candidates, with_new_names};
 use super::{run, steady_motions};
@@ -11,10 +11,10 @@ use model::{MatrixForm, Model};
 use std::collections::BTreeMap;
 use symbolic::{Dimension, Sym};
 
-/// Changes, grouped under titles.
+/// Changes grouped under titles.
 pub(super) type Changes = Vec<(String, Vec<String>)>;
 
-/// All changes between two texts.
+/// All changes between two texts of a system.
 pub(super) fn changes(texts: [SystemText; 2], ranges: &[(String, Range)]) -> Result<Changes, Exit> {
     let renamed = renamed(&texts)?;
     let mut all = of_equations(&texts)?;
@@ -23,7 +23,7 @@ pub(super) fn changes(texts: [SystemText; 2], ranges: &[(String, Range)]) -> Res
     Ok(all)
 }
 
-/// Parameters and equations that differ.
+/// The changes of coordinates, parameters and equations.
 pub(super) fn of_equations(texts: &[SystemText; 2]) -> Result<Changes, Exit> {
     let [old, new] = [texts[0].for_equations()?, texts[1].for_equations()?];
     let renamed = renamed(texts)?;
@@ -34,7 +34,7 @@ pub(super) fn of_equations(texts: &[SystemText; 2]) -> Result<Changes, Exit> {
     Ok(all)
 }
 
-/// Coordinates with another name and the same equations.
+/// Coordinates that were renamed, with unchanged equations.
 fn renamed(texts: &[SystemText; 2]) -> Result<Renamed, Exit> {
     let [old, new] = [texts[0].for_equations()?, texts[1].for_equations()?];
     let renamed = candidates([&old, &new]);
@@ -55,7 +55,7 @@ fn renamed(texts: &[SystemText; 2]) -> Result<Renamed, Exit> {
     Ok(if renamed.iter().all(is_same) { renamed } else { Vec::new() })
 }
 
-/// Parameters with another value.
+/// The changes of parameters and of their values.
 fn parameters(models: [&Model; 2]) -> Vec<String> {
     let [old, new] =
         models.map(|model| model.parameters.iter().map(|own| (&own.name, &own.written)).collect::<BTreeMap<_, _>>());
@@ -68,7 +68,7 @@ fn parameters(models: [&Model; 2]) -> Vec<String> {
     moved.chain(gone.map(|(name, written)| format!("{name}: gone, {written}"))).collect()
 }
 
-/// Changes of each equation, with the principles that show the same ones.
+/// The changes of each equation, with the principles that show them.
 fn equations(texts: &[SystemText; 2], models: [&Model; 2], renamed: &Renamed) -> Changes {
     let dimensions = dimensions(models);
     let dimension = |letter: &str| dimensions.get(letter).copied();
@@ -104,7 +104,7 @@ fn equations(texts: &[SystemText; 2], models: [&Model; 2], renamed: &Renamed) ->
     all.into_iter().map(|(told, principles)| (format!("equations, by {}", principles.join(", ")), told)).collect()
 }
 
-/// Equations by the names of their coordinates and constraints; `None` where the principle does not apply or they are too long to be read.
+/// The equations by the names of their coordinates and constraints; `None` where the principle does not apply or the equations are too long.
 fn rows(text: &SystemText, principle: NamedPrinciple) -> Option<BTreeMap<String, String>> {
     let written = derived(text, Some(principle), false, |derived| {
         let form = derived.for_reading().ok()?;
@@ -123,7 +123,7 @@ fn rows(text: &SystemText, principle: NamedPrinciple) -> Option<BTreeMap<String,
     written.ok().flatten()
 }
 
-/// A row of M q'' + h - Q - J^T lambda = 0.
+/// A row of M q'' + h - Q - Jᵀλ = 0, as text.
 fn equation(form: &MatrixForm, row: usize) -> String {
     let inertia = form.mass[row].iter().zip(&form.accelerations).fold(Sym::ZERO, |sum, (m, a)| sum + *m * *a);
     let held = form.constraints.iter().zip(&form.multipliers);

@@ -1,12 +1,12 @@
-//! Differing entries of two files, by their keys.
+//! Changes of the entries of a file, by their keys.
 
 use std::collections::BTreeMap;
 use toml::{Table, Value};
 
-/// Keys that other parts of the review report better, such as parameters and claims, and texts for readers.
+/// Keys that are left out: those that other parts of the review report, such as parameters and claims, and texts for readers.
 const TOLD_ELSEWHERE: [&str; 5] = ["title", "description", "parameters", "claim", "citation"];
 
-/// Every entry that was added or removed or has another value; none where a text is not TOML.
+/// The entries that were added, removed or changed; empty where a text is not valid TOML.
 pub(super) fn changes(texts: [&str; 2]) -> Vec<String> {
     let tables = texts.map(|text| text.parse::<Table>().ok());
     let [Some(old), Some(new)] = &tables else { return Vec::new() };
@@ -23,7 +23,7 @@ pub(super) fn changes(texts: [&str; 2]) -> Vec<String> {
 /// The keys whose values identify an entry of a list.
 const LABELS: [&str; 6] = ["name", "when", "of", "on", "between", "turns"];
 
-/// The entries of a table. An entry of a list is identified by its label where the other table has the list too, else by its position.
+/// The entries of a table by their keys. An entry of a list is identified by its label if the other table has this list too, otherwise by its index.
 fn entries(table: &Table, other: &Table) -> BTreeMap<String, String> {
     let mut all = BTreeMap::new();
     for (key, value) in table.iter().filter(|(key, _)| !TOLD_ELSEWHERE.contains(&key.as_str())) {
@@ -61,7 +61,7 @@ fn label(entry: &Value) -> Option<String> {
     LABELS.iter().find_map(of)
 }
 
-/// The number of entries of a list with a label.
+/// The number of entries of a list with this label.
 fn count(list: &[Value], wanted: &str) -> usize {
     list.iter().filter(|entry| label(entry).is_some_and(|own| own == wanted)).count()
 }

@@ -1,4 +1,4 @@
-//! Bodies: links through places that are fixed in them, wheels, blocks on lines, particles, and ellipsoids of inertia.
+//! Bodies in a sketch: links through points fixed in them, wheels, sliding blocks, particles, and ellipsoids of inertia.
 
 use super::gears;
 use super::parts::Parts;
@@ -6,14 +6,14 @@ use ::scenes::geometry::{Ellipsoid, Figure, Wheel};
 use charts::SketchPart;
 use nalgebra::Vector3;
 
-/// The result of drawing bodies.
+/// The result of drawing the bodies.
 pub struct Drawn {
-    /// Whether lengths are those of the model.
+    /// Whether lengths in the sketch are those of the model.
     pub is_to_scale: bool,
     pub note: &'static str,
 }
 
-/// The radius of a body of unknown size, as a part of the size of the sketch.
+/// The radius of a body of unknown size, as a fraction of the size of the sketch.
 const UNTOLD: f64 = 0.16;
 
 const NOT_TO_SCALE: &str = "The model gives these bodies no places: they are drawn beside each other, not to scale.";
@@ -91,7 +91,7 @@ pub fn draw(parts: &mut Parts<'_>) -> Drawn {
     Drawn { is_to_scale, note }
 }
 
-/// Whether places fixed in a body show its rotation: two in a plane, three that are not collinear in space.
+/// Whether the drawn points of a body show its rotation: two points in a plane, three points in space that are not collinear.
 fn is_outlined(parts: &Parts<'_>, body: usize) -> bool {
     let Some(figure) = parts.figures.first() else { return false };
     let mut links = parts.geometry.links.iter().filter(|link| link.bodies.contains(&body));
@@ -104,7 +104,7 @@ fn is_outlined(parts: &Parts<'_>, body: usize) -> bool {
     links.any(|link| parts.geometry.plane.is_some() || !is_line(&link.places))
 }
 
-/// The direction along which bodies without places are put next to each other.
+/// The direction along which bodies without a position are placed side by side.
 fn right(parts: &Parts<'_>) -> Vector3<f64> {
     match parts.geometry.plane {
         Some(normal) if normal.x.abs() > 0.5 => Vector3::y(),
@@ -125,7 +125,7 @@ fn mean(figure: &Figure, places: &[usize]) -> Vector3<f64> {
     all / places.len().max(1) as f64
 }
 
-/// Whether a body is drawn as a block on a line: one without contacts that does not fall freely.
+/// Whether a body is drawn as a sliding block: a body on a line, without contacts, that does not fall freely along the line.
 fn slides(parts: &Parts<'_>, at: usize) -> bool {
     let geometry = parts.geometry;
     let Some((_, along)) = geometry.slides.iter().find(|(place, _)| *place == at) else { return false };
@@ -147,7 +147,7 @@ fn block(parts: &mut Parts<'_>, body: usize, at: usize) {
     parts.add(SketchPart::Block { at, along, colour: body });
 }
 
-/// Draws a wheel across its axis, or a ball.
+/// Draws a wheel as a circle about its axis, or a ball.
 fn round(parts: &mut Parts<'_>, at: usize, wheel: Wheel) {
     let Wheel { body, radius, axis, turns, .. } = wheel;
     let frame = parts.geometry.model.bodies[body].frame.map_or(0, |frame| frame.0);
@@ -164,20 +164,20 @@ fn round(parts: &mut Parts<'_>, at: usize, wheel: Wheel) {
     parts.add(SketchPart::Centre(at));
 }
 
-/// The axis of a frame that is closest to the normal of the plane.
+/// The index of the axis of a frame that is closest to the normal of the plane.
 fn across(parts: &Parts<'_>, frame: usize, normal: Vector3<f64>) -> usize {
     let share =
         |axis: &usize| parts.figures.first().map_or(0.0, |figure| figure.frames[frame][*axis].dot(&normal).abs());
     (0..3).max_by(|a, b| share(a).total_cmp(&share(b))).unwrap_or(2)
 }
 
-/// Draws the section of an ellipsoid across one of its three half axes.
+/// Draws the section of an ellipsoid normal to one of its three half-axes.
 pub fn ring(parts: &mut Parts<'_>, at: usize, axes: [usize; 3], across: usize, (colour, spoke): (usize, bool)) {
     let axes = [axes[(across + 1) % 3], axes[(across + 2) % 3]];
     parts.add(SketchPart::Ring { at, axes, colour, spoke });
 }
 
-/// The ellipsoid of a body at the first time.
+/// The ellipsoid of inertia of a body at the first instant.
 fn shape(parts: &Parts<'_>, body: usize) -> Option<Ellipsoid> {
     parts.geometry.ellipsoid(parts.figures.first()?, body)
 }
@@ -186,14 +186,14 @@ fn longest(shape: &Ellipsoid) -> f64 {
     shape.lengths.iter().copied().fold(0.0, f64::max)
 }
 
-/// Draws the ellipsoid of inertia of a body with mass; false where it has none.
+/// Draws the ellipsoid of inertia of a body with mass; returns false, and draws nothing, for other bodies.
 fn ellipsoid(parts: &mut Parts<'_>, body: usize, at: usize) -> bool {
     let Some(shape) = shape(parts, body).filter(|shape| shape.has_mass) else { return false };
     rings(parts, body, at, shape, 1.0);
     true
 }
 
-/// Draws a body of unknown size.
+/// Draws a body of unknown size with the shape of its ellipsoid of inertia.
 fn schematic(parts: &mut Parts<'_>, body: usize, at: usize, size: f64) {
     let whole =
         Ellipsoid { axes: [Vector3::x(), Vector3::y(), Vector3::z()], lengths: [1.0, 1.0, 0.0], has_mass: false };
@@ -202,7 +202,7 @@ fn schematic(parts: &mut Parts<'_>, body: usize, at: usize, size: f64) {
     rings(parts, body, at, shape, by);
 }
 
-/// Draws ellipses across the axes of an ellipsoid, and in space the axes of its frame.
+/// Draws sections of an ellipsoid normal to its axes, scaled by the factor `by`, and for a motion in space the axes of its frame.
 fn rings(parts: &mut Parts<'_>, body: usize, at: usize, shape: Ellipsoid, by: f64) {
     let Some(frame) = parts.geometry.model.bodies[body].frame.map(|frame| frame.0) else { return };
     let axes_frame = parts.geometry.inertia_frame(body).unwrap_or(frame);
@@ -236,7 +236,7 @@ fn triad(parts: &mut Parts<'_>, frame: usize, at: usize, (length, colour): (f64,
     parts.add(SketchPart::Triad { at, axes, colour });
 }
 
-/// Draws the frames of a system without other visible parts: those in which no other frame turns.
+/// Draws the frames of a system without other visible parts; only frames to which no other frame is attached.
 fn frames_alone(parts: &mut Parts<'_>) {
     if !parts.parts.is_empty() {
         return;

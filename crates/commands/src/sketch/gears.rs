@@ -1,4 +1,4 @@
-//! Gears as two circles that touch, belts as two circles with a band.
+//! Gears in a sketch, as two circles in contact, and belts, as two circles with a band.
 
 use super::bodies::ring;
 use super::parts::Parts;
@@ -34,7 +34,7 @@ fn circle(parts: &mut Parts<'_>, GearWheel { centre, radius, frame, axis }: Gear
     ring(parts, centre, axes, axis, (colour, true));
 }
 
-/// The straight part of a belt on one side: a common tangent of both circles from outside.
+/// Draws a straight part of a belt, an outer common tangent of both circles, on the side `side` (1 or -1).
 fn strand(parts: &mut Parts<'_>, wheels: [GearWheel; 2], side: f64) {
     let normal = move |figure: &Figure| -> Vector3<f64> {
         let [first, second] = wheels;

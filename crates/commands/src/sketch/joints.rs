@@ -50,7 +50,7 @@ pub fn draw(parts: &mut Parts<'_>) {
     }
 }
 
-/// Draws the friction of a contact, on the body that touches.
+/// Draws the friction force of a contact, at the point of contact of the body.
 fn rubbed(parts: &mut Parts<'_>, touch: usize) {
     let acts = |figure: &scenes::geometry::Figure| is_seen(figure.touches[touch].friction);
     if parts.figures.iter().any(acts) {
@@ -84,7 +84,7 @@ fn about_axes(parts: &mut Parts<'_>) {
     }
 }
 
-/// The place of a joint: a point that is fixed in both frames, else the middle between their bodies, else the origin.
+/// The index of the point at which a joint is drawn: a point fixed in both frames, otherwise the midpoint of the bodies, otherwise the origin.
 fn middle(parts: &mut Parts<'_>, joint: &Joint) -> usize {
     if let Some(spot) = joint.at {
         let is_place = spot.way == Vector3::zeros();
@@ -96,17 +96,17 @@ fn middle(parts: &mut Parts<'_>, joint: &Joint) -> usize {
     }
 }
 
-/// The direction of a vector, of any unit; zero of one that has none.
+/// The unit vector of a vector; zero where it has no direction.
 fn way(vector: Vector3<f64>) -> Vector3<f64> {
     vector.try_normalize(0.0).filter(|_| is_seen(vector)).unwrap_or_default()
 }
 
-/// Whether a vector has a direction.
+/// Whether a vector is finite and not zero.
 fn is_seen(vector: Vector3<f64>) -> bool {
     vector.iter().any(|part| *part != 0.0) && vector.iter().all(|part| part.is_finite())
 }
 
-/// Draws surfaces on which wheels roll by constraints.
+/// Draws the surfaces on which wheels roll by constraints.
 fn rolled_on(parts: &mut Parts<'_>) {
     let geometry = parts.geometry;
     for wheel in &geometry.wheels {
@@ -116,7 +116,7 @@ fn rolled_on(parts: &mut Parts<'_>) {
         let is_flat = geometry.plane.is_some();
         let normal = parts.direction(move |figure| {
             let arm = figure.places[centre] - figure.places[point];
-            // in space a wheel leans, and the surface is horizontal
+            // in space the wheel may lean, and its surface is taken as horizontal
             if is_flat || figure.gravity == Vector3::zeros() { arm } else { -figure.gravity }
         });
         parts.add(SketchPart::Surface { at: point, normal, kind: SurfaceKind::Ground });
@@ -142,7 +142,7 @@ fn joined(parts: &mut Parts<'_>) {
             parts.add(SketchPart::Pin(place));
         }
     }
-    // pairs of places of two links that coincide at all times by constraints, or that are one place
+    // pairs of points of two links that coincide at all instants, or that are one point
     let all: Vec<(usize, usize)> =
         links.iter().enumerate().flat_map(|(link, places)| places.iter().map(move |place| (link, *place))).collect();
     for (number, &(link, place)) in all.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! A sketch of a system: its geometry as drawn parts, seen from a direction that shows the mechanism well.
+//! Sketches of systems: the geometry of a model as drawn parts, in a view that shows the mechanism well.
 
 mod bodies;
 mod gears;
@@ -15,7 +15,7 @@ use ::scenes::geometry::{Figure, Geometry};
 use charts::{Instant, Sketch};
 use parts::Parts;
 
-/// The sketch of a system at one time or several, seen from a given direction or from the usual one for its kind.
+/// The sketch of a system at one or several instants, in the given view or in the default view of the system.
 pub fn sketch(title: &str, geometry: &Geometry, figures: &[Figure], towards: Option<[f64; 3]>) -> Sketch {
     let mut parts = Parts::of(geometry, figures);
     let bodies = bodies::draw(&mut parts);
@@ -37,7 +37,7 @@ pub fn sketch(title: &str, geometry: &Geometry, figures: &[Figure], towards: Opt
     }
 }
 
-/// The places and directions of all figures, to which parts add their own.
+/// The instants of a sketch with the points of all figures; parts add further points and directions.
 fn instants(figures: &[Figure]) -> Vec<Instant> {
     let one = |figure: &Figure| Instant {
         time: figure.time,

@@ -1,4 +1,4 @@
-//! The motion of a scene as pictures: its run, or the part of it that some hundred pictures follow.
+//! The motion of a scene as a sequence of figures for an animation.
 
 use super::pictures::chosen;
 use crate::clock;
@@ -9,42 +9,42 @@ use simulation::run::most_samples;
 use simulation::{Choice, IvpScene, Trajectory};
 use std::ops::ControlFlow;
 
-/// Instants of a run from which pictures are chosen.
+/// The number of instants of a run from which figures are chosen.
 const INSTANTS: f64 = 3000.0;
-/// The largest number of pictures.
+/// The largest number of figures.
 const PICTURES: usize = 300;
-/// Fewer pictures than these are followed more closely, where they do not show the whole run.
+/// If fewer figures than this show only a part of the run, that part is run again with closer instants.
 const ENOUGH: usize = 100;
-/// The part of a run that is followed first, by this divisor.
+/// The first trial run is the whole run divided by this number.
 const PART: f64 = 4096.0;
-/// Shorter runs are tried so often, and each is at least so much shorter.
+/// The largest number of trial runs; [`SHORTER`] bounds the ratio of the lengths of successive ones.
 const TRIALS: usize = 12;
 const SHORTER: f64 = 64.0;
-/// The approximate largest size of a moving picture, in bytes, and the size of one part in one picture.
+/// The approximate largest size of an animated picture in bytes; [`BYTES`] is the size of one part at one instant.
 const LARGEST: usize = 1_500_000;
 const BYTES: usize = 40;
-/// The least number of pictures of a system with many parts.
+/// The least number of figures for a system with many parts.
 const FEWEST: usize = 60;
-/// A turn by more than this between two instants, in rad, would look like another turn.
+/// The largest rotation in radians between two instants; a larger rotation could look like a rotation in the opposite sense.
 const SEEN_TURN: f64 = 0.5;
 
-/// The pictures of a motion.
+/// The figures of a motion.
 pub struct Motion {
     pub figures: Vec<Figure>,
-    /// The part of the run that is shown, s; none where that is all that was asked for.
+    /// The interval of the run that the figures show, s; `None` where they show the whole requested interval.
     pub part: Option<[f64; 2]>,
-    /// The run that was drawn.
+    /// The run from which the figures were taken.
     pub run: Trajectory,
 }
 
-/// The interval of a run that is asked for, s.
+/// The requested interval of a run, s.
 #[derive(Clone, Copy, Debug)]
 pub struct Interval {
     pub from: f64,
     pub to: f64,
 }
 
-/// The largest number of pictures of a sketch.
+/// The largest number of figures for a sketch, so that its file stays small.
 pub fn most_pictures(sketch: &Sketch) -> usize {
     let weight = |part: &SketchPart| match part {
         SketchPart::TorsionSpring { .. } => 12,
@@ -55,7 +55,7 @@ pub fn most_pictures(sketch: &Sketch) -> usize {
     (LARGEST / (BYTES * parts.max(1))).clamp(FEWEST, PICTURES)
 }
 
-/// Follows a scene over an interval, or from its begin as far as the pictures go; none where nothing moves there.
+/// Runs a scene over an interval, or over the first part of it that the figures can show; `None` where nothing moves.
 pub fn followed(
     scene: &ModelScene,
     geometry: &Geometry,
@@ -63,7 +63,7 @@ pub fn followed(
     mut progress: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Option<Motion> {
     let Interval { from, to } = interval;
-    // the first part tells at little cost whether pictures can follow the whole
+    // a short first run shows at little cost whether the figures can show the whole interval
     let mut until = if from == 0.0 { to / PART } else { to };
     let mut too_long = f64::INFINITY;
     let mut best: Option<Motion> = None;
@@ -79,7 +79,7 @@ pub fn followed(
             true if count < ENOUGH.min(most) => to,
             true => from + (until - from) * most as f64 / count as f64,
             false if count >= ENOUGH.min(most) => break,
-            // farther than pictures have followed it, with closer instants
+            // the next run extends beyond the part that the figures have shown, with closer instants than a run to the end
             false => {
                 too_long = until;
                 let ahead = (4.0 * (shown - from)).max((until - from) / SHORTER);
@@ -95,7 +95,7 @@ pub fn followed(
 }
 
 impl Motion {
-    /// The time of the last picture; below all times where there is none.
+    /// The time of the last figure, s; minus infinity without figures.
     fn shown(&self) -> f64 {
         self.figures.last().map_or(f64::NEG_INFINITY, |figure| figure.time)
     }
@@ -113,7 +113,7 @@ fn run(
     problem.simulate_while(&Choice { samples, allowed: clock::left(), ..scene.run().choice() }, progress)
 }
 
-/// The pictures of a run of some span, whose rows end with the values that its mode determines or not.
+/// The figures of a run of this span. Its rows end with the values that depend on the contact mode.
 pub fn pictures(
     scene: &ModelScene,
     geometry: &Geometry,

@@ -19,7 +19,7 @@ pub fn name(parts: &mut Parts<'_>) {
     parts.names.extend(points);
 }
 
-/// The places of the model that a part joins.
+/// The points of the model that a part joins, by their indices.
 fn stands_at(part: &SketchPart) -> Vec<usize> {
     match part {
         SketchPart::Plate { corners, .. } => corners.clone(),

@@ -1,4 +1,4 @@
-//! The parts of a sketch under construction, with the places and directions that they use.
+//! A sketch under construction: its parts, with the points and directions to which they refer.
 
 use super::instants;
 use ::scenes::geometry::{Figure, Geometry};
@@ -12,9 +12,9 @@ pub struct Parts<'a> {
     pub parts: Vec<SketchPart>,
     pub names: Vec<(usize, String)>,
     pub instants: Vec<Instant>,
-    /// The number of each body's place, at which its name stands.
+    /// For each body, the index of the point at which its name stands.
     pub bodies: Vec<Option<usize>>,
-    /// The number of the place about which each body is drawn.
+    /// For each body, the index of the point about which it is drawn.
     pub middles: Vec<Option<usize>>,
 }
 
@@ -31,7 +31,7 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// Adds a place to those of the model.
+    /// Adds a point to those of the model and returns its index.
     pub fn place(&mut self, of: impl Fn(&Figure) -> Vector3<f64>) -> usize {
         for (instant, figure) in self.instants.iter_mut().zip(self.figures) {
             instant.places.push(of(figure).into());
@@ -39,7 +39,7 @@ impl<'a> Parts<'a> {
         self.instants.first().map_or(0, |instant| instant.places.len() - 1)
     }
 
-    /// Adds the place in the middle between two.
+    /// Adds the midpoint of two points and returns its index.
     pub fn between(&mut self, one: usize, other: usize) -> usize {
         for Instant { places, .. } in &mut self.instants {
             let (one, other) = (places[one], places[other]);
@@ -55,7 +55,7 @@ impl<'a> Parts<'a> {
         self.instants.first().map_or(0, |instant| instant.directions.len() - 1)
     }
 
-    /// Whether two places of the model coincide at all times.
+    /// Whether two points of the model coincide at all instants.
     pub fn coincide(&self, a: usize, b: usize) -> bool {
         let near = 1e-6 * self.geometry.size;
         self.figures.iter().all(|figure| (figure.places[a] - figure.places[b]).norm() <= near)

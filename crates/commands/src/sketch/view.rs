@@ -1,14 +1,14 @@
-//! The direction of view: normal to the plane of a plane motion, else from the side and a little from above.
+//! The default view of a sketch: normal to the plane of a plane motion, otherwise from the side and slightly from above.
 
 use ::scenes::geometry::{Figure, Geometry};
 use charts::View;
 use nalgebra::Vector3;
 
-/// Degrees from the first horizontal axis, and degrees above the horizon.
+/// The azimuth of the view from the first horizontal axis, in degrees; [`HEIGHT`] is its elevation above the horizon.
 const AZIMUTH: f64 = -58.0;
 const HEIGHT: f64 = 22.0;
 
-/// The view that is asked for, or the usual one.
+/// The requested view, or the default view of the system.
 pub fn view(geometry: &Geometry, figures: &[Figure], towards: Option<[f64; 3]>) -> View {
     let weight = figures.first().and_then(|figure| figure.gravity.try_normalize(0.0)).map(|fall| -fall);
     if let Some(towards) = towards {
@@ -24,13 +24,13 @@ pub fn view(geometry: &Geometry, figures: &[Figure], towards: Option<[f64; 3]>) 
     let across = |direction: &Vector3<f64>| direction.dot(&normal).abs() < 0.1;
     let upright = if normal.z.abs() > 0.9 { Vector3::y() } else { Vector3::z() };
     let up = weight.filter(across).unwrap_or(upright);
-    // seen from the side from which the first axis points to the right
+    // from the side on which the first axis of the plane points to the right
     let right = up.cross(&normal);
     let first = right.iter().copied().find(|part| part.abs() > 0.1).unwrap_or(1.0);
     View { towards: (first.signum() * normal).into(), up: up.into() }
 }
 
-/// Two horizontal axes, close to those of the ground, that form a right-handed frame with the upright axis.
+/// Two horizontal unit vectors, close to axes of the ground, that form a right-handed frame with `up`.
 fn horizontal(up: Vector3<f64>) -> [Vector3<f64>; 2] {
     let near = if up.x.abs() < 0.8 { Vector3::x() } else { Vector3::y() };
     let first = (near - near.dot(&up) * up).normalize();

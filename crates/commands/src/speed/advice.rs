@@ -1,11 +1,11 @@
-//! Advice in one sentence: the fastest method for an error, and the cost of the next one.
+//! A sentence of advice on the fastest method for an error.
 
 use super::{Counted, Series, series};
 use charts::{significant, tolerance};
 use integrators::cost;
 use simulation::Atlas;
 
-/// The sentence on the fastest method that reaches an error, and on the fastest one of another family.
+/// A sentence on the fastest method that reaches an error, and on the fastest method of another family.
 pub fn advice(atlas: &Atlas, error: f64) -> String {
     let series = series(atlas);
     let reaching = |one: &&Series<'_>| cost(&one.trials(Counted::Time), error).is_some();
@@ -17,7 +17,7 @@ pub fn advice(atlas: &Atlas, error: f64) -> String {
     costs.sort_by(|a, b| a.0.total_cmp(&b.0));
     let to = tolerance(error);
     let Some((least, best)) = costs.first() else {
-        // methods that reach the error may be untimed, where the time allowed for measuring was spent
+        // the times of methods that reach the error are unknown if the time for measurements was spent
         let counted = |one: &Series<'_>| cost(&one.trials(Counted::Evaluations), error);
         let fewest = series.iter().filter_map(|one| Some((counted(one)?, one))).min_by(|a, b| a.0.total_cmp(&b.0));
         return fewest.map_or_else(

@@ -1,8 +1,8 @@
-//! Speed against accuracy of one scene: pictures, the front as a table, advice.
+//! Errors and costs of all methods on one scene: pictures, Pareto fronts as tables, advice.
 //!
 //! # Overview
-//! * [`Series`]: the runs of a method on one formulation with one model;
-//! * [`Counted`]: the measure of a run's cost;
+//! * [`Series`]: the runs of one method on one formulation with one model;
+//! * [`Counted`]: the measure of the cost of a run;
 //! * [`pictures`], [`tables`], [`advice`].
 
 pub mod advice;
@@ -13,11 +13,11 @@ use integrators::{Index2Method, Means, Method, Point, Trial};
 use simulation::Atlas;
 use simulation::work_precision::{Configuration, Standing};
 
-/// The measure of a run's cost.
+/// The measure of the cost of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Counted {
     Evaluations,
-    /// Time, s.
+    /// The measured time in seconds.
     Time,
 }
 
@@ -40,10 +40,10 @@ impl Counted {
     }
 }
 
-/// The largest relative error of a useful result; runs with a larger one are on no front.
+/// The largest relative error of a useful result; runs with a larger error are on no Pareto front.
 pub const ANSWER: f64 = 0.1;
 
-/// The runs of a method on one configuration.
+/// The runs of one method on one configuration.
 pub struct Series<'a> {
     pub way: &'a Configuration,
     pub family: String,
@@ -63,18 +63,18 @@ impl Series<'_> {
         format!("{} {}{with}", self.family, self.way.formulation.said())
     }
 
-    /// Whether the error of its model is small enough for a useful result.
+    /// Whether the model is exact, or at least one run has an error that is small enough for a useful result.
     pub fn is_near(&self) -> bool {
         self.way.is_exact() || self.points.iter().any(|point| point.error.is_ok_and(|error| error <= ANSWER))
     }
 
-    /// The trials for [`integrators::cost`].
+    /// The costs and errors of the runs, for [`integrators::cost`].
     pub fn trials(&self, counted: Counted) -> Vec<Trial> {
         self.points.iter().map(|point| Trial { cost: counted.of(point), error: point.error.ok() }).collect()
     }
 }
 
-/// All series of an atlas, configuration by configuration.
+/// All series of an atlas, ordered by configuration.
 pub fn series(atlas: &Atlas) -> Vec<Series<'_>> {
     let mut all: Vec<Series> = Vec::new();
     for explored in &atlas.explored {
@@ -90,7 +90,7 @@ pub fn series(atlas: &Atlas) -> Vec<Series<'_>> {
     all
 }
 
-/// The name of a motor's model for a reader, and whether it is approximate.
+/// The name of the model in a configuration, with `(approximate)` or `(exact)` for a reduced model; empty for the model of the scene.
 pub fn model(way: &Configuration) -> String {
     let name = way.model.replace('_', " ");
     match way.standing {

@@ -1,7 +1,7 @@
-//! The hash at the end of each row of a table that grows, of the cells before it.
+//! Seals in a table to which rows are appended: each row ends with the hash of its other cells.
 //!
-//! The table of an ensemble is continued after a kill, and joined from the tables of its parts; its bytes must be those of one run. A hash of
-//! the whole table changes with each row, a hash of each row does not. Lost rows show by the numbers of the members.
+//! The table of an ensemble is continued after a kill and joined from the tables of its parts; the result must equal, byte for byte, the table of
+//! a single run. A hash of the whole table would change with each row; a hash of each row does not. Missing rows are recognised by the numbers of members.
 
 use super::hex;
 use hmac_sha256::Hash;
@@ -10,21 +10,21 @@ use std::io::{self, BufRead};
 /// The name of the column of hashes.
 pub const COLUMN: &str = "row_sha256";
 
-/// The number of hexadecimal digits that a row keeps of its hash: enough for changes by hand, which are no attacks.
+/// The number of hexadecimal digits of a hash that are written. They suffice to detect changes by hand, not attacks.
 const DIGITS: usize = 16;
 
-/// A row, without its line end, with its hash as a further cell.
+/// A row with its hash as the last cell, without a line end.
 pub fn sealed(row: &str) -> String {
     format!("{row},{}", digits(row.as_bytes()))
 }
 
-/// Whether a row, without its line end, ends with the hash of the cells before it.
+/// Whether a row, without its line end, ends with the hash of its other cells.
 pub fn is_whole(row: &[u8]) -> bool {
     let comma = row.len().checked_sub(DIGITS + 1);
     comma.is_some_and(|at| row[at] == b',' && &row[at + 1..] == digits(&row[..at]).as_bytes())
 }
 
-/// Whether every line below the heading is a row that ends with its hash.
+/// Whether all lines below the heading are rows that end with their hashes.
 ///
 /// # Errors
 /// The table cannot be read.
@@ -37,7 +37,7 @@ pub fn holds(mut table: impl BufRead) -> io::Result<bool> {
         match line.strip_suffix(b"\n") {
             Some(row) if is_whole(row) => {}
             Some(_) => return Ok(false),
-            // the rest of a killed run cannot be told from a line that was added by hand
+            // an incomplete last line may come from a killed run or from an editor
             None => return Ok(line.is_empty()),
         }
     }

@@ -1,7 +1,7 @@
-//! The hash at the end of a table's first comment, of the whole table without it.
+//! Seals in tables with comments: the first comment ends with the hash of the rest of the table.
 //!
-//! The comments above a table keep their number, and its last line is a row: readers that skip so many lines, or take the last one, go on.
-//! Rows that are added or cut off break this seal, where they would take one at the end away.
+//! The seal adds no line, so that readers that skip a fixed number of comments, or take the last line as a row, remain correct.
+//! Since the seal stands at the beginning, rows that are appended or cut off do not remove it, and it no longer agrees with the table.
 
 use super::{Hashed, hex};
 use hmac_sha256::Hash;
@@ -12,7 +12,7 @@ const BEFORE: &str = "; sha256 of all else here: ";
 /// The number of hexadecimal digits of a hash.
 const DIGITS: usize = 64;
 
-/// Writes content from the beginning of a file. Where its first line is a comment, that line ends with the hash of the content.
+/// Writes a file from its beginning. If its first line is a comment, the hash of the content is inserted at the end of this line.
 pub fn sealed<W: Write + Seek>(out: &mut W, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     let mut opened = Opened { out, length: 0, digits: Digits::Unknown };
     let mut hashed = Hashed::of(&mut opened);
@@ -27,20 +27,20 @@ pub fn sealed<W: Write + Seek>(out: &mut W, content: impl FnOnce(&mut dyn Write)
     Ok(())
 }
 
-/// The place of the digits of the hash.
+/// The position of the digits of the hash in the file.
 #[derive(Clone, Copy)]
 enum Digits {
-    /// The first line has not ended.
+    /// Unknown, since the first line has not ended.
     Unknown,
     At(u64),
-    /// The first line is no comment.
+    /// No position, since the first line is not a comment.
     Nowhere,
 }
 
-/// A writer that leaves room for the hash at the end of the first line.
+/// A writer that leaves space for the hash at the end of the first line.
 struct Opened<'a, W> {
     out: &'a mut W,
-    /// Bytes of the first line so far.
+    /// The number of bytes of the first line written so far.
     length: u64,
     digits: Digits,
 }
@@ -70,7 +70,7 @@ impl<W: Write> Write for Opened<'_, W> {
     }
 }
 
-/// Whether the hash in the first line is that of the table; `None` where its comments have none.
+/// Whether the hash in the first line is the hash of the rest of the table; `None` where the comments contain no hash.
 ///
 /// # Errors
 /// The table cannot be read.
@@ -96,7 +96,7 @@ pub fn holds(mut table: impl BufRead) -> io::Result<Option<bool>> {
     Ok(Some(told == hex(hash).as_bytes()))
 }
 
-/// A hash that is no longer at the end of the first line does not hold.
+/// False where the hash stands elsewhere in the comments than at the end of the first line; `None` where there is no hash.
 fn in_other_comments(first: &[u8], table: impl BufRead) -> io::Result<Option<bool>> {
     let is_seal = |line: &[u8]| line.windows(BEFORE.len()).any(|part| part == BEFORE.as_bytes());
     if is_seal(first) {

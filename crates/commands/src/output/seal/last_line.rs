@@ -1,10 +1,10 @@
-//! The last line of a written program, picture, page, reference or file of certificates: the hash of the lines above it.
+//! Seals in programs, pictures, pages, references and certificates: the last line contains the hash of the lines above it.
 
 use super::{Hashed, hex};
 use hmac_sha256::Hash;
 use std::io::{self, Write};
 
-/// The text around the hash in the last line.
+/// The text before and after the hash in the last line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Around {
     pub before: &'static str,
@@ -12,13 +12,13 @@ pub struct Around {
 }
 
 impl Around {
-    /// A comment that begins with `//`.
+    /// A comment after `//`.
     pub const SLASHES: Around = Around { before: "// sha256 of the lines above: ", after: "" };
-    /// A comment that begins with `#`.
+    /// A comment after `#`.
     pub const SHARP: Around = Around { before: "# sha256 of the lines above: ", after: "" };
     /// A comment of XML and HTML.
     pub const MARKUP: Around = Around { before: "<!-- sha256 of the lines above: ", after: " -->" };
-    /// The last key of an object of JSON, whose content leaves it open.
+    /// The last key of a JSON object; the content must leave the object open.
     pub const JSON: Around = Around { before: ",\"sha256_of_the_lines_above\":\"", after: "\"}" };
 
     fn line(self, hash: Hash) -> String {
@@ -26,7 +26,7 @@ impl Around {
     }
 }
 
-/// Writes content, a line end where its last line has none, then the hash of all that.
+/// Writes the content, a line end where its last line has none, then the line with the hash of all of this.
 pub fn sealed(
     out: &mut dyn Write,
     around: Around,
@@ -41,7 +41,7 @@ pub fn sealed(
     writeln!(out, "{}", around.line(hash))
 }
 
-/// Whether the last line is the hash of the lines above it; `None` where no line looks like a seal.
+/// Whether the last line contains the hash of the lines above it; `None` where no line looks like a seal.
 pub fn holds(text: &[u8], around: Around) -> Option<bool> {
     let is_seal = |line: &[u8]| line.starts_with(around.before.as_bytes());
     text.split(|byte| *byte == b'\n').any(is_seal).then(|| is_whole(text, around))

@@ -1,4 +1,4 @@
-//! Seals: hashes within files, by which a file that was changed by hand is told from one that a command wrote.
+//! Seals: hashes in output files, by which a command detects that a file was changed by hand.
 
 pub mod each_row;
 pub mod first_line;
@@ -7,16 +7,16 @@ pub mod last_line;
 use hmac_sha256::Hash;
 use std::io::{self, Write};
 
-/// A hash in hexadecimal digits.
+/// A SHA-256 hash as hexadecimal digits.
 fn hex(hash: Hash) -> String {
     hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// A writer that hashes what it passes on.
+/// A writer that passes its bytes on and hashes them.
 struct Hashed<'a> {
     out: &'a mut dyn Write,
     hash: Hash,
-    /// The last byte so far.
+    /// The last byte written.
     last: u8,
 }
 
