@@ -1,4 +1,4 @@
-//! Verdicts on the stability of stationary motions, with what each rests on, as text and JSON.
+//! Verdicts on the stability of steady motions, with their reasons, as text and JSON.
 
 use charts::significant;
 use mechanics::linear_stability::{HalfPlanes, Inertia};
@@ -8,7 +8,7 @@ use std::fmt::Write;
 use studies::stationary::motor::MotorStates;
 use studies::stationary::stability::{Along, Integral, Judged, Reason, StabilityVerdict};
 
-/// The verdicts as text: a line for each angle of the rotor, with the reason.
+/// The verdicts as text, one line with the reason for each angle of the rotor.
 pub fn text(motor: &MotorStates, judged: &[Judged]) -> String {
     let mut out = String::new();
     for (one, angle) in judged.iter().zip(angles(motor)) {
@@ -18,7 +18,7 @@ pub fn text(motor: &MotorStates, judged: &[Judged]) -> String {
     out
 }
 
-/// The verdicts along a family of motions: a line for each arc with one verdict, and for each direction that differs from its neighbours.
+/// The verdicts along a family of motions as text: a line for each arc with one verdict, and for each direction with a verdict of its own.
 pub fn along(motor: &MotorStates, along: &[Along]) -> String {
     let mut out = String::new();
     for (one, angle) in along.iter().zip(angles(motor)) {
@@ -50,7 +50,7 @@ fn components(v: Vector3<f64>) -> String {
     format!("({:.8}, {:.8}, {:.8})", v.x, v.y, v.z)
 }
 
-/// The verdicts along a family of motions as JSON: arcs and edges for each angle of the rotor.
+/// The verdicts along a family of motions as JSON: arcs and single directions for each angle of the rotor.
 pub fn along_objects(motor: &MotorStates, along: &[Along]) -> Vec<Value> {
     let of_angle = |(one, angle): (&Along, Option<f64>)| {
         let arcs = one.arcs.iter().map(|arc| {
@@ -66,7 +66,7 @@ pub fn along_objects(motor: &MotorStates, along: &[Along]) -> Vec<Value> {
     along.iter().zip(angles(motor)).map(of_angle).collect()
 }
 
-/// The verdicts as JSON, an object for each angle of the rotor.
+/// The verdicts as JSON, one object for each angle of the rotor.
 pub fn objects(motor: &MotorStates, judged: &[Judged]) -> Vec<Value> {
     let each = judged.iter().zip(angles(motor)).map(|(one, angle)| {
         let mut object = object(one);
@@ -91,7 +91,7 @@ fn object(one: &Judged) -> Value {
     })
 }
 
-/// The name of a verdict; for a member of a family it is marked as a verdict on the family.
+/// The name of a verdict; for a member of a family with the remark that it applies to the family.
 fn named(judged: &Judged) -> String {
     let family = if judged.along > 0 { ", as a family" } else { "" };
     format!("{}{family}", name(judged.verdict))
@@ -124,10 +124,10 @@ fn letter(integral: Integral) -> &'static str {
     }
 }
 
-/// Rates of growth below this are reported as negligible, 1/s: a deviation grows by the factor e in thirty years.
+/// The rate of growth in 1/s below which it is reported as negligible: a deviation grows by the factor e in thirty years.
 const SLOW: f64 = 1e-9;
 
-/// The rate at which the fastest deviation grows, from an enclosure in 1/s.
+/// A sentence on the growth rate of the fastest deviation, from its enclosure in 1/s.
 fn grows([low, high]: [f64; 2]) -> String {
     let rate = 0.5 * (low + high);
     if rate >= SLOW {

@@ -1,4 +1,4 @@
-//! Maps of stability over two data of a scene, where rotor and weight lie along one principal axis.
+//! Stability maps over two data of a scene whose rotor and weight lie along one principal axis.
 
 use charts::{AreaCurve, Areas};
 use studies::scene::{Scene, Setup};
@@ -9,23 +9,23 @@ use studies::stationary::stability::reduced::Fate;
 use studies::stationary::stability::region::nodes;
 use systems::gyrostat::Gyrostat;
 
-/// Columns and rows.
+/// The numbers of columns and rows of cells.
 const CELLS: (usize, usize) = (96, 72);
 
-/// The label of cells where the load exceeds the motor's pull-out torque.
+/// The label of cells in which the load exceeds the pull-out torque of the motor.
 const BEYOND: &str = "no stationary motion: the motor is pulled out";
 
 /// A map of a scene over two data, each in its range.
 pub struct MapRequest<'a> {
     pub scene: &'a Scene,
     pub data: [(&'a Datum, [f64; 2]); 2],
-    /// rad/s
+    /// The angular velocity about the vertical, rad/s.
     pub speed: f64,
     pub hanging: bool,
 }
 
-/// The maps of the report: over both speeds, and over the load and the height of the carrier's centre of mass, for each gyrostat
-/// with this symmetry and a motor.
+/// The maps of the report for each gyrostat with this symmetry and a motor: over the angular velocity and the rotor speed, and over the load and
+/// the height of the carrier's centre of mass.
 pub fn all(scenes: &[&Scene]) -> Vec<Areas> {
     let mut known: Vec<&Gyrostat<f64>> = Vec::new();
     let mut maps = Vec::new();
@@ -62,12 +62,12 @@ fn of_gyrostat(scene: &Scene, bodies: &Gyrostat<f64>, hanging: bool) -> Vec<Area
     speeds.into_iter().chain(loads).collect()
 }
 
-/// A datum that does not enter the motor.
+/// A datum on which the motor does not depend.
 fn load_free(scene: &Scene) -> Option<Datum> {
     Datum::named(scene, "gravity").ok()
 }
 
-/// The scale of angular velocities and rotor speeds, rad/s, at which weight and rotation are in balance.
+/// The ranges of the angular velocity and of the rotor speed in the maps, rad/s, at which the torques of weight and of rotation are comparable.
 fn reach(bodies: &Gyrostat<f64>) -> [f64; 2] {
     let derived = bodies.derived();
     let size = derived.full.moments.max();
@@ -76,16 +76,16 @@ fn reach(bodies: &Gyrostat<f64>) -> [f64; 2] {
     [w, rotor].map(rounded)
 }
 
-/// A value rounded to two digits, which keeps the exact arithmetic on it short.
+/// A value rounded to two digits, which shortens the exact arithmetic with it.
 fn rounded(value: f64) -> f64 {
     format!("{value:.1e}").parse().unwrap_or(value)
 }
 
 impl MapRequest<'_> {
-    /// The columns of the map: the value of the first datum, and the cell there.
+    /// The columns of the map: values of the first datum, each with the intervals of the second datum and their verdicts.
     ///
     /// # Errors
-    /// [`NoPlane`].
+    /// [`NoPlane`], where the scene has no such symmetry or the data cannot be varied.
     pub fn columns(&self) -> Result<Vec<(f64, Cell)>, NoPlane> {
         let [(first, [low, high]), (second, range)] = self.data;
         let along = self.weighs_along() == self.hanging;
@@ -93,7 +93,7 @@ impl MapRequest<'_> {
         nodes([low, high], CELLS.0).into_iter().map(|value| Ok((value, plane.cell(value, range)?))).collect()
     }
 
-    /// Whether the scene's own weight points along the axis.
+    /// Whether the centre of mass of the scene lies on the positive side of the axis.
     fn weighs_along(&self) -> bool {
         match &self.scene.system {
             Setup::Gyrostat(bodies) => bodies.weight().iter().find(|g| **g != 0.0).is_none_or(|g| *g > 0.0),
@@ -101,7 +101,7 @@ impl MapRequest<'_> {
         }
     }
 
-    /// The curve of pull-out loads, beyond which the motor has no synchronous motion.
+    /// The curve of pull-out loads, beyond which the motor has no synchronous motion; `None` without a motor that synchronises.
     fn pull_out(&self) -> Option<AreaCurve> {
         let [(first, [low, high]), (second, [bottom, top])] = self.data;
         let held = Plane::of(self.scene, [first, second], self.speed, true).ok()?.bears()?;
@@ -124,7 +124,7 @@ impl MapRequest<'_> {
         };
         let rows: Vec<Vec<usize>> = (0..CELLS.1).map(row).collect();
         let mut kinds: Vec<String> = Fate::ALL.iter().map(|fate| fate.name().into()).collect();
-        // only where such cells occur
+        // this kind is in the legend only if it occurs
         kinds.extend(rows.iter().flatten().any(|one| *one == beyond).then(|| BEYOND.to_owned()));
         let place = if self.hanging { "hanging" } else { "upright" };
         let turning = [first, second].iter().all(|datum| datum.name != "omega0");
@@ -153,13 +153,13 @@ impl MapRequest<'_> {
     }
 }
 
-/// A datum with its unit.
+/// The name of a datum with its unit.
 pub fn labelled(datum: &Datum) -> String {
     format!("{}, {}", datum.name, datum.unit)
 }
 
-/// The k-th edge of a kind from column to column, as long as their number is the same. A point beyond the picture separates
-/// pieces of the curve.
+/// The curves of boundaries of one kind, neutral or not, joined from column to column as long as their number does not change. A point outside the
+/// picture separates the pieces.
 fn curve(columns: &[(f64, Cell)], neutral: bool, name: &str) -> AreaCurve {
     let mut pieces: Vec<Vec<(f64, f64)>> = Vec::new();
     let mut open = 0;

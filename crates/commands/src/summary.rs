@@ -1,4 +1,4 @@
-//! The summary of a run, in a few lines or as one JSON object.
+//! The summary of a run, as text or as one JSON object.
 
 use integrators::{Failure, Lost, StepHalvingCheck, StepHalvingVerdict};
 use serde_json::{Map, Value, json};
@@ -10,13 +10,13 @@ use std::fmt::Write;
 pub struct Summary<'a> {
     pub scene: &'a dyn IvpScene,
     pub choice: &'a Choice,
-    /// The form of the equations, where there are several.
+    /// The form of the equations, where the scene has several.
     pub form: Option<Axes>,
     pub trajectory: &'a Trajectory,
     pub told: &'a simulation::RunNotes,
-    /// For constant steps: the comparison with a run of half the step size.
+    /// For a method with constant steps: the comparison with a run with half the step size.
     pub beside: Option<StepHalvingCheck>,
-    /// Values of the start that constraints or an equilibrium have moved.
+    /// Initial values that were changed such that constraints are satisfied or the system is in equilibrium.
     pub completed: &'a [(String, f64)],
 }
 
@@ -133,25 +133,25 @@ impl Summary<'_> {
         text
     }
 
-    /// A value with its unit, if it has one.
+    /// The value of a quantity with its unit.
     fn measured(&self, name: &str, value: f64) -> String {
         let unit = self.scene.unit(name);
         if unit == "1" || !value.is_finite() { readable(value) } else { format!("{} {unit}", readable(value)) }
     }
 
-    /// Whether a state is one of the scene's outputs; every state is where the scene names none.
+    /// Whether a state is one of the scene's outputs; true for every state of a scene without a list of outputs.
     fn shown(&self, name: &str) -> bool {
         let outputs = &self.scene.run().outputs;
         outputs.is_empty() || outputs.iter().any(|output| output == name)
     }
 }
 
-/// A failure with its remedy.
+/// A failure of a run as JSON, with its remedy.
 pub fn failed(RunFailure { kind, at, evidence, remedy }: &RunFailure) -> Value {
     json!({ "kind": kind.name(), "at": at, "evidence": evidence, "remedy": remedy })
 }
 
-/// The verdict of the comparison with half the step size, with the evaluations that it took.
+/// The comparison with half the step size as JSON, with the number of its evaluations.
 fn judged(beside: StepHalvingCheck) -> Value {
     let (apart, from, why) = match beside.verdict {
         StepHalvingVerdict::Converges { apart } => (Some(apart), None, None),
@@ -163,28 +163,28 @@ fn judged(beside: StepHalvingCheck) -> Value {
             "evaluations": beside.work.rates })
 }
 
-/// The version of the program, and the processor: the last digits depend on fused multiplication.
+/// The version of the program and the processor, on which the last digits depend through fused multiplication.
 fn made_by() -> String {
     let (processor, system) = (std::env::consts::ARCH, std::env::consts::OS);
     let rounds = if integrators::fuses() { "fused" } else { "unfused" };
     format!("{}:{processor}-{system}-{rounds}", env!("CARGO_PKG_VERSION"))
 }
 
-/// An event of a run.
+/// An event of a run as JSON.
 pub fn passed(Passage { time, what, then, .. }: &Passage) -> Value {
     json!({ "time": time, "what": what, "then": then })
 }
 
-/// The largest number of events that are shown; of more the first and the last ones are.
+/// The largest number of events that are shown; of a longer list the first and the last events are shown.
 const MOST_SHOWN: usize = 20;
 
-/// An event that is shown, or the number of events that are left out.
+/// An event that is shown, or the number of events that are not.
 pub enum EventReport<'a> {
     Passage(&'a Passage),
     LeftOut(usize),
 }
 
-/// The start and the events of a run that are shown.
+/// The events of a run that are shown, with the number of those left out in between.
 pub fn told_passages(passages: &[Passage]) -> Vec<EventReport<'_>> {
     let left_out = passages.len().saturating_sub(MOST_SHOWN);
     if left_out == 0 {
@@ -196,7 +196,7 @@ pub fn told_passages(passages: &[Passage]) -> Vec<EventReport<'_>> {
 }
 
 impl EventReport<'_> {
-    /// The line of the event, after the word `event`.
+    /// The line of the event, without the word `event` before it.
     pub fn line(&self) -> String {
         match self {
             EventReport::Passage(Passage { time, what, then, .. }) => {
@@ -209,14 +209,14 @@ impl EventReport<'_> {
     }
 }
 
-/// The text for a quantity without a value.
+/// The text for a quantity that is not finite.
 const UNDEFINED: &str = "undefined";
 
-/// The remedy of a run that spent its evaluations.
+/// The remedy for a run that reached its limit of evaluations.
 const MORE_EVALUATIONS: &str = "a time limit above 300 s allows more evaluations in proportion, --seconds 3000 ten times as many; a coarser \
                                 tolerance, or an implicit method (--method radau_5) of a stiff system, needs fewer";
 
-/// A number with nine digits after the point, or as a power of ten where these would show no digits of it.
+/// A number with nine decimals, or in scientific notation where these would be inaccurate.
 fn readable(value: f64) -> String {
     if !value.is_finite() {
         return UNDEFINED.to_owned();

@@ -1,4 +1,4 @@
-//! Times that other programs take for proofs of dalembert, read from the measuring script's file where it exists.
+//! Times of other programs for the proofs of dalembert, read from the file of the measuring script if it exists.
 
 use charts::{Contender, TimingRow, Timings};
 use serde_json::Value;
@@ -16,7 +16,7 @@ pub fn read(scenes: &Path) -> Result<Timings, String> {
     timings(&text).ok_or_else(|| format!("{FILE} is not what this program reads; {COMMAND} writes it anew."))
 }
 
-/// Reads `tasks`, each `{task, dalembert, sympy, flint}` in seconds or, where there is no answer, with the reason as text.
+/// Parses the entries `tasks`, each `{task, dalembert, sympy, flint}` in seconds; the text in place of a time is the reason for a missing answer.
 fn timings(text: &str) -> Option<Timings> {
     let value: Value = serde_json::from_str(text).ok()?;
     let rows: Vec<TimingRow> = value.get("tasks")?.as_array()?.iter().filter_map(row).collect();
@@ -40,7 +40,7 @@ fn row(value: &Value) -> Option<TimingRow> {
     Some(TimingRow { task, ours: value.get("dalembert")?.as_f64()?, others: others.into() })
 }
 
-/// The versions of the tools, such as `sympy 1.14.0, flint 3.6.0.`
+/// The versions of the tools, such as `sympy 1.14.0, flint 3.6.0`.
 fn versions(value: &Value) -> String {
     let Some(Value::Object(versions)) = value.get("versions") else { return String::new() };
     let named = versions.iter().filter_map(|(name, version)| Some(format!("{name} {}", version.as_str()?)));

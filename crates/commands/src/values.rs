@@ -1,9 +1,9 @@
-//! Exact values by name for readers: the components of one vector together, names as formulas.
+//! Exact values by name, for readers: the components of a vector in one entry, names as formulas.
 
 use symbolic::Sym;
 
-/// Texts for names and values: `$\\nu$` and `(0, 3/5, 4/5)`. To be called in the thread that made the paper's claims, which
-/// knows how the paper writes its letters.
+/// Names and values as text, `$\\nu$` and `(0, 3/5, 4/5)`. Call it in the thread in which the claims of the paper were built, since this thread
+/// stores the LaTeX of the letters.
 pub fn compact(values: &[(String, String)]) -> Vec<(String, String)> {
     let mut out = Vec::new();
     let mut rest = values;
@@ -22,7 +22,7 @@ pub fn compact(values: &[(String, String)]) -> Vec<(String, String)> {
     out
 }
 
-/// The number of leading values that are components of one vector: their names are one stem with 1, 2, 3, ...
+/// The number of leading values that are components of one vector: their names are one stem followed by 1, 2, 3, ...
 fn components(values: &[(String, String)]) -> usize {
     let Some(stem) = values.first().and_then(|(name, _)| name.strip_suffix('1')) else { return 0 };
     if !latex(&format!("{stem}1")).contains("_1") {
@@ -32,7 +32,7 @@ fn components(values: &[(String, String)]) -> usize {
     numbered.take_while(|((name, _), k)| name.strip_suffix(&k.to_string()) == Some(stem)).count()
 }
 
-/// A name as the paper prints it; circle coordinates are named `cos x` and `sin x`, or `cos(x)` and `sin(x)`.
+/// The LaTeX of a name; cosines and sines have names such as `cos x` or `cos(x)`.
 fn latex(name: &str) -> String {
     let whole = |name: &str| Sym::symbol(name).latex();
     match name.split_once([' ', '(']) {

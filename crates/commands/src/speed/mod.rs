@@ -100,7 +100,7 @@ pub fn model(way: &Configuration) -> String {
     }
 }
 
-/// A method's name without its number of steps.
+/// The name of a method without its number of steps.
 pub fn family(means: Means) -> String {
     match means {
         Means::Integrated(method) => of_method(method),

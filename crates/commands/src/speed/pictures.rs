@@ -1,4 +1,4 @@
-//! Charts of error against work: series on the front in colour, the others grey.
+//! Charts of error over work: series that reach the Pareto front in colour, the others in grey.
 
 use super::{ANSWER, Counted, Series, model, series};
 use charts::{Failure, Point, Work, WorkPrecision};
@@ -6,7 +6,7 @@ use integrators::front;
 use simulation::Atlas;
 use simulation::work_precision::Formulation;
 
-/// Two charts, by evaluations and by time.
+/// Two charts of the error: over evaluations, and over time.
 pub fn work_precision(atlas: &Atlas) -> [WorkPrecision; 2] {
     let series: Vec<Series> = series(atlas).into_iter().filter(|one| one.is_near()).collect();
     let seconds = series.iter().flat_map(|one| &one.points).map(|point| Counted::Time.of(point));
@@ -35,7 +35,7 @@ pub fn work_precision(atlas: &Atlas) -> [WorkPrecision; 2] {
     })
 }
 
-/// The runs that reached their end and were measured.
+/// The completed runs whose cost was measured; `unit` divides the cost.
 fn ended<'a>(series: &'a Series<'_>, counted: Counted, unit: f64) -> impl Iterator<Item = Point> + 'a {
     let points = series.points.iter().filter_map(|point| Some((*point, point.error.ok()?)));
     points
@@ -43,7 +43,7 @@ fn ended<'a>(series: &'a Series<'_>, counted: Counted, unit: f64) -> impl Iterat
         .filter(|point| point.work.is_finite())
 }
 
-/// The runs whose error is small enough for a useful result.
+/// The runs among these with an error that is small enough for a useful result.
 fn answers<'a>(series: &'a Series<'_>, counted: Counted, unit: f64) -> impl Iterator<Item = Point> + 'a {
     ended(series, counted, unit).filter(|point| point.error <= ANSWER)
 }
@@ -66,7 +66,7 @@ fn drawn(series: &Series<'_>, counted: Counted, unit: f64, quiet: bool) -> chart
     }
 }
 
-/// The line below a scene's charts, which defines its errors, evaluations and times.
+/// The text below the charts of a scene, which defines errors, evaluations and times.
 pub fn measured_by(atlas: &Atlas) -> String {
     let reference = &atlas.reference;
     let across = atlas.explored.iter().any(|one| one.way.formulation == Formulation::Contacts);

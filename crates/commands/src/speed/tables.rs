@@ -1,4 +1,4 @@
-//! The Pareto front of a scene as tables, and the errors of its models.
+//! The Pareto fronts of a scene as tables, and the errors of its models.
 
 use super::{Counted, family, model};
 use charts::{Table, significant, tolerance};
@@ -6,7 +6,7 @@ use integrators::{Point, front};
 use simulation::Atlas;
 use simulation::work_precision::{Configuration, Standing};
 
-/// Tables of the cheapest run that reaches the error, for each decade of the error.
+/// Tables of the cheapest run that reaches each decade of the error: by evaluations, and by time.
 pub fn fronts(atlas: &Atlas) -> Vec<Table> {
     Counted::ALL.into_iter().map(|counted| decades(atlas, counted)).filter(|table| !table.rows.is_empty()).collect()
 }
@@ -45,7 +45,7 @@ fn decades(atlas: &Atlas, counted: Counted) -> Table {
     }
 }
 
-/// Each model, where there are several, with its relation to the scene's own and its least error.
+/// The models of a scene, each with its relation to the scene's own model and its least error.
 pub fn floors(atlas: &Atlas) -> Vec<(&'static str, String)> {
     let mut known: Vec<(&str, String)> = Vec::new();
     for explored in &atlas.explored {
@@ -64,7 +64,7 @@ pub fn floors(atlas: &Atlas) -> Vec<(&'static str, String)> {
     if known.len() > 1 { known } else { Vec::new() }
 }
 
-/// The models with their least errors as a table.
+/// The table of the models of a scene with their least errors.
 pub fn models(atlas: &Atlas) -> Table {
     let rows = floors(atlas).into_iter().map(|(model, said)| vec![model.replace('_', " "), said]);
     let head = ["Model", "Least error by the reference of the scene's own"].map(str::to_owned).to_vec();

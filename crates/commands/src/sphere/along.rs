@@ -1,11 +1,11 @@
-//! Charts of the angular velocity along the cone.
+//! Charts of quantities along the cone of permanent rotations, over the angular velocity.
 
 use super::pieces::{Piece, class};
 use super::{Case, reach};
 use charts::{Panel, Table, Track, significant};
 use nalgebra::Vector3;
 
-/// For each branch the angle between the vertical and the centre of mass, and the vertical angular momentum, over the angular velocity.
+/// For each branch of the cone, the angle between the vertical and the centre of mass (degrees), and the vertical angular momentum (N m s).
 pub(super) fn along(case: &Case) -> charts::Trajectory {
     let (conditions, reach) = (&case.conditions, reach(case));
     let down = conditions.weight.normalize();
@@ -14,7 +14,7 @@ pub(super) fn along(case: &Case) -> charts::Trajectory {
         v.component_mul(&conditions.moments).dot(v) * w + conditions.spin * conditions.axis.dot(v)
     };
     let panel = |y: &str, value: &dyn Fn(&Vector3<f64>, f64) -> f64| {
-        // in the order of the classes, which have the colours of the sphere
+        // the series are in the order of the classes, so that they have the colours of the sphere
         let mut pieces: Vec<&Piece> = case.pieces.iter().filter(|piece| piece.fate.is_some()).collect();
         pieces.sort_by_key(|piece| class(piece).0);
         let track = |piece: &&Piece| Track {

@@ -1,10 +1,10 @@
-//! Directions with a name, and those that lie on the cone's line without a rotation about them.
+//! Marked directions on the sphere: named ones, and principal axes about which no permanent rotation exists.
 
 use charts::Mark;
 use nalgebra::Vector3;
 use systems::gyrostat::stationary::Stationary;
 
-/// Torques below this share of the larger one are rounding.
+/// Torques below this fraction of the larger one are rounding errors.
 const ROUNDING: f64 = 1e-9;
 
 /// The distinguished directions of the gyrostat.
@@ -23,7 +23,7 @@ pub(super) fn named(conditions: &Stationary<f64>) -> [Mark; 3] {
     ]
 }
 
-/// Principal directions about which no angular velocity is a motion; they lie on the cone's line for all data.
+/// Principal directions about which no angular velocity is a steady motion. They satisfy the equation of the cone for all data.
 pub(super) fn idle(conditions: &Stationary<f64>) -> Vec<Mark> {
     let directions = (0..3).flat_map(|i| [1.0, -1.0].map(|sign| Vector3::ith(i, sign)));
     let idle = directions.filter(|direction| !turns_about(conditions, *direction));
@@ -36,8 +36,8 @@ pub(super) fn idle(conditions: &Stationary<f64>) -> Vec<Mark> {
     .collect()
 }
 
-/// Whether some angular velocity about a principal direction is a motion. The residual torque there is b + a w0, because
-/// A* v x v vanishes: thus a and b must be parallel.
+/// Whether a rotation about a principal direction with some angular velocity w0 is a steady motion. Since A* v × v = 0, the residual torque is
+/// b + a w0 with vectors a and b, so that a and b must be parallel.
 fn turns_about(conditions: &Stationary<f64>, direction: Vector3<f64>) -> bool {
     let still = conditions.residual_torque(direction, 0.0);
     let slope = conditions.residual_torque(direction, 1.0) - still;
@@ -59,9 +59,9 @@ mod tests {
     #[test]
     fn principal_directions_are_rings_unless_some_rotation_about_them_is_a_motion() {
         assert_eq!(idle(&gyrostat([0.6, 0.0, 0.8], [0.0, 3.0, 1.0])).len(), 6);
-        // rotor and weight in one principal plane: a rotation about each of its two axes, the rest along none
+        // rotor and weight in one principal plane: a rotation about each of its two axes, none about the third
         assert_eq!(idle(&gyrostat([0.6, 0.8, 0.0], [1.0, 3.0, 0.0])).len(), 2);
-        // a gyrostat that hangs along a principal axis has a rest there at least
+        // a gyrostat whose centre of mass is on a principal axis can at least hang at rest along it
         assert_eq!(idle(&gyrostat([0.6, 0.0, 0.8], [1.0, 0.0, 0.0])).len(), 2);
     }
 }

@@ -1,5 +1,5 @@
-//! Pictures of all stationary motions: the cone on the unit sphere, the directrix in space, the angular velocity along
-//! both.
+//! Pictures of all steady motions of a gyrostat: the cone of permanent rotations on the unit sphere, its directrix in space, and the angular
+//! velocity along both.
 
 mod along;
 mod marks;
@@ -21,35 +21,35 @@ use studies::stationary::motions::{Case as Drawn, Stationary as All};
 use studies::stationary::stability::cone::Fates;
 use systems::gyrostat::stationary::Stationary as Conditions;
 
-/// Points closer together than this, as a share of the picture, are not drawn.
+/// The least distance between drawn points, as a fraction of the size of the picture.
 const NEAR: f64 = 0.012;
-/// The initial view, in degrees.
+/// The initial view: azimuth and elevation in degrees.
 const VIEW: (f64, f64) = (35.0, 25.0);
 
-/// The cones of all gyrostats with their rotor speeds; scenes with equal ones share the pictures.
+/// The cones of all gyrostats at the constant speeds of their rotors. Scenes with equal data share a cone.
 #[derive(Default)]
 pub struct Stationary {
     cones: Vec<Cone>,
-    /// The drawings of the cones.
+    /// The cones as they are drawn; `None` before the jobs have run.
     cases: Vec<Option<Case>>,
     maps: Option<Vec<Areas>>,
 }
 
-/// The conditions of stationary motion of a gyrostat at one rotor speed, and the stability of each motion.
+/// The equations of the permanent rotations of a gyrostat at one rotor speed, and the stability of each rotation.
 struct Cone {
     conditions: Conditions<f64>,
-    /// The rotor's constant speed relative to the carrier, rad/s.
+    /// The constant speed of the rotor relative to the carrier, rad/s.
     speed: f64,
-    /// D = det A / det A*
+    /// The ratio D = det A / det A*.
     singularity: f64,
-    /// The principal axes as columns.
+    /// The principal axes of A* as columns.
     axes: Matrix3<f64>,
     body: Drawn,
     fates: Fates,
     titles: Vec<String>,
 }
 
-/// A drawn cone: the permanent rotations of a gyrostat, in pieces, and its data.
+/// A drawn cone: the permanent rotations of a gyrostat, in pieces of one stability, and its data.
 struct Case {
     conditions: Conditions<f64>,
     speed: f64,
@@ -59,18 +59,18 @@ struct Case {
     titles: Vec<String>,
 }
 
-/// The expected time for drawing a cone, s.
+/// The expected time for computing a cone, s.
 const COST: f64 = 4.0;
 
 impl Stationary {
-    /// The cones of the scenes' gyrostats, not yet drawn.
+    /// The cones of the gyrostats of the scenes, not computed yet.
     pub fn of<'s>(scenes: impl Iterator<Item = &'s Scene>) -> Self {
         let mut cones = Vec::new();
         scenes.for_each(|scene| gather(scene, &mut cones));
         Stationary { cases: cones.iter().map(|_| None).collect(), cones, maps: None }
     }
 
-    /// Adds the jobs that draw the cones.
+    /// Adds the jobs that compute the cones and the stability maps.
     pub fn enlist<'s>(&'s mut self, scenes: Vec<&'s Scene>, crew: &mut JobPool<'s>) {
         for (place, cone) in self.cases.iter_mut().zip(&self.cones) {
             crew.add(COST, place, || cone.drawn());
@@ -78,7 +78,7 @@ impl Stationary {
         crew.add(1.0, &mut self.maps, move || stability_map::all(&scenes));
     }
 
-    /// The pictures and the study for the page.
+    /// The pictures and the study for the report.
     pub fn pictures(self) -> (Vec<Sphere>, Option<Study>) {
         let found: Vec<Case> = self.cases.into_iter().flatten().collect();
         let spheres = found.iter().flat_map(|case| [cone(case), directrix(case)]).collect();
@@ -87,8 +87,8 @@ impl Stationary {
     }
 }
 
-/// Adds a cone for each stationary relative speed of the rotor, unless it is known; none for a free rotor, which has one for each of
-/// its momenta, and none where every direction is stationary.
+/// Adds a cone for each constant relative speed of the rotor, unless it is in the list. A scene with a free rotor has none, since each value of the
+/// rotor's momentum has another cone; neither has a scene in which every direction is steady.
 fn gather(scene: &Scene, found: &mut Vec<Cone>) {
     let Setup::Gyrostat(bodies) = &scene.system else { return };
     let Ok(all) = All::of(scene) else { return };
@@ -126,7 +126,7 @@ impl Cone {
     }
 }
 
-/// A piece as a curve of points in space with the angular velocity as value, thinned.
+/// The curve of a piece in space, thinned, with the angular velocity as the value that colours it.
 fn curve(piece: &Piece, size: f64, place: impl Fn(&Vector3<f64>, f64) -> Vector3<f64>) -> Curve {
     let (class, name) = class(piece);
     let mut points: Vec<CurvePoint> = Vec::new();
@@ -185,7 +185,7 @@ fn directrix(case: &Case) -> Sphere {
     }
 }
 
-/// An angular velocity beyond the last fold, up to which the cone is drawn, rad/s.
+/// The angular velocity up to which the cone is drawn, beyond the last fold, rad/s.
 fn reach(case: &Case) -> f64 {
     let stretches = case.census.iter().flat_map(|census| &census.stretches);
     let last = stretches.map(|stretch| stretch.to.abs()).filter(|w| w.is_finite()).fold(0.0, f64::max);
@@ -194,7 +194,7 @@ fn reach(case: &Case) -> f64 {
     if last > 0.0 { 1.4 * last } else { 3.0 * usual }
 }
 
-/// The study of the angular velocity along the cone, with the number of motions for each.
+/// The study of the angular velocity along the cone, with the number of steady motions at each angular velocity.
 fn study(found: &[Case]) -> Study {
     let tables = found.iter().filter_map(table).collect();
     let run = found.first().map(along);
@@ -212,7 +212,7 @@ fn study(found: &[Case]) -> Study {
     }
 }
 
-/// The data of carrier and rotor with their units, vectors in the principal axes of A*.
+/// The data of carrier and rotor with units; vectors are in the principal axes of A*.
 fn facts(case: &Case) -> Vec<(String, String)> {
     let Case { conditions, speed, singularity, .. } = case;
     let numbers = |v: Vector3<f64>| v.iter().map(|x| significant(*x, 3)).collect::<Vec<_>>().join(", ");

@@ -1,4 +1,4 @@
-//! Pieces of the cone: connected directions with one kind of stability.
+//! Pieces of the cone of permanent rotations: connected sets of directions with one kind of stability.
 
 use nalgebra::{Matrix3, Vector3};
 use std::collections::HashMap;
@@ -15,8 +15,8 @@ pub(super) struct Piece {
     pub points: Vec<(Vector3<f64>, f64)>,
 }
 
-/// Cuts a branch of the cone where its stability changes, which is exact at each of its points; neighbouring pieces share a
-/// point. A point that is not an isolated motion belongs to a circle, along which the energy is constant.
+/// Cuts a branch of the cone where the stability changes. The stability at each point is decided exactly; adjacent pieces share a
+/// point. A point that is not an isolated motion belongs to a circle of motions, along which the energy is constant.
 pub(super) fn pieces(known: &mut Known<'_>, branch: Branch) -> Vec<Piece> {
     let mut pieces: Vec<Piece> = Vec::new();
     for (v, w) in branch.points {
@@ -32,7 +32,7 @@ pub(super) fn pieces(known: &mut Known<'_>, branch: Branch) -> Vec<Piece> {
     pieces
 }
 
-/// A cache of stability verdicts by the angular velocity, with directions in the axes of the data.
+/// A cache of the verdicts on stability for each angular velocity; directions in it are in the axes of the data.
 pub(super) struct Known<'a> {
     pub fates: &'a Fates,
     pub case: &'a Case,
@@ -41,7 +41,7 @@ pub(super) struct Known<'a> {
     pub at: HashMap<u64, Vec<(Vector3<f64>, Fate)>>,
 }
 
-/// The largest distance between a drawn point and the motion that it stands for.
+/// The largest distance between a drawn direction and the direction of the motion whose verdict it takes.
 const SAME: f64 = 1e-6;
 
 impl Known<'_> {
@@ -53,7 +53,7 @@ impl Known<'_> {
     }
 }
 
-/// The class of a piece by its stability, for its colour, and the name of the class.
+/// The index of the class of a piece, which determines its colour, and the name of its stability.
 pub(super) fn class(piece: &Piece) -> (usize, &'static str) {
     match piece.fate {
         Some(fate) => (Fate::ALL.iter().position(|known| *known == fate).unwrap_or(0), fate.name()),

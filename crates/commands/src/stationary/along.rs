@@ -1,4 +1,4 @@
-//! Steady motions along a parameter.
+//! `dalembert stationary --along`: the steady motions at values of a parameter, and the values at which they change.
 
 use super::Args;
 use super::branches;
@@ -15,7 +15,7 @@ use std::fmt::Write;
 /// The default number of values along a parameter.
 const VALUES: usize = 41;
 
-/// Prints the number of motions at each value, and brackets of its changes.
+/// Prints the number of motions at each value of the parameter, and brackets of the values at which it changes.
 pub(super) fn show(asked: &Args, along: &(String, Range)) -> Result<Exit, Exit> {
     let writes = Writes { command: "stationary", force: asked.force, reads: vec![&asked.scene] };
     let output = writes.optional(asked.out.as_deref(), &[Form::Picture])?;
@@ -151,12 +151,12 @@ fn text(found: &AlongFound) -> String {
     out
 }
 
-/// A number and a bound of its error, both as printed, that hold a bracket.
+/// The midpoint of a bracket and the bound of its error as text; the printed interval contains the bracket.
 fn bracket([low, high]: [f64; 2]) -> [String; 2] {
     let middle = number(0.5 * (low + high));
     let printed: f64 = middle.parse().unwrap_or(0.5 * (low + high));
     let gap = (high - printed).max(printed - low);
-    // upwards to two digits
+    // rounded upwards to two digits
     let unit = 10f64.powf(gap.log10().floor() - 1.0);
     let gap = if gap > 0.0 { (gap / unit).ceil() * unit } else { 0.0 };
     [middle, format!("{gap:.1e}")]

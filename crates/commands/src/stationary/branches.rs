@@ -1,4 +1,4 @@
-//! `dalembert stationary --along NAME=FROM..TO --out FILE.svg`: branches of steady motions.
+//! `dalembert stationary --along NAME=FROM..TO --out FILE.svg`: the bifurcation diagram of steady motions.
 
 use super::steady_box::AlongFound;
 use super::verdict::verdict;
@@ -6,10 +6,10 @@ use ::scenes::steady_motions::{Bifurcation, Change, Range, Sample, SteadyMotion,
 use charts::{BranchPanel, BranchPiece, Branches, Standing};
 use std::f64::consts::{PI, TAU};
 
-/// The distance, in parts of the ranges, up to which motions at neighbouring values with different counts are joined.
+/// The largest distance, as a fraction of the ranges, between motions at adjacent values that are joined although their numbers differ.
 const JOINED: f64 = 0.02;
 
-/// The part of the parameter's range that the width of a line covers.
+/// The fraction of the range of the parameter that the width of a line covers.
 const HIDDEN: f64 = 2e-3;
 
 /// The kinds of marks; the first four have shapes of their own.
@@ -21,7 +21,7 @@ const KINDS: [&str; 5] = [
     "several changes at once",
 ];
 
-/// The picture of all branches.
+/// The bifurcation diagram, with one panel for each unknown.
 pub(super) fn picture(found: &AlongFound, range: Range) -> Branches {
     let AlongFound { title, name, unit, units, along, .. } = found;
     let samples: Vec<&Sample> = along.visited.iter().filter(|sample| sample.found.is_complete()).collect();
@@ -68,13 +68,13 @@ fn standing(motion: &SteadyMotion, found: &SteadyMotions) -> Standing {
     }
 }
 
-/// An unknown at a motion, by its number: speeds that are chosen for the search have no place in the state.
+/// The value of an unknown at a motion, from its enclosure. Some unknowns, such as speeds that the search introduces, are not in the state.
 fn unknown_at(motion: &SteadyMotion, unknown: usize) -> f64 {
     let [low, high] = motion.enclosure[unknown];
     0.5 * (low + high)
 }
 
-/// The distance of two motions in parts of the ranges; angles are compared modulo a full turn.
+/// The distance of two motions as a fraction of the ranges; differences of angles are taken modulo a full turn.
 fn distance(found: &SteadyMotions, a: &SteadyMotion, b: &SteadyMotion) -> f64 {
     let part = |(place, unknown): (usize, &::scenes::steady_motions::Unknown)| {
         let gap = (unknown_at(a, place) - unknown_at(b, place)).abs();
@@ -84,7 +84,7 @@ fn distance(found: &SteadyMotions, a: &SteadyMotion, b: &SteadyMotion) -> f64 {
     found.unknowns.iter().enumerate().map(part).fold(0.0, |sum, part| sum + part * part).sqrt()
 }
 
-/// Pairs of motions at two neighbouring values that belong to one branch, the nearest first.
+/// Pairs of motions at two adjacent values that belong to one branch, the closest first.
 fn joined(before: &SteadyMotions, after: &SteadyMotions) -> Vec<(usize, usize)> {
     let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
     for (i, a) in before.motions.iter().enumerate() {
@@ -102,9 +102,9 @@ fn joined(before: &SteadyMotions, after: &SteadyMotions) -> Vec<(usize, usize)> 
     found
 }
 
-/// Pieces of branches in one unknown.
+/// The pieces of branches in one unknown.
 fn pieces(samples: &[&Sample], place: usize) -> Vec<BranchPiece> {
-    // each open piece with the index of its last motion among those of the last value
+    // each unfinished piece, with the index of its last motion among the motions at the last value
     let mut open: Vec<(usize, BranchPiece)> = Vec::new();
     let mut all: Vec<BranchPiece> = Vec::new();
     for (k, sample) in samples.iter().enumerate() {
@@ -128,7 +128,7 @@ fn pieces(samples: &[&Sample], place: usize) -> Vec<BranchPiece> {
                     piece.points.push(point);
                     piece
                 }
-                // at a single undecided value the piece keeps the stability before it
+                // at a single undecided value the piece continues with its stability
                 Some(mut piece)
                     if own == Standing::Undecided && !piece.points.last().is_some_and(|last| wraps(last.1)) =>
                 {
@@ -149,14 +149,14 @@ fn pieces(samples: &[&Sample], place: usize) -> Vec<BranchPiece> {
         open = next;
     }
     all.extend(open.into_iter().map(|(_, piece)| piece));
-    // undecided pieces close to a change of stability are narrower than the line
+    // undecided pieces close to a change of stability are left out if they are narrower than the line
     let ends = |piece: &BranchPiece| piece.points.first().zip(piece.points.last()).map_or(0.0, |(a, b)| b.0 - a.0);
     let whole = samples.first().zip(samples.last()).map_or(0.0, |(a, b)| b.value - a.value);
     all.retain(|piece| piece.standing != Standing::Undecided || ends(piece) > HIDDEN * whole);
     all
 }
 
-/// The marks at changes of branches, in one unknown.
+/// The marks at the bifurcations, in one unknown.
 fn marks(found: &AlongFound, place: usize) -> Vec<(usize, (f64, f64))> {
     found.along.bifurcations.iter().flat_map(|one| of_change(one, place)).collect()
 }
@@ -168,7 +168,7 @@ fn of_change(Bifurcation { before, after, change, .. }: &Bifurcation, place: usi
         Change::Exchange => 2,
         Change::Pitchfork => 3,
         Change::Several => 4,
-        // no marks: branches that leave the range, families, which are not drawn, and changes among unstable motions
+        // no marks: branches that leave the range, families, which are not drawn, and changes between unstable motions
         Change::Leaves
         | Change::LeaveTogether
         | Change::Ends
@@ -193,7 +193,7 @@ fn of_change(Bifurcation { before, after, change, .. }: &Bifurcation, place: usi
     let alone = |j: &usize| pairs.iter().all(|(_, to)| to != j);
     let mut left: Vec<&SteadyMotion> = (0..more.motions.len()).filter(alone).map(|j| &more.motions[j]).collect();
     let mut marks = Vec::new();
-    // motions that merge lie next to each other
+    // the two motions of a pair that merges are the closest to each other
     while let Some(motion) = left.pop() {
         let nearest = (0..left.len())
             .map(|k| (distance(more, motion, left[k]), k))

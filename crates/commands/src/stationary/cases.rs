@@ -1,4 +1,4 @@
-//! Steady motions for each combination of cases and each set of angles, as text and JSON.
+//! Steady motions for each combination of cases and angles, as text and JSON.
 
 use super::Args;
 use super::combinations::{Combination, Combinations};
@@ -8,7 +8,7 @@ use crate::exit::{Exit, print};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// Prints the parts with steady motions or undecided regions.
+/// Prints the combinations that have steady motions or undecided regions.
 pub(super) fn show(asked: &Args, parts: &Combinations) -> Result<Exit, Exit> {
     let mut last = Exit::Done;
     for Combination { found, .. } in &parts.filled {
@@ -24,7 +24,7 @@ pub(super) fn show(asked: &Args, parts: &Combinations) -> Result<Exit, Exit> {
     Ok(last)
 }
 
-/// The parts with steady motions or undecided regions, as text and JSON.
+/// The combinations that have steady motions or undecided regions, as text and JSON.
 pub(super) fn told(parts: &Combinations) -> (String, Value) {
     let Combinations { title, count, kind, filled } = parts;
     let (mut out, mut objects) = (format!("{title}\n"), Vec::new());

@@ -1,4 +1,4 @@
-//! Steady motions by parts: each combination of the cases of a law's conditions, and each set of angles of freely turning frames.
+//! The search for steady motions in parts: for each combination of cases of the conditions of a law, and each set of angles of free frames.
 
 use super::refusals::{reason, unsought};
 use super::steady_box::{Found, SoughtSystem, SteadyBox};
@@ -11,17 +11,17 @@ use reader::Issue;
 use std::borrow::Cow;
 use std::path::Path;
 
-/// Steady motions of each combination of states of contacts and conditions.
+/// The steady motions of a system, searched for in parts.
 pub struct Combinations {
     pub title: String,
-    /// The number of parts that were searched.
+    /// The number of parts searched.
     pub count: usize,
     pub kind: Kind,
-    /// The parts with steady motions or undecided regions.
+    /// The parts that have steady motions or undecided regions.
     pub filled: Vec<Combination>,
 }
 
-/// The kind of a part.
+/// The criterion by which the search is divided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     Conditions,
@@ -44,29 +44,29 @@ impl Kind {
     }
 }
 
-/// A part of the search, with the motions found.
+/// A part of the search, with the motions that were found.
 pub struct Combination {
-    /// The conditions and angles of the part, as texts.
+    /// The conditions and the ranges of angles of the part, as texts.
     pub held: Vec<String>,
-    /// Whether a condition is zero: then the law has no linearisation.
+    /// Whether a condition is at its boundary, where the law has no linearisation.
     pub is_at_condition: bool,
     pub found: Found,
-    /// The law there, without its contacts if none with friction is in touch.
+    /// The law in this part; without the contacts if no contact with friction is closed.
     pub law: Model,
 }
 
 impl Combinations {
-    /// The parts for the system that was read from a file; `None` where its law has no conditions and no frame turns freely.
+    /// The parts of a system that was read from a file; `None` where its law has no conditions and no free frame.
     pub fn of(steady: &SteadyBox, path: &Path, system: &SoughtSystem) -> Result<Option<Self>, Exit> {
         steady.checked()?;
         let _progress = Progress::new("steady motions");
         Combinations::of_system(system, &steady.wanted(), has_time).map_err(|issue| unsought(path, issue))
     }
 
-    /// The parts for a system that was read already.
+    /// The parts of a system.
     ///
     /// # Errors
-    /// The reason for which steady motions are not searched for.
+    /// The reason for which steady motions of the system are not searched for.
     pub fn of_system(
         (title, model, source): &SoughtSystem,
         asked: &SteadySearch,
@@ -97,7 +97,7 @@ impl Combinations {
     fn add(&mut self, model: &Model, angles: &[String], cases: Vec<(Vec<Case>, SteadyMotions)>) {
         self.count += cases.len();
         let conditions = conditions_of(model);
-        // sets of angles are always printed, with their ranges
+        // sets of angles are printed even without motions, with their ranges
         let is_told = |found: &SteadyMotions| conditions.is_empty() || !found.is_empty();
         let filled = cases.into_iter().filter(|(_, found)| is_told(found));
         self.filled.extend(filled.map(|(own, motions)| {
@@ -108,7 +108,7 @@ impl Combinations {
                 }
             }
             let kept = with_kept_contacts(model, &own);
-            // a contact that presses without friction is a constraint
+            // a closed contact without friction is a constraint, not a condition
             let conditions = if kept.is_some() { &own[..model.switches.len().min(own.len())] } else { &own[..] };
             Combination {
                 held,
@@ -122,7 +122,7 @@ impl Combinations {
     }
 }
 
-/// A case of a condition as text, a sum of negative terms as the opposite of a positive one.
+/// The case of a condition as text; a sum of negative terms is replaced by its opposite.
 fn told((case, text): (&Case, &String)) -> Option<String> {
     let opposite = positive(text);
     let (text, above, below) = match &opposite {
@@ -139,7 +139,7 @@ fn told((case, text): (&Case, &String)) -> Option<String> {
     })
 }
 
-/// The opposite of a sum whose terms are all negative, as text.
+/// The opposite of a sum whose terms are all negative, as text; `None` for any other sum.
 fn positive(text: &str) -> Option<String> {
     let mut depth = 0;
     let (mut out, mut before) = (String::new(), ' ');

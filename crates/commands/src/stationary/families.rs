@@ -1,4 +1,4 @@
-//! Families of steady motions, and motions whose friction the equations leave open.
+//! Families of steady motions, and motions in which the equations leave friction undetermined.
 
 use super::steady_box::{Found, enclosed, number};
 use super::verdict::{FEEDS, RESISTS, singular};
@@ -9,13 +9,13 @@ use serde_json::{Value, json};
 use std::f64::consts::PI;
 use std::fmt::Write;
 
-/// The width, relative to one in SI units and to the value, up to which an enclosure is printed as a number.
+/// The largest width of an enclosure that is printed as a number, as a fraction of 1 SI unit and of the value.
 const NARROW: f64 = 1e-9;
 
-/// Eigenvalues below this part of the largest may be a double zero moved by rounding.
+/// Eigenvalues below this fraction of the largest may be a double zero that rounding has moved.
 const ZEROS: f64 = 1e-6;
 
-/// A sentence on the numbers of isolated motions, of places that the coordinates do not describe, of motions with undetermined friction, and of
+/// A sentence on the numbers of isolated motions, of positions that the coordinates do not describe, of motions with undetermined friction, and of
 /// families.
 pub(super) fn count([alone, singular, open, families]: [usize; 4], is_complete: bool) -> String {
     let motions = |count: usize| match count {
@@ -61,7 +61,7 @@ pub(super) fn family_lines(all: &Found, place: usize, family: &Family, members: 
             return format!("every angle {}", unknown.name);
         }
         let [low, high] = ends(*at);
-        // only the parameters run over their ranges: enclosures of the other unknowns are wider than their values
+        // only parameters of the family take all values of their ranges; enclosures of the other unknowns are wider than their values
         let runs = family.pieces.iter().all(|(parameters, _)| parameters.contains(&place));
         let word = if runs { "from" } else { "within" };
         let middle = 0.5 * (at[0] + at[1]);
@@ -121,7 +121,7 @@ pub(super) fn family_lines(all: &Found, place: usize, family: &Family, members: 
     out + &stability(family, members)
 }
 
-/// Whether motions are shown up to the ends of a range, to rounding.
+/// Whether motions are known up to both ends of a range, except for rounding.
 fn are_ends(within: [f64; 2], reached: [f64; 2]) -> bool {
     within.iter().zip(reached).all(|(end, reached)| (end - reached).abs() <= 2.0 * NARROW * (1.0 + end.abs()))
 }
@@ -165,7 +165,7 @@ fn stability(family: &Family, members: &[Member]) -> String {
     )
 }
 
-/// The line on members that move, by eigenvalues of the equations without cyclic coordinates, which are constant along such a motion.
+/// The line on members in which cyclic coordinates change, by eigenvalues of the equations without cyclic coordinates, which are constant then.
 fn of_moving(members: &[Member]) -> String {
     let words: Vec<&str> = members.iter().filter_map(|member| member.enclosed.as_ref()).map(spectrum::word).collect();
     if words.is_empty() {
@@ -184,13 +184,13 @@ fn of_moving(members: &[Member]) -> String {
     )
 }
 
-/// Whether a real part is larger than rounding of the zero eigenvalues of a family.
+/// Whether a real part is larger than the rounding errors of the zero eigenvalues of a family.
 fn grows(linear: &Linear) -> bool {
     let largest = linear.eigenvalues.iter().map(|[re, im]| re.hypot(*im)).fold(0.0, f64::max);
     linear.eigenvalues.iter().any(|[re, _]| *re > ZEROS * largest)
 }
 
-/// Whether a family is one state with shares of friction, or of a law between two cases, that the equations leave undetermined.
+/// Whether a family is a single state in which the equations leave friction, or the value of a law between two cases, undetermined.
 pub(super) fn is_one_place(found: &SteadyMotions, family: &Family) -> bool {
     let state = found.state_size;
     let is_share = |place: &usize| found.unknowns.get(*place).is_none_or(|unknown| unknown.place >= state);
@@ -204,7 +204,7 @@ pub(super) fn is_one_place(found: &SteadyMotions, family: &Family) -> bool {
         .all(|(unknown, [low, high])| unknown.place >= state || high - low <= NARROW * (1.0 + 0.5 * (low + high).abs()))
 }
 
-/// The names of the unknowns that parametrise pieces of the family.
+/// The names of the unknowns that parametrise the pieces of the family.
 fn running(found: &SteadyMotions, family: &Family) -> Vec<String> {
     let mut all: Vec<String> = family
         .pieces
@@ -247,13 +247,13 @@ pub(super) fn family_object(found: &SteadyMotions, family: &Family, members: &[M
     })
 }
 
-/// The ends of a range, in five digits where these differ.
+/// The ends of a range as text, with five digits where these differ.
 pub(super) fn ends([low, high]: [f64; 2]) -> [String; 2] {
     let few = [low, high].map(short);
     if few[0] == few[1] { [low, high].map(number) } else { few }
 }
 
-/// A number with five digits.
+/// A number with five significant digits.
 fn short(value: f64) -> String {
     number(format!("{value:.4e}").parse().unwrap_or(value))
 }

@@ -1,4 +1,4 @@
-//! Stationary motions as JSON.
+//! Steady motions of a gyrostat as JSON.
 
 use super::{Given, motor, why};
 use crate::stability;

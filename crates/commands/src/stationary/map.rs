@@ -1,5 +1,5 @@
-//! `dalembert stationary --map A=FROM..TO --map B=FROM..TO`: an exact map of stability of the rotation about the rotor's axis; without
-//! such an axis, or with --every, a map of all stationary motions, followed from node to node.
+//! `dalembert stationary --map A=FROM..TO --map B=FROM..TO`: an exact stability map of the rotation about the rotor's axis. Where the bodies have
+//! no such common axis, or with --every: a map of all steady motions, continued from node to node.
 
 use super::{Args, Ranged};
 use crate::arguments::Format;
@@ -13,7 +13,7 @@ use studies::stationary::stability::datum::{Datum, Unknown};
 use studies::stationary::stability::plane::{Cell, NoPlane};
 use studies::stationary::stability::region::NoRegion;
 
-/// Prints the map, and writes the picture where one is asked for.
+/// Prints the map, and writes the requested picture.
 pub(super) fn show(asked: &Args, scene: &Scene) -> Result<Exit, Exit> {
     let refused = |reason: NoPlane| Exit::refused(format!("{}: {reason}", asked.scene.display()));
     let unknown = |reason: Unknown| Exit::refused(format!("{}: {reason}", asked.scene.display()));
@@ -55,7 +55,7 @@ pub(super) fn show(asked: &Args, scene: &Scene) -> Result<Exit, Exit> {
     Ok(Exit::Done)
 }
 
-/// Prints and draws the map of all stationary motions.
+/// Prints and draws the map of all steady motions.
 fn every(asked: &Args, output: Option<Output>, map: &region_map::MapRequest<'_>) -> Result<Exit, Exit> {
     let refused = |reason: NoRegion| Exit::refused(format!("{}: {reason}", asked.scene.display()));
     let atlas = map.atlas().map_err(refused)?;

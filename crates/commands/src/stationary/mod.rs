@@ -1,5 +1,5 @@
-//! `dalembert stationary`: all stationary motions of a scene, with a certificate that none is missing, and their stability: for
-//! gyrostats with their motors, and for any system that is written in its file.
+//! `dalembert stationary`: all steady motions of a scene, with a proof that none is missing, and their stability: for
+//! gyrostats with their motors, and for any system that is defined in its file.
 
 mod along;
 mod branches;
@@ -69,7 +69,7 @@ pub struct Args {
     /// The number of values for --along; the default is 41, and 24 in each direction of a map
     #[arg(long, value_name = "N", value_parser = clap::builder::RangedU64ValueParser::<usize>::new().range(2..=100_000), requires = "along")]
     pub values: Option<usize>,
-    /// Another machine, made of the scene's data
+    /// Another model of the motor, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,
     /// Output format
@@ -77,7 +77,7 @@ pub struct Args {
     pub format: Format,
 }
 
-/// A datum and its range.
+/// A datum of the scene with a range of values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ranged {
     pub name: String,
@@ -95,7 +95,7 @@ fn ranged(text: &str) -> Result<Ranged, String> {
     Ok(Ranged { name: name.to_owned(), range: [from, to] })
 }
 
-/// Prints the stationary motions.
+/// Prints the steady motions.
 pub fn show(asked: &Args) -> Result<Exit, Exit> {
     if read_text(&asked.scene).is_ok_and(|text| holds_model(&text)) {
         refuse_others(asked)?;
@@ -152,7 +152,7 @@ pub fn show(asked: &Args) -> Result<Exit, Exit> {
     Ok(if complete { Exit::Done } else { Exit::Stopped })
 }
 
-/// Refuses options for gyrostats where the system is written in its file.
+/// Refuses options that apply only to gyrostats where the system is defined in its file.
 fn refuse_others(asked: &Args) -> Result<(), Exit> {
     let given = [
         ("--omega0", asked.omega0.is_some()),
@@ -169,7 +169,7 @@ fn refuse_others(asked: &Args) -> Result<(), Exit> {
     }
 }
 
-/// The quantity that is given for all motions: angular velocity about the vertical, rad/s, or angular momentum about it, N m s.
+/// The quantity that all motions have in common: the angular velocity about the vertical, rad/s, or the angular momentum about it, N m s.
 #[derive(Clone, Copy)]
 enum Given {
     Speed(f64),

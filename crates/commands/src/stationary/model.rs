@@ -1,4 +1,4 @@
-//! Steady motions of a system that is written in its file.
+//! Steady motions of a system that is defined in its file.
 
 use super::combinations::Combinations;
 use super::families::{count, ends, family_lines, family_object, is_one_place};
@@ -39,10 +39,10 @@ pub struct SteadyMotionsResult {
     pub object: Value,
 }
 
-/// The steady motions of a text, in every combination of the cases of its law; the search ends once `has_time` is false.
+/// The steady motions of a system in a text, for all combinations of the cases of its law. The search ends once `has_time` returns false.
 ///
 /// # Errors
-/// The text is faulty, or steady motions of such a system are not searched for.
+/// The faults of the text, or the reason for which steady motions of this system are not searched for.
 pub fn steady_motions(
     text: &SystemText,
     asked: &SteadySearch,
@@ -68,7 +68,7 @@ fn text(all: &Found) -> String {
     format!("{}\n{}", all.title, body(all))
 }
 
-/// The text without the title.
+/// The steady motions as text, without the title.
 pub(super) fn body(all: &Found) -> String {
     let (found, mut out) = (&all.motions, String::new());
     let unit = |name: &str| all.unit(name);
@@ -162,7 +162,7 @@ pub(super) fn body(all: &Found) -> String {
         });
         let _ = writeln!(out, "  ?  {}", ranges.collect::<Vec<_>>().join(", "));
         let shown = if region.holds_one { "by enclosures there is at least one steady motion; " } else { "" };
-        // bounds show where constraints may be dependent, and Newton's method nothing
+        // a dependence of constraints is shown by bounds; all else here comes from Newton's method, without a proof
         let guess = if region.near == Near::Dependent { "" } else { "numerical guess without proof: " };
         let _ = writeln!(out, "     undecided boxes: {}; {shown}{guess}{}", region.boxes, near(region));
     }
@@ -173,7 +173,7 @@ pub(super) fn body(all: &Found) -> String {
     out
 }
 
-/// A fraction of the search space, or a bound where it is below the range of double precision.
+/// A fraction of the search space as text, or a bound where it is below the range of double precision.
 fn part(part: f64) -> String {
     if part < 1e-300 { "less than 1e-300".to_owned() } else { format!("{part:.1e}") }
 }
@@ -199,7 +199,7 @@ fn near(region: &Region) -> String {
     }
 }
 
-/// A motion as JSON.
+/// A steady motion as JSON.
 pub(super) fn motion(found: &SteadyMotions, motion: &SteadyMotion) -> Value {
     let values = found.unknowns.iter().zip(&motion.enclosure).map(|(unknown, at)| (unknown.name.clone(), json!(at)));
     let (verdict, enclosed) = verdict(motion, &found.cyclic);

@@ -1,10 +1,10 @@
-//! The rotor in a stationary motion: its speeds, its angles, the motor's torque and currents.
+//! The rotor in a steady motion: its speeds, its angles, the torque and the currents of the motor.
 
 use serde_json::{Value, json};
 use std::fmt::Write;
 use studies::stationary::motor::{Angle, MotorStates, Slip};
 
-/// The rotor's state as text.
+/// The states of the rotor as text.
 pub(super) fn text(motor: &MotorStates) -> String {
     let slope = |slope: i32| match slope {
         0 => "both merge here: pull-out",
@@ -61,13 +61,13 @@ pub(super) fn text(motor: &MotorStates) -> String {
     out
 }
 
-/// The currents fed by a supply, as text.
+/// The currents from a supply as text.
 fn currents(of: &[f64]) -> String {
     let each: Vec<String> = of.iter().map(|current| format!("{current:.6e}")).collect();
     if each.is_empty() { String::new() } else { format!(" with the currents {} A", each.join(", ")) }
 }
 
-/// The rotor's state as JSON.
+/// The states of the rotor as JSON.
 pub(super) fn object(motor: &MotorStates) -> Value {
     let slip = |slip: &Slip| json!({ "speed": slip.speed.to_f64(), "slope": slip.slope, "currents": slip.currents });
     let angle = |angle: &Angle| json!({ "angle": angle.radians(), "slope": angle.slope, "currents": angle.currents });

@@ -20,25 +20,25 @@ use std::fmt::Write;
 /// The default number of cells in each direction.
 const CELLS: usize = 24;
 
-/// The number of kinds of cells with a colour of their own; the rarest kinds share one.
+/// The number of kinds of cells with their own colours; the rarest kinds share one.
 const COLOURS: usize = 12;
 
-/// The counts of a cell: motions, stable ones, undecided ones, and families; `None` where the search is incomplete.
+/// The numbers of motions, stable motions, undecided motions and families in a cell; `None` where the search is incomplete.
 type Count = Option<[usize; 4]>;
 
-/// A map over two parameters.
+/// A map of steady motions over two parameters.
 struct Map<'a> {
     title: String,
     names: [&'a str; 2],
     ranges: [Range; 2],
     units: [String; 2],
-    /// The cells column by column, each from below.
+    /// The cells of each column from below.
     columns: Vec<Vec<PlaneCell>>,
-    /// Pairs of points of the plane between which motions change.
+    /// Brackets of the boundaries: pairs of points of the plane between which the motions change.
     borders: Vec<[[f64; 2]; 2]>,
 }
 
-/// Prints the map, and writes the picture where one is asked for.
+/// Prints the map, and writes the requested picture.
 pub(super) fn show(asked: &Args, [first, second]: [&(String, Range); 2]) -> Result<Exit, Exit> {
     if first.0 == second.0 {
         return Err(Exit::refused(format!("--along {} is given twice; two different names are accepted", first.0)));
@@ -83,7 +83,7 @@ pub(super) fn show(asked: &Args, [first, second]: [&(String, Range); 2]) -> Resu
     Ok(Exit::Stopped)
 }
 
-/// All cells, column by column.
+/// The cells of all columns.
 fn cells(
     (wanted, count): (&SteadySearch, usize),
     model: &Model,
@@ -99,7 +99,7 @@ fn cells(
     columns.into_iter().flatten().collect()
 }
 
-/// Narrow brackets of the changes between neighbouring cells that differ.
+/// Narrow brackets of the changes between adjacent cells that differ.
 fn borders(wanted: &SteadySearch, model: &Model, names: [&str; 2], columns: &[Vec<PlaneCell>]) -> Vec<[[f64; 2]; 2]> {
     let beside = columns.windows(2).flat_map(|pair| pair[0].iter().zip(&pair[1]));
     let above = columns.iter().flat_map(|column| column.iter().zip(column.iter().skip(1)));
@@ -138,7 +138,7 @@ fn said(count: Count) -> String {
 }
 
 impl Map<'_> {
-    /// The kinds of cells with their frequencies, the most frequent first.
+    /// The kinds of cells with their numbers of cells, the most frequent first.
     fn kinds(&self) -> Vec<(Count, usize)> {
         let mut kinds: BTreeMap<Count, usize> = BTreeMap::new();
         for cell in self.columns.iter().flatten() {
@@ -149,7 +149,7 @@ impl Map<'_> {
         kinds
     }
 
-    /// A row of cells, as indices into the kinds.
+    /// The cells of a row, as indices into the kinds.
     fn row(&self, row: usize, kinds: &[(Count, usize)]) -> Vec<usize> {
         let place = |cell: &PlaneCell| kinds.iter().position(|(kind, _)| *kind == count(cell)).unwrap_or(0);
         self.columns.iter().map(|column| place(&column[row])).collect()

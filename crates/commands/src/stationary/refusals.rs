@@ -1,4 +1,4 @@
-//! The reasons for which steady motions are not searched for, at their places in the file.
+//! The reasons for which steady motions are not searched for, with their places in the file.
 
 use super::steady_box::number;
 use crate::exit::{Exit, placed};
@@ -9,12 +9,12 @@ use reader::Issue;
 use std::ops::Range;
 use std::path::Path;
 
-/// The error of a command for a system with its source.
+/// The refusal of a search in a system, with the place in its source.
 pub fn refused(path: &Path, (model, source): (&Model, Option<&Source>), why: NoSteadyMotions) -> Exit {
     unsought(path, reason(model, source, why))
 }
 
-/// The error for a fault of the system, at its place in the file, or of the command's options.
+/// The refusal for a fault of the system, shown at its place in the file, or for a fault of the options.
 pub(super) fn unsought(path: &Path, issue: Issue) -> Exit {
     match issue.span {
         Some(_) => placed(path, issue),
@@ -22,7 +22,7 @@ pub(super) fn unsought(path: &Path, issue: Issue) -> Exit {
     }
 }
 
-/// The reason, with its place in the text where it has one.
+/// The reason for a refusal, with its place in the text where it has one.
 pub fn reason(model: &Model, source: Option<&Source>, why: NoSteadyMotions) -> Issue {
     let told = |why: String| Issue { span: None, title: why, label: String::new(), help: None };
     match why {
@@ -88,14 +88,14 @@ pub fn reason(model: &Model, source: Option<&Source>, why: NoSteadyMotions) -> I
     }
 }
 
-/// A command that finds one equilibrium where the search is not possible.
+/// The remedy where the search is not possible: a command that finds one equilibrium.
 const NEAR: &str = "`linearise --about equilibrium` finds one equilibrium near the start";
 
 fn listed(names: &[String]) -> String {
     names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }
 
-/// The sentence on a range of a name that is no unknown.
+/// The message about a range of a name that is not an unknown.
 fn unknown(name: &str, nearest: Option<String>, accepted: &[String]) -> String {
     let all = if accepted.is_empty() { "none".to_owned() } else { listed(accepted) };
     if accepted.contains(&format!("{name}'")) {
@@ -112,7 +112,7 @@ fn unknown(name: &str, nearest: Option<String>, accepted: &[String]) -> String {
     format!("--range {name}: no unknown of the search is called `{name}`{meant} ranges are accepted of: {all}")
 }
 
-/// The place at which the time enters a system that depends on it.
+/// The refusal of a system that depends on time, with the place at which the time enters.
 fn of_time(source: Option<&Source>) -> Issue {
     let title = "steady motions are searched for only in systems that do not depend on time";
     let accepted = "expressions without `t`; a frame that turns at a constant rate is accepted where the forces do not depend on its angle, as \
@@ -123,7 +123,7 @@ fn of_time(source: Option<&Source>) -> Issue {
     }
 }
 
-/// The first text with the time: of loads and constraints, then of places, then of frames.
+/// The place of the first expression with the time: in loads and constraints, then in points, then in frames.
 fn place_of_time(source: &Source) -> Option<Range<usize>> {
     let values = |entries: &'_ [Entry]| entries.iter().map(|entry| entry.value.clone()).collect::<Vec<Text>>();
     let loads = source.forces.iter().chain(&source.torques).map(|load| load.is.clone());
@@ -154,7 +154,7 @@ fn place_of_time(source: &Source) -> Option<Range<usize>> {
     all.into_iter().find_map(|text| time_in(&text.text).map(|place| text.part(&(place..place + 1))))
 }
 
-/// The byte of a text at which the letter `t` is a word.
+/// The position of the letter `t` as a word in a text, in bytes.
 fn time_in(text: &str) -> Option<usize> {
     let is_part = |c: Option<char>| c.is_some_and(|c| c.is_alphanumeric() || matches!(c, '_' | '.' | '\''));
     text.char_indices()

@@ -1,4 +1,4 @@
-//! The search for steady motions of a system that is written in its file, with the options that commands share.
+//! The search for steady motions of a system that is defined in its file, with the options that several commands share.
 
 use super::refusals::{reason, refused};
 use crate::arguments::finite;
@@ -32,7 +32,7 @@ pub struct SteadyBox {
     pub values: Vec<(String, f64)>,
 }
 
-/// Reads a name with its range.
+/// Parses a name with a range or a value.
 pub fn named_range(text: &str) -> Result<(String, Range), String> {
     let accepted = || {
         "a coordinate with its range in SI units, such as x=-0.1..0.1, or with one value, x=0.1, is accepted".to_owned()
@@ -56,40 +56,40 @@ pub fn named_range(text: &str) -> Result<(String, Range), String> {
     Ok((name.trim().to_owned(), Range { from, to }))
 }
 
-/// A system with its steady motions.
+/// A system with the steady motions that a search found.
 pub struct Found {
     pub title: String,
     pub model: Model,
     pub motions: SteadyMotions,
 }
 
-/// Steady motions along a parameter.
+/// The steady motions of a system along a parameter.
 pub struct AlongFound {
     pub title: String,
     pub name: String,
-    /// The unit of the parameter, with a space before it.
+    /// The unit of the parameter, preceded by a space; empty for a pure number.
     pub unit: String,
-    /// The units of the unknowns.
+    /// The units of the unknowns, each preceded by a space.
     pub units: Vec<String>,
     pub along: Along,
-    /// Values at which steady motions are not sought, and why.
+    /// Values at which steady motions are not searched for, with the reasons.
     pub left_out: Vec<(f64, String)>,
 }
 
 /// The title, the model and the source of a system.
 pub type SoughtSystem = (String, Model, Source);
 
-/// Reads the system of a text, prepared for the search.
+/// Reads the system of a text and prepares it for the search.
 pub fn sought(text: &SystemText) -> Result<SoughtSystem, SceneError> {
     let (title, model, source) = parse_with_source(&text.name, &text.text, Task::Vary)?;
     let mut model = text.with_its_values(model)?;
     model.close_inputs();
-    // redundant constraints are removed, since their reactions are not unique; the search needs no start
+    // redundant constraints are removed, since their reactions are not unique; an error is ignored, since the search needs no start
     let _ = independent_start(&mut model);
     Ok((title, model, source))
 }
 
-/// The unit of a quantity, with a space before it.
+/// The unit of a quantity, preceded by a space; empty for a pure number.
 pub fn unit(model: &Model, name: &str) -> String {
     match unit_of(model, name).as_str() {
         "1" => String::new(),
@@ -98,12 +98,12 @@ pub fn unit(model: &Model, name: &str) -> String {
 }
 
 impl SteadyBox {
-    /// Reads the system of a file, prepared for the search, with its source.
+    /// Reads the system of a file and prepares it for the search.
     pub fn system_in(&self, path: &Path) -> Result<SoughtSystem, Exit> {
         Ok(sought(&SystemText { values: self.values.clone(), ..SystemText::read(path)? })?)
     }
 
-    /// All steady motions of the system that was read from a file.
+    /// All steady motions of a system that was read from a file.
     pub fn find(&self, path: &Path, (title, model, source): SoughtSystem) -> Result<Found, Exit> {
         self.checked()?;
         let _progress = Progress::new("steady motions");
@@ -112,7 +112,7 @@ impl SteadyBox {
         Ok(Found { title, model, motions })
     }
 
-    /// All steady motions of the system in a file at values of a parameter, or of the speed of a cyclic coordinate.
+    /// All steady motions of the system in a file, at values of a parameter or of the speed of a cyclic coordinate.
     pub fn find_along(&self, path: &Path, (name, range): &(String, Range), values: usize) -> Result<AlongFound, Exit> {
         let (title, model, asked) = self.along(path, &[name])?;
         let _progress = Progress::new("steady motions");
@@ -123,7 +123,7 @@ impl SteadyBox {
             sample.found.unknowns.iter().map(|unknown| self::unit(&model, &unknown.name)).collect()
         });
         let why = |why: &NoSteadyMotions| {
-            // the value is told beside it
+            // the value is printed beside the reason
             let own = if let NoSteadyMotions::At { why, .. } = why { why } else { why };
             reason(&model, asked.text.as_deref(), own.clone()).title
         };
@@ -131,7 +131,7 @@ impl SteadyBox {
         Ok(AlongFound { title, name: name.clone(), unit, units, along, left_out })
     }
 
-    /// The system of a file, prepared to take other values for parameters or speeds of cyclic coordinates with these names.
+    /// The system of a file, prepared such that parameters or speeds of cyclic coordinates with these names can be varied.
     pub fn along(&self, path: &Path, names: &[&String]) -> Result<(String, Model, SteadySearch), Exit> {
         self.checked()?;
         let (title, model, source) = self.system_in(path)?;
@@ -184,7 +184,7 @@ impl SteadyBox {
         Ok(())
     }
 
-    /// Refuses a name with two ranges, or with two values.
+    /// Refuses a name with two ranges or two values.
     pub(super) fn checked(&self) -> Result<(), Exit> {
         let set = |place: usize| self.values[..place].iter().any(|(before, _)| *before == self.values[place].0);
         if let Some(place) = (0..self.values.len()).find(|&place| set(place)) {
@@ -201,7 +201,7 @@ impl SteadyBox {
         SteadySearch { ranges: self.range.clone(), boxes: self.boxes, ..SteadySearch::default() }
     }
 
-    /// Prints warnings on undecided regions, with a remedy; returns the outcome of the command.
+    /// Prints warnings about undecided regions, with a remedy; returns the outcome of the command.
     pub fn ended(&self, path: &Path, found: &SteadyMotions) -> Exit {
         if found.is_complete() {
             return Exit::Done;
@@ -237,7 +237,7 @@ impl SteadyBox {
         Exit::Stopped
     }
 
-    /// Refuses a range for a scene that has no system in its file.
+    /// Refuses --range and --set for a scene whose system is not defined in its file.
     pub fn refuse(&self, instead: &str) -> Result<(), Exit> {
         let ranges = self.range.iter().map(|(name, _)| ("--range", name));
         match ranges.chain(self.values.iter().map(|(name, _)| ("--set", name))).next() {
@@ -250,7 +250,7 @@ impl SteadyBox {
 }
 
 impl Found {
-    /// The values of a motion's unknowns as text.
+    /// The values of the unknowns of a motion as text.
     pub fn values(&self, enclosure: &[[f64; 2]]) -> String {
         let values = self.motions.unknowns.iter().zip(enclosure).map(|(unknown, at)| {
             format!("{} = {}{}", unknown.name, enclosed(*at, unknown.range), self.unit(&unknown.name))
@@ -258,16 +258,16 @@ impl Found {
         values.collect::<Vec<_>>().join(", ")
     }
 
-    /// The unit of a component of the state, with a space before it.
+    /// The unit of a component of the state, preceded by a space; empty for a pure number.
     pub fn unit(&self, name: &str) -> String {
         unit(&self.model, name)
     }
 }
 
-/// Values below this part of a range, or of one in SI units where it is larger, differ from zero by the rounding of data alone.
+/// Values below this fraction of the range (at most of 1 SI unit) count as zero, since the rounding of data alone moves them.
 const ROUNDING: f64 = 1e-14;
 
-/// The value of an unknown with a range, in as many digits as its enclosure shows, at most ten.
+/// The value of an unknown as text, with as many digits as its enclosure determines, at most ten.
 pub fn enclosed([low, high]: [f64; 2], range: Range) -> String {
     let middle = 0.5 * (low + high);
     let scale = range.from.abs().max(range.to.abs()).min(1.0);
@@ -278,7 +278,7 @@ pub fn enclosed([low, high]: [f64; 2], range: Range) -> String {
     written(format!("{middle:.*e}", digits - 1).parse().unwrap_or(middle))
 }
 
-/// A number with ten digits, without trailing zeros.
+/// A number with ten significant digits, without trailing zeros.
 pub fn number(value: f64) -> String {
     written(if value.abs() < 5e-16 { 0.0 } else { value })
 }

@@ -1,4 +1,4 @@
-//! Stationary motions as text.
+//! Steady motions of a gyrostat as text.
 
 use super::{Given, motor, why};
 use crate::stability;
@@ -42,7 +42,7 @@ fn line(place: usize, found: &Found) -> String {
         found.rotor_speed,
         found.momentum,
     ];
-    // a number that prints as zero is printed without a sign
+    // a value that prints as zero is printed without a sign
     let numbers = numbers.map(|x| format!("{:>13.8}", if x.abs() < 5e-9 { 0.0 } else { x })).concat();
     let mut out = format!("  {place} {:<10}{numbers}{:>13.1e}\n", kind(found.kind), found.residual);
     if let Some([low, high]) = found.multiplier {
@@ -62,7 +62,7 @@ fn line(place: usize, found: &Found) -> String {
     out
 }
 
-/// The certificate of completeness, such as `6 of 6; none missing: ...`
+/// The certificate that no motion is missing, such as `6 of 6; none missing: ...`.
 fn certificate(answer: &Answer) -> String {
     let Certificate { degree, roots, again, morse, undecided } = &answer.certificate;
     let families = answer.found.iter().filter(|one| matches!(one.shape, Shape::Circle { .. } | Shape::Sphere)).count();

@@ -4,7 +4,7 @@ use crate::spectrum;
 use ::scenes::linearisation::{Linear, Stability, Standing};
 use ::scenes::steady_motions::{Eigenvalues, EnclosedSpectrum, SteadyMotion, SteadyMotions, SteadyStability};
 
-/// The stability of one of the motions that were found, with the reason.
+/// A sentence on the stability of a steady motion, with the reason.
 pub(super) fn stability(motion: &SteadyMotion, found: &SteadyMotions) -> String {
     let cyclic = &found.cyclic;
     let energy = match found.are_in_turning_frames {
@@ -33,7 +33,7 @@ pub(super) fn stability(motion: &SteadyMotion, found: &SteadyMotions) -> String 
         SteadyStability::Linear(found) if decides(found).is_some() => {
             decides(found).map(spectrum::verdict).unwrap_or_default()
         }
-        // linear equations at one instant of a moving state decide nothing, but without cyclic coordinates they are constant
+        // eigenvalues at one instant of a moving state decide nothing; the equations without cyclic coordinates are constant
         SteadyStability::Linear(found) if found.linear.standing == Standing::Moving => match &found.enclosed {
             Ok(enclosed) => spectrum::verdict(enclosed),
             Err(why) => format!("not decided: eigenvalues are not enclosed, since {why}"),
@@ -51,7 +51,7 @@ pub(super) fn stability(motion: &SteadyMotion, found: &SteadyMotions) -> String 
         SteadyStability::Linear(found) => {
             let linear = &found.linear;
             if let Some(enclosed) = found.enclosed.as_ref().ok().filter(|own| own.by_centres().is_some()) {
-                // exact fractions leave no room for numbers
+                // where exact arithmetic leaves the verdict open, floating-point numbers cannot decide it either
                 let by_centres = enclosed.by_centres().filter(|_| enclosed.exact.is_none());
                 let by_numbers = by_centres.map_or_else(String::new, |own| format!("; by numbers, {own}"));
                 return format!("{}{by_numbers}", spectrum::verdict(enclosed));
@@ -89,13 +89,13 @@ pub(super) fn stability(motion: &SteadyMotion, found: &SteadyMotions) -> String 
     }
 }
 
-/// The effect of dry friction that resists every motion.
+/// The verdict where dry friction resists every motion.
 pub(super) const RESISTS: &str = "stable, by enclosures: dry friction resists every motion, so that the system comes to rest nearby after a small push";
 
-/// The effect of dry friction with negative coefficients.
+/// The verdict where dry friction has negative coefficients.
 pub(super) const FEEDS: &str = "unstable, by enclosures: the coefficient of dry friction is negative, so that friction supplies power to every motion";
 
-/// The sentence on a position that coordinates do not describe.
+/// The sentence on a position that the coordinates do not describe.
 pub fn singular(names: &[String]) -> String {
     let (are, s) = if names.len() == 1 { ("has", "") } else { ("have", "s") };
     format!(
@@ -106,20 +106,20 @@ pub fn singular(names: &[String]) -> String {
     )
 }
 
-/// The enclosed eigenvalues, where these decide the stability, or show that the linear equations do not.
+/// The enclosed eigenvalues if they decide the stability, or prove that the linear equations do not decide it.
 fn decides(found: &Eigenvalues) -> Option<&EnclosedSpectrum> {
     found.enclosed.as_ref().ok().filter(|found| spectrum::is_decided(found))
 }
 
-/// Whether so many zeros have reasons in the equations of motion, such as a cyclic coordinate: the force x^3 has none in the linear equations alone.
+/// Whether at least so many zero eigenvalues have reasons in the nonlinear equations, such as a cyclic coordinate; a zero from a force x³ has none.
 fn has_reasons(found: &Eigenvalues, zeros: usize) -> bool {
     zeros == 0 || found.enclosed.as_ref().is_ok_and(|enclosed| enclosed.zeros.len() >= zeros)
 }
 
-/// Eigenvalues below this part of the largest one are zero.
+/// Eigenvalues below this fraction of the largest count as zero.
 const ROUNDING: f64 = 1e-9;
 
-/// Whether all eigenvalues have negative real parts, except zeros, at most two for each cyclic coordinate.
+/// Whether all eigenvalues have negative real parts except for zeros, of which there are at most two for each cyclic coordinate.
 fn fades(linear: &Linear, cyclic: usize) -> bool {
     let size = |[re, im]: &[f64; 2]| re.hypot(*im);
     let largest = linear.eigenvalues.iter().map(size).fold(0.0, f64::max);
@@ -129,7 +129,7 @@ fn fades(linear: &Linear, cyclic: usize) -> bool {
     linear.standing != Standing::Moving && !others.is_empty() && negative && (1..=2 * cyclic).contains(&zeros.len())
 }
 
-/// The stability of a motion in a word, and whether enclosures show it.
+/// The stability of a motion in one or two words, and whether enclosures prove it.
 pub fn verdict(motion: &SteadyMotion, cyclic: &[String]) -> (&'static str, bool) {
     match &motion.stability {
         SteadyStability::Minimum

@@ -1,7 +1,7 @@
-//! The atlas: the cheapest choice on each scene, and the loss by a single choice for all scenes.
+//! The study of methods on all scenes: the cheapest choice for each scene, and the loss that a single choice for all scenes causes.
 //!
-//! A choice is a method with a formulation and a model. To apply to many scenes at once its model is the scene's own, or the
-//! smallest one with the same motion, or one by its name.
+//! A choice consists of a method, a formulation and a model. For a choice that applies to many scenes, the model is the scene's own, the
+//! smallest one with the same motion, or a model with a given name.
 
 use crate::speed::advice::advice;
 use crate::speed::{Counted, Series, series};
@@ -15,7 +15,7 @@ const ERRORS: [f64; 3] = [1e-3, 1e-6, 1e-9];
 
 type Scene<'a> = (&'a str, &'a Atlas);
 
-/// The study: advice for each scene, the best single choices with their losses, and the methods at their best.
+/// The study: advice for each scene, the best single choices with their losses, and each method in its best configuration.
 pub fn study(scenes: &[Scene<'_>]) -> Study {
     let has_motor = |scene: &&Scene<'_>| scene.1.explored.first().is_some_and(|one| !one.way.model.is_empty());
     let (driven, others): (Vec<Scene>, Vec<Scene>) = scenes.iter().partition(has_motor);
@@ -41,7 +41,7 @@ pub fn study(scenes: &[Scene<'_>]) -> Study {
     }
 }
 
-/// A method, a formulation, a model.
+/// A choice: a method, a formulation, a model.
 #[derive(Clone, Debug, PartialEq)]
 struct Choice(String, Formulation, String);
 
@@ -58,7 +58,7 @@ const SMALLEST_EXACT: &str = "the smallest exact model";
 
 /// The choices to which the runs of a configuration belong.
 fn choices(method: &str, way: &Configuration, atlas: &Atlas) -> Vec<Choice> {
-    // a motor alone has one form, which counts as both
+    // a motor alone has one form of its equations, which counts as both forms
     let formulations = match way.formulation {
         Formulation::Bench => vec![Formulation::First, Formulation::Second],
         other => vec![other],
@@ -75,12 +75,12 @@ fn choices(method: &str, way: &Configuration, atlas: &Atlas) -> Vec<Choice> {
     pairs.map(|(form, model)| Choice(method.to_owned(), form, model)).collect()
 }
 
-/// Scenes among which a single choice can be made.
+/// A group of scenes for which a single choice is made.
 struct Group<'a> {
     name: &'static str,
     scenes: Vec<Scene<'a>>,
     choices: Vec<Choice>,
-    /// For each scene its series with the indices of their choices.
+    /// For each scene, its series with the indices of their choices in `choices`.
     series: Vec<Vec<(Series<'a>, Vec<usize>)>>,
 }
 
@@ -116,7 +116,7 @@ fn shown(regret: Option<f64>) -> String {
     regret.map_or_else(|| "—".to_owned(), |regret| significant(regret, 2))
 }
 
-/// The table of advice, a sentence for each scene.
+/// The table of advice, with one sentence for each scene.
 fn advised(scenes: &[Scene<'_>]) -> Table {
     let row = |(title, atlas): &Scene<'_>| vec![(*title).to_owned(), advice(atlas, ERRORS[1])];
     Table {
@@ -126,7 +126,7 @@ fn advised(scenes: &[Scene<'_>]) -> Table {
     }
 }
 
-/// The table of best single choices: those that serve the most scenes, and among them the one with the smallest largest loss.
+/// The table of best single choices: those that work for most scenes, and among these the choice with the smallest maximal loss.
 fn single(groups: &[Group<'_>]) -> Table {
     let mut rows = Vec::new();
     for group in groups {
@@ -152,7 +152,7 @@ fn single(groups: &[Group<'_>]) -> Table {
     Table { caption: "The best single choice".to_owned(), head: head.map(str::to_owned).to_vec(), rows }
 }
 
-/// The table of regrets: the loss of the best single choices on each scene.
+/// The table of the losses of the best single choices on each scene.
 fn losses(group: &Group<'_>) -> Table {
     let mut head = vec!["Scene".to_owned()];
     let mut rows: Vec<Vec<String>> = group.scenes.iter().map(|(title, _)| vec![(*title).to_owned()]).collect();
@@ -167,7 +167,7 @@ fn losses(group: &Group<'_>) -> Table {
     Table { caption: format!("Regret of the best single choice: {}", group.name), head, rows }
 }
 
-/// The table of methods, each in its best formulation with its best model: a row for each scene, a column for each method.
+/// The table of methods, each in its best formulation with its best model: one row for each scene, one column for each method.
 fn methods(scenes: &[Scene<'_>], error: f64) -> Table {
     let all: Vec<Vec<Series>> = scenes.iter().map(|(_, atlas)| series(atlas)).collect();
     let mut names: Vec<String> = Vec::new();

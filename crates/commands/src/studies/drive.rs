@@ -1,4 +1,4 @@
-//! The study of the electromechanical drive: the experiment of its paper, and the step sizes and gains for which it is stable.
+//! The study of an electromechanical drive: the experiment of its paper, and the step sizes and gains for which Euler's method is stable.
 
 use super::{extent, missing};
 use crate::job_pool::JobPool;
@@ -7,13 +7,13 @@ use integrators::{Failure, Method};
 use studies::stabilisation::drive_law::violation;
 use studies::stabilisation::experiment::{self, Bearable, DRIVE, STEP, Sample, Track as Run, bearable, most_damping};
 
-/// The gains of the experiment: the fastest decay of violations that Euler's method has at its step size.
+/// The gains b and k of the experiment: those with the fastest decay of violations under Euler's method with its step size.
 const FASTEST: (f64, f64) = (2.0 / STEP, 1.0 / (STEP * STEP));
 
-/// The time until which the phase portrait of the capacitor is drawn, s: later its curve fills an area.
+/// The end of the phase portrait of the capacitor, s; a longer curve would fill an area.
 const FILLS: f64 = 4.0;
 
-/// The parts of the study of the electromechanical drive, each a job of its own.
+/// The parts of the study, each a separate job.
 #[derive(Default)]
 pub struct Drive {
     exact: Option<Result<(Vec<Sample>, f64), Failure>>,
@@ -29,7 +29,7 @@ impl Drive {
         crew.add(0.3, &mut self.most_damping, || most_damping(FASTEST.1));
     }
 
-    /// The finished study for the page.
+    /// The completed study for the report.
     pub fn study(self) -> Study {
         match (self.exact, self.bearable, self.most_damping) {
             (Some(exact), Some(bearable), Some(most_damping)) => study(exact, bearable, most_damping),
@@ -149,7 +149,7 @@ fn table(runs: &[&Run]) -> Table {
     Table { caption: String::new(), head: head.map(String::from).into(), rows: runs.iter().map(row).collect() }
 }
 
-/// The text on the step sizes and gains with which Euler's method stays stable in the experiment.
+/// The text on the step sizes and gains for which Euler's method is stable in the experiment.
 fn bounds(digits: f64, bearable: Result<Bearable, Failure>, most_damping: f64) -> String {
     let step = match bearable {
         Ok(found) => format!(

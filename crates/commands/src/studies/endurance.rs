@@ -7,13 +7,13 @@ use integrators::Means;
 use std::path::Path;
 use studies::long_runs::{LongRun, MethodRun, PACES, Sample};
 
-/// Revolutions that the report computes; results for a million, which take minutes, are read from a file.
+/// The number of revolutions that the report computes. Results for a million revolutions, which take minutes, are read from a file.
 const REVOLUTIONS: u32 = 2_000;
 
-/// The smallest error that is shown; smaller ones are rounding.
+/// The smallest error that is shown; smaller errors are rounding errors.
 const FLOOR: f64 = 1e-17;
 
-/// The runs of the methods, each a job of its own.
+/// The long runs of the methods, each a separate job.
 #[derive(Default)]
 pub struct Endurance {
     courses: [Option<Option<MethodRun>>; PACES.len()],
@@ -27,7 +27,7 @@ impl Endurance {
         }
     }
 
-    /// The finished study for the page; results of longer runs are kept beside the folder of scenes.
+    /// The completed study for the report; results of longer runs are read from a file beside the folder of scenes.
     pub fn study(self, scenes: &Path) -> Study {
         let courses: Vec<MethodRun> = self.courses.into_iter().flatten().flatten().collect();
         let mut study = Study {
@@ -68,7 +68,7 @@ impl Endurance {
     }
 }
 
-/// A picture on logarithmic axes.
+/// A picture of an error over the revolutions, with logarithmic axes.
 fn picture(courses: &[MethodRun], title: &str, label: &str, of: impl Fn(&Sample) -> Option<f64>) -> Areas {
     let curve = |course: &MethodRun| {
         let point = |sample: &Sample| Some((sample.revolutions.log10(), of(sample)?.abs().max(FLOOR).log10()));
@@ -98,7 +98,7 @@ fn name(course: &MethodRun) -> String {
 const QUANTITIES: [fn(&Sample) -> Option<f64>; 5] =
     [|s| Some(s.energy), |s| Some(s.swing), |s| Some(s.length), |s| Some(s.momentum), |s| s.phase];
 
-/// The table of errors at the end, with the exponents of their growth.
+/// The table of errors at the end of the runs, with the exponents of their growth.
 fn table(courses: &[MethodRun]) -> Table {
     let head = [
         "Method",

@@ -1,4 +1,4 @@
-//! The catalogue of failures in the report: a table of thresholds, and one of the outcome of every method.
+//! The catalogue of failures in the report: a table of thresholds, and a table of the outcomes of all methods.
 
 use crate::failures::{Measured, Way, grouped, judged, quantity};
 use crate::job_pool::JobPool;
@@ -6,14 +6,14 @@ use charts::{Study, Table};
 use std::path::Path;
 use studies::failures::Found;
 
-/// The entries of the catalogue, each measured by a job of its own.
+/// The entries of the catalogue, each measured by a separate job.
 pub struct Failures {
     measured: Vec<Option<Measured>>,
     chosen: Vec<Way>,
 }
 
 impl Failures {
-    /// The entries whose scenes are in a folder.
+    /// The entries whose scenes exist in a folder.
     pub fn of(folder: &Path) -> Self {
         let (mut chosen, _) = Way::all(folder);
         chosen.retain(|way| way.scene().is_file());
@@ -27,7 +27,7 @@ impl Failures {
         }
     }
 
-    /// The finished study; `None` without entries.
+    /// The completed study; `None` without measured entries.
     pub fn study(self) -> Option<Study> {
         let (mut found, mut missed) = (Vec::new(), String::new());
         for (way, measured) in self.measured.into_iter().flatten() {

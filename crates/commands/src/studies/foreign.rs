@@ -1,4 +1,4 @@
-//! The study of problems of public collections: each run by the method of its file and compared with its reference.
+//! The study of problems from public collections: each is run with the method of its file and compared with its reference.
 
 use crate::job_pool::JobPool;
 use charts::{Study, Table};
@@ -7,10 +7,10 @@ use simulation::{Axes, Stored};
 use std::path::{Path, PathBuf};
 use studies::AnyScene;
 
-/// The folder of the problems among the scenes.
+/// The folder of these problems within the folder of scenes.
 pub const FOLDER: &str = "foreign";
 
-/// The problems with the rows of their table.
+/// The files of the problems, each with its row of the table once it is computed.
 #[derive(Default)]
 pub struct ForeignProblems(Vec<(PathBuf, Option<Vec<String>>)>);
 
@@ -31,7 +31,7 @@ impl ForeignProblems {
         }
     }
 
-    /// The study with its table; `None` without the folder.
+    /// The study with its table; `None` without rows.
     pub fn study(self) -> Option<Study> {
         let rows: Vec<Vec<String>> =
             self.0.into_iter().filter_map(|(_, row)| row.filter(|row| !row.is_empty())).collect();
@@ -50,7 +50,7 @@ impl ForeignProblems {
     }
 }
 
-/// The row of a problem; empty for a file that cannot be read, for which a test gives the reason, or without a reference.
+/// The row of a problem. It is empty for a file without a reference, and for one that cannot be read, which a test reports.
 fn row_of(path: &Path) -> Vec<String> {
     let Some(kept) = Stored::beside(path) else { return Vec::new() };
     let Ok(opened) = AnyScene::open(path) else {

@@ -1,4 +1,4 @@
-//! The study of gains of a stabilised constraint: regions of stability, drift and error by the gain, other treatments.
+//! The study of the gains of a stabilised constraint: stability regions, drift and error as functions of the gain, other treatments.
 
 use super::missing;
 use super::treatments::{note, scanned, table};
@@ -11,7 +11,7 @@ use studies::stabilisation::regions::{self, Fate, Map};
 use studies::stabilisation::schemes::Scheme;
 use studies::stabilisation::treatments::{Goal, Line, RUNS, Scan, compare, times};
 
-/// The parts of the study of gains of stabilised constraints, each a job of its own.
+/// The parts of the study, each a separate job.
 #[derive(Default)]
 pub struct Gains {
     maps: [Option<Map>; SCHEMES.len()],
@@ -20,19 +20,19 @@ pub struct Gains {
     times: Vec<Option<f64>>,
 }
 
-/// The results of a method at a step size: the scan over gains, and the treatments.
+/// The results of a method with one step size: the scan over gains, and the treatments of the constraint.
 type Compared = (Scan, Vec<Line>);
 
-/// The schemes in the order of the page, with the expected time of a map, s.
+/// The methods in the order of the page, each with the expected time for its map, s.
 const SCHEMES: [(Scheme, f64); 4] =
     [(Scheme::Euler, 0.1), (Scheme::RungeKutta4, 0.3), (Scheme::ImplicitMidpoint, 0.5), (Scheme::BackwardEuler, 3.0)];
-/// Columns and rows of a map.
+/// The numbers of columns and rows of a map.
 const CELLS: (usize, usize) = (60, 50);
-/// The time for timing all treatments.
+/// The time for measuring the times of all treatments.
 const ALLOWED: Duration = Duration::from_secs(6);
 
 impl Gains {
-    /// Adds the jobs of the study, without the times.
+    /// Adds the jobs of the study; times are measured later.
     pub fn enlist<'s>(&'s mut self, crew: &mut JobPool<'s>) {
         let Gains { maps, goal, compared, .. } = self;
         for (place, (scheme, cost)) in maps.iter_mut().zip(SCHEMES) {
@@ -58,7 +58,7 @@ impl Gains {
         self.compared.iter().flatten().flatten().flat_map(|(_, lines)| lines.clone()).collect()
     }
 
-    /// The finished study for the page.
+    /// The completed study for the report.
     pub fn study(self) -> Study {
         let lines = self.lines();
         let failed = self.compared.iter().flatten().find_map(|compared| compared.as_ref().err());

@@ -1,4 +1,4 @@
-//! Results of long runs that take minutes, read from the benchmark's file where it exists.
+//! Results of runs over a million revolutions, which take minutes, read from the file of a benchmark if it exists.
 
 use integrators::Work;
 use serde::Deserialize;
@@ -18,10 +18,10 @@ struct Kept {
     samples: Vec<[Option<f64>; 6]>,
 }
 
-/// The kept runs over a million revolutions, read from the folder beside `scenes`.
+/// The runs over a million revolutions, read from a file beside the folder `scenes`.
 ///
 /// # Errors
-/// The sentence that stands in the place of the runs: no file, or one of another version.
+/// A sentence for the report, where the file is missing or belongs to another version.
 pub fn courses(scenes: &Path) -> Result<Vec<MethodRun>, String> {
     let path = scenes.parent().unwrap_or(Path::new("")).join(FILE);
     let text = std::fs::read_to_string(path).map_err(|_| format!("A million revolutions: {COMMAND} writes {FILE}."))?;

@@ -1,4 +1,4 @@
-//! The study of numerical stability: the verdict of every method on stationary motions at every step size.
+//! The study of numerical stability: the verdicts on all methods at steady motions, for all step sizes.
 
 use crate::job_pool::JobPool;
 use charts::{AreaCurve, Areas, Study, Table, significant};
@@ -6,7 +6,7 @@ use mechanics::one_step_stability::Judgement;
 use studies::numerical_stability::survey::{self, Method, SCENES, Split, Surveyed};
 use studies::scene::Scene;
 
-/// The motions of each scene, each scene a job of its own.
+/// The surveyed motions of each scene; each scene is a separate job.
 #[derive(Default)]
 pub struct NumericalStability {
     scenes: [Option<Result<Vec<Surveyed>, String>>; SCENES.len()],
@@ -17,11 +17,11 @@ const COST: f64 = 8.0;
 /// The number of columns of a picture.
 const COLUMNS: usize = 240;
 const DECADES: [f64; 2] = [-3.0, 0.3];
-/// The logarithm of the ratio of step sizes within which a tested step stands for others: there are eight tests a decade.
+/// The logarithm of the largest ratio between a step size and the tested one whose result it takes; there are eight tests per decade.
 const NEAR: f64 = std::f64::consts::LN_10 / 8.0;
 
 impl NumericalStability {
-    /// Adds the jobs for the scenes of the study, found by the names of their files.
+    /// Adds the jobs for the scenes of the study, which are identified by the names of their files.
     pub fn enlist<'s>(&'s mut self, crew: &mut JobPool<'s>, scene: impl Fn(&str) -> Option<&'s Scene>) {
         for (place, (name, w)) in self.scenes.iter_mut().zip(SCENES) {
             if let Some(scene) = scene(name) {
@@ -30,7 +30,7 @@ impl NumericalStability {
         }
     }
 
-    /// The finished study for the page.
+    /// The completed study for the report.
     pub fn study(self) -> Study {
         let mut study = Study {
             id: "steps-and-stability".into(),
@@ -52,7 +52,7 @@ impl NumericalStability {
     }
 }
 
-/// The kinds of a picture, in the order of its legend.
+/// The kinds of cells of a picture, in the order of its legend.
 const KINDS: [&str; 6] = [
     "correct",
     "damps an undamped mode",
@@ -72,7 +72,7 @@ fn kind(judgement: Judgement) -> usize {
     }
 }
 
-/// A row of cells for each method over the logarithm of the step.
+/// A picture with a row of cells for each method, over the logarithm of the step size.
 fn picture(of: &Surveyed) -> Areas {
     let [first, last] = DECADES;
     let step = |column: usize| 10f64.powf(first + (last - first) * (column as f64 + 0.5) / COLUMNS as f64);
@@ -93,7 +93,7 @@ fn picture(of: &Surveyed) -> Areas {
     let count = names.len();
     let place = |number: usize| (count - 1 - number) as f64;
     let edges = of.methods.iter().map(|method| &method.edges).chain(of.splittings.iter().map(|split| &split.edges));
-    // a point outside of the frame separates the strokes
+    // a point outside the frame separates the strokes
     let strokes = edges.enumerate().flat_map(|(number, edges)| {
         let seen = edges.iter().filter_map(|(_, found)| *found).filter(|found| (first..last).contains(&found.log10()));
         seen.flat_map(move |found| {
@@ -114,12 +114,12 @@ fn picture(of: &Surveyed) -> Areas {
     }
 }
 
-/// The class of a splitting's measured behaviour at a step size, from the nearest tested one.
+/// The kind of a cell of a splitting method at a step size, from the closest tested step size.
 fn tested(split: &Split, step: f64, motion_grows: bool) -> usize {
     let off = |known: f64| (known / step).ln().abs();
     let near = split.tested.grows.iter().filter(|(known, _)| off(*known) < NEAR);
     let nearest = near.min_by(|a, b| off(a.0).total_cmp(&off(b.0)));
-    // an edge between the tested step and this one reverses the verdict
+    // each threshold between the tested step size and this one reverses the verdict
     match nearest.and_then(|(known, grows)| {
         let passed = |edge: &&f64| (**edge > step) != (**edge > *known);
         grows.map(|grows| grows != (split.tested.edges.iter().filter(passed).count() % 2 == 1))

@@ -1,4 +1,4 @@
-//! The comparison with other tools: tables read from the measuring script's file where it exists.
+//! The comparison with other tools: tables read from the file of the measuring script if it exists.
 
 use charts::{Study, Table};
 use serde::Deserialize;
@@ -20,7 +20,7 @@ struct Summary {
     rows: Vec<Vec<String>>,
 }
 
-/// The study with its tables, or the reason for which there are none.
+/// The study with its tables, or with the reason for which there are none.
 pub fn study(scenes: &Path) -> Study {
     let path = scenes.parent().unwrap_or(Path::new("")).join(FILE);
     let read = std::fs::read_to_string(path).map_err(|_| format!("Not measured here: {COMMAND} writes {FILE}."));

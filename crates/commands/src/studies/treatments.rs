@@ -1,21 +1,21 @@
-//! Treatments of a constraint: pictures of error and drift by the gain, and the table.
+//! Treatments of a constraint: pictures of error and drift over the gain, and the table of results.
 
 use super::extent;
 use charts::{AreaCurve, Areas, Table, significant};
 use studies::stabilisation::treatments::{Line, Measure, SPAN, Scan};
 
-/// The note below the table: definitions of its errors and times, and the orders that theory gives.
+/// The note below the table: definitions of errors and times, and the theoretical orders.
 pub fn note() -> &'static str {
     r"Critically damped, $b=2w$, $k=w^2$. Error: the largest error of angle, position and their rates at 100 instants, relative to the size of each. A Jacobian counts as the evaluations of its columns. Time: medians of runs that take turns within one run of the program while nothing else runs; 1 is the fastest of the table. Gains that grow as $1/h$ and $1/h^2$ remove a violation fastest and make the equations stiff at every step: the classical Runge-Kutta method then has order 1. With constant gains the error is $h^pe(w)$ plus higher powers, with one function $e$ for all steps: the gain of the least error is therefore a time scale of the motion, not of the step, which the rows with twice the steps confirm where the error is small enough for its lowest power to dominate. This time scale is measured, not derived. Gear-Gupta-Leimkuhler is half-explicit for Euler (order 1) and for the classical coefficients (order 3), Radau IIA with one stage for backward Euler (order 1), and Gauss with one stage, projected at the end of each step, for the midpoint rule (order 2; without the projection the error of the constraint changes its sign at each step instead of decaying)."
 }
 
-/// A picture of scans over gains on logarithmic axes, with a mark at the least error.
+/// A picture of scans over gains with logarithmic axes, with a mark at the smallest error of each.
 pub fn scanned(scans: &[&Scan], title: &str, label: &str, value: impl Fn(&Measure) -> f64) -> Areas {
     let curve = |scan: &&Scan| AreaCurve {
         name: format!("{}, {} steps", scan.scheme.name(), scan.steps),
         points: scan.points.iter().map(|point| (point.rate.log10(), value(point).max(1e-16).log10())).collect(),
     };
-    // every second step size: the other curves have the same shape, a little lower
+    // every second scan, since the others have the same shape
     let curves: Vec<AreaCurve> = scans.iter().step_by(2).map(curve).collect();
     let mark = |best: Measure| {
         let name = format!("{}/s", significant(best.rate, 2));
@@ -36,7 +36,7 @@ pub fn scanned(scans: &[&Scan], title: &str, label: &str, value: impl Fn(&Measur
     }
 }
 
-/// The table with a row for each treatment of each method.
+/// The table with one row for each treatment with each method.
 pub fn table(lines: &[Line], times: &[Option<f64>]) -> Table {
     let head = [
         "Method",

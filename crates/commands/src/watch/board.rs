@@ -1,4 +1,4 @@
-//! The current parts of the page, each with the version of its last change; open pages ask for newer parts.
+//! The current parts of the page, each with the version of its last change. Open pages request newer parts.
 
 use charts::page::live::{Part, Shown};
 use serde_json::{Map, Value, json};
@@ -6,10 +6,10 @@ use std::borrow::Cow;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-/// The largest error of a rounded value, as a part of its slider.
+/// The largest rounding error of a slider's value, as a fraction of the length of the slider.
 const ROUNDED: f64 = 0.01;
 
-/// The state of the page, shared by the session, which writes, and connections, which read.
+/// The state of the page, which the session writes and connections read.
 #[derive(Default)]
 pub struct Board {
     state: Mutex<State>,
@@ -20,15 +20,15 @@ pub struct Board {
 struct State {
     version: u64,
     parts: [Entry; Part::ALL.len()],
-    /// The values that sliders were moved to.
+    /// The values to which sliders were moved, by the ids of the sliders.
     values: Map<String, Value>,
     values_changed: u64,
-    /// The ends of each slider, by its id.
+    /// The ends of each slider, with its id.
     ranges: Vec<(String, [f64; 2])>,
     has_ended: bool,
 }
 
-/// A part with the versions in which its pieces changed.
+/// A part with the versions at which its content, its fault and anything in it changed.
 #[derive(Default)]
 struct Entry {
     shown: Shown,
@@ -37,13 +37,13 @@ struct Entry {
     changed: u64,
 }
 
-/// News for a page.
+/// News for an open page.
 pub enum News {
-    /// The parts that changed, as one object for the page's script, with the new version.
+    /// The new version, and the changed parts as an object for the script of the page.
     Version(u64, Value),
-    /// Nothing changed meanwhile.
+    /// No change within the waiting time.
     None,
-    /// The session is over.
+    /// The session has ended.
     End,
 }
 
@@ -52,7 +52,7 @@ impl Board {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Changes a part.
+    /// Changes a part. Its version increases only if the part differs afterwards.
     pub fn change(&self, part: Part, change: impl FnOnce(&mut Shown)) {
         let mut state = self.locked();
         let next = state.version + 1;
@@ -62,7 +62,7 @@ impl Board {
         let before = entry.shown.clone();
         change(&mut entry.shown);
         for text in [&mut entry.shown.content, &mut entry.shown.fault] {
-            // texts of the file are made harmless
+            // texts of the file may contain control characters
             if let Cow::Owned(visible) = charts::visible(text) {
                 *text = visible;
             }
@@ -81,7 +81,7 @@ impl Board {
         self.changed.notify_all();
     }
 
-    /// The values that sliders were moved to.
+    /// Stores the values to which sliders were moved.
     pub fn set_values(&self, values: Map<String, Value>) {
         let mut state = self.locked();
         if state.values != values {
@@ -91,12 +91,12 @@ impl Board {
         }
     }
 
-    /// The ends of each slider, by its id.
+    /// Stores the ends of each slider, with its id.
     pub fn set_ranges(&self, ranges: Vec<(String, [f64; 2])>) {
         self.locked().ranges = ranges;
     }
 
-    /// The reason for which sliders cannot be moved to these values; none where they can.
+    /// The reason for which sliders cannot have these values; `None` where they can.
     pub fn objection(&self, values: &Map<String, Value>) -> Option<String> {
         let state = self.locked();
         let of_one = |(id, value): (&String, &Value)| {
@@ -106,7 +106,7 @@ impl Board {
                 let known = if known.is_empty() { "none".to_owned() } else { known.join(", ") };
                 return Some(format!("no slider is called `{id}`; sliders of the present text: {known}"));
             };
-            // a value that was rounded to a step of its slider may lie beyond the end
+            // a value that was rounded to a step of its slider may lie slightly beyond the end
             let room = ROUNDED * (high - low);
             let value = value.as_f64().unwrap_or(f64::NAN);
             let is_within = (low - room..=high + room).contains(&value);
@@ -115,25 +115,25 @@ impl Board {
         values.iter().find_map(of_one)
     }
 
-    /// Ends the session for every open page.
+    /// Ends the session of all open pages.
     pub fn end(&self) {
         self.locked().has_ended = true;
         self.changed.notify_all();
     }
 
-    /// The values that sliders were moved to, which a page that opens later shows too.
+    /// The values to which sliders were moved; a page that is opened later shows them too.
     pub fn values(&self) -> Map<String, Value> {
         self.locked().values.clone()
     }
 
-    /// All parts, and their version.
+    /// The present version and all parts.
     pub fn shown(&self) -> (u64, Vec<(Part, Shown)>) {
         let state = self.locked();
         let parts = Part::ALL.iter().zip(&state.parts).map(|(part, entry)| (*part, entry.shown.clone()));
         (state.version, parts.collect())
     }
 
-    /// The changes since a version, after waiting for one at most `patience`.
+    /// The changes since a version; waits for a change for at most `patience`.
     pub fn since(&self, version: u64, patience: Duration) -> News {
         let state = self.locked();
         let waits = |state: &mut State| state.version <= version && !state.has_ended;

@@ -1,4 +1,4 @@
-//! `dalembert watch`: a page on the loopback address that follows a file while it is written.
+//! `dalembert watch`: a page on the loopback address that is updated whenever a file is saved.
 
 mod board;
 mod followed_file;
@@ -49,7 +49,7 @@ pub struct Args {
 }
 
 impl Args {
-    /// Whether partial results are kept at the end of the time.
+    /// Whether the command keeps partial results at its time limit.
     pub fn keeps(&self) -> Keeps {
         match self.stage {
             None | Some(Stage::Motion) => Keeps::Part,
@@ -58,10 +58,10 @@ impl Args {
     }
 }
 
-/// The time within which open pages learn of the end.
+/// The time for open pages to receive the end of the session.
 const FAREWELL: Duration = Duration::from_millis(60);
 
-/// Shows the file until Ctrl-C, or saves its page.
+/// Serves the page until Ctrl-C, or saves it.
 pub fn watch(asked: &Args) -> Result<Exit, Exit> {
     if let Some(stage) = asked.stage {
         return stage::work(stage, &asked.file);
@@ -70,7 +70,7 @@ pub fn watch(asked: &Args) -> Result<Exit, Exit> {
         let why = "a pipe or a device can be read only once; a file is accepted";
         return Err(Exit::refused(format!("{}: {why}", asked.file.display())));
     }
-    // a name that leads nowhere is refused; a text that is wrong is shown
+    // a file that cannot be read is refused; a text with faults is shown
     read_text(&asked.file)?;
     let board = Arc::new(Board::default());
     let session = Session::new(FollowedFile::new(&asked.file), Arc::clone(&board), asked.budget);

@@ -1,19 +1,19 @@
-//! The board rendered as a page, for the server and as a file.
+//! The board as a page: served, or saved in a file.
 
 use super::board::Board;
 use crate::output::Maker;
 use charts::page::live::LivePage;
 use std::sync::Arc;
 
-/// The title of the page: the name of the file.
+/// The title of the page, which is the name of the file.
 pub type PageTitle = Arc<str>;
 
-/// The page with the script of this nonce.
+/// The page that the server sends; its script carries this nonce.
 pub fn served(board: &Board, title: &str, nonce: &str) -> String {
     with_page(board, title, |page| page.served(nonce))
 }
 
-/// The page whole, to be read without the program.
+/// The page as a file, which can be read without the program.
 pub fn saved(board: &Board, title: &str) -> String {
     with_page(board, title, |page| page.saved())
 }

@@ -1,4 +1,4 @@
-//! A session: it follows the file, starts and stops the stages, writes their results to the board, and applies sliders to the text in memory.
+//! A session: it checks the file, starts and stops stages, writes their results to the board, and applies sliders to the text in memory.
 
 use super::board::Board;
 use super::followed_file::FollowedFile;
@@ -20,10 +20,10 @@ use std::time::{Duration, Instant};
 /// The interval at which the file is checked.
 const LOOK: Duration = Duration::from_millis(40);
 
-/// News for a session.
+/// A message to the session.
 pub enum Message {
     Worker(WorkerNews),
-    /// Values of sliders, which replace all earlier ones.
+    /// New values of sliders, which replace all earlier values.
     Values(Map<String, Value>),
 }
 
@@ -33,7 +33,7 @@ impl From<WorkerNews> for Message {
     }
 }
 
-/// A file that is shown.
+/// The session of a file.
 pub struct Session {
     file: FollowedFile,
     board: StagedBoard,
@@ -42,15 +42,15 @@ pub struct Session {
     sender: Sender<Message>,
     news: Receiver<Message>,
     workers: Vec<Worker>,
-    /// The number of the worker that was started last.
+    /// The number of the last worker that was started.
     number: u64,
     text: String,
     data: Vec<Datum>,
-    /// Files that the text names.
+    /// The paths of files that the text names.
     beside: Vec<PathBuf>,
-    /// The messages of stages that refused the text, by the numbers of their workers.
+    /// The messages of stages that refused the text, with the numbers of their workers.
     refused: Vec<(u64, String)>,
-    /// The message that refuses the whole text.
+    /// The message that refuses the whole text, if any.
     refusal: Option<String>,
     /// Whether the present text can be read.
     is_read: bool,
@@ -76,12 +76,12 @@ impl Session {
         }
     }
 
-    /// The receiver of the values of sliders.
+    /// A sender for new values of sliders.
     pub fn sender(&self) -> Sender<Message> {
         self.sender.clone()
     }
 
-    /// Follows the file until the user asks for the end, or the time is over.
+    /// Updates the page until the user stops the program or the time limit is reached.
     pub fn follow(&mut self) {
         let mut looked = None::<Instant>;
         while over().is_none() {
@@ -96,7 +96,7 @@ impl Session {
         self.workers.clear();
     }
 
-    /// Runs all stages for the present file; returns whether every part was completed.
+    /// Runs all stages for the present file. Returns whether every part was completed.
     ///
     /// # Errors
     /// The message that refuses the text.
@@ -113,11 +113,11 @@ impl Session {
         self.refusal.take().map_or_else(|| Ok(self.board.is_whole()), Err)
     }
 
-    /// Waits for news, no longer than until the file is looked at again.
+    /// Handles the next message; waits for it no longer than until the next check of the file.
     fn hear(&mut self) {
         match self.news.recv_timeout(LOOK) {
             Ok(Message::Worker(WorkerNews { number, event })) => {
-                // one that was stopped may have told something before
+                // a worker that was stopped may have sent messages before
                 let Some(place) = self.workers.iter().position(|worker| worker.number == number) else { return };
                 match event {
                     WorkerEvent::Told(told) => self.tell(place, told),
@@ -128,12 +128,12 @@ impl Session {
                 }
             }
             Ok(Message::Values(values)) => self.move_sliders(&values),
-            // nothing new; the session holds a sender itself
+            // no message arrived; the channel cannot be closed, since the session owns a sender
             Err(_) => {}
         }
     }
 
-    /// Takes a new content of the file, and stops the running stages.
+    /// Stops the running stages and starts those for a new content of the file.
     fn renew(&mut self, content: Result<String, SceneError>) {
         self.workers.clear();
         self.refused.clear();
@@ -176,7 +176,7 @@ impl Session {
         }
     }
 
-    /// Starts the stages that apply to a text that could be read.
+    /// Starts the stages that apply to a text that was read without faults.
     fn go_on(&mut self, stages: &[Stage]) {
         self.is_read = true;
         self.data = if stages.contains(&Stage::Motion) { data(&self.text) } else { Vec::new() };
@@ -208,7 +208,7 @@ impl Session {
         }
     }
 
-    /// Runs the text with other numbers; the file is left alone.
+    /// Runs the text with other numbers, without a change of the file.
     fn move_sliders(&mut self, values: &Map<String, Value>) {
         if !self.is_read {
             return;

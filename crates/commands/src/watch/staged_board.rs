@@ -1,4 +1,4 @@
-//! Changes of the board by stages: the parts of each stage, and their states when the stage begins, ends, or fails.
+//! Changes of the board by stages: the parts of each stage, and their states when the stage begins, ends or fails.
 
 use super::board::Board;
 use super::stage::Stage;
@@ -10,7 +10,7 @@ use std::sync::Arc;
 /// The board with the changes that stages make.
 pub struct StagedBoard(Arc<Board>);
 
-/// The parts that a stage computes; the first one shows its faults.
+/// The parts that a stage computes; faults of the stage are shown in the first part.
 fn parts(stage: Stage) -> &'static [Part] {
     match stage {
         Stage::System => &[Part::Equations, Part::Vectors],
@@ -25,7 +25,7 @@ impl StagedBoard {
         StagedBoard(board)
     }
 
-    /// A stage is at work; parts that show nothing yet wait for their content, but the first, which says so.
+    /// Marks the parts of a stage as being computed: the first part, and those with content of an earlier text.
     pub fn begin(&self, stage: Stage) {
         for (place, part) in parts(stage).iter().enumerate() {
             self.0.change(*part, |shown| {
@@ -36,19 +36,19 @@ impl StagedBoard {
         }
     }
 
-    /// The content of a part, by its id.
+    /// Replaces the content of the part with this id.
     pub fn tell(&self, stage: Stage, id: &str, content: String) {
         let Some(part) = Part::ALL.into_iter().find(|part| part.id() == id) else { return };
         let freshness = match stage {
             _ if content.is_empty() => Freshness::Absent,
-            // more of it is to come
+            // more claims follow
             Stage::Claims => Freshness::Working,
             _ => Freshness::Current,
         };
         self.0.change(part, |shown| *shown = Shown { content, fault: String::new(), freshness });
     }
 
-    /// A stage came to its end; what it warned of stands above its parts.
+    /// Marks the parts of a completed stage as current; warnings are shown in the heading.
     pub fn succeed(&self, stage: Stage, warnings: &str) {
         for part in parts(stage) {
             self.turn(*part, Freshness::Current);
@@ -59,12 +59,12 @@ impl StagedBoard {
         }
     }
 
-    /// A stage did not come to its end: what it told stays, and what it showed before stays as of an earlier text.
+    /// Shows the fault of a stage that did not complete. Content that it reported stays; older content is marked as belonging to an earlier text.
     pub fn fail(&self, stage: Stage, why: &str) {
         let fault = live::message("error", why);
         let [first, others @ ..] = parts(stage) else { return };
         self.0.change(*first, |shown| {
-            // a fault alone is one of the present text
+            // without content, the part shows only the fault, which belongs to the present text
             shown.freshness = if shown.content.is_empty() { Freshness::Current } else { Freshness::Earlier };
             shown.fault = fault;
         });
@@ -77,23 +77,23 @@ impl StagedBoard {
         }
     }
 
-    /// The text is not acceptable: the last good state stays.
+    /// Shows that the text is not acceptable; the last contents stay and are marked as belonging to an earlier text.
     pub fn refuse(&self, why: &str) {
         let fault = live::message("error", why);
         self.0.change(Part::Heading, |shown| (shown.fault, shown.freshness) = (fault, Freshness::Earlier));
         for part in Part::ALL.into_iter().filter(|part| *part != Part::Heading) {
-            // faults of a run are of no use beside one of the whole text
+            // faults of single stages are removed, since the whole text has a fault
             self.0.change(part, |shown| shown.fault.clear());
             self.turn(part, Freshness::Earlier);
         }
     }
 
-    /// The text has no such stage.
+    /// Clears the parts of a stage that does not apply to the text.
     pub fn leave_out(&self, stage: Stage) {
         parts(stage).iter().for_each(|part| self.0.change(*part, |shown| *shown = Shown::default()));
     }
 
-    /// Sliders for these numbers, none of them moved.
+    /// Shows sliders for these numbers at their values in the text.
     pub fn show_sliders(&self, data: &[Datum]) {
         let sliders: Vec<_> = data.iter().map(Datum::slider).collect();
         self.0.set_ranges(sliders.iter().map(|slider| (slider.id.clone(), slider.range)).collect());
@@ -101,13 +101,13 @@ impl StagedBoard {
         self.show_moved(Map::new(), &ChangedText::default());
     }
 
-    /// Sliders that were moved, and the lines of the text that would have their values.
+    /// Stores the values of moved sliders, and shows the lines that would give these values to the file.
     pub fn show_moved(&self, values: Map<String, Value>, changed: &ChangedText) {
         self.0.set_values(values);
         self.show(Part::Lines, live::lines(&changed.lines));
     }
 
-    /// Whether no part but the heading, which may show warnings, has a fault.
+    /// Whether no part has a fault, apart from the heading, which may show warnings.
     pub fn is_whole(&self) -> bool {
         let (_, parts) = self.0.shown();
         parts.iter().all(|(part, shown)| *part == Part::Heading || shown.fault.is_empty())
@@ -118,7 +118,7 @@ impl StagedBoard {
         self.0.change(part, |shown| *shown = Shown { content, fault: String::new(), freshness });
     }
 
-    /// A part that shows nothing is of no text.
+    /// Sets the freshness of a part; an empty part is absent.
     fn turn(&self, part: Part, freshness: Freshness) {
         self.0.change(part, |shown| {
             let is_empty = shown.content.is_empty() && shown.fault.is_empty();

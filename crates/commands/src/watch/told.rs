@@ -1,4 +1,4 @@
-//! The lines in which a stage tells its results: one JSON value each.
+//! The lines by which a stage reports its results, one JSON value per line.
 
 use super::stage::Stage;
 use charts::page::live::Part;
@@ -6,22 +6,22 @@ use serde::{Deserialize, Serialize};
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-/// The work that a stage is given: the first line of its standard input.
+/// The input of a stage: the first line of its standard input.
 #[derive(Debug, Serialize, Deserialize)]
 pub struct Given {
-    /// The text in the place of that of the file.
+    /// The text that replaces the content of the file.
     pub text: String,
 }
 
-/// A result of a stage: a line of its standard output.
+/// A report of a stage: a line of its standard output.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Told {
-    /// The content of a part, by its id: HTML.
+    /// The content of the part with this id, as HTML.
     Part { id: String, content: String },
-    /// The text is not acceptable: a message as a terminal shows it.
+    /// The text is not acceptable; the message as a terminal would show it.
     Refused(String),
-    /// A file beside the one that is followed.
+    /// The path of a further file that the text names.
     Reads(PathBuf),
     /// Stages that apply to the text.
     Then(Vec<Stage>),

@@ -1,4 +1,4 @@
-//! A synchronous motor in a gyrostat: its pull-in torque and shares of starts, compared with the same motor on the bench.
+//! A synchronous motor in a gyrostat: its pull-in load and the fractions of starts that synchronise, compared with the same motor on a bench.
 
 use super::{SWINGS, onset};
 use charts::{Table, significant};
@@ -8,19 +8,19 @@ use studies::synchronism::loaded::{Loaded, giving_way};
 use studies::synchronism::maps::{alone, over_starts};
 use studies::synchronism::pull_in::PullIn;
 
-/// Loads as shares of the pull-out torque, and numbers of angles and slips of the starts under each.
+/// The loads as fractions of the pull-out torque; [`STARTS`] are the numbers of initial angles and slips under each load.
 const LOADS: [f64; 7] = [0.0, 0.1, 0.2, 0.4, 0.7, 0.95, 1.05];
 const STARTS: (usize, usize) = (4, 4);
 
-/// The results for a synchronous motor in one gyrostat, beside those on a bench.
+/// The results for a synchronous motor in a gyrostat, compared with the motor on a bench.
 pub struct Carried {
     title: String,
-    /// The rotor's axial moment of inertia A', and the effective one against a torque between rotor and carrier, kg m^2.
+    /// The axial moment of inertia A' of the rotor, and its effective value for torques between rotor and carrier, kg m².
     axial: [f64; 2],
     pull_out: f64,
-    /// Pull-in with the rotor's own moment of inertia, and with the effective one.
+    /// The pull-in with the rotor's own moment of inertia, and with the effective one.
     pull_in: [Option<PullIn>; 2],
-    /// The shares of starts that synchronise, on the bench and in the gyrostat, by load.
+    /// The starts that synchronise under each load, on the bench and in the gyrostat.
     shares: [Vec<Share>; 2],
 }
 
@@ -40,7 +40,7 @@ impl Carried {
         Some(Carried { title: scene.title.clone(), axial, pull_out, pull_in, shares: [bench, gyrostat] })
     }
 
-    /// The text with the table: the unit of the loads, and the onset of slipping.
+    /// The text below the table, with the pull-out load and the pull-in loads.
     pub fn told(&self) -> String {
         let Carried { axial: [own, light], pull_out, pull_in, .. } = self;
         let said = |of: &Option<PullIn>| {

@@ -14,20 +14,20 @@ use studies::synchronism::loaded::{Loaded, with_bars};
 use studies::synchronism::maps::{Row, over_damping, over_starts};
 use studies::synchronism::pull_in::{Onset, PullIn};
 
-/// Numbers of bars in the map, and those whose motions are continued.
+/// The numbers of bars in the map; [`DRAWN`] are those whose asynchronous motions are continued.
 const BARS: [usize; 9] = [0, 1, 2, 3, 4, 5, 6, 7, 8];
 const DRAWN: [usize; 5] = [0, 1, 2, 3, 8];
-/// The damping f / sqrt(A' b0) of each row of the map for the motor without currents.
+/// The damping f / √(A' b₀) of each row of the map for the motor without currents.
 const DAMPINGS: [f64; 10] = [0.05, 0.2, 0.35, 0.5, 0.65, 0.8, 0.95, 1.1, 1.25, 1.4];
-/// The number of columns of a map, from no load to a little beyond the pull-out torque.
+/// The number of columns of a map, which extends from zero load to [`MOST`] times the pull-out torque.
 const COLUMNS: usize = 24;
 const MOST: f64 = 1.08;
-/// The numbers of angles and slips of the starts in a cell.
+/// The numbers of initial angles and initial slips for each cell.
 const STARTS: (usize, usize) = (5, 5);
-/// The length of the run from each start with bars, in units of 1/omega, omega the angular frequency of small oscillations.
+/// The duration of the run from each start of a motor with bars, in units of 1/ω, where ω is the angular frequency of small oscillations.
 const SWINGS: f64 = 120.0;
 
-/// The results for a number of bars: slipping motions, and the outcome of the starts.
+/// The results for a number of bars: asynchronous motions, pull-in, and the outcomes of the starts.
 struct OfBars {
     bars: usize,
     slipping: Option<OutOfStep>,
@@ -35,7 +35,7 @@ struct OfBars {
     shares: Vec<Share>,
 }
 
-/// The parts of the study of synchronism, each a job of its own.
+/// The parts of the study, each a separate job.
 #[derive(Default)]
 pub struct Synchronism {
     title: String,
@@ -48,7 +48,7 @@ pub struct Synchronism {
 }
 
 impl Synchronism {
-    /// Adds the jobs for the first scene of a motor with bars on a bench, and for the first in which a gyrostat carries one.
+    /// Adds the jobs for the first scene with a motor with bars on a bench, and for the first scene with such a motor in a gyrostat.
     pub fn enlist<'s>(&'s mut self, scenes: impl Iterator<Item = &'s Scene>, crew: &mut JobPool<'s>) {
         let scenes: Vec<&Scene> = scenes.filter(|scene| with_bars(scene, 0).is_some()).collect();
         let on_bench = |scene: &&&Scene| matches!(scene.system, Setup::Bench { .. });
@@ -71,7 +71,7 @@ impl Synchronism {
         }
     }
 
-    /// The finished study for the page.
+    /// The completed study for the report.
     pub fn study(self) -> Option<Study> {
         let motor = self.motor?;
         let all: Vec<OfBars> = self.bars.into_iter().flatten().flatten().collect();
@@ -99,7 +99,7 @@ impl Synchronism {
     }
 }
 
-/// The middles of the cells from zero to a little beyond `whole`.
+/// The midpoints of the columns, which divide the range from zero to [`MOST`] times `whole`.
 fn columns(whole: f64) -> Vec<f64> {
     (0..COLUMNS).map(|i| whole * MOST * (i as f64 + 0.5) / COLUMNS as f64).collect()
 }
@@ -153,7 +153,7 @@ fn table(all: &[OfBars], pull_out: f64) -> Table {
     }
 }
 
-/// The kind of onset of slipping, in words.
+/// The way in which asynchronous motions begin to exist, in words.
 pub fn onset(by: Onset) -> String {
     match by {
         Onset::Balance => "with a period that tends to infinity, from one unstable equilibrium to the next".into(),

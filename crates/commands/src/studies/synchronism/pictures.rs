@@ -1,4 +1,4 @@
-//! The pictures of the study: angles and slips over the load, and the starts that synchronise.
+//! The pictures of the study: angles and slips over the load, and maps of the starts that synchronise.
 
 use super::{DAMPINGS, DRAWN, MOST, OfBars, columns, named};
 use crate::studies::extent;
@@ -8,7 +8,7 @@ use studies::synchronism::basin::Share;
 use studies::synchronism::branches::{Slipping, Standing};
 use studies::synchronism::maps::Row;
 
-/// The points for which `keep` holds, with a gap wherever it does not.
+/// The points of those elements for which `keep` holds, with a gap at the others.
 fn gapped<T>(all: &[T], keep: impl Fn(&T) -> bool, point: impl Fn(&T) -> (f64, f64)) -> Vec<(f64, f64)> {
     all.iter().map(|one| if keep(one) { point(one) } else { (point(one).0, f64::NAN) }).collect()
 }
@@ -25,7 +25,7 @@ pub fn standing(all: &[Standing], pull_out: f64) -> Areas {
         curve("unstable", &|one| one.growth > 0.0 || one.fold),
     ];
     let folds = all.iter().filter(|one| one.fold);
-    // room for the name on the right
+    // space for the name on the right
     let [least, most] = extent(&curves, |point| point.0);
     let most = most + 0.2 * (most - least);
     Areas {
@@ -56,7 +56,7 @@ pub fn slipping(all: &[OfBars], pull_out: f64, field_speed: f64) -> Areas {
     let mut curves: Vec<AreaCurve> = drawn()
         .map(|one| {
             let mut points = gapped(&motions(one), |motion| motion.stable() || motion.fold, point);
-            // as the period grows the mean slip tends to zero like one over a logarithm
+            // the curve ends at its limit: as the period grows, the mean slip tends to zero like the inverse of a logarithm
             points.extend(one.slipping.as_ref().and_then(|all| all.limit).map(|load| (load, 0.0)));
             AreaCurve { name: named(one.bars), points }
         })
@@ -86,7 +86,7 @@ pub fn slipping(all: &[OfBars], pull_out: f64, field_speed: f64) -> Areas {
     }
 }
 
-/// The kinds of a cell.
+/// The kinds of cells.
 const KINDS: [&str; 4] = ["every start comes into step", "half of the starts or more", "none", "fewer than half"];
 
 fn kind(share: &Share) -> usize {
@@ -102,13 +102,13 @@ fn map(title: &str, rows: Vec<Vec<usize>>, x: (String, [f64; 2]), y: (String, [f
     Areas { title: title.into(), x, y, kinds: KINDS.map(String::from).into(), rows, ..Areas::default() }
 }
 
-/// The map of the motor without currents.
+/// The map over load and damping for the motor without currents.
 pub fn plain(rows: &[Row]) -> Areas {
     let step = DAMPINGS[1] - DAMPINGS[0];
     let bounds = [DAMPINGS[0] - 0.5 * step, DAMPINGS[DAMPINGS.len() - 1] + 0.5 * step];
     let cells = rows.iter().map(|row| row.shares.iter().map(kind).collect()).collect();
     let curve = |row: &Row| {
-        // the load in addition to the drag, in the unit of the columns
+        // the load relative to the drag, in the unit of the columns
         let (first, last) = (row.shares.first()?, row.shares.last()?);
         let all = columns(1.0);
         let unit = (all.last()? - all.first()?) / (last.load - first.load);
@@ -131,7 +131,7 @@ pub fn plain(rows: &[Row]) -> Areas {
     areas
 }
 
-/// The map over the bars.
+/// The map over load and number of bars.
 pub fn by_bars(all: &[OfBars], pull_out: f64) -> Areas {
     let cells = all.iter().map(|one| one.shares.iter().map(kind).collect()).collect();
     let most = all.last().map_or(0.5, |one| one.bars as f64 + 0.5);

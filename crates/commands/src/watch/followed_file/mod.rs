@@ -1,24 +1,24 @@
-//! A file and the files that it names, checked for changes repeatedly.
+//! Repeated checks of a file, and of the files that it names, for changes.
 
 use reader::{SceneError, read_text};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
-/// The age from which a file is read again only if its time or length has changed.
+/// The age of a file from which on it is read again only if its time or length has changed.
 const YOUNG: Duration = Duration::from_secs(2);
 
-/// The number of checks for which a file may be empty or missing while an editor writes it.
+/// The number of successive checks for which a file may be empty or missing, since an editor may be writing it.
 const LOOKS: u32 = 3;
 
-/// The content of a file, or why there is none.
+/// The content of a file, or the reason for which it cannot be read.
 type Content = Result<String, SceneError>;
 
-/// A file that is followed, whichever way it is saved: in place, or by another one that takes its name.
+/// A file that is checked for changes. An editor may save it in place, or replace it by another file.
 pub struct FollowedFile {
     path: PathBuf,
     stamp: Option<Stamp>,
     content: Option<Content>,
-    /// Looks since it was found empty or away.
+    /// The number of checks since the file was found empty or missing.
     looks: u32,
     beside: Vec<(PathBuf, Option<Stamp>, Option<Content>)>,
 }
@@ -36,13 +36,13 @@ impl Stamp {
     }
 
     fn is_young(&self) -> bool {
-        // a time to come is young
+        // a time in the future counts as young
         self.modified.elapsed().map_or(true, |age| age < YOUNG)
     }
 }
 
-/// The content of the file if it may have changed since `stamp`, else `None`. A file that was saved just before may be saved again within one
-/// tick of the clock, with the same stamp.
+/// The content of the file if it may have changed since `stamp`, otherwise `None`. A young file is always read, since it may be saved again within
+/// one tick of the clock, with an equal stamp.
 fn read_again(path: &Path, stamp: &mut Option<Stamp>) -> Option<Content> {
     let now = Stamp::of(path);
     if now.is_some() && now == *stamp && !now.is_some_and(|stamp| stamp.is_young()) {
@@ -53,7 +53,7 @@ fn read_again(path: &Path, stamp: &mut Option<Stamp>) -> Option<Content> {
 }
 
 impl FollowedFile {
-    /// Nothing is read yet.
+    /// A file that has not been read yet.
     pub fn new(path: &Path) -> Self {
         FollowedFile { path: path.to_owned(), stamp: None, content: None, looks: 0, beside: Vec::new() }
     }
@@ -62,7 +62,7 @@ impl FollowedFile {
         &self.path
     }
 
-    /// Follows files beside it, and no others.
+    /// Replaces the list of further files that are checked.
     pub fn follow(&mut self, paths: Vec<PathBuf>) {
         let one = |path: PathBuf| {
             let known = self.beside.iter().position(|(own, ..)| *own == path);
@@ -75,7 +75,7 @@ impl FollowedFile {
         self.beside = paths.into_iter().map(one).collect();
     }
 
-    /// The content of the file, if it or a file beside it has changed since the last look.
+    /// The content of the file if it or one of the further files has changed since the last check.
     pub fn change(&mut self) -> Option<Content> {
         let mut is_new = false;
         for (path, stamp, known) in &mut self.beside {

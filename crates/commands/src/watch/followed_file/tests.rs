@@ -1,8 +1,8 @@
-//! Saves of every kind, as the file that is followed tells them.
+//! Tests of the detection of changes for several ways of saving a file.
 
 use super::*;
 
-/// The change after at most as many looks as a missing file needs.
+/// The change that is reported within as many checks as a missing file needs.
 fn after_looks(file: &mut FollowedFile) -> Option<Content> {
     (0..=LOOKS).find_map(|_| file.change())
 }
@@ -15,7 +15,7 @@ fn a_file_is_told_once_for_each_of_its_contents_however_it_was_saved() {
     let mut file = FollowedFile::new(&path);
     assert_eq!(after_looks(&mut file), Some(Ok("one".to_owned())));
     assert_eq!(after_looks(&mut file), None);
-    // a text with the length of the old one, written at once
+    // the new text has the length of the old one and is written immediately afterwards
     std::fs::write(&path, "two").expect("it can be written");
     assert_eq!(after_looks(&mut file), Some(Ok("two".to_owned())));
     std::fs::write(&other, "six").expect("it can be written");

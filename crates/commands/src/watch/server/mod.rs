@@ -1,8 +1,8 @@
-//! The server of the page: HTTP on the loopback address, a thread for each connection, nothing but the page's own addresses.
+//! The server of the page: HTTP on the loopback address, with a thread for each connection. It serves only the addresses of the page.
 //!
-//! * The first part of each address is a random key; without it nothing is found, so that no other program's page reads this one.
-//! * The header `Host` must name the loopback address: a page of another host whose name is made to lead here is refused.
-//! * Heads, bodies, times and the number of connections are bounded.
+//! * The first part of each address is a random key. Without the key nothing is found, so that pages of other programs cannot read this page.
+//! * The header `Host` must name the loopback address, which prevents access by DNS rebinding.
+//! * The sizes of heads and bodies, the times and the number of connections are bounded.
 
 mod request;
 mod response;
@@ -23,18 +23,18 @@ use std::time::Duration;
 
 /// The largest number of simultaneous connections.
 const MOST_CONNECTIONS: usize = 64;
-/// The interval at which an idle event stream sends a sign of life.
+/// The interval at which an idle event stream sends a comment, to detect a closed connection.
 const PULSE: Duration = Duration::from_secs(10);
 /// The time after which a client that reads nothing is disconnected.
 const PATIENCE: Duration = Duration::from_secs(20);
 
-/// A server that listens.
+/// A server that is bound to its port.
 pub struct Server {
     listener: TcpListener,
     site: Site,
 }
 
-/// All that a connection needs.
+/// The data that all connections share.
 #[derive(Clone)]
 struct Site {
     key: Arc<str>,
@@ -46,10 +46,10 @@ struct Site {
 }
 
 impl Server {
-    /// Listens on the loopback address; at port 0 on a port that is free.
+    /// Binds to a port of the loopback address; port 0 selects a free port.
     ///
     /// # Errors
-    /// The port is taken, or no random key can be had.
+    /// The port is in use, or the system provides no random numbers for the key.
     pub fn listen(port: u16, board: Arc<Board>, title: PageTitle, values: Sender<Message>) -> io::Result<Self> {
         let listener = TcpListener::bind(SocketAddr::from((Ipv4Addr::LOCALHOST, port)))?;
         let port = listener.local_addr()?.port();
@@ -62,23 +62,23 @@ impl Server {
         format!("http://{}:{}/{}/", Ipv4Addr::LOCALHOST, self.site.port, self.site.key)
     }
 
-    /// Serves in threads of its own.
+    /// Serves the page in separate threads.
     ///
     /// # Errors
-    /// No thread can be had.
+    /// No thread can be created.
     pub fn start(self) -> io::Result<()> {
         let Server { listener, site } = self;
         let accept = move || {
             for stream in listener.incoming() {
-                // a connection that broke before it was one
+                // the connection broke before it was accepted
                 let Ok(stream) = stream else { continue };
                 let site = site.clone();
                 let connection = Connection::of(Arc::clone(&site.open));
                 let spawned = thread::Builder::new().spawn(move || {
-                    // a reader that is gone is told nothing
+                    // an error means that the reader has closed the connection
                     let _ = connection.map_or_else(|| Response::BUSY.write(&stream), |_open| site.answer(&stream));
                 });
-                // without a thread the connection is closed
+                // if no thread can be created, the connection is closed
                 drop(spawned);
             }
         };
@@ -86,11 +86,11 @@ impl Server {
     }
 }
 
-/// One of the connections that are counted.
+/// An open connection, counted until it is dropped.
 struct Connection(Arc<AtomicUsize>);
 
 impl Connection {
-    /// Counts a new connection; `None` where there are too many.
+    /// Counts a new connection; `None` where the limit is reached.
     fn of(open: Arc<AtomicUsize>) -> Option<Self> {
         let before = open.fetch_add(1, Relaxed);
         let own = Connection(open);
@@ -104,7 +104,7 @@ impl Drop for Connection {
     }
 }
 
-/// 128 random bits of the system, in hexadecimal.
+/// 128 random bits from the system, as hexadecimal digits.
 fn random() -> io::Result<String> {
     let mut bytes = [0; 16];
     getrandom::fill(&mut bytes).map_err(|error| io::Error::other(format!("no random numbers: {error}")))?;
@@ -140,12 +140,12 @@ impl Site {
         }
     }
 
-    /// A name of the loopback address, with the port.
+    /// Whether a host is a name of the loopback address with the port of the server.
     fn is_host(&self, host: &str) -> bool {
         ["127.0.0.1", "localhost"].iter().any(|name| host.eq_ignore_ascii_case(&format!("{name}:{}", self.port)))
     }
 
-    /// Compares the key in constant time.
+    /// Whether a key is that of the page; the comparison takes constant time.
     fn is_key(&self, key: &str) -> bool {
         let letters = key.bytes().zip(self.key.bytes());
         key.len() == self.key.len() && letters.fold(0, |differ, (one, other)| differ | (one ^ other)) == 0
@@ -156,7 +156,7 @@ impl Site {
         Response::page(served(&self.board, &self.title, &nonce)).write(stream)
     }
 
-    /// News for the page, as server-sent events, until it closes or the session ends.
+    /// Sends news to the page as server-sent events, until the page closes or the session ends.
     fn events(&self, mut stream: &TcpStream, query: &str) -> io::Result<()> {
         let since = query.strip_prefix("since=").and_then(|version| version.parse().ok());
         let mut version = since.unwrap_or(0);
@@ -177,7 +177,7 @@ impl Site {
         }
     }
 
-    /// Values of sliders: an object of numbers by the ids of sliders.
+    /// Accepts new values of sliders: an object with a number for each id of a slider.
     fn take_values(&self, request: &Request) -> Response {
         let wrong = || Response::bad("an object is accepted that gives ids of sliders their numbers");
         let Ok(values) = serde_json::from_slice::<Map<String, Value>>(&request.body) else { return wrong() };

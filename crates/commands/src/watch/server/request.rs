@@ -1,20 +1,20 @@
-//! A request, read within bounds.
+//! HTTP requests, read with bounds on their size and duration.
 
 use super::response::Response;
 use std::io::{self, Read};
 use std::net::TcpStream;
 use std::time::{Duration, Instant};
 
-/// The largest size of a head in bytes; a browser's has some hundreds.
+/// The largest accepted size of a head in bytes; browsers send some hundreds.
 const MOST_HEAD: usize = 16 * 1024;
-/// Lines of a head.
+/// The largest accepted number of headers.
 const MOST_HEADERS: usize = 64;
-/// Bytes of a body: an object of numbers.
+/// The largest accepted size of a body in bytes; a body is an object of numbers.
 const MOST_BODY: usize = 64 * 1024;
 /// The time within which a request must be complete.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// A method that the server knows.
+/// The method of a request, as far as the server distinguishes methods.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
     Get,
@@ -26,17 +26,17 @@ pub enum Method {
 #[derive(Debug)]
 pub struct Request {
     pub method: Method,
-    /// The path and what follows it.
+    /// The path with the query.
     pub target: String,
     pub host: String,
     pub body: Vec<u8>,
 }
 
-/// Why there is no request.
+/// The reason for which there is no request.
 #[derive(Debug)]
 pub enum Refusal {
     Answered(Response),
-    /// The connection is closed: no answer is possible.
+    /// The connection is closed, so that no answer is possible.
     Gone,
 }
 
@@ -50,10 +50,10 @@ impl From<io::Error> for Refusal {
 }
 
 impl Request {
-    /// Reads a request of limited length within a limited time.
+    /// Reads a request of bounded size within a bounded time.
     ///
     /// # Errors
-    /// The answer that refuses it.
+    /// The answer that refuses the request, or the end of the connection.
     pub fn read(stream: &TcpStream) -> Result<Self, Refusal> {
         let end = Instant::now() + PATIENCE;
         let mut bytes = Vec::new();
@@ -73,7 +73,7 @@ impl Request {
     }
 }
 
-/// Reads what there is, at least one byte.
+/// Reads the available bytes, at least one.
 fn more(mut stream: &TcpStream, bytes: &mut Vec<u8>, end: Instant) -> Result<(), Refusal> {
     let left = end.saturating_duration_since(Instant::now());
     if left.is_zero() {
@@ -90,7 +90,7 @@ fn more(mut stream: &TcpStream, bytes: &mut Vec<u8>, end: Instant) -> Result<(),
     }
 }
 
-/// The request whose head is there, the bytes of the head, and those of the body.
+/// The request if its head is complete, with the lengths of head and body in bytes.
 fn parsed(bytes: &[u8]) -> Result<Option<(Request, usize, usize)>, Refusal> {
     let refused = |response| Err(Refusal::Answered(response));
     let mut headers = [httparse::EMPTY_HEADER; MOST_HEADERS];
@@ -107,7 +107,7 @@ fn parsed(bytes: &[u8]) -> Result<Option<(Request, usize, usize)>, Refusal> {
     let all = |name: &str| -> Vec<&[u8]> {
         read.headers.iter().filter(|header| header.name.eq_ignore_ascii_case(name)).map(|header| header.value).collect()
     };
-    // a body whose length nobody says would have to be understood
+    // a body of unstated length (transfer encodings) is not supported
     if !all("transfer-encoding").is_empty() {
         return refused(Response::bad("a body is accepted with its Content-Length"));
     }
@@ -122,7 +122,7 @@ fn parsed(bytes: &[u8]) -> Result<Option<(Request, usize, usize)>, Refusal> {
     };
     let host = match all("host")[..] {
         [one] => String::from_utf8_lossy(one).into_owned(),
-        // none, or none that could be believed
+        // no host, or several contradictory ones
         _ => String::new(),
     };
     let method = match read.method {

@@ -1,18 +1,18 @@
-//! A response, with the headers that keep the page to itself.
+//! HTTP responses, with headers that keep other sites from reading the page.
 
 use std::borrow::Cow;
 use std::io::{self, Read, Write};
 use std::net::{Shutdown, TcpStream};
 use std::time::Duration;
 
-/// A response; its connection is closed after it.
+/// A response, after which the connection is closed.
 #[derive(Clone, Debug)]
 pub struct Response {
     status: &'static str,
     kind: &'static str,
-    /// Further headers, each with its line's end.
+    /// Further headers, each with its line end.
     extra: &'static str,
-    /// The body; `None` for a stream that lasts as long as the connection.
+    /// The body; `None` for an event stream that lasts as long as the connection.
     body: Option<Cow<'static, str>>,
 }
 
@@ -38,12 +38,12 @@ impl Response {
         Response { status, kind: TEXT, extra: "", body: Some(Cow::Borrowed(body)) }
     }
 
-    /// A request that is not understood, with the reason.
+    /// A response to a faulty request, with the reason.
     pub fn bad(why: &str) -> Self {
         Response { body: Some(Cow::Owned(format!("{why}\n"))), ..Response::fixed("400 Bad Request", "") }
     }
 
-    /// A known address that is asked in another way.
+    /// A response to a request with the wrong method for its address.
     pub fn not_allowed(accepted: &'static str) -> Self {
         let extra = if accepted == "GET" { "Allow: GET\r\n" } else { "Allow: POST\r\n" };
         Response { extra, ..Response::fixed("405 Method Not Allowed", "this is asked in another way\n") }
@@ -53,7 +53,7 @@ impl Response {
         Response { status: "200 OK", kind: HTML, extra: "", body: Some(Cow::Owned(html)) }
     }
 
-    /// A page that a browser saves.
+    /// A page that the browser saves as a file.
     pub fn file(html: String) -> Self {
         Response { extra: "Content-Disposition: attachment; filename=\"page.html\"\r\n", ..Response::page(html) }
     }
@@ -66,7 +66,7 @@ impl Response {
     /// Writes the response.
     ///
     /// # Errors
-    /// The connection is gone.
+    /// The connection is closed.
     pub fn write(&self, mut stream: &TcpStream) -> io::Result<()> {
         let Response { status, kind, extra, body } = self;
         let length = body.as_ref().map_or_else(String::new, |body| format!("Content-Length: {}\r\n", body.len()));
@@ -76,11 +76,11 @@ impl Response {
         stream.flush()
     }
 
-    /// Writes the response to a sender whose request may be incomplete. Further bytes are read and dropped for a moment, since closing a
-    /// connection with unread bytes loses the response.
+    /// Writes the response to a client whose request may be incomplete. Further bytes are read and discarded for a short time, since closing a
+    /// connection with unread bytes may discard the response.
     ///
     /// # Errors
-    /// The connection is gone.
+    /// The connection is closed.
     pub fn close(&self, mut stream: &TcpStream) -> io::Result<()> {
         const MOMENT: Duration = Duration::from_millis(300);
         const MOST_DROPPED: usize = 64;

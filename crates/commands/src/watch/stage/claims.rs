@@ -1,4 +1,4 @@
-//! The claims of a paper, reported as they are judged.
+//! The stage that judges the claims of a paper and reports them as they are judged.
 
 use super::Broken;
 use crate::claim_row::row;
@@ -10,21 +10,21 @@ use manuscript::{Finding, PaperFindings, PaperText};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// The least time between two reports of the claims.
+/// The least time between two reports.
 const PAUSE: Duration = Duration::from_millis(120);
 
 /// The time before the deadline at which the search for corrections ends.
 const KEPT: Duration = Duration::from_millis(500);
 
-/// Judges every claim, and tells all of them whenever some are decided.
+/// Judges all claims, and reports the list of claims whenever further ones are judged.
 pub(super) fn tell(path: &Path, text: String) -> Result<(), Broken> {
     let paper = PaperText::parse(path, text)?;
     let sources: Vec<LiveClaim> = paper.claims.iter().map(|claim| source(&paper, claim)).collect();
-    // the second of two claims with one id has a fault, and no finding
+    // of two claims with one id, the second has a fault and no finding
     let ids = paper.claims.iter().map(|claim| claim.faults.is_empty().then(|| paper.id_of(claim)));
     let ids: Vec<Option<String>> = ids.collect();
     let shown = |findings: &[Finding]| -> Told {
-        // claims that cannot be read have none
+        // claims that cannot be read have no finding
         let found = |id: &Option<String>| {
             let id = id.as_ref()?;
             findings.iter().find(|finding| finding.judged.id == *id)
@@ -38,7 +38,7 @@ pub(super) fn tell(path: &Path, text: String) -> Result<(), Broken> {
     let mut last = Instant::now();
     let so_far = |findings: &[Finding]| {
         if last.elapsed() > PAUSE {
-            // who reads no more ends the process
+            // an error means that the reader has ended, and this process ends with it
             let _ = shown(findings).write();
             last = Instant::now();
         }
@@ -56,7 +56,7 @@ fn source(paper: &PaperText, claim: &manuscript::ClaimText) -> LiveClaim {
     }
 }
 
-/// The source stands beside the formula.
+/// The row of a judged claim without its reading, since the source stands beside the formula.
 fn decided(finding: &Finding) -> ClaimRow {
     ClaimRow { reading: String::new(), ..row(&finding.judged) }
 }

@@ -1,7 +1,7 @@
-//! The stages of the page, each a process of its own.
+//! The stages of the page, each a separate process.
 //!
-//! Algebra cannot be interrupted from within. A process can be killed at any time, which frees its memory, and a fault in it affects one
-//! part of the page only. The program therefore starts itself once for each stage, sends the text, and reads lines of results.
+//! Computer algebra cannot be interrupted from within. A process can be killed at any time, which frees its memory, and a crash affects only one
+//! part of the page. The program therefore starts itself once for each stage, sends the text, and reads lines with results.
 
 mod claims;
 mod motion;
@@ -17,22 +17,22 @@ use serde::{Deserialize, Serialize};
 use std::io::{self, BufRead, Read};
 use std::path::Path;
 
-/// A stage.
+/// A stage, the computation of some parts of the page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ValueEnum)]
 #[serde(rename_all = "snake_case")]
 pub enum Stage {
     /// Reads the text and derives its equations.
     System,
-    /// Judges the principles and what the equations keep.
+    /// Compares the equations of all principles, and judges conservation laws.
     Verdicts,
-    /// Draws the system, and runs the scene where its text has a run.
+    /// Draws the system and, if the text has a run, runs the scene.
     Motion,
     /// Judges the claims of a paper.
     Claims,
 }
 
 impl Stage {
-    /// As the command line has it.
+    /// The name on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Stage::System => "system",
@@ -43,11 +43,11 @@ impl Stage {
     }
 }
 
-/// The reason for which a stage stops early.
+/// The reason for which a stage ends early.
 enum Broken {
     /// The text is not acceptable.
     Refused(String),
-    /// Nobody reads.
+    /// The reader of the results has ended.
     Unread,
 }
 
@@ -63,7 +63,7 @@ impl From<io::Error> for Broken {
     }
 }
 
-/// Does the work of a stage on the text that standard input gives, for the file of this name.
+/// Runs a stage on the text from standard input; `path` is the name of the file in messages.
 pub fn work(stage: Stage, path: &Path) -> Result<Exit, Exit> {
     let mut line = String::new();
     let unread = |error: &dyn std::fmt::Display| Exit::refused(format!("a stage is started by `watch` alone: {error}"));
@@ -78,7 +78,7 @@ pub fn work(stage: Stage, path: &Path) -> Result<Exit, Exit> {
     };
     match done {
         Ok(()) => Ok(Exit::Done),
-        // who reads no more needs no word
+        // nobody reads a message any more
         Err(Broken::Unread) => Ok(Exit::Stopped),
         Err(Broken::Refused(why)) => {
             let _ = Told::Refused(why).write();
@@ -87,12 +87,12 @@ pub fn work(stage: Stage, path: &Path) -> Result<Exit, Exit> {
     }
 }
 
-/// Ends the process with the program that started it, however that ended.
+/// Ends this process when the program that started it ends for whatever reason, which closes standard input.
 fn end_with_the_input() {
     let watched = std::thread::Builder::new().name("input".to_owned()).spawn(|| {
         let _ = io::stdin().lock().read_to_end(&mut Vec::new());
         std::process::exit(1);
     });
-    // where no thread can be had, the stage ends at its deadline
+    // if no thread can be created, the stage ends at its deadline
     drop(watched);
 }

@@ -1,4 +1,4 @@
-//! The run of a scene.
+//! The stage that runs a scene.
 
 use super::system::entry;
 use super::{Broken, sketch};
@@ -15,7 +15,7 @@ use simulation::{Axes, Choice, IvpScene, Trajectory};
 use std::path::Path;
 use studies::AnyScene;
 
-/// Tells the sketch of the scene; runs it as its text says, and tells its charts and its summary.
+/// Reports the sketch of the scene; if its text has a run, runs it and reports charts and summary.
 pub(super) fn tell(path: &Path, text: &str) -> Result<(), Broken> {
     let name = path.display().to_string();
     if holds_model(text) {

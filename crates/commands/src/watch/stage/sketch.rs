@@ -1,4 +1,4 @@
-//! The sketch of a system: still at its start, and moving as its run does.
+//! The sketch of a system on the page: still at its start, and animated along its run.
 
 use crate::draw::still;
 use crate::sketch::{Interval, Motion, followed, most_pictures, pictures, sketch};
@@ -10,20 +10,20 @@ use simulation::Trajectory;
 use std::io;
 use std::path::Path;
 
-/// Pictures of the sketch: the page is told it anew for each place of a slider.
+/// The largest number of figures, since the page receives the sketch again for each position of a slider.
 const MOST_PICTURES: usize = 250;
-/// With fewer pictures a run of its own shows more of the motion.
+/// If the run has fewer usable figures than this, a separate run with closer instants is made.
 const FEW: usize = 40;
 
-/// Tells the sketch at the start; one without content where nothing has a place, so that none of an earlier system stays.
+/// Reports the sketch at the start. Where nothing can be drawn, an empty sketch replaces that of an earlier text.
 pub(super) fn tell_still(path: &Path, text: &str) -> io::Result<()> {
     let system = SystemText { name: path.display().to_string(), text: text.to_owned(), values: Vec::new() };
-    // a fault of the text is told with its equations or with its run
+    // faults of the text are reported with its equations or its run
     let drawn = still(path, &system, None).map_or_else(|_| String::new(), |sketch| sketch.embedded());
     Told::part(Part::Sketch, drawn).write()
 }
 
-/// The sketch as SVG along a run; none where nothing moves.
+/// The animated sketch along a run, as SVG; `None` where nothing moves.
 pub(super) fn along(scene: &ModelScene, run: &Trajectory) -> Option<String> {
     let geometry = Geometry::of(&scene.model, &scene.start).ok().filter(Geometry::is_seen)?;
     let span = scene.run.span;

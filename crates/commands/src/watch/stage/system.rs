@@ -1,4 +1,4 @@
-//! The stages of a system: its equations, its vectors, and the verdicts on it.
+//! The stages that derive the equations and vectors of a system, and judge them.
 
 use super::{Broken, Stage};
 use crate::exit::be_quiet;
@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 use studies::AnyScene;
 use toml::de::{DeTable, DeValue};
 
-/// Reads the text, tells that it is acceptable, and derives its equations and its vectors.
+/// Reads the text, reports whether it is acceptable, and derives equations and vectors.
 pub(super) fn tell(path: &Path, text: String) -> Result<(), Broken> {
     if manuscript::is_paper(&text) {
         return tell_of_paper(path, text);
@@ -29,9 +29,9 @@ pub(super) fn tell(path: &Path, text: String) -> Result<(), Broken> {
     tell_equations(&system)
 }
 
-/// A paper, with the equations of its system.
+/// Reports a paper with the equations of its system.
 fn tell_of_paper(path: &Path, text: String) -> Result<(), Broken> {
-    // a file that is not there yet may come
+    // the file of the system may be created later
     let model = entry(&text, "model", |value| value.as_str().map(PathBuf::from)).flatten();
     if let (Some(model), Some(folder)) = (model, path.parent()) {
         Told::Reads(folder.join(model)).write()?;
@@ -43,14 +43,14 @@ fn tell_of_paper(path: &Path, text: String) -> Result<(), Broken> {
     tell_equations(system)
 }
 
-/// The text is acceptable: its heading, and the stages that follow. What is read of it again warns no more.
+/// Reports that the text is acceptable: its heading, and the stages that follow. Later readings of the text print no warnings.
 fn tell_acceptance(title: &str, file: &str, stages: Vec<Stage>) -> Result<(), Broken> {
     be_quiet();
     Told::part(Part::Heading, live::heading(title, file)).write()?;
     Ok(Told::Then(stages).write()?)
 }
 
-/// A scene with a motor: the equations of the motor.
+/// Reports a scene with a motor: the equations of the motor.
 fn tell_of_driven(path: &Path, text: &str) -> Result<(), Broken> {
     let name = path.display().to_string();
     let scene = AnyScene::parse(&name, text)?;
@@ -68,7 +68,7 @@ fn tell_of_driven(path: &Path, text: &str) -> Result<(), Broken> {
     Ok(())
 }
 
-/// The equations by the principle that applies first.
+/// Reports the equations by the default principle, and the vectors.
 fn tell_equations(system: &SystemText) -> Result<(), Broken> {
     let shown = derived(system, None, false, |derived| {
         let kinds = constraints(derived.trace).into_iter().map(|line| LiveVector { name: line, latex: None });
@@ -103,7 +103,7 @@ fn equations(derived: &Derived<'_, '_>) -> String {
     live::equations(&from, &groups)
 }
 
-/// Judges the principles and what the equations keep.
+/// Reports the verdicts on the agreement of principles and on conservation laws.
 pub(super) fn tell_verdicts(path: &Path, text: String) -> Result<(), Broken> {
     let system = SystemText { name: path.display().to_string(), text, values: Vec::new() };
     let model = system.for_judgement()?;
@@ -116,7 +116,7 @@ fn verdict(row: Judgement) -> LiveVerdict {
     LiveVerdict { title: row.title(), degree: row.degree().to_owned(), said: row.said(), behind: row.behind }
 }
 
-/// An entry at the top of a text.
+/// An entry at the top level of a TOML text; the text may have faults elsewhere.
 pub(super) fn entry<T>(text: &str, key: &str, read: impl FnOnce(&DeValue<'_>) -> T) -> Option<T> {
     let (entries, _) = DeTable::parse_recoverable(text);
     entries.get_ref().get(key).map(|value| read(value.get_ref()))
