@@ -1,29 +1,29 @@
-//! Zip archives, uncompressed and with one time for all files, so that equal files give equal bytes; with a seal, a file that holds the
-//! hash of the others.
+//! Uncompressed zip archives with one constant time for all files, so that equal files give equal bytes. An archive may contain a seal, a file with
+//! the hash of all others.
 
 use hmac_sha256::Hash;
 use rawzip::time::UtcDateTime;
 use rawzip::{Error, ZipArchive, ZipArchiveWriter};
 use std::io::{self, Read, Write};
 
-/// A file of an archive.
+/// A file in an archive.
 pub struct Entry<'a> {
     /// The path in the archive, with `/` between folders.
     pub path: String,
     pub bytes: &'a [u8],
 }
 
-/// The earliest time in a zip archive, the beginning of 1980, in Unix seconds.
+/// The earliest time that a zip archive can contain, 1 January 1980, in Unix seconds.
 const FIRST: i64 = 315_532_800;
 
-/// The first bytes of an archive with files, and of its last part, with the length of that without a comment.
+/// The first bytes of an archive with files; [`END`] are the first bytes of its last record, and the length of this record without a comment.
 const BEGIN: &[u8] = b"PK\x03\x04";
 const END: (&[u8], usize) = (b"PK\x05\x06", 22);
 
-/// Writes an archive.
+/// Writes an archive of files.
 ///
 /// # Errors
-/// The output fails.
+/// Writing to `out` fails.
 pub fn write(out: impl Write, entries: &[Entry<'_>]) -> io::Result<()> {
     let written = || -> Result<(), Error> {
         let mut archive = ZipArchiveWriter::new(out);
@@ -41,11 +41,11 @@ pub fn write(out: impl Write, entries: &[Entry<'_>]) -> io::Result<()> {
     written().map_err(io::Error::other)
 }
 
-/// The last file of an archive, which holds the hash of the others.
+/// The last file of an archive, which contains the hash of all others.
 #[derive(Clone, Copy, Debug)]
 pub struct Seal {
     pub path: &'static str,
-    /// The file for a line that says the hash.
+    /// The content of the file for the line with the hash.
     pub file: fn(String) -> Vec<u8>,
 }
 
@@ -54,9 +54,9 @@ impl Seal {
         (self.file)(sealing(files))
     }
 
-    /// Whether an archive holds the files, and no others, that its seal was written for; `None` where none of its files is a seal.
+    /// Whether an archive contains exactly the files for which its seal was written; `None` where it has no seal.
     pub fn holds(&self, archive: &[u8]) -> Option<bool> {
-        // an archive that cannot be read, or with bytes behind its end, is none that was written here
+        // an archive that cannot be read, or with bytes after its end, was changed
         let Ok(mut files) = files(archive) else { return Some(false) };
         let ends = archive.len().checked_sub(END.1).is_some_and(|at| archive[at..].starts_with(END.0));
         if !(ends && archive.starts_with(BEGIN)) {
@@ -71,10 +71,10 @@ impl Seal {
     }
 }
 
-/// Writes an archive with a seal.
+/// Writes an archive of files with a seal.
 ///
 /// # Errors
-/// The output fails.
+/// Writing to `out` fails.
 pub fn write_sealed(out: impl Write, entries: &[Entry<'_>], seal: Seal) -> io::Result<()> {
     let bytes = seal.of(entries.iter().map(|entry| (entry.path.as_str(), entry.bytes)));
     let own = entries.iter().map(|entry| Entry { path: entry.path.clone(), bytes: entry.bytes });
@@ -82,7 +82,7 @@ pub fn write_sealed(out: impl Write, entries: &[Entry<'_>], seal: Seal) -> io::R
     write(out, &own.chain([last]).collect::<Vec<_>>())
 }
 
-/// The hash of paths and contents, each behind its length.
+/// The line with the hash of all paths and contents, each preceded by its length.
 fn sealing<'a>(files: impl Iterator<Item = (&'a str, &'a [u8])>) -> String {
     let mut hash = Hash::new();
     for part in files.flat_map(|(path, bytes)| [path.as_bytes(), bytes]) {
@@ -93,7 +93,7 @@ fn sealing<'a>(files: impl Iterator<Item = (&'a str, &'a [u8])>) -> String {
     format!("sha256 of the other files: {digits}\n")
 }
 
-/// The files of an archive in their order.
+/// The files of an archive, in their order.
 fn files(archive: &[u8]) -> Result<Vec<(String, Vec<u8>)>, Error> {
     let read = ZipArchive::from_slice(archive)?;
     let mut found = Vec::new();

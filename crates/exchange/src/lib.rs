@@ -1,11 +1,11 @@
-//! Files for other programs: functional mock-up units (FMI), and archives of NumPy.
+//! Export of systems and runs to other programs: functional mock-up units (FMI) and NumPy archives.
 //!
 //! # Overview
 //! * [`fmu`]: a system in C as a unit for model exchange and co-simulation, as source and as a binary for this platform;
 //! * [`npz`]: arrays that NumPy loads;
 //! * [`archive`]: files as one zip archive; equal files give equal bytes.
 //!
-//! For programs that export a system or a run. The example writes an archive that `numpy.load` reads.
+//! This crate is for programs that export a system or a run. The example writes an archive that `numpy.load` reads.
 //!
 //! # Example
 //! ```

@@ -1,4 +1,4 @@
-//! NumPy's archives: named arrays in one file, which `numpy.load` opens.
+//! NumPy archives: named arrays in one file, which `numpy.load` opens.
 
 use crate::archive::{self, Entry, Seal};
 use std::io::{self, Write};
@@ -6,29 +6,29 @@ use std::io::{self, Write};
 /// An array.
 #[derive(Clone, Debug)]
 pub enum Array {
-    /// A one-dimensional array.
+    /// A one-dimensional array of doubles.
     Numbers(Vec<f64>),
-    /// A two-dimensional array, rows of one length.
+    /// A two-dimensional array of doubles; all rows have one length.
     Rows(Vec<Vec<f64>>),
     Texts(Vec<String>),
 }
 
-/// The last array, a text: the hash of the others.
+/// The seal: the last array of the archive, a text with the hash of all others.
 const SEAL: Seal = Seal { path: "sha256.npy", file: |said| Array::Texts(vec![said.trim_end().to_owned()]).bytes() };
 
-/// Whether an archive holds the arrays that its seal was written for; `None` where it has no seal.
+/// Whether an archive contains the arrays for which its seal was written; `None` where it has no seal.
 pub fn seal_holds(archive: &[u8]) -> Option<bool> {
     SEAL.holds(archive)
 }
 
-/// Writes arrays under their names, and their hash under the name `sha256`; of two arrays with one name the later gets a suffix.
+/// Writes arrays under their names, and the hash of all arrays under the name `sha256`. Of two arrays with equal names the second gets a suffix.
 ///
 /// # Errors
-/// The output fails.
+/// Writing to `out` fails.
 pub fn write(out: impl Write, arrays: &[(String, Array)]) -> io::Result<()> {
     let mut names = vec!["sha256".to_owned()];
     for (name, _) in arrays {
-        // a slash would make a folder
+        // a slash in the name would denote a folder
         let mut name = name.replace(['/', '\\'], " per ");
         while names.contains(&name) {
             name.push('_');
@@ -41,7 +41,7 @@ pub fn write(out: impl Write, arrays: &[(String, Array)]) -> io::Result<()> {
 }
 
 impl Array {
-    /// A file of the format `.npy`, version 1.0.
+    /// The array as a file in the format `.npy`, version 1.0.
     fn bytes(&self) -> Vec<u8> {
         let numbers =
             |values: &mut dyn Iterator<Item = &f64>| values.flat_map(|value| value.to_le_bytes()).collect::<Vec<u8>>();
@@ -61,7 +61,7 @@ impl Array {
             }
         };
         let header = format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': {shape}, }}");
-        // the data begin at a multiple of 64 bytes
+        // the format requires data at a multiple of 64 bytes
         let length = (10 + header.len() + 1).next_multiple_of(64) - 10;
         let header = format!("{header:width$}\n", width = length - 1);
         let mut bytes = b"\x93NUMPY\x01\x00".to_vec();

@@ -1,4 +1,4 @@
-//! Counterexamples with parameters that bodies and circuits have: positive masses, moments of inertia, lengths, stiffnesses, resistances.
+//! Counterexamples in which parameters have physically possible values: positive masses, moments of inertia, lengths, stiffnesses, resistances.
 
 use crate::motion::Motion;
 use crate::refutation::{Refutation, sign};
@@ -6,11 +6,11 @@ use claims::Condition;
 use model::Trace;
 use symbolic::{Dimension, Sym};
 
-/// The parameters of a model that a counterexample should have positive; those that it should have other than zero are the others.
+/// The parameters that a counterexample should make positive; all others should differ from zero.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Wanted {
     AllPositive,
-    /// Those that are positive by what they are; no other is zero.
+    /// The parameters whose dimension is in [`POSITIVE`].
     BodiesPositive,
 }
 
@@ -26,7 +26,7 @@ const POSITIVE: [[i64; 4]; 8] = [
     [-1, -2, 4, 2],
 ];
 
-/// Parameters of a model that bodies and circuits have positive.
+/// Conditions that the parameters with a dimension in [`POSITIVE`] are positive.
 pub(crate) fn positive_parameters(trace: &Trace<'_>) -> impl Iterator<Item = Condition> {
     let of_body = trace.model.parameters.iter().filter(|parameter| is_of_body(parameter.dimension));
     of_body.map(|parameter| Condition::Positive(Sym::symbol(&parameter.name)))
@@ -36,7 +36,7 @@ fn is_of_body(dimension: Dimension) -> bool {
     POSITIVE.iter().any(|&[kg, m, s, a]| dimension == Dimension::of(kg, m, s, a))
 }
 
-/// Whether a symbol is a parameter that every body has: a mass, a moment of inertia, a length.
+/// Whether a symbol is a parameter with the dimension of a mass, a moment of inertia or a length.
 pub(crate) fn is_of_every_body(symbol: Sym, motion: &Motion<'_, '_>) -> bool {
     let is_own =
         |dimension: Dimension| POSITIVE[..3].iter().any(|&[kg, m, s, a]| dimension == Dimension::of(kg, m, s, a));
@@ -44,7 +44,7 @@ pub(crate) fn is_of_every_body(symbol: Sym, motion: &Motion<'_, '_>) -> bool {
     parameters.any(|parameter| Sym::symbol(&parameter.name) == symbol && is_own(parameter.dimension))
 }
 
-/// A counterexample with positive parameters where `again` finds one within more conditions, else the one that was found.
+/// A counterexample with positive parameters if `again` finds one under further conditions, otherwise the given one.
 pub(crate) fn admissible(
     found: Refutation,
     motion: &Motion<'_, '_>,
@@ -62,7 +62,7 @@ pub(crate) fn admissible(
             return better;
         }
     }
-    // as many of them as can be
+    // as many of the conditions as possible
     let mut kept = conditions.to_vec();
     for (condition, holds) in asked(&best, motion, Wanted::BodiesPositive) {
         let with = [&kept[..], &[condition]].concat();
@@ -75,12 +75,12 @@ pub(crate) fn admissible(
     best
 }
 
-/// Whether every parameter that has a value at a counterexample is positive there.
+/// Whether all parameters that have a value at a counterexample are positive there.
 pub(crate) fn has_positive_parameters(found: &Refutation, motion: &Motion<'_, '_>) -> bool {
     valued(found, motion).iter().all(|parameter| parameter.sign > 0)
 }
 
-/// The conditions that the parameters should satisfy at a counterexample, and whether each holds there.
+/// The conditions that the parameters should satisfy at a counterexample, each with whether it holds there.
 fn asked(found: &Refutation, motion: &Motion<'_, '_>, wanted: Wanted) -> Vec<(Condition, bool)> {
     let all = valued(found, motion).into_iter().map(|parameter| {
         let here = motion.reduced(parameter.symbol);
@@ -92,19 +92,19 @@ fn asked(found: &Refutation, motion: &Motion<'_, '_>, wanted: Wanted) -> Vec<(Co
     all.collect()
 }
 
-/// Parameters at a counterexample that was found nowhere with better ones.
+/// The parameters of a counterexample with physically unusual values.
 #[derive(Default)]
 pub(crate) struct Unusual {
-    /// Masses, lengths and the like that are not positive.
+    /// Masses, lengths and similar parameters that are not positive.
     pub not_positive: Vec<Sym>,
-    /// Others that are zero.
+    /// Other parameters that are zero.
     pub zero: Vec<Sym>,
 }
 
-/// The parameters that are unusual at a counterexample.
+/// The parameters with physically unusual values at a counterexample.
 pub(crate) fn unusual(found: &Refutation, motion: &Motion<'_, '_>) -> Unusual {
     let mut all = Unusual::default();
-    // a hypothesis may give a parameter its value
+    // parameters whose value a hypothesis prescribes are left out
     let is_free = |parameter: &Valued| motion.reduced(parameter.symbol).as_constant().is_none();
     for parameter in valued(found, motion).into_iter().filter(is_free) {
         match parameter.sign {
@@ -116,15 +116,15 @@ pub(crate) fn unusual(found: &Refutation, motion: &Motion<'_, '_>) -> Unusual {
     all
 }
 
-/// A parameter with its sign at a point.
+/// A parameter with its sign at a counterexample.
 struct Valued {
     symbol: Sym,
     sign: i32,
-    /// Whether it is positive by what it is.
+    /// Whether its dimension is in [`POSITIVE`].
     is_of_body: bool,
 }
 
-/// The parameters that have a value at a point.
+/// The parameters that have a value at a counterexample.
 fn valued(found: &Refutation, motion: &Motion<'_, '_>) -> Vec<Valued> {
     let all = motion.trace.model.parameters.iter().filter_map(|parameter| {
         let symbol = Sym::symbol(&parameter.name);

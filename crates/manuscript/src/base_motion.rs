@@ -1,4 +1,4 @@
-//! The motion about which an equation is linearised: its letters stay as they are only where the equations of motion give them no acceleration.
+//! The motion about which an equation is linearised. Letters that are constant on it stay so only where the equations of motion give no acceleration.
 
 use crate::admissible::admissible;
 use crate::consequence::is_apart;
@@ -12,11 +12,11 @@ use crate::refutation::Refutation;
 use claims::Condition;
 use symbolic::{Decision, Hypotheses, Sym, decide, normal};
 
-/// Accelerations of letters that are constant by `resting`, with other values than zero by the equations of motion.
+/// Accelerations of letters that a claim states to be constant, with the nonzero values that the equations of motion give them on the base motion.
 pub(crate) struct Residuals(Vec<(Sym, Sym)>);
 
 impl Residuals {
-    /// The residuals on `base` of these accelerations, whose values hold along every motion.
+    /// The residuals of these accelerations on `base`; their values are those along every motion.
     pub fn of(
         base: &Motion<'_, '_>,
         accelerations: impl Iterator<Item = (Sym, Sym)>,
@@ -25,14 +25,14 @@ impl Residuals {
         let there = accelerations.map(|(acceleration, value)| (acceleration, base.reduced(value)));
         let is_open = |(_, value): &(Sym, Sym)| match decide(*value, &base.hypotheses) {
             Decision::NonZero(_) => true,
-            // with a number such as sin(1)
+            // the decision is given up for values with numbers such as sin(1)
             Decision::GaveUp(_) => vanishing(*value, base, conditions).is_empty(),
             Decision::Zero(_) | Decision::Undefined(_) => false,
         };
         Residuals(there.filter(is_open).collect())
     }
 
-    /// The first residual that vanishes nowhere, in words: no such motion exists.
+    /// A sentence on the first residual that cannot vanish, which shows that no such motion exists; `None` without one.
     pub fn excluded(
         &self,
         base: &Motion<'_, '_>,
@@ -47,12 +47,12 @@ impl Residuals {
         ))
     }
 
-    /// Whether the letters stay constant at a point.
+    /// Whether all residuals vanish at a point, so that the letters are constant there.
     pub fn vanish_at(&self, found: &Refutation) -> bool {
         self.0.iter().all(|(_, value)| found.value(*value) == Some(Sym::ZERO))
     }
 
-    /// An exact point of a motion on which the letters stay constant and this expression is not zero.
+    /// An exact point at which all residuals vanish and this expression does not.
     pub fn failing(&self, expression: Sym, base: &Motion<'_, '_>, conditions: &[Condition]) -> Option<Refutation> {
         let values: Vec<Sym> = self.0.iter().map(|(_, value)| *value).chain([expression]).collect();
         let is_it = |signs: &[i8]| {
@@ -66,7 +66,7 @@ impl Residuals {
         Some(admissible(found, base, conditions, |wanted| within(wanted, Effort::Part)))
     }
 
-    /// Such a point at which one angle is a multiple of a right angle.
+    /// An exact point like that of [`Residuals::failing`] at which one angle is a multiple of a right angle.
     fn failing_at_quarter_turns(
         &self,
         expression: Sym,
@@ -96,7 +96,7 @@ impl Residuals {
         })
     }
 
-    /// The condition of the motion, in words: the equations that its letters must satisfy to be constant.
+    /// The conditions under which the letters are constant, as text and LaTeX: the equations that must hold on the base motion.
     pub fn told(
         &self,
         base: &Motion<'_, '_>,
@@ -112,7 +112,7 @@ impl Residuals {
     }
 }
 
-/// The factors of a value that may vanish. With a parameter that is zero the model is another one.
+/// The factors of a value that may vanish. Parameters are not among them, since a model in which they vanish is another model.
 fn vanishing(value: Sym, base: &Motion<'_, '_>, conditions: &[Condition]) -> Vec<Sym> {
     let parts = normal(value, &Hypotheses::none()).map_or(vec![value], |form| factors(form.numerator()));
     let stays = |factor: &Sym| {

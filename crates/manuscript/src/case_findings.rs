@@ -1,14 +1,14 @@
-//! The finding on a claim whose hypotheses have several cases: it is proved where it holds in each of them.
+//! The finding on a claim whose hypotheses have several cases. The claim is proved if it holds in each case.
 
 use crate::finding::Finding;
 use claims::Verdict;
 
-/// The joint finding of the cases, each with its words: the first refuted one, else the first that is open; a proof of all others.
+/// The joint finding of all cases, each with a description: that of the first refuted case, otherwise of the first open one, otherwise a proof.
 pub(crate) fn joined(mut cases: Vec<(String, Finding)>) -> Option<Finding> {
     let rank = |verdict: Verdict| match verdict {
         Verdict::Refuted => 0,
         Verdict::Proved | Verdict::Enclosed => 2,
-        // a formula without a value in a case states nothing there
+        // in a case in which the formula has no value, it states nothing
         Verdict::Undefined => 3,
         _ => 1,
     };
@@ -24,7 +24,7 @@ pub(crate) fn joined(mut cases: Vec<(String, Finding)>) -> Option<Finding> {
         for (words, other) in rest {
             found.judged.evidence += &format!("; where {words}: {}", other.judged.evidence);
             found.has_inside = match other.judged.verdict {
-                // nothing is stated in a whole case
+                // in such a case nothing is stated
                 Verdict::Undefined => false,
                 _ => found.has_inside || other.has_inside,
             };

@@ -1,5 +1,5 @@
-//! Cases of hypotheses that are products: a product is zero where one of its factors is. A factor that another hypothesis, or the model,
-//! keeps from vanishing is no case.
+//! Cases of hypotheses of the form "a product is zero": one of the factors is zero. A factor that another hypothesis or the model excludes from
+//! vanishing gives no case.
 
 use crate::admissible::is_of_every_body;
 use crate::circle_signs::circle_signs;
@@ -15,32 +15,32 @@ use symbolic::{Hypotheses, Sym, decide, normal};
 /// The largest number of cases of one claim.
 const MOST_CASES: usize = 16;
 
-/// Hypotheses of which none is a product whose factors may all vanish.
+/// One case of the hypotheses of a claim.
 #[derive(Clone)]
 pub(crate) struct Case<'t, 'm> {
     pub assumed: Vec<Hypothesis>,
-    /// The factors that vanish in this case and not in the others.
+    /// The factors that vanish in this case.
     pub chosen: Vec<Sym>,
-    /// Whether a hypothesis was replaced by one that follows from it, or is one case of it.
+    /// Whether a hypothesis was replaced by a consequence of it, or by one of its cases.
     pub is_replaced: bool,
     motion: Motion<'t, 'm>,
 }
 
-/// The cases of hypotheses; none if no factor of a product may vanish.
+/// The cases of hypotheses; empty if no factor of a product may vanish.
 ///
 /// # Errors
-/// There are too many of them, or a case cannot be solved for a letter.
+/// There are too many cases, or a case cannot be solved for a letter.
 pub(crate) fn cases<'t, 'm>(
     base: &Motion<'t, 'm>,
     assumed: &[Hypothesis],
     told: &dyn Fn(Sym) -> Sym,
 ) -> Result<Vec<Case<'t, 'm>>, Issue> {
     let given: Vec<Condition> = assumed.iter().filter_map(|one| one.condition).collect();
-    // bounds of an angle keep its sine from vanishing
+    // bounds of an angle may exclude that its sine vanishes
     let zeros: Vec<Sym> = assumed.iter().filter_map(|one| one.equality.map(|(zero, _)| base.reduced(zero))).collect();
     let known = [&given[..], &circle_signs(&zeros, &given)].concat();
     let mut all = vec![Case { assumed: Vec::new(), chosen: Vec::new(), is_replaced: false, motion: base.clone() }];
-    // a letter that another hypothesis gives may make a product vanish
+    // products come last, since the value of a letter from another hypothesis may make them vanish
     let is_product =
         |one: &&Hypothesis| one.equality.is_some_and(|(zero, _)| vanishing_factors(base.reduced(zero)).len() > 1);
     let (products, plain): (Vec<&Hypothesis>, Vec<&Hypothesis>) = assumed.iter().partition(is_product);
@@ -60,7 +60,7 @@ pub(crate) fn cases<'t, 'm>(
 }
 
 impl Case<'_, '_> {
-    /// The case with one more hypothesis, or with each factor of it that may vanish.
+    /// The cases that follow from this one with one more hypothesis: one for each factor that may vanish.
     fn split(
         mut self,
         hypothesis: &Hypothesis,
@@ -84,7 +84,7 @@ impl Case<'_, '_> {
                 let plain = solution(self.motion.trace, left, first).map(|found| found.symbol).filter(is_own);
                 let letter = plain
                     .or_else(|| solution(self.motion.trace, factor, first.filter(is_own)).map(|found| found.symbol));
-                // a factor that stands in a power is put in place of the product
+                // a factor that is not linear, as in a power, replaces the product
                 let is_linear = letter.is_some_and(|letter| {
                     solution(self.motion.trace, left, Some(letter)).is_some_and(|found| found.symbol == letter)
                 });
@@ -117,7 +117,7 @@ impl Case<'_, '_> {
         Ok(case)
     }
 
-    /// Factors that may vanish, each once. The model keeps others from vanishing only where one remains.
+    /// The factors that may vanish, each once. If the model excludes all but one of them, only this one remains.
     fn open(&self, parts: &[Sym], known: &[Condition]) -> Vec<Sym> {
         let here = known.iter().map(|condition| condition.mapped(|e| self.motion.reduced(e)));
         let all: Vec<Condition> = known.iter().copied().chain(here).collect();
@@ -134,19 +134,19 @@ impl Case<'_, '_> {
 
     fn assume(&mut self, hypothesis: Hypothesis) {
         if let Some((zero, first)) = hypothesis.equality {
-            // one that cannot be assumed is reported where the claim is judged
+            // an error is reported where the claim is judged
             let _ = self.motion.assume(zero, first);
         }
         self.assumed.push(hypothesis);
     }
 }
 
-/// Whether two expressions vanish together, as multiples by a number.
+/// Whether two expressions are numerical multiples of each other, so that they vanish together.
 fn is_multiple(one: Sym, other: Sym) -> bool {
     normal(one / other, &Hypotheses::none()).is_ok_and(|form| form.to_sym().as_constant().is_some())
 }
 
-/// The factors of an expression that may be zero: those that are written, and those of its polynomials.
+/// The factors of an expression that may be zero: its written factors and the factors of their polynomials.
 fn vanishing_factors(expression: Sym) -> Vec<Sym> {
     if Sym::operations_of(&[expression]) > MOST_OPERATIONS {
         return vec![expression];
@@ -158,5 +158,5 @@ fn vanishing_factors(expression: Sym) -> Vec<Sym> {
     all.filter(|part| part.as_constant().is_none()).collect()
 }
 
-/// Longer expressions are not taken apart.
+/// The largest number of operations of an expression that is factorised.
 const MOST_OPERATIONS: usize = 400;

@@ -1,4 +1,4 @@
-//! Certificates of findings: the sides of a formula as read, the equations of the model, and the proof steps to the verdict.
+//! Certificates of findings: the sides of a formula as read, the equations of the model, and the steps of the proof.
 
 use crate::condition_products;
 use crate::conditions::Hypothesis;
@@ -16,11 +16,11 @@ use claims::certificate::{Certificate, Combined, Part, PartProof, Relation, Rela
 use claims::{Judged, Verdict};
 use symbolic::{Hypotheses, NotNormal, Sym, normal};
 
-/// The proof of a finding under construction; nothing is recorded unless a certificate is asked for.
+/// Records the proof of a finding, if a certificate is requested.
 #[derive(Default)]
 pub(crate) struct Record {
     is_wanted: bool,
-    /// Whether a step of the proof has no certificate.
+    /// Whether a step of the proof cannot be certified.
     is_incomplete: bool,
     relations: Relations,
     parts: Vec<Part>,
@@ -31,7 +31,7 @@ impl Record {
         Record { is_wanted, ..Record::default() }
     }
 
-    /// Discards the recorded steps and begins a new proof.
+    /// Discards the recorded steps and starts a new proof.
     pub fn restart(&mut self) {
         *self = Record::of(self.is_wanted);
     }
@@ -40,12 +40,12 @@ impl Record {
         self.is_wanted
     }
 
-    /// Records that a step of the proof has no certificate.
+    /// Records that a step of the proof cannot be certified.
     pub fn leave_out(&mut self) {
         self.is_incomplete = true;
     }
 
-    /// Conclusions on a motion, with their proof.
+    /// Records conclusions about a motion with their proof.
     pub fn part(
         &mut self,
         motion: &Motion<'_, '_>,
@@ -61,7 +61,7 @@ impl Record {
         }
     }
 
-    /// A step: one expression is zero where the other one is, or differs from zero at an exact point there.
+    /// Records a step of an equivalence: `then` is zero where `zero` is, or differs from zero at an exact point there.
     pub fn step(
         &mut self,
         motion: &Motion<'_, '_>,
@@ -78,7 +78,7 @@ impl Record {
         }
     }
 
-    /// An expression that is a multiple of an expression that is zero.
+    /// Records that `then` is zero because it is `factor` times `zero`.
     fn multiple(&mut self, motion: &Motion<'_, '_>, assumed: &[Hypothesis], [zero, then]: [Sym; 2], factor: Sym) {
         let before = self.parts.len();
         self.vanishes(motion, assumed, &[Condition::Zero(then)]);
@@ -90,7 +90,7 @@ impl Record {
         }
     }
 
-    /// An exact point at which expressions vanish and another one does not.
+    /// Records an exact point at which some expressions vanish and another one does not.
     pub fn fails_where(
         &mut self,
         motion: &Motion<'_, '_>,
@@ -106,14 +106,14 @@ impl Record {
         }
     }
 
-    /// Conclusions whose differences vanish.
+    /// Records conclusions whose sides have a vanishing difference.
     pub fn vanishes(&mut self, motion: &Motion<'_, '_>, assumed: &[Hypothesis], then: &[Condition]) {
         self.part(motion, assumed, then, |_| PartProof::Identity);
     }
 
-    /// An exact point at which a conclusion fails.
+    /// Records an exact point at which a conclusion fails.
     pub fn fails(&mut self, motion: &Motion<'_, '_>, assumed: &[Hypothesis], then: Condition, refutation: &Refutation) {
-        // if a step divides by zero, the point gives no values to its letters
+        // if a step of the solution divides by zero at the point, its letters have no values there
         let is_defined = |symbol: Sym| {
             let value = motion.reduced(symbol).substitute(&refutation.point);
             !matches!(normal(value, &Hypotheses::none()), Err(NotNormal::Undefined(_)))
@@ -126,10 +126,10 @@ impl Record {
         }
     }
 
-    /// A divisor that is zero on the motion, or a difference that was only shown to be zero in prime fields.
+    /// Records a divisor that vanishes on the motion, or a difference that was shown to be zero only in prime fields.
     pub fn undecided(&mut self, motion: &Motion<'_, '_>, assumed: &[Hypothesis], then: Condition, outcome: &Outcome) {
         match outcome {
-            // a division by zero as it is written stands in no program
+            // a program cannot contain a written division by zero
             Outcome::Undefined(divisor) if [*divisor, then.expression()].contains(&Sym::UNDEFINED) => self.leave_out(),
             Outcome::Undefined(divisor) => self.part(motion, assumed, &[then], |relations| PartProof::Undefined {
                 divisor: relations.recorder.place(*divisor),
@@ -139,7 +139,7 @@ impl Record {
         }
     }
 
-    /// An expression that is constant along the motion: its rate is zero, or differs from zero at the point.
+    /// Records that the time derivative of an expression is zero along the motion, or, with a refutation, that it differs from zero at a point.
     pub fn constant(
         &mut self,
         motion: &Motion<'_, '_>,
@@ -165,8 +165,8 @@ impl Record {
         }
     }
 
-    /// An expression that is replaced by an equal one along every motion. Its value and its first derivatives by letters are zero on a motion, or
-    /// one of them is not zero at a point: the derivative by the named letter, or the value.
+    /// Records a linearisation. `printed` is replaced by `form`, which is equal along every motion; its value and its first derivatives by letters
+    /// vanish on the base motion, or one of them (named in `failure`; `None`: the value) differs from zero at a point.
     pub fn linear(
         &mut self,
         [along, base]: [&Motion<'_, '_>; 2],
@@ -203,7 +203,7 @@ impl Record {
         self.parts.push(Part { given, steps, rates, then: vec![then], proof });
     }
 
-    /// An expression that is positive since all terms of its normal form are.
+    /// Records that an expression is positive because all terms of its normal form are.
     pub fn positive(&mut self, motion: &Motion<'_, '_>, assumed: &[Hypothesis], greater: Sym) {
         let positive = assumed.iter().filter_map(|hypothesis| match hypothesis.condition {
             Some(Condition::Positive(letter)) if letter.symbol_name().is_some() => Some(letter),
@@ -214,7 +214,7 @@ impl Record {
         });
     }
 
-    /// An expression that is positive since all its terms, as written, are; `side` is the expression after the steps.
+    /// Records that an expression is positive because all its terms, without simplification, are; `side` is the expression after the steps.
     pub fn positive_as_written(
         &mut self,
         motion: &Motion<'_, '_>,
@@ -227,7 +227,7 @@ impl Record {
         self.weaken(is_strict);
     }
 
-    /// An expression that is positive as a sum of squares, also by conditions without which it has no value.
+    /// Records that an expression is positive as a sum of squares, where necessary under the conditions for its having a value.
     pub fn positive_by_squares(
         &mut self,
         motion: &Motion<'_, '_>,
@@ -248,7 +248,7 @@ impl Record {
         }
     }
 
-    /// An expression that is positive by products of conditions, among them the negation of the conclusion.
+    /// Records that an expression is positive by products of conditions, among them the negated conclusion.
     pub fn positive_by_products(
         &mut self,
         motion: &Motion<'_, '_>,
@@ -270,7 +270,7 @@ impl Record {
         }
     }
 
-    /// An expression that is positive, or not negative, where conditions hold: by the given products, or by its terms as written.
+    /// A part which states that an expression is positive (or not negative) under conditions, by the given products or by its written terms.
     pub fn shown_by_signs(
         &mut self,
         motion: &Motion<'_, '_>,
@@ -291,7 +291,7 @@ impl Record {
         Part { given, steps, rates: Vec::new(), then: vec![then], proof }
     }
 
-    /// An expression in one unknown that is positive by its real roots.
+    /// Records that an expression in one unknown is positive, by real roots of polynomials.
     fn positive_by_roots(
         &mut self,
         motion: &Motion<'_, '_>,
@@ -311,14 +311,14 @@ impl Record {
         }
     }
 
-    /// Lets the conclusion of the last part include equality.
+    /// Weakens the conclusion of the last part from `>` to `>=`, unless `is_strict`.
     fn weaken(&mut self, is_strict: bool) {
         if let (Some(part), false) = (self.parts.last_mut(), is_strict) {
             part.then.iter_mut().for_each(|relation| relation.is = ">=");
         }
     }
 
-    /// An exact point at which an expression is negative, or zero although it is claimed to be positive.
+    /// Records an exact point at which an expression is negative, or zero although the claim states that it is positive.
     pub fn is_below(
         &mut self,
         motion: &Motion<'_, '_>,
@@ -331,7 +331,7 @@ impl Record {
         self.weaken(is_strict);
     }
 
-    /// A printed condition of stability, compared with that of the roots.
+    /// Records the comparison of a printed stability condition with the condition on the eigenvalues.
     pub fn stability(
         &mut self,
         motion: &Motion<'_, '_>,
@@ -346,7 +346,7 @@ impl Record {
         let (given, steps) = premises(motion, assumed, &mut self.relations);
         let relations = &mut self.relations;
         let conditions = assumed.iter().filter(|hypothesis| hypothesis.condition.is_some()).count();
-        // conditions come last
+        // the conditions are the last relations of `given`
         let place = |place: usize| given.len() - conditions + place;
         let (ratio, point) = match shown {
             Comparison::Same(Multiple { ratio, square }) => {
@@ -377,7 +377,7 @@ impl Record {
         self.parts.push(Part { given, steps, rates: Vec::new(), then, proof });
     }
 
-    /// The certificate of a claim with its final verdict.
+    /// The certificate of a claim with its final verdict; `None` if none is requested.
     pub fn finished(self, judged: &Judged, otherwise: &str) -> Option<Certificate> {
         if !self.is_wanted {
             return None;
@@ -386,7 +386,7 @@ impl Record {
         if let Some(reason) = Certificate::reason_without(judged.verdict).filter(|_| self.parts.is_empty()) {
             return Some(certificate.proved_by(Vec::new(), Vec::new(), reason));
         }
-        // the lines before the one that fails hold
+        // only parts that support the verdict; lines before a failing one also hold
         let says = |part: &Part| match part.proof {
             PartProof::Counterexample { .. } | PartProof::Excluded => judged.verdict == Verdict::Refuted,
             PartProof::Stability(_) => true,

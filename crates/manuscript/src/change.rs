@@ -4,14 +4,14 @@ use claims::Judged;
 use claims::certificate::Certificate;
 use std::ops::Range;
 
-/// The largest number of edits that are described one by one; more are counted.
+/// The largest number of edits that are described individually.
 const FEW: usize = 3;
 
 /// The kind of an edit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum EditKind {
     Sign,
-    /// A relation that includes equality.
+    /// A strict relation replaced by one that includes equality.
     Strictness,
     Direction,
     Function,
@@ -51,20 +51,20 @@ impl EditKind {
     }
 }
 
-/// The search for corrections of a claim.
+/// The state of the search for corrections of a claim.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Search {
-    /// The claim is not refuted, or no correction was asked for.
+    /// No search, since the claim is not refuted or no correction was requested.
     #[default]
     None,
-    /// The search was completed.
+    /// The search was complete.
     Whole,
-    /// The search was stopped by the time limit.
+    /// The search was stopped at the time limit.
     Cut,
 }
 
 impl Search {
-    /// A sentence about a search without result.
+    /// A sentence on a search without a result; `None` without a search.
     pub fn told(self) -> Option<&'static str> {
         match self {
             Self::None => None,
@@ -74,34 +74,34 @@ impl Search {
     }
 }
 
-/// An edit of the printed formula, or an added hypothesis, that makes a refuted claim true; the corrected claim is proved.
+/// A correction of a refuted claim: edits of the printed formula, or an added hypothesis, with which the claim is proved.
 #[derive(Clone, Debug)]
 pub struct Correction {
     pub changes: Vec<Change>,
     /// The corrected formula in LaTeX.
     pub formula: String,
-    /// The byte ranges of the changes in the corrected formula.
+    /// The ranges of the changes in the corrected formula, in bytes.
     pub parts: Vec<Range<usize>>,
     /// The corrected claim with its verdict.
     pub judged: Judged,
-    /// The certificate, where one was asked for.
+    /// The certificate of the corrected claim, if requested.
     pub certificate: Option<Certificate>,
 }
 
-/// One edit.
+/// One edit of a formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Change {
     pub kind: EditKind,
     /// The changed part in words: `the sign of the second term of the left side`.
     pub words: String,
-    /// The part of the print in LaTeX; empty where something was added.
+    /// The changed part of the print in LaTeX; empty for an addition.
     pub before: String,
-    /// The replacement; empty where something was removed.
+    /// The replacement in LaTeX; empty for a removal.
     pub after: String,
 }
 
 impl Correction {
-    /// The change in words: ``the sign of the second term: `m g` -> `-m g` ``.
+    /// The changes in words: ``the sign of the second term: `m g` -> `-m g` ``.
     pub fn says(&self) -> String {
         let each = self.changes.iter().map(|Change { words, before, after, .. }| {
             let told = |part: &str| if part.is_empty() { "nothing".to_owned() } else { format!("`{part}`") };
@@ -112,7 +112,7 @@ impl Correction {
         count + &each.join("; ")
     }
 
-    /// The change in words, with its formulas between dollar signs.
+    /// The changes in words, with formulas between dollar signs.
     pub(crate) fn typeset(&self) -> String {
         let says = self.says().replace(" -> ", " $\\to$ ");
         let mut parts = says.split('`');
@@ -127,7 +127,7 @@ impl Correction {
         text
     }
 
-    /// The corrected formula with the changes underlined.
+    /// The corrected formula in LaTeX with the changes underlined.
     pub(crate) fn marked(&self) -> String {
         let mut text = self.formula.clone();
         for part in whole_parts(&self.formula, &self.parts).into_iter().rev() {
@@ -145,13 +145,13 @@ impl Correction {
     }
 }
 
-/// The changed parts, each a whole piece of LaTeX: one that opens a brace or a bracket ends where this is closed, with the parts between.
+/// The changed parts, extended and joined such that each is a complete piece of LaTeX, in which all braces and brackets are closed.
 fn whole_parts(formula: &str, parts: &[Range<usize>]) -> Vec<Range<usize>> {
     let mut ordered = parts.to_vec();
     ordered.sort_by_key(|part| (part.start, part.end));
     let mut whole: Vec<Range<usize>> = Vec::new();
     for part in ordered {
-        // the second argument of a fraction is a part that begins with the brace that closes the first one
+        // the part for the second argument of a fraction begins with the brace that closes the first argument
         let joined =
             whole.pop_if(|last| part.start < last.end).map_or(part.clone(), |last| last.start..part.end.max(last.end));
         let is_end = |end: &usize| formula.get(joined.start..*end).is_some_and(is_closed);
@@ -160,7 +160,7 @@ fn whole_parts(formula: &str, parts: &[Range<usize>]) -> Vec<Range<usize>> {
     whole
 }
 
-/// Whether all braces and brackets of sized commands that are opened in a piece of LaTeX are closed in it.
+/// Whether all braces and sized brackets (`\left`) that a piece of LaTeX opens are closed in it.
 fn is_closed(piece: &str) -> bool {
     let ends: Option<usize> = piece.char_indices().try_fold(0_usize, |depth, (at, letter)| match letter {
         _ if piece[..at].ends_with('\\') => Some(depth),
@@ -168,7 +168,7 @@ fn is_closed(piece: &str) -> bool {
         '}' => depth.checked_sub(1),
         _ => Some(depth),
     });
-    // a bracket stands behind the command for its size
+    // the bracket must follow its command `\left` or `\right` within the piece
     let is_cut = [r"\left", r"\right", r"\"].iter().any(|end| piece.ends_with(end));
     ends == Some(0) && !is_cut && piece.matches(r"\left").count() == piece.matches(r"\right").count()
 }

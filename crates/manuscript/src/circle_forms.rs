@@ -1,4 +1,4 @@
-//! Polynomials in sines and cosines in forms whose terms show their signs: `1 - sin^2` is a square, and `1 - sin` a half of two squares.
+//! Forms of polynomials in sines and cosines whose terms show their signs, by `1 - sin² = cos²` and `2 (1 - sin) = (1 - sin)² + cos²`.
 
 use crate::signs::is_written_as_positive;
 use claims::Condition;
@@ -7,8 +7,8 @@ use symbolic::{Hypotheses, Node, Sym, coefficients, normal};
 /// The largest number of angles in one polynomial.
 const MOST_ANGLES: usize = 3;
 
-/// A polynomial with the squares of cosines, or of sines, of each angle replaced by those of the other, where every term then shows that it is not
-/// negative.
+/// The polynomial with cos² replaced by 1 - sin², or sin² by 1 - cos², for each angle, such that the terms then show that it is not negative;
+/// `None` if no choice of replacements has this effect.
 pub(crate) fn by_squares_of_circles(polynomial: Sym, known: &[Condition]) -> Option<Sym> {
     let circles = circles(polynomial);
     if circles.is_empty() || circles.len() > MOST_ANGLES {
@@ -30,7 +30,7 @@ pub(crate) fn by_squares_of_circles(polynomial: Sym, known: &[Condition]) -> Opt
     })
 }
 
-/// `A + B x` with a sine or cosine x as `A - B + B (1 + x)`, or as `A + B - B (1 - x)`, where `shown` gives forms of these parts that show their signs.
+/// `A + B x`, with x a sine or cosine, as `A - B + B (1 + x)` or `A + B - B (1 - x)`, if `shown` returns forms of these parts that show their signs.
 pub(crate) fn by_bounds(polynomial: Sym, shown: impl Fn(Sym) -> Option<Sym>) -> Option<Sym> {
     circles(polynomial).into_iter().take(MOST_ANGLES).find_map(|Circle { cos, sin }| {
         [(cos, sin), (sin, cos)].into_iter().find_map(|(own, other)| {
@@ -45,7 +45,7 @@ pub(crate) fn by_bounds(polynomial: Sym, shown: impl Fn(Sym) -> Option<Sym>) -> 
             }
             let half = Sym::ONE / (Sym::ONE + Sym::ONE);
             [Sym::ONE, -Sym::ONE].into_iter().find_map(|sign| {
-                // 2 (1 + x) is (1 + x)^2 + y^2
+                // 2 (1 + x) = (1 + x)² + y²
                 let beside = half * ((Sym::ONE + sign * own).powi(2) + other.powi(2));
                 Some(shown(plain - sign * slope)? + shown(sign * slope)? * beside)
             })
@@ -53,13 +53,13 @@ pub(crate) fn by_bounds(polynomial: Sym, shown: impl Fn(Sym) -> Option<Sym>) -> 
     })
 }
 
-/// The cosine and the sine of one angle.
+/// The cosine and the sine of an angle.
 struct Circle {
     cos: Sym,
     sin: Sym,
 }
 
-/// The angles of an expression, each by its cosine and sine.
+/// The cosines and sines of all angles in an expression.
 fn circles(expression: Sym) -> Vec<Circle> {
     let mut all: Vec<Circle> = Vec::new();
     for leaf in expression.leaves_of() {
@@ -73,7 +73,7 @@ fn circles(expression: Sym) -> Vec<Circle> {
 }
 
 impl Circle {
-    /// Letters without a relation in the place of both.
+    /// Replacements of both by independent letters, between which no relation holds.
     fn free(&self, place: usize) -> [(Sym, Sym); 2] {
         [
             (self.cos, Sym::symbol(&format!("free cosine {place}"))),
@@ -81,7 +81,7 @@ impl Circle {
         ]
     }
 
-    /// A polynomial in which squares of the cosine are told by the sine, over letters without a relation.
+    /// The polynomial with squares of the cosine expressed by the sine, in independent letters.
     fn by_sines(&self, polynomial: Sym, place: usize) -> Option<Sym> {
         let [(_, cos), (_, sin)] = self.free(place);
         let terms = coefficients(polynomial, &[self.cos, self.sin]).ok()?;
@@ -93,7 +93,7 @@ impl Circle {
     }
 }
 
-/// A polynomial as its largest factor of even powers of sines and cosines, times the rest: the rest, and the factor.
+/// A polynomial divided by its largest factor of even powers of sines and cosines, and this factor.
 fn without_even_powers(polynomial: Sym, circles: &[Circle]) -> (Sym, Sym) {
     let (mut rest, mut power) = (polynomial, Sym::ONE);
     for own in circles.iter().flat_map(|circle| [circle.cos, circle.sin]) {

@@ -1,4 +1,4 @@
-//! Signs of sines and cosines by bounds of their angles: the sine of theta/2 is positive where 0 < theta < pi.
+//! Signs of sines and cosines from bounds of their angles: sin(θ/2) is positive where 0 < θ < π.
 
 use crate::condition_products::show;
 use crate::half_turn::{bounds, half_turn, is_half_turn};
@@ -6,10 +6,10 @@ use claims::Condition;
 use field::Scalar;
 use symbolic::{Node, Sym};
 
-/// Half turns between which an angle is looked for, from the first number to the next.
+/// The lower ends, in multiples of π, of the intervals of length π to which an angle is compared.
 const HALF_TURNS: [i64; 5] = [0, -1, 1, -2, 2];
 
-/// The signs of all sines and cosines of some expressions that follow from conditions on the letters of their angles.
+/// The signs of sines and cosines in some expressions that follow from conditions on the letters of their angles.
 pub(crate) fn circle_signs(expressions: &[Sym], conditions: &[Condition]) -> Vec<Condition> {
     let is_letter = |leaf: &Sym| leaf.symbol_name().is_some() || leaf.as_constant().is_some();
     let on_letters =
@@ -23,7 +23,7 @@ pub(crate) fn circle_signs(expressions: &[Sym], conditions: &[Condition]) -> Vec
     Sym::ascending(expressions).into_iter().filter_map(sign).collect()
 }
 
-/// The sign of a circle coordinate of an angle, which is the sine of `shifted`.
+/// The sign of `leaf`, which is the sine of `shifted` and a sine or cosine of `angle`; `None` where the conditions do not determine it.
 fn sign_of_sine(leaf: Sym, angle: Sym, shifted: Sym, on_letters: &[Condition]) -> Option<Condition> {
     let letters = angle.symbols_of();
     let letters: Vec<Sym> = letters.into_iter().filter(|letter| !is_half_turn(*letter)).collect();

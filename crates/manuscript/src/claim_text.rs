@@ -1,4 +1,4 @@
-//! The text of a claim in a paper's file.
+//! The claims of a paper's file, as text.
 
 use crate::passage::{Passage, placed};
 use claims::Verdict;
@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 use units::nearest;
 
-/// The kind of statement that a claim makes with its formula.
+/// The kind of statement that a claim makes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     EquationOfMotion,
@@ -37,7 +37,7 @@ impl Kind {
         Kind::Number,
     ];
 
-    /// The name in files.
+    /// The name of the kind in files.
     pub fn name(self) -> &'static str {
         match self {
             Self::EquationOfMotion => "equation of motion",
@@ -53,7 +53,7 @@ impl Kind {
         }
     }
 
-    /// The reason for which a verdict on such a claim may have no certificate.
+    /// The reason for which a verdict on a claim of this kind may have no certificate.
     pub(crate) fn without_certificate(self) -> &'static str {
         match self {
             Self::Number => "the verdict rests on a tie of the last printed digit, or on a number that is not real",
@@ -76,24 +76,24 @@ impl Kind {
 /// A claim of a paper.
 #[derive(Clone, Debug)]
 pub struct ClaimText {
-    /// The place in the file.
+    /// The range of its table in the file, in bytes.
     pub at: Range<usize>,
-    /// The paper's own number of the formula: `5`, `2.3a`.
+    /// The number of the formula in the paper: `5`, `2.3a`.
     pub equation: String,
-    /// The name that distinguishes claims of one formula; empty where there is one.
+    /// A name that distinguishes several claims about one formula; may be empty.
     pub name: String,
-    /// A sentence on the claim; may be empty.
+    /// The claim as a sentence; may be empty.
     pub says: String,
     pub section: String,
     pub note: String,
     pub kind: Kind,
     /// The formula in LaTeX, as printed.
     pub formula: Passage,
-    /// The faults of its table and of its display: a claim that has one is not judged, and the others are.
+    /// The faults of its table and of its formula. A claim with faults is not judged; the others are.
     pub faults: Vec<Issue>,
-    /// Hypotheses in LaTeX.
+    /// The hypotheses in LaTeX.
     pub given: Vec<Passage>,
-    /// Letters that are constant on a steady motion.
+    /// The letters that are constant on a steady motion, in LaTeX.
     pub resting: Vec<Passage>,
     pub expected: Option<Verdict>,
 }
@@ -112,7 +112,7 @@ impl ClaimText {
             && is_one(&self.given, &other.given)
     }
 
-    /// The end of the claim's id: `eq5`, `eq5/sign`, or `power` for a claim without a number.
+    /// The last part of the claim's id: `eq5`, `eq5/sign`, or `power` for a claim without a number.
     pub fn key(&self) -> String {
         let plain: String =
             self.equation.chars().filter(|letter| !matches!(letter, '(' | ')') && !letter.is_whitespace()).collect();
@@ -123,7 +123,7 @@ impl ClaimText {
 
 const NEEDED: &str = "[[claim]] in double brackets is accepted, since a paper has several";
 
-/// Every claim of a file, in its order.
+/// All claims of a file, in its order.
 pub fn claims(top: &mut Table<'_>, source: &str) -> Vec<ClaimText> {
     let mut all: Vec<ClaimText> = Vec::new();
     for mut table in top.tables("claim", NEEDED) {
@@ -153,7 +153,7 @@ pub fn claims(top: &mut Table<'_>, source: &str) -> Vec<ClaimText> {
             );
         }
         let faults = table.finish();
-        // a claim whose kind is not known is not judged
+        // a claim of unknown kind has a fault and is not judged
         let kind = kind.unwrap_or(Kind::Formula);
         let claim =
             ClaimText { at, equation, name, says, section, note, kind, formula, faults, given, resting, expected };
@@ -169,7 +169,7 @@ pub fn claims(top: &mut Table<'_>, source: &str) -> Vec<ClaimText> {
     all
 }
 
-/// A claim for each formula of a display.
+/// One claim for each formula of a display with several formulas.
 fn taken_apart(claim: ClaimText) -> Vec<ClaimText> {
     let parts = match formulas(&claim.formula.text) {
         Ok(parts) => parts,

@@ -1,4 +1,4 @@
-//! A printed equation of motion as a linear combination of the model's equations.
+//! A printed equation of motion as a linear combination of the equations of the model.
 
 use crate::display::Told;
 use crate::motion::Motion;
@@ -6,14 +6,14 @@ use model::equations::Equations;
 use symbolic::linear::solve;
 use symbolic::{Hypotheses, Sym, normal};
 
-/// The largest number of speeds for which the combination is printed.
+/// The largest number of equations of a model for which the combination is printed.
 const MOST_SPEEDS: usize = 4;
 
-/// The largest length of a printed factor, in characters.
+/// The largest length of a factor in characters.
 const READABLE: usize = 120;
 
-/// The linear combination of the model's equations that equals a printed one, in a sentence: `1/(m*l^2) times the equation of theta`. None if
-/// it contains reactions of constraints, or is too long to read.
+/// A sentence with the linear combination of the model's equations that equals a printed equation: `1/(m*l^2) times the equation of theta`. `None`
+/// if the equations contain reactions of constraints, or the sentence is too long.
 pub(crate) fn told_combination(printed: Sym, motion: &Motion<'_, '_>, told: Told<'_, '_, '_>) -> Option<String> {
     let trace = motion.trace;
     let Equations { mass, constraints, .. } = Equations::of(trace);

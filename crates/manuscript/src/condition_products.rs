@@ -1,4 +1,4 @@
-//! Sums of products of nonnegative conditions. If such a sum is identically zero although one of its products is positive, no point
+//! Proofs by products of conditions. If a sum of products of nonnegative expressions vanishes identically although one product is positive, no point
 //! satisfies all conditions.
 
 use crate::natural_domain::natural_domain;
@@ -13,31 +13,31 @@ use symbolic::{Hypotheses, Node, Sym, normal};
 /// The largest number of factors of a product.
 const MOST_FACTORS: usize = 3;
 
-/// The largest numbers of conditions for products of two, and of three factors.
+/// The largest number of conditions with which products of two factors are formed; [`MOST_FOR_THREE`] for three factors.
 const MOST_FOR_TWO: usize = 14;
 const MOST_FOR_THREE: usize = 9;
 
-/// The origin of a factor.
+/// The origin of a nonnegative factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Origin {
-    /// The expression of a condition, by its place.
+    /// The expression of the condition with this index.
     Condition(usize),
-    /// The square of a condition's expression, by the condition's place.
+    /// The square of the expression of the condition with this index.
     Square(usize),
-    /// A root, which is not negative.
+    /// A square root.
     Root(Sym),
     /// The square of a letter, a root, a cosine or a sine.
     SquareOf(Sym),
 }
 
-/// A product of factors that are not negative, with a number that is positive.
+/// A positive number times nonnegative factors.
 pub(crate) struct Product {
     pub number: Rational,
     pub of: Vec<Origin>,
 }
 
 impl Product {
-    /// The form for a certificate; places of conditions follow after those that were given before.
+    /// The product in the form of certificates, in which the indices of conditions begin at `before`.
     pub fn told(&self, before: usize, relations: &mut Relations) -> certificate::Product {
         let number = relations.recorder.place(Sym::constant(self.number));
         let mut told = certificate::Product { number, ..certificate::Product::default() };
@@ -57,10 +57,10 @@ impl Product {
 #[derive(Clone)]
 struct Factor {
     terms: Terms,
-    /// Whether zero is excluded.
+    /// Whether the polynomial is positive there.
     is_strict: bool,
     of: Vec<Origin>,
-    /// The ratio of the polynomial to the product of its origins; `None` where a condition has a denominator with letters.
+    /// The ratio of the polynomial to the product of its origins; `None` where the denominator of a condition contains letters.
     scale: Option<Rational>,
 }
 
@@ -73,12 +73,12 @@ impl Factor {
     }
 }
 
-/// Whether products of the conditions show that no point satisfies all of them.
+/// Whether products of the conditions prove that no point satisfies all of them.
 pub(crate) fn exclude_each_other(conditions: &[Condition]) -> bool {
     contradiction(conditions).is_some()
 }
 
-/// Products whose sum is zero although one of them is positive where all conditions hold.
+/// Products, one of them positive where all conditions hold, whose sum vanishes identically; `None` if none are found.
 fn contradiction(conditions: &[Condition]) -> Option<Vec<(Rational, Factor)>> {
     let Polynomials { factors, zeros } = Polynomials::of(conditions);
     (1..=MOST_FACTORS).find_map(|count| {
@@ -91,12 +91,12 @@ fn contradiction(conditions: &[Condition]) -> Option<Vec<(Rational, Factor)>> {
     })
 }
 
-/// Whether an expression is nonnegative where the conditions hold; positive if `is_strict`.
+/// Whether products of the conditions prove that an expression is nonnegative (positive if `is_strict`) where they hold.
 pub(crate) fn show(expression: Sym, is_strict: bool, conditions: &[Condition]) -> bool {
     exclude_each_other(&with_opposite(expression, is_strict, conditions))
 }
 
-/// The products of the proof, and the conditions to whose places they refer; the last condition is the negation of the conclusion.
+/// The products of such a proof, and the conditions to which their indices refer; the last condition is the negated conclusion.
 pub(crate) fn proof(
     expression: Sym,
     is_strict: bool,
@@ -115,10 +115,10 @@ fn with_opposite(expression: Sym, is_strict: bool, conditions: &[Condition]) -> 
     [conditions, &natural_domain(&[expression]), &[against]].concat()
 }
 
-/// Conditions as polynomials in their letters, angles and roots.
+/// The conditions as polynomials in their letters, cosines, sines and roots.
 struct Polynomials {
     factors: Vec<Factor>,
-    /// Polynomials that are zero.
+    /// Polynomials that vanish.
     zeros: Vec<Terms>,
 }
 
@@ -133,7 +133,7 @@ impl Polynomials {
             place += 1;
             let Some(whole) = Whole::of(condition.expression()) else { continue };
             for leaf in whole.polynomial.leaves_of().into_iter().filter(|leaf| leaf.as_constant().is_none()) {
-                // an angle is represented by its cosine and its sine together
+                // the cosine and the sine of an angle are both added
                 let together = match leaf.node() {
                     Node::Cos(angle) | Node::Sin(angle) => {
                         let circle = angle.circle_as_written();
@@ -189,10 +189,10 @@ impl Polynomials {
     }
 }
 
-/// A polynomial with the sign of an expression wherever the expression has a value.
+/// A polynomial with the sign of an expression, wherever the expression has a value.
 struct Whole {
     polynomial: Sym,
-    /// The ratio of the polynomial to the expression, where the denominator has no letters.
+    /// The ratio of the polynomial to the expression; `None` where the denominator contains letters.
     scale: Option<Rational>,
 }
 
@@ -205,7 +205,7 @@ impl Whole {
     }
 }
 
-/// The equality between a root and its radicand, or between the sine and the cosine of an angle. Normal forms would reduce it to zero.
+/// The relation root² - radicand = 0, or cos² + sin² - 1 = 0, as a polynomial. It is built directly, since its normal form is zero.
 fn own_equality(leaf: Sym, letters: &[Sym]) -> Option<Terms> {
     let square = |of: Sym| {
         let mut exponents = vec![0; letters.len()];
@@ -229,10 +229,10 @@ fn own_equality(leaf: Sym, letters: &[Sym]) -> Option<Terms> {
     }
 }
 
-/// Products of up to `count` factors with repetition.
+/// All products of up to `count` factors, with repetition.
 fn products(factors: &[Factor], count: usize) -> Vec<Factor> {
     let mut all: Vec<Factor> = Vec::new();
-    // with the place of the last factor
+    // each product with the index of its last factor
     let mut latest: Vec<(usize, Factor)> = factors.iter().cloned().enumerate().collect();
     for _ in 1..count {
         let longer = latest.iter().flat_map(|(last, product)| {
@@ -246,14 +246,14 @@ fn products(factors: &[Factor], count: usize) -> Vec<Factor> {
     all
 }
 
-/// Products with positive coefficients, one of them a positive product, whose sum with multiples of `zeros` is identically zero.
+/// Positive multiples of products, one of them a positive product, whose sum with multiples of `zeros` vanishes identically; `None` if none exist.
 fn sum_with_a_positive_term(products: Vec<Factor>, zeros: &[Terms]) -> Option<Vec<(Rational, Factor)>> {
     let mut known = products.iter().map(|product| &product.terms).chain(zeros).flat_map(|terms| terms.keys());
     let unit = vec![0; known.next().map_or(0, Vec::len)];
     let (zero, one) = (Rational::new(0, 1), Rational::new(1, 1));
     let plain = |terms: Terms| Factor { terms, is_strict: false, of: Vec::new(), scale: Some(one) };
     let number = Factor { is_strict: true, ..plain(Terms::from([(unit.clone(), one)])) };
-    // an equality may have any multiplier, with either sign
+    // an equality may be multiplied by any monomial, with either sign
     let multipliers: BTreeSet<Vec<u32>> = products
         .iter()
         .flat_map(|product| product.terms.keys())

@@ -1,4 +1,4 @@
-//! Hypotheses of a claim: equalities, which are solved, signs, and nonzero expressions.
+//! The hypotheses of a claim: equalities, which are solved, and conditions about signs and zeros.
 
 use crate::letters::Letters;
 use crate::motion::Motion;
@@ -8,35 +8,35 @@ use latex::{Chain, Form, Relation, Term, Value, read, value};
 use reader::Issue;
 use symbolic::{Sym, dimension};
 
-/// A hypothesis as it was read.
+/// A hypothesis after it has been read.
 #[derive(Clone)]
 pub(crate) struct Hypothesis {
     /// The hypothesis in the paper's letters, as text and LaTeX.
     pub told: (String, String),
-    /// The difference of its sides in the paper's letters; none if one of them is a number, which is in SI units.
+    /// The difference of its sides in the paper's letters; `None` if a side is a number, which is in SI units.
     pub own: Option<Sym>,
-    /// Over the model: an equality, and the side that is a letter alone, if there is one.
+    /// For an equality, the difference of its sides in the symbols of the model, and the side that is a single letter, if any.
     pub equality: Option<(Sym, Option<Sym>)>,
-    /// Whether a letter has a numerical value other than zero: dimensions need not agree then.
+    /// Whether it sets a letter to a number other than zero, so that dimensions need not agree under it.
     pub scales: bool,
-    /// Over the model: a sign, or an expression that is not zero.
+    /// Any other hypothesis, in the symbols of the model: a sign, or an expression that differs from zero.
     pub condition: Option<Condition>,
-    /// The place of the hypothesis in the file.
+    /// The range of the hypothesis in the file, in bytes.
     pub at: std::ops::Range<usize>,
 }
 
-/// The fault of a missing value, at its place in the file.
+/// The fault of an expression without a value in the model, with its place in the file.
 pub(crate) fn without_value(text: &Passage, fault: latex::NoValue) -> Issue {
     Issue::at(text.part(&fault.span), fault.why, "here").accepted("an expression that the model gives a value")
 }
 
-/// A side over the model and in the paper's letters.
+/// A side of a formula in the symbols of the model and in the letters of the paper.
 pub(crate) struct Side {
     pub model: Value,
     pub own: Value,
 }
 
-/// A side of a formula.
+/// A side of a formula, evaluated.
 pub(crate) fn side(text: &Passage, term: &Term, letters: &Letters<'_, '_>) -> Result<Side, Issue> {
     let fault = |fault| without_value(text, fault);
     Ok(Side {
@@ -45,7 +45,7 @@ pub(crate) fn side(text: &Passage, term: &Term, letters: &Letters<'_, '_>) -> Re
     })
 }
 
-/// A side that is a scalar.
+/// A side of a formula that must be a scalar, in the symbols of the model and in the letters of the paper.
 pub(crate) fn scalar(text: &Passage, term: &Term, letters: &Letters<'_, '_>) -> Result<(Sym, Sym), Issue> {
     match side(text, term, letters)? {
         Side { model: Value::Scalar(model), own: Value::Scalar(own) } => Ok((model, own)),
@@ -56,7 +56,7 @@ pub(crate) fn scalar(text: &Passage, term: &Term, letters: &Letters<'_, '_>) -> 
     }
 }
 
-/// Reads the hypotheses of a claim: equalities first and the plainest of them before the others, so that their order in the file does not matter.
+/// Reads the hypotheses of a claim. Equalities come first, ordered by the number of their letters, so that their order in the file has no effect.
 ///
 /// # Errors
 /// The first text that is not a hypothesis.
@@ -88,7 +88,7 @@ fn hypothesis(text: &Passage, letters: &Letters<'_, '_>) -> Result<Hypothesis, I
     );
     let is_mixed = || dimension(left_own - right_own, &|name: &str| letters.dimension(name)).is_err();
     let scales = *relation == Relation::Equal && right_is != Sym::ZERO && is_mixed();
-    // such as 2 or the root of 2
+    // a number without letters, such as 2 or its square root
     let is_number = |side: Sym| side.symbols_of().is_empty() && side != Sym::ZERO;
     let own = (!is_number(left_own) && !is_number(right_own)).then_some(left_own - right_own);
     let mut found = Hypothesis { told, own, equality: None, scales, condition: None, at: text.span.clone() };
@@ -108,10 +108,10 @@ fn hypothesis(text: &Passage, letters: &Letters<'_, '_>) -> Result<Hypothesis, I
     Ok(found)
 }
 
-/// Adds the equalities to the assumptions of a motion.
+/// Adds the equalities of hypotheses to the assumptions of a motion.
 ///
 /// # Errors
-/// The first one that cannot be assumed.
+/// The first equality that cannot be solved.
 pub(crate) fn assume(motion: &mut Motion<'_, '_>, hypotheses: &[Hypothesis]) -> Result<(), Issue> {
     for hypothesis in hypotheses {
         if let Some((zero, first)) = hypothesis.equality {

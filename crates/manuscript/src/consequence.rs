@@ -1,4 +1,4 @@
-//! Implication between two conditions: a proof, or an exact point at which it fails.
+//! Implications between two conditions "expression = 0": a proof, or an exact point at which the implication fails.
 
 use crate::admissible::admissible;
 use crate::display::{Told, divisors, factors, tell_point};
@@ -18,28 +18,28 @@ use claims::{Condition, Verdict};
 use model::equations::Equations;
 use symbolic::{Hypotheses, Sym, decide, normal};
 
-/// The proof of a consequence from a condition.
+/// The way in which an implication was proved.
 pub(crate) enum Way<'t, 'm> {
-    /// The consequence is the condition with this factor.
+    /// The conclusion is the condition times this factor.
     Multiple(Sym),
-    /// The motion that assumes the condition.
+    /// The conclusion vanishes on this motion, which assumes the condition.
     Solved(Box<Motion<'t, 'm>>),
-    /// The consequence is zero by the signs of roots of squares.
+    /// The conclusion vanishes by the signs of roots of squares.
     Signs,
-    /// The consequence is a multiple of the factors of the condition that may vanish.
+    /// The conclusion is a multiple of the product of those factors of the condition that may vanish.
     Factors,
 }
 
-/// Consequences of a condition.
+/// The result for an implication.
 pub(crate) enum Step<'t, 'm> {
-    /// The other condition follows if these divisors are not zero.
+    /// The conclusion follows if these divisors are not zero.
     Follows(Vec<Sym>, Way<'t, 'm>),
-    /// The other condition fails at this point.
+    /// The conclusion fails at this point.
     Fails(Refutation),
     Open(Outcome),
 }
 
-/// Whether `then` is zero where `zero` is and both are defined.
+/// Decides whether `then` vanishes wherever `zero` vanishes and both are defined.
 pub(crate) fn step<'t, 'm>(motion: &Motion<'t, 'm>, zero: Sym, then: Sym, conditions: &[Condition]) -> Step<'t, 'm> {
     match step_within(motion, zero, then, conditions, Effort::Whole) {
         Step::Fails(refutation) => {
@@ -50,7 +50,7 @@ pub(crate) fn step<'t, 'm>(motion: &Motion<'t, 'm>, zero: Sym, then: Sym, condit
             Step::Fails(admissible(refutation, motion, conditions, again))
         }
         Step::Follows(mut divisors, way) => {
-            // constraints solved for what stands in both divide by these
+            // the reduction of both expressions solved constraints and divided by these expressions
             let reduced = [zero, then].map(|each| motion.reduced(each));
             let hidden = reduced.into_iter().flat_map(written_divisors);
             for divisor in hidden.filter(|divisor| !is_apart(*divisor, motion, conditions)) {
@@ -64,7 +64,7 @@ pub(crate) fn step<'t, 'm>(motion: &Motion<'t, 'm>, zero: Sym, then: Sym, condit
     }
 }
 
-/// The step by so many points.
+/// The decision of [`step`] with the given effort in the search for points.
 fn step_within<'t, 'm>(
     motion: &Motion<'t, 'm>,
     zero: Sym,
@@ -81,12 +81,12 @@ fn step_within<'t, 'm>(
         }
     }
     let (zero, then) = (motion.reduced(zero), motion.reduced(then));
-    // a model without inertia has no motion, and a point with negative masses does not help a reader
+    // parameters of inertia are taken as positive: a model without inertia has no motion, and negative masses do not help a reader
     let inertia = [zero, then].into_iter().flat_map(Sym::symbols_of).filter(|symbol| is_of_inertia(*symbol, motion));
     let inertia: Vec<Condition> = inertia.map(Condition::Positive).collect();
     let conditions = &[conditions, &inertia].concat()[..];
     if decide(zero, &motion.hypotheses).is_zero() {
-        // a condition that always holds
+        // the condition holds everywhere
         return match vanishes_within(motion, then, conditions, effort) {
             Outcome::Zero(divided) => Step::Follows(divided, Way::Solved(Box::new(motion.clone()))),
             Outcome::NonZero(refutation) => Step::Fails(refutation),
@@ -99,14 +99,14 @@ fn step_within<'t, 'm>(
     if zero != Sym::ZERO && !parts.iter().any(open) {
         return Step::Open(Outcome::Undecided(format!("{zero} vanishes nowhere within the hypotheses")));
     }
-    // a multiple is zero where the other one is
+    // a multiple of the condition vanishes where the condition does
     if let Ok(form) = normal(then / zero, &motion.hypotheses) {
         let below = factors(form.denominator());
         if !below.iter().any(open) {
             return Step::Follows(below, Way::Multiple(form.to_sym()));
         }
     }
-    // a power vanishes where its base does
+    // a power of a factor vanishes where the factor does
     let essential = parts.iter().copied().filter(open).fold(Sym::ONE, |product, part| product * part);
     if let Ok(form) = normal(then / essential, &motion.hypotheses) {
         let below = factors(form.denominator());
@@ -154,7 +154,7 @@ fn step_within<'t, 'm>(
     }
 }
 
-/// The step in each case of a condition that no letter solves: one of its factors vanishes. Else a point among small numbers.
+/// Decides an implication whose condition cannot be solved for a letter: by the cases in which a factor vanishes, otherwise by points of small numbers.
 fn by_cases<'t, 'm>(
     motion: &Motion<'t, 'm>,
     (zero, parts): (Sym, &[Sym]),
@@ -162,7 +162,7 @@ fn by_cases<'t, 'm>(
     conditions: &[Condition],
     effort: Effort,
 ) -> Step<'t, 'm> {
-    // a factor that is no shorter would be taken apart without end
+    // only a shorter factor is a case, otherwise the recursion might not end
     let is_shorter = |part: Sym| Sym::operations_of(&[part]) < Sym::operations_of(&[zero]);
     let is_part = |part: &&Sym| parts.len() > 1 && is_shorter(**part) || solution(motion.trace, **part, None).is_some();
     let mut divided: Vec<Sym> = Vec::new();
@@ -191,7 +191,7 @@ fn reduced(conditions: &[Condition], motion: &Motion<'_, '_>) -> Vec<Condition> 
     conditions.iter().map(|condition| condition.mapped(|e| motion.reduced(e))).collect()
 }
 
-/// A point at which a divisor is zero, one condition holds and the other one does not.
+/// A point at which a divisor is zero, where the condition holds and the conclusion does not.
 fn exhibit(
     motion: &Motion<'_, '_>,
     factor: Sym,
@@ -205,7 +205,7 @@ fn exhibit(
             && decide(factor.substitute(&[(**symbol, Sym::ZERO)]), &motion.hypotheses).is_zero()
     });
     let at_zero = at_zero.map(|&symbol| (symbol, symbol));
-    // the condition is solved once more with the divisor set to zero
+    // the condition is solved again with the divisor set to zero
     let mut places: Vec<Motion<'_, '_>> = Vec::new();
     for (held, alone) in at_zero.chain([(factor, factor)]) {
         let mut there = motion.clone();
@@ -227,20 +227,20 @@ fn exhibit(
     })
 }
 
-/// Whether a divisor is never zero: by hypotheses and signs, by a value in the model, or since the model needs it as inertia. The last two reasons
-/// are listed among the hypotheses of a verdict.
+/// Whether a divisor never vanishes: by hypotheses and signs, because the model gives it a value, or because the model needs it as inertia. The
+/// verdict lists the last two reasons among its hypotheses.
 pub(crate) fn is_apart(factor: Sym, motion: &Motion<'_, '_>, conditions: &[Condition]) -> bool {
     let by_model = |symbol: &Sym| is_of_inertia(*symbol, motion) || has_value(*symbol, motion);
     let by_model = factor.symbols_of().into_iter().filter(by_model).map(Condition::Positive);
     is_apart_by(factor, motion, &conditions.iter().copied().chain(by_model).collect::<Vec<_>>())
 }
 
-/// Whether conditions and signs keep a divisor from vanishing.
+/// Whether conditions and signs exclude that a divisor vanishes.
 pub(crate) fn is_apart_by(factor: Sym, motion: &Motion<'_, '_>, known: &[Condition]) -> bool {
     if factor.as_constant().is_some() {
         return true;
     }
-    // a multiple by a number vanishes where the factor does
+    // a numerical multiple vanishes where the factor does
     let letters = factor.symbols_of();
     let is_multiple = |part: Sym| {
         let ratio =
@@ -259,17 +259,17 @@ pub(crate) fn is_apart_by(factor: Sym, motion: &Motion<'_, '_>, known: &[Conditi
     is_stated || shown(factor) || shown(-factor)
 }
 
-/// Whether a model without this parameter has a coordinate without inertia.
+/// Whether a symbol is a parameter without which a coordinate of the model has no inertia.
 pub(crate) fn is_of_inertia(symbol: Sym, motion: &Motion<'_, '_>) -> bool {
     motion.trace.parameters.contains(&symbol) && takes_inertia(symbol, motion)
 }
 
-/// Whether some coordinate has no inertia where this one is zero, as at the pole of polar coordinates.
+/// Whether a symbol is a coordinate at whose zero a coordinate has no inertia, as the radius in polar coordinates.
 pub(crate) fn is_pole(symbol: Sym, motion: &Motion<'_, '_>) -> bool {
     motion.trace.coordinates.contains(&symbol) && takes_inertia(symbol, motion)
 }
 
-/// Whether a coordinate has no inertia where a symbol is zero.
+/// Whether a diagonal entry of the mass matrix vanishes where a symbol is zero.
 fn takes_inertia(symbol: Sym, motion: &Motion<'_, '_>) -> bool {
     let mass = Equations::of(motion.trace).mass;
     (0..mass.len()).any(|k| mass[k][k].substitute(&[(symbol, Sym::ZERO)]) == Sym::ZERO)
@@ -281,7 +281,7 @@ fn has_value(symbol: Sym, motion: &Motion<'_, '_>) -> bool {
     all.any(|one| Sym::symbol(&one.name) == symbol && one.value.is_some_and(|value| value > 0.0))
 }
 
-/// Whether a step holds; otherwise the verdict is written into the finding.
+/// Whether an implication is proved; otherwise its verdict is written into the finding.
 pub(crate) fn followed(
     step: Step<'_, '_>,
     own: [Sym; 2],
@@ -308,7 +308,7 @@ pub(crate) fn followed(
     }
 }
 
-/// Lists the factors of a divisor that no hypothesis excludes from being zero.
+/// Adds the factors of a divisor to the requirements of a finding, except those that hypotheses exclude from being zero.
 pub(crate) fn require(divisor: Sym, conditions: &[Condition], letters: &Letters<'_, '_>, finding: &mut Finding) {
     let known = conditions.iter().filter_map(|condition| match condition {
         Condition::NonZero(e) | Condition::Positive(e) => Some(*e),

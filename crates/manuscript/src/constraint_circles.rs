@@ -1,26 +1,26 @@
-//! Points on constraints that give the square of a coordinate, such as x^2 + y^2 = l^2.
+//! Exact points that satisfy constraints which determine the square of a coordinate, such as x² + y² = l².
 
 use crate::motion::Motion;
 use crate::polynomial_factors::square_root;
 use field::Analytic;
 use symbolic::{Hypotheses, Sym, coefficients, normal, univariate};
 
-/// A coordinate whose square a constraint gives.
+/// A coordinate whose square is determined by a constraint.
 struct Circle {
     coordinate: Sym,
-    /// The expression that is zero.
+    /// The constraint, an expression that is zero.
     zero: Sym,
     rational: Option<RationalPoint>,
 }
 
-/// Rational points of a circle by a number: another coordinate, and the one whose square is given.
+/// A rational parametrisation of a circle by `number`: of another coordinate `other` (with its expression), and of the coordinate itself, `own`.
 struct RationalPoint {
     number: Sym,
     other: (Sym, Sym),
     own: Sym,
 }
 
-/// All coordinates of a motion whose squares constraints give.
+/// All coordinates of a motion whose squares are determined by constraints.
 pub(crate) struct Circles(Vec<Circle>);
 
 impl Circles {
@@ -36,17 +36,17 @@ impl Circles {
         self.0.is_empty()
     }
 
-    /// The expressions that are zero.
+    /// The constraints, as expressions that are zero.
     pub fn zeros(&self) -> impl Iterator<Item = Sym> {
         self.0.iter().map(|circle| circle.zero)
     }
 
-    /// Whether a letter is one of the coordinates.
+    /// Whether a letter is one of these coordinates.
     pub fn gives(&self, letter: Sym) -> bool {
         self.0.iter().any(|circle| circle.coordinate == letter)
     }
 
-    /// A point with these coordinates; none if they are not fractions.
+    /// The point extended by the values of these coordinates; `None` if they are not rational.
     pub fn completed(&self, point: Vec<(Sym, Sym)>) -> Option<Vec<(Sym, Sym)>> {
         self.0
             .iter()
@@ -55,7 +55,7 @@ impl Circles {
 }
 
 impl Circle {
-    /// With the other letters as they are.
+    /// The point extended by the coordinate, with all other letters unchanged; `None` if the coordinate is not rational.
     fn as_drawn(&self, point: &[(Sym, Sym)]) -> Option<Vec<(Sym, Sym)>> {
         let left = normal(self.zero.substitute(point), &Hypotheses::none()).ok()?.numerator();
         let dense = univariate(left, self.coordinate).ok()?;
@@ -64,7 +64,7 @@ impl Circle {
         Some([point, &[(self.coordinate, value)]].concat())
     }
 
-    /// With another coordinate moved onto a rational point of the circle.
+    /// The point extended by the coordinate, with another coordinate moved such that both are rational.
     fn by_rational_point(&self, mut point: Vec<(Sym, Sym)>) -> Option<Vec<(Sym, Sym)>> {
         let RationalPoint { number: letter, other: (other, value), own } = self.rational.as_ref()?;
         let drawn = point.iter().position(|(known, _)| known == other)?;
@@ -77,7 +77,7 @@ impl Circle {
 }
 
 impl RationalPoint {
-    /// By a letter that is a radius: a coordinate is that of the circle with this radius, about zero or about another coordinate.
+    /// The parametrisation of a circle whose radius is a letter and whose centre is at zero or at another coordinate.
     fn of(coordinate: Sym, zero: Sym) -> Option<Self> {
         let letters: Vec<Sym> = zero.symbols_of().into_iter().filter(|letter| *letter != coordinate).collect();
         let is_squared = |letter: &&Sym| {
@@ -99,7 +99,7 @@ impl RationalPoint {
     }
 }
 
-/// The root of an equation of the second degree without a term of the first, where it is a quotient of polynomials.
+/// The square root of -c/a for an equation a x² + c = 0, if it is a quotient of polynomials.
 fn root_of(zero: Sym, letter: Sym) -> Option<Sym> {
     let form = |of: Sym| normal(of, &Hypotheses::none()).ok();
     let terms = coefficients(form(zero)?.numerator(), &[letter]).ok()?;
@@ -109,7 +109,7 @@ fn root_of(zero: Sym, letter: Sym) -> Option<Sym> {
     (of(1) == Sym::ZERO).then(|| root / square.denominator())
 }
 
-/// The value of an expression that is a fraction.
+/// The value of an expression if it is a rational number.
 fn number(expression: Sym) -> Option<Sym> {
     let value = normal(expression, &Hypotheses::none()).ok()?.to_sym();
     value.as_constant().filter(|value| value.is_defined()).map(|_| value)

@@ -23,20 +23,20 @@ pub enum Told {
     Refused(String),
     /// The path of a further file that the text names.
     Reads(PathBuf),
-    /// Stages that apply to the text.
+    /// The stages that apply to the text.
     Then(Vec<Stage>),
 }
 
 impl Told {
-    /// The content of a part.
+    /// The report of a part's content.
     pub fn part(part: Part, content: String) -> Self {
         Told::Part { id: part.id().to_owned(), content }
     }
 
-    /// Writes the line.
+    /// Writes the report to standard output.
     ///
     /// # Errors
-    /// Nobody reads it.
+    /// The reader has closed the pipe.
     pub fn write(&self) -> io::Result<()> {
         let mut out = io::stdout().lock();
         serde_json::to_writer(&mut out, self)?;

@@ -1,4 +1,4 @@
-//! A stage that runs in a process of its own, which is killed when its handle is dropped.
+//! A stage that runs in a separate process, which is killed when its handle is dropped.
 
 use super::stage::Stage;
 use super::told::{Given, Told};
@@ -8,7 +8,7 @@ use std::process::{Child, ChildStdin, Command, ExitStatus, Stdio};
 use std::sync::mpsc::Sender;
 use std::thread;
 
-/// News of a worker, with the number that it was started with.
+/// An event of a worker, with the number of the worker.
 pub struct WorkerNews {
     pub number: u64,
     pub event: WorkerEvent,
@@ -17,34 +17,34 @@ pub struct WorkerNews {
 /// An event of a worker.
 pub enum WorkerEvent {
     Told(Told),
-    /// Nothing more is told; the text of its standard error.
+    /// The worker has closed its output; the text is that of its standard error.
     Silent(String),
 }
 
-/// A process that is killed when this is dropped.
+/// The process of a stage; dropping the value kills the process.
 pub struct Worker {
     pub stage: Stage,
     pub number: u64,
     child: Child,
-    /// The input of the process, which ends when this is closed.
+    /// The standard input of the process, which ends itself when the input is closed.
     input: Option<ChildStdin>,
 }
 
-/// The orders of a worker.
+/// The task of a worker.
 pub struct Order<'a> {
     pub stage: Stage,
     pub number: u64,
     pub path: &'a Path,
     pub text: String,
-    /// The time limit, s.
+    /// The time limit in seconds.
     pub budget: u32,
 }
 
 impl Worker {
-    /// Starts the process; all that it tells goes to the sender.
+    /// Starts the process. Its reports are sent through `sender`.
     ///
     /// # Errors
-    /// No process, or no thread, can be had.
+    /// No process or no thread can be created.
     pub fn start<M: From<WorkerNews> + Send + 'static>(order: Order<'_>, sender: &Sender<M>) -> io::Result<Self> {
         let Order { stage, number, path, text, budget } = order;
         let given = serde_json::to_string(&Given { text })? + "\n";
@@ -60,7 +60,7 @@ impl Worker {
         let (Some(out), Some(mut error)) = (out, error) else { return Err(io::ErrorKind::BrokenPipe.into()) };
         let told_beside = thread::Builder::new().spawn(move || {
             let mut bytes = Vec::new();
-            // after a read error the bytes read before it are kept
+            // if reading fails, the bytes read so far are kept
             let _ = error.read_to_end(&mut bytes);
             String::from_utf8_lossy(&bytes).into_owned()
         })?;
@@ -73,18 +73,18 @@ impl Worker {
                 }
             }
             let beside = told_beside.join().unwrap_or_default();
-            // a session that is over hears nothing
+            // an error means that the session has ended
             let _ = sender.send(WorkerNews { number, event: WorkerEvent::Silent(beside) }.into());
         })?;
-        // a failure to write is ignored: the status of a process that ended at once has the reason
+        // an error is ignored, since the exit status of the process shows the reason
         let _ = worker.input.as_mut().map(|input| input.write_all(given.as_bytes()).and_then(|()| input.flush()));
         Ok(worker)
     }
 
-    /// The status of a process that is silent.
+    /// The exit status of a process that has closed its output.
     ///
     /// # Errors
-    /// It cannot be asked.
+    /// The system does not return the status.
     pub fn status(mut self) -> io::Result<ExitStatus> {
         self.child.wait()
     }
@@ -92,7 +92,7 @@ impl Worker {
 
 impl Drop for Worker {
     fn drop(&mut self) {
-        // one that has ended cannot be ended again
+        // killing a process that has ended fails, which is ignored
         let _ = self.child.kill();
         let _ = self.child.wait();
     }

@@ -1,4 +1,4 @@
-//! The binary of a functional mock-up unit, compiled by the C compiler of this computer.
+//! The binary of a functional mock-up unit, compiled with the C compiler of this computer.
 
 use super::{Unit, Version};
 use std::env::consts::{ARCH, DLL_EXTENSION, OS};
@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
-/// The length of sources, in bytes, from which they are compiled with less optimisation.
+/// The length of the sources in bytes above which they are compiled with less optimisation.
 const LONG: usize = 300_000;
 
 /// A shared library for this platform.
@@ -20,9 +20,9 @@ pub struct Binary {
 /// The reason for which there is no binary.
 #[derive(Debug)]
 pub enum NoBinary {
-    /// There is no compiler of this name.
+    /// No compiler of this name is found.
     NoCompiler(String),
-    /// The compiler refuses the sources, with its message.
+    /// The compiler rejects the sources; the text is its message.
     Refused(String),
     /// The compilation was stopped.
     BrokenOff,
@@ -48,7 +48,7 @@ impl From<io::Error> for NoBinary {
 }
 
 impl Version {
-    /// The name of this platform.
+    /// The name of this platform in the standard.
     fn platform(self) -> String {
         let system = if OS == "macos" { "darwin" } else { OS };
         match (self, ARCH, OS) {
@@ -56,24 +56,24 @@ impl Version {
             (Version::Two, "x86", "linux") => "linux32".to_owned(),
             (Version::Two, "x86_64", "windows") => "win64".to_owned(),
             (Version::Two, "x86", "windows") => "win32".to_owned(),
-            // FMI 2.0 names no others
+            // FMI 2.0 defines no names of other platforms
             _ => format!("{ARCH}-{system}"),
         }
     }
 }
 
 impl Unit {
-    /// The path of the binary among binaries.
+    /// The path of the library in the folder `binaries`.
     pub(super) fn library(&self) -> String {
         format!("{}/{}.{DLL_EXTENSION}", self.version.platform(), self.identifier)
     }
 }
 
 impl Binary {
-    /// Compiles a unit in an empty folder; `goes_on` is asked repeatedly whether to continue.
+    /// Compiles a unit in an empty folder. The compilation is stopped when `goes_on`, which is called repeatedly, returns false.
     ///
     /// # Errors
-    /// The reason for which there is no binary.
+    /// [`NoBinary`], where no compiler is found, it rejects the sources, it is stopped, or a file cannot be read or written.
     pub fn of(unit: &Unit, compiler: &str, folder: &Path, goes_on: impl Fn() -> bool) -> Result<Self, NoBinary> {
         for (name, text) in unit.sources() {
             std::fs::write(folder.join(name), text)?;

@@ -1,7 +1,7 @@
-//! A functional mock-up unit of FMI 3.0 or 2.0: its description, its sources, and its binary.
+//! Functional mock-up units (FMU) of FMI 3.0 or 2.0: model description, C sources, and binary.
 //!
-//! The C functions of the system are given by the caller; the functions of the standard, which call them, stand in `sources/`. Those of FMI 2.0
-//! call those of FMI 3.0.
+//! The caller supplies the C functions of the system. The functions of the standard, in `sources/`, call them; those of FMI 2.0 call those of
+//! FMI 3.0.
 
 mod binary;
 mod description;
@@ -14,18 +14,18 @@ use std::fmt::Write as _;
 use std::hash::Hasher;
 use std::io::{self, Write};
 
-/// A quantity of a unit.
+/// A variable of a unit.
 #[derive(Clone, Debug)]
 pub struct Variable {
     pub name: String,
-    /// The coherent unit of SI; `1` for a pure number.
+    /// The coherent SI unit; `1` for a pure number.
     pub unit: String,
     pub description: String,
-    /// The value at the start; zero for a dependent variable.
+    /// The initial value; zero for a dependent variable.
     pub value: f64,
 }
 
-/// A version of the standard.
+/// A version of the FMI standard.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Version {
     Two,
@@ -34,7 +34,7 @@ pub enum Version {
 }
 
 impl Version {
-    /// The file that a compiler is given.
+    /// The name of the source file that is compiled; it includes the others.
     pub(crate) fn main_source(self) -> &'static str {
         match self {
             Version::Two => "fmi2.c",
@@ -43,34 +43,34 @@ impl Version {
     }
 }
 
-/// A system as a unit.
+/// A system as a functional mock-up unit.
 #[derive(Clone, Debug)]
 pub struct Unit {
     pub version: Version,
-    /// An identifier of C.
+    /// The model identifier, an identifier of C.
     pub identifier: String,
     pub title: String,
-    /// The origin of the unit, in one line.
+    /// The origin of the unit in one line, for comments.
     pub origin: String,
-    /// The program that wrote it.
+    /// The name of the program that writes the unit.
     pub tool: String,
-    /// The error allowed in a step where an importer gives none.
+    /// The default tolerance, the error allowed in a step.
     pub tolerance: f64,
     pub span: f64,
     pub states: Vec<Variable>,
     pub parameters: Vec<Variable>,
     pub inputs: Vec<Variable>,
-    /// Outputs of the system.
+    /// Outputs of the unit.
     pub outputs: Vec<Variable>,
-    /// Quantities after the outputs that are no outputs of the unit, such as energies.
+    /// Further dependent quantities, such as energies, which are not outputs of the unit.
     pub locals: Vec<Variable>,
-    /// Conditions, then events, by their names in messages.
+    /// Event indicators: first those of conditions, then those of events; their descriptions are used in messages.
     pub indicators: Vec<Variable>,
-    /// The functions of the system.
+    /// The C functions of the system.
     pub source: String,
 }
 
-/// The functions of the standard.
+/// The source files with the functions of the standard.
 const SOURCES: [(&str, &str); 7] = [
     ("fmi3.c", include_str!("sources/fmi3.c")),
     ("types.h", include_str!("sources/types.h")),
@@ -81,20 +81,20 @@ const SOURCES: [(&str, &str); 7] = [
     ("others.h", include_str!("sources/others.h")),
 ];
 
-/// The functions of FMI 2.0 over them.
+/// The source files with the functions of FMI 2.0.
 const SOURCES_OF_2: [(&str, &str); 2] =
     [("fmi2.c", include_str!("sources/fmi2.c")), ("types2.h", include_str!("sources/types2.h"))];
 
-/// The file with the hash of the others, in the folder that the standard leaves to tools.
+/// The seal, in the folder that the standard reserves for tools.
 const SEAL: Seal = Seal { path: "extra/dalembert/sha256.txt", file: String::into_bytes };
 
-/// Whether a unit holds the files that its seal was written for; `None` where it has no seal.
+/// Whether a unit contains the files for which its seal was written; `None` where it has no seal.
 pub fn seal_holds(unit: &[u8]) -> Option<bool> {
     SEAL.holds(unit)
 }
 
 impl Unit {
-    /// The instantiation token, unique to this unit.
+    /// The instantiation token, a hash of the source and the origin.
     fn token(&self) -> String {
         let mut hasher = SipHasher13::new();
         hasher.write(self.source.as_bytes());
@@ -102,7 +102,7 @@ impl Unit {
         format!("{{{:032x}}}", hasher.finish128().as_u128())
     }
 
-    /// The sources with their names.
+    /// The names and contents of the source files.
     pub fn sources(&self) -> Vec<(&'static str, String)> {
         let mut system = format!("/* {} */\n\n", self.origin.replace("*/", "* /"));
         let _ = writeln!(system, "#define TOKEN {}\n#define TOLERANCE {:?}\n", quoted(&self.token()), self.tolerance);
@@ -118,10 +118,10 @@ impl Unit {
         own.chain([("system.h", system)]).collect()
     }
 
-    /// Writes the archive.
+    /// Writes the unit as a zip archive.
     ///
     /// # Errors
-    /// The output fails.
+    /// Writing to `out` fails.
     pub fn write(&self, out: impl Write, binary: Option<&Binary>) -> io::Result<()> {
         let (model, build) = (self.description()?, self.build_description()?);
         let sources = self.sources();
@@ -136,7 +136,7 @@ impl Unit {
     }
 }
 
-/// A text as a literal of C.
+/// A text as a C string literal.
 fn quoted(text: &str) -> String {
     let escaped = |letter: char| match letter {
         '"' | '\\' => format!("\\{letter}"),

@@ -1,10 +1,10 @@
-//! Combined edits of different terms. Their changes of the residual add up, so that combinations equal to the residual are found without trying all.
+//! Combinations of edits of different terms. Since their changes of the residual add up, suitable combinations are found without trying all of them.
 
 use super::edit::Edit;
 use crate::change::EditKind;
 use std::ops::Range;
 
-/// Edits of one term with their change of the residual.
+/// Edits with the change of the residual that they cause at the test points.
 pub(super) struct Effect {
     pub edits: Vec<Edit>,
     pub change: Vec<f64>,
@@ -19,7 +19,7 @@ const MOST: usize = 400;
 /// The relative difference below which two residuals, or a residual and zero, agree.
 pub(super) const ROUNDING: f64 = 1e-8;
 
-/// Whether each entry is zero compared with the size of its summands.
+/// Whether all entries of a residual are zero relative to the sizes of their summands.
 pub(super) fn is_small(residual: &[f64], sizes: &[f64]) -> bool {
     residual.iter().zip(sizes).all(|(value, size)| value.abs() <= ROUNDING * (1.0 + size.abs()))
 }
@@ -27,8 +27,8 @@ pub(super) fn is_small(residual: &[f64], sizes: &[f64]) -> bool {
 /// The largest number of edits of one term that are combined in pairs.
 const MOST_OF_TERM: usize = 240;
 
-/// Pairs of edits of two factors of a term. With `gone`, the change of the residual without the term, each edit is known to multiply the
-/// term by a number; both together multiply it by the product.
+/// Pairs of edits of two factors of one term. Each edit multiplies the term by a number, so that both together multiply it by the product; `gone` is the
+/// change of the residual when the term is removed.
 pub(super) fn in_one_product(effects: &[Effect], term: &Range<usize>, gone: &[f64]) -> Vec<Effect> {
     let holds = |edit: &Edit| term.start <= edit.span.start && edit.span.end <= term.end;
     let own: Vec<&Effect> = effects.iter().filter(|effect| effect.edits.iter().all(holds)).take(MOST_OF_TERM).collect();
@@ -45,7 +45,7 @@ pub(super) fn in_one_product(effects: &[Effect], term: &Range<usize>, gone: &[f6
     all
 }
 
-/// Pairs of edits of one term that make up the residual, the smallest edits first.
+/// Pairs of edits of one term that make the residual vanish, the smallest edits first.
 pub(super) fn alone(effects: &[Effect], residual: &[f64]) -> Vec<Vec<Edit>> {
     let is_it = |effect: &&Effect| {
         let rest: Vec<f64> = effect.change.iter().zip(residual).map(|(change, rest)| change + rest).collect();
@@ -54,7 +54,7 @@ pub(super) fn alone(effects: &[Effect], residual: &[f64]) -> Vec<Vec<Edit>> {
     by_size(effects.iter().filter(is_it).map(|effect| vec![effect]).collect())
 }
 
-/// Pairs of edits at separate places whose changes add up to the negative of the residual, the smallest edits first.
+/// Pairs of edits in separate places whose changes add up to minus the residual, the smallest edits first.
 pub(super) fn pairs(effects: &[Effect], residual: &[f64]) -> Vec<Vec<Edit>> {
     let sorted = Sorted::of(effects);
     let mut found = Vec::new();
@@ -69,7 +69,7 @@ pub(super) fn pairs(effects: &[Effect], residual: &[f64]) -> Vec<Vec<Edit>> {
     by_size(found)
 }
 
-/// Triples of edits at separate places whose changes add up to the negative of the residual, the smallest edits first.
+/// Triples of edits in separate places whose changes add up to minus the residual, the smallest edits first.
 pub(super) fn triples(effects: &[Effect], residual: &[f64]) -> Vec<Vec<Edit>> {
     let effects = &effects[..effects.len().min(MOST_IN_THREES)];
     let sorted = Sorted::of(effects);
@@ -103,7 +103,7 @@ fn are_apart(first: &Effect, second: &Effect) -> bool {
     first.edits.iter().all(|one| second.edits.iter().all(|other| apart(one, other)))
 }
 
-/// A measure that puts edits of one symbol before others, and plain factors before powers and quotients.
+/// The size of an edit, by which edits are ordered: edits of one symbol before others, plain factors before powers and quotients.
 pub(super) fn size(edit: &Edit) -> u32 {
     let is_composed = edit.after.contains("^2")
         || edit.after.starts_with(r"\frac{") && edit.closing.is_none() && !edit.after.starts_with(r"\frac{1}");
@@ -115,7 +115,7 @@ pub(super) fn size(edit: &Edit) -> u32 {
     }
 }
 
-/// Whether two edits may be made together.
+/// Whether two edits can be applied together.
 pub(super) fn apart(first: &Edit, second: &Edit) -> bool {
     match (&first.closing, &second.closing) {
         (None, None) => first.span.end <= second.span.start || second.span.end <= first.span.start,
@@ -123,7 +123,7 @@ pub(super) fn apart(first: &Edit, second: &Edit) -> bool {
     }
 }
 
-/// Effects by their first change.
+/// Effects sorted by the first entry of their change.
 struct Sorted<'a> {
     effects: &'a [Effect],
     order: Vec<usize>,
@@ -136,7 +136,7 @@ impl<'a> Sorted<'a> {
         Sorted { effects, order }
     }
 
-    /// The places of effects with a given change, within rounding.
+    /// The indices of effects whose change agrees with `sought` up to rounding.
     fn near<'c>(&'c self, sought: &'c [f64], sizes: &'c [f64]) -> impl Iterator<Item = usize> + 'c {
         let width = ROUNDING * (1.0 + sizes[0].abs() + sought[0].abs());
         let change = |place: usize| &self.effects[place].change;

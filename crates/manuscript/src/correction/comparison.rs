@@ -1,4 +1,4 @@
-//! Comparison of all terms of a side with the value that the side must have: wrong terms, wrong numbers and missing terms at once.
+//! Corrections of several terms of one side at once: the side is compared term by term with the value that it must have.
 
 use super::edit::Edit;
 use super::ground::Ground;
@@ -15,28 +15,28 @@ use symbolic::{Hypotheses, Node, Sym, coefficients, normal};
 /// The largest number of missing terms.
 const MOST_MISSING: usize = 16;
 
-/// The largest number of terms of a side.
+/// The largest number of terms of a side that is compared.
 const MOST_SUMMANDS: usize = 48;
 
-/// A polynomial: the numbers before products of letters.
+/// A polynomial: the coefficients of products of letters.
 type Products = BTreeMap<Vec<(String, u32)>, Rational>;
 
-/// The factor by which a term must be multiplied; zero for a superfluous term.
+/// A term with the factor by which it must be multiplied; zero for a superfluous term.
 #[derive(Clone, Copy)]
 struct Scaled {
     summand: usize,
     by: Rational,
 }
 
-/// Factors of terms, and the number of products of letters that are right with these factors.
+/// Terms with their factors, and the number of products of letters that are correct with these factors.
 #[derive(Default)]
 struct Choice {
     numbers: Vec<Scaled>,
     right: usize,
 }
 
-/// Edits of whole sides. A side is left out if less than half of its printed letters and numbers would stay, or if more would be new than
-/// printed.
+/// Edits of whole sides. A side is left out if less than half of its printed letters and numbers would remain, or if more would be new than
+/// were printed.
 pub(super) fn compared(ground: &impl Ground, places: &Places) -> Vec<Vec<Edit>> {
     let sides = places.summands.iter().filter(|summand| summand.number == 1 && summand.side.is_some());
     let of = |first: &Summand| {
@@ -60,7 +60,7 @@ impl<G: Ground> Side<'_, G> {
         self.ground.text()
     }
 
-    /// The edited formula with the sought letter added to this side.
+    /// The edited formula with the sought letter as a further term of this side.
     fn asked(&self, edits: &[Edit]) -> Option<latex::Statement> {
         let mut known = self.ground.known();
         if known.iter().any(|name| name == SOUGHT) {
@@ -73,7 +73,7 @@ impl<G: Ground> Side<'_, G> {
         read(&text, &known).ok()
     }
 
-    /// Edits of this side with the number of new letters and numbers.
+    /// The edits of this side, each with the number of new letters and numbers.
     fn corrections(&self) -> Option<Vec<(usize, Vec<Edit>)>> {
         let lack = self.ground.lack(&self.asked(&[])?)?;
         let below = normal(lack, &Hypotheses::none()).ok()?.denominator();
@@ -84,7 +84,7 @@ impl<G: Ground> Side<'_, G> {
         }
         let mut scaled: Vec<Scaled> = Vec::new();
         let terms = self.terms_of(self.sum);
-        // twice, since one wrong term can hide another
+        // all terms are examined twice, since one wrong term can hide another
         for place in [&terms[..], &terms].concat() {
             let within = |of: &Range<usize>, term: &Range<usize>| term.start <= of.start && of.end <= term.end;
             let span = |summand: usize| &self.places.summands[summand].span;
@@ -94,7 +94,7 @@ impl<G: Ground> Side<'_, G> {
             let chosen = self.scaled(place, lack, below, &lacking).numbers;
             for one in &chosen {
                 let term = self.products(one.summand, lack, below)?;
-                // of two equal terms only one is removed
+                // the coefficients are updated, so that only one of two equal terms is removed
                 for (product, number) in term {
                     let rest = lacking.entry(product).or_insert(Rational::new(0, 1));
                     *rest += number * (Rational::new(1, 1) - one.by);
@@ -109,7 +109,7 @@ impl<G: Ground> Side<'_, G> {
             .map(|one| &self.places.summands[one.summand].span)
             .collect();
         let (printed, kept) = (self.kept(&[]), self.kept(&gone));
-        // if less than half of the print stays, this would be a new formula and no correction
+        // if less than half of the print remained, this would be a new formula and not a correction
         if 2 * kept < printed {
             return None;
         }
@@ -127,7 +127,7 @@ impl<G: Ground> Side<'_, G> {
         (0..self.places.summands.len()).filter(|&place| self.places.summands[place].sum == sum).collect()
     }
 
-    /// The factor of a term, or of the terms of a sum within it, with which most of its products of letters are right.
+    /// The factor of a term, or of terms of a sum within it, for which most of its products of letters are correct.
     fn scaled(&self, place: usize, lack: Sym, below: Sym, lacking: &Products) -> Choice {
         let summand = &self.places.summands[place];
         let own = self.products(place, lack, below).filter(|own| !own.is_empty() && self.ground.goes_on());
@@ -150,14 +150,14 @@ impl<G: Ground> Side<'_, G> {
         best
     }
 
-    /// The contribution of a term to a side, multiplied by the denominator of the side.
+    /// The contribution of a term to the side, multiplied by the denominator of the side.
     fn products(&self, place: usize, lack: Sym, below: Sym) -> Option<Products> {
         let none = Edit::new(EditKind::ExtraTerm, self.places.summands[place].span.clone(), "0", String::new());
         let without = self.ground.lack(&self.asked(&[none])?)?;
         products((without - lack) * below)
     }
 
-    /// A term with its number.
+    /// The edits that multiply a term by a number.
     fn edits(&self, Scaled { summand, by }: Scaled) -> Option<Vec<Edit>> {
         let (text, summand_is) = (self.text(), &self.places.summands[summand]);
         let sign = by.sign()?;
@@ -170,7 +170,7 @@ impl<G: Ground> Side<'_, G> {
         Some(turned.into_iter().chain(factor).collect())
     }
 
-    /// A term by a number: the number that stands there takes it up.
+    /// The edit that multiplies a term by a positive number, by changing its printed number if it has one.
     fn multiplied(&self, summand: &Summand, by: Rational) -> Edit {
         let text = self.text();
         let factor = factors::before(summand, &latex(by), text);
@@ -186,7 +186,7 @@ impl<G: Ground> Side<'_, G> {
         Edit::new(factor.kind, span, after, factor.words)
     }
 
-    /// The number of letters and numbers of this side that stay.
+    /// The number of letters and numbers of this side that remain.
     fn kept(&self, gone: &[&Range<usize>]) -> usize {
         let places = self.places;
         let stays = |at: &Range<usize>| {
@@ -197,7 +197,7 @@ impl<G: Ground> Side<'_, G> {
         places.atoms.iter().map(|atom| &atom.span).chain(numbers).filter(|span| stays(span)).count()
     }
 
-    /// Terms at the end of the side.
+    /// The edits that add terms at the end of the side.
     fn added(&self, terms: &[Sym]) -> Vec<Edit> {
         let end = self.span.end;
         let edit = |term: &Sym| {
@@ -213,13 +213,13 @@ impl<G: Ground> Side<'_, G> {
     }
 }
 
-/// A positive number as a print has it.
+/// A positive number in LaTeX.
 fn latex(number: Rational) -> String {
     let told = number.to_string();
     told.split_once('/').map_or(told.clone(), |(above, below)| format!(r"\frac{{{above}}}{{{below}}}"))
 }
 
-/// The most frequent ratio between the right and the printed coefficients of the products of a term, and the number of products with it.
+/// The most frequent ratio between the correct and the printed coefficients of a term's products of letters, and the number of products with this ratio.
 fn most_frequent(own: &Products, lacking: &Products) -> (Rational, usize) {
     let one = Rational::new(1, 1);
     let mut votes: Vec<(Rational, usize)> = Vec::new();
@@ -230,11 +230,11 @@ fn most_frequent(own: &Products, lacking: &Products) -> (Rational, usize) {
             None => votes.push((by, 1)),
         }
     }
-    // an unchanged term has preference
+    // of equally frequent ratios, 1 is preferred
     votes.into_iter().max_by_key(|(by, count)| (*count, *by == one)).unwrap_or((one, 0))
 }
 
-/// The products of a polynomial with their coefficients; none if the expression is not a polynomial.
+/// The products of letters of a polynomial with their coefficients; `None` if the expression is not a polynomial.
 fn products(expression: Sym) -> Option<Products> {
     let form = normal(expression, &Hypotheses::none()).ok()?;
     let symbols = form.to_sym().leaves_of();
@@ -264,7 +264,7 @@ fn summands(sum: Sym) -> Vec<Sym> {
     }
 }
 
-/// The number of letters and numbers of an expression as it is written.
+/// The number of letters and numbers in an expression, without simplification.
 pub(super) fn letters(expression: Sym) -> usize {
     let below: usize = expression.node().children().map(letters).sum();
     below.max(1)

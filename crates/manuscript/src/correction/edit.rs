@@ -1,4 +1,4 @@
-//! An edit of a printed formula: a part of its text and the replacement.
+//! An edit of a printed formula: a range of its text and the replacement.
 
 use crate::change::EditKind;
 use std::ops::Range;
@@ -7,14 +7,14 @@ use std::ops::Range;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Edit {
     pub kind: EditKind,
-    /// Bytes of the formula.
+    /// The replaced range of the formula, in bytes.
     pub span: Range<usize>,
     pub after: String,
     /// The edit in words.
     pub words: String,
-    /// The part of the formula that is printed to show the edit.
+    /// The range of the formula that is shown to explain the edit.
     pub around: Range<usize>,
-    /// A second part of the edit behind it: a place, and the text that is inserted there.
+    /// A further text, such as a closing bracket, and the position after the range at which it is inserted.
     pub closing: Option<(usize, String)>,
 }
 
@@ -23,12 +23,12 @@ impl Edit {
         Edit { kind, around: span.clone(), span, after: after.into(), words, closing: None }
     }
 
-    /// The edit with a second part, which stands behind it.
+    /// The edit with a text that is also inserted at a later position.
     pub fn closed(self, at: usize, text: String) -> Self {
         Edit { around: self.around.start..self.around.end.max(at), closing: Some((at, text)), ..self }
     }
 
-    /// The part of the formula that is shown, before the edit and after it.
+    /// The shown part of the formula, without and with the edit.
     pub fn shown(&self, formula: &str) -> [String; 2] {
         let part = |range: Range<usize>| formula.get(range).unwrap_or_default();
         let before = part(self.around.clone());
@@ -37,14 +37,14 @@ impl Edit {
         [before.trim().to_owned(), format!("{left}{}{right}{closing}", self.after).trim().to_owned()]
     }
 
-    /// Its parts, each an edit of one place.
+    /// The edit as one or two edits of single ranges.
     pub fn parts(&self) -> Vec<Edit> {
         let Some((at, text)) = &self.closing else { return vec![self.clone()] };
         let first = Edit { closing: None, around: self.span.clone(), ..self.clone() };
         vec![first, Edit::new(self.kind, *at..*at, text.as_str(), String::new())]
     }
 
-    /// Whether no part of it touches the other edit.
+    /// Whether the ranges of two edits do not overlap.
     pub fn is_apart(&self, other: &Edit) -> bool {
         let apart = |one: &Range<usize>, other: &Range<usize>| one.end <= other.start || other.end <= one.start;
         let places = |edit: &Edit| edit.parts().into_iter().map(|part| part.span).collect::<Vec<_>>();
@@ -54,7 +54,7 @@ impl Edit {
     /// The edited formula, and the range of the edit in it, in bytes.
     pub fn applied(&self, formula: &str) -> (String, Range<usize>) {
         let (before, behind) = (&formula[..self.span.start], &formula[self.span.end..]);
-        // a command would be joined with the letter after it
+        // a space separates a LaTeX command from a letter after it
         let swallows = |left: &str, right: &str| {
             let tail = left.trim_end_matches(|letter: char| letter.is_ascii_alphabetic());
             tail.len() < left.len()
@@ -69,7 +69,7 @@ impl Edit {
     }
 }
 
-/// Whether each `\left` and each `\right` stands before its bracket: an edit may not come between them.
+/// Whether each `\left` and each `\right` is still followed by its bracket, so that no edit came between them.
 pub(super) fn is_whole(formula: &str) -> bool {
     let stands = |command: &str| {
         formula.match_indices(command).all(|(at, _)| {

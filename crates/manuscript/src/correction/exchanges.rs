@@ -1,4 +1,4 @@
-//! Edits that replace one symbol: a sign, a function, an exponent, a letter, a dot, a number.
+//! Edits that replace one symbol: a sign, a function, an exponent, a letter, the dots of a rate, a number.
 
 use super::edit::Edit;
 use super::letter_rates::LetterRate;
@@ -8,10 +8,10 @@ use field::Rational;
 use latex::Function;
 use std::ops::Range;
 
-/// Printed numbers are exchanged for quotients of numbers up to this one.
+/// The largest numerator and denominator of the numbers that replace printed numbers.
 const MOST: i64 = 12;
 
-/// All exchanges, in the order of the formula.
+/// All edits of one symbol, in the order of the formula.
 pub(super) fn exchanges(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<Edit> {
     let mut all = signs(places, text);
     all.extend(functions(places, text));
@@ -28,7 +28,7 @@ pub(super) fn exchanges(places: &Places, text: &str, rates: &[LetterRate]) -> Ve
     all
 }
 
-/// Other relations of an inequality: including equality, or in the other direction.
+/// Edits of the relation of an inequality: with equality included, or in the other direction.
 pub(super) fn relations(text: &str) -> Vec<Edit> {
     const LOOSE: [(&str, &str); 4] = [(r"\lt", r"\leq"), (r"\gt", r"\geq"), ("<", r"\leq"), (">", r"\geq")];
     const TURNED: [(&str, &str); 10] = [
@@ -55,7 +55,7 @@ pub(super) fn relations(text: &str) -> Vec<Edit> {
     loose.chain(TURNED.into_iter().flat_map(|pair| of(EditKind::Direction, pair))).collect()
 }
 
-/// `the second term of the right side`, or the term itself.
+/// The description of a term: `the second term of the right side`, or the term itself.
 pub(super) fn told(summand: &Summand, text: &str) -> String {
     const ORDINALS: [&str; 6] = ["first", "second", "third", "fourth", "fifth", "sixth"];
     match (summand.side, ORDINALS.get(summand.number - 1)) {
@@ -65,9 +65,9 @@ pub(super) fn told(summand: &Summand, text: &str) -> String {
     }
 }
 
-/// The sign of each term that is not zero.
+/// Edits that change the sign of a term.
 pub(super) fn signs(places: &Places, text: &str) -> Vec<Edit> {
-    // printed signs first, since a wrong sign is usually printed; that of the letter whose value is told last
+    // printed signs come first, since a wrong sign is usually printed; the sign of a letter that the formula defines comes last
     let rank = |summand: &Summand| if summand.sign.is_some() { 0 } else { 1 + usize::from(places.is_told(summand)) };
     let of = |wanted: usize| {
         let chosen = move |summand: &&Summand| rank(summand) == wanted && &text[summand.span.clone()] != "0";
@@ -76,7 +76,7 @@ pub(super) fn signs(places: &Places, text: &str) -> Vec<Edit> {
     (0..=2).flat_map(of).collect()
 }
 
-/// The opposite sign of a term.
+/// The edit that changes the sign of a term.
 pub(super) fn sign(summand: &Summand, text: &str) -> Edit {
     let (span, after) = match summand.sign {
         Some((at, '-')) if summand.number == 1 => (at..at + 1, ""),
@@ -153,7 +153,7 @@ fn dots(atom: &Atom, text: &str, rates: &[LetterRate]) -> Vec<Edit> {
     orders.into_iter().flatten().filter_map(of).map(edit).collect()
 }
 
-/// The square of a rate for the second rate, and the other way round.
+/// Edits that replace the square of a rate by the second rate, or the second rate by the square.
 fn powers_of_rates(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<Edit> {
     let rate = |atom: &Atom, order: u32| rates.iter().find(|rate| rate.name == atom.name && rate.order == order);
     let edit = |span: Range<usize>, after: String| {
@@ -168,13 +168,13 @@ fn powers_of_rates(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<Edi
     places.atoms.iter().filter_map(of).collect()
 }
 
-/// The exponent 2 of an atom.
+/// The exponent of an atom if it is 2.
 fn square_of<'a>(atom: &Atom, places: &'a Places) -> Option<&'a Range<usize>> {
     let is_its_own = |power: &&super::places::Raised| power.exponent == 2 && power.script.start == atom.span.end;
     places.powers.iter().find(is_its_own).map(|power| &power.script)
 }
 
-/// A subscript for an exponent: `J_2` for `J^2`, and the other way round.
+/// Edits that replace an exponent by a subscript, `J^2` by `J_2`, or a subscript by an exponent.
 fn scripts(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<Edit> {
     let known = |name: &str| rates.iter().any(|rate| rate.order == 0 && rate.name == name);
     let edit = |span: Range<usize>, after: String| {
@@ -200,7 +200,7 @@ fn scripts(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<Edit> {
     all
 }
 
-/// Letters and rates of the same dimension.
+/// Edits that replace a letter or rate by another of the same dimension.
 fn others(atom: &Atom, text: &str, rates: &[LetterRate]) -> Vec<Edit> {
     let Some(own) = rates.iter().find(|rate| rate.name == atom.name && rate.order == atom.order) else {
         return Vec::new();
@@ -222,26 +222,26 @@ fn numbers(places: &Places, text: &str) -> Vec<Edit> {
             }
         }
     }
-    // small numbers first
+    // small numbers come first
     values.sort_by_key(|(above, below)| (above + below, *below));
     let mut all = Vec::new();
     let is_of_fraction =
         |span: &Range<usize>| places.fractions.iter().any(|(of, _)| of.start <= span.start && span.end <= of.end);
     for (span, printed) in places.numbers.iter().chain(&places.fractions) {
         let before = &text[..span.start];
-        // `\frac12`: an argument without braces is one sign
+        // in `\frac12` an argument without braces is a single digit
         let is_bare = before.trim_end().ends_with("frac") || before.ends_with(|letter: char| letter.is_ascii_digit());
         let is_part = is_of_fraction(span) && places.numbers.iter().any(|(number, _)| number == span);
         let fits = |&(above, below): &(i64, i64)| {
             let is_new = Rational::new(above, below) != *printed && *printed != Rational::new(0, 1);
-            // a quotient of numbers above or below another one is a number itself
+            // in the numerator or denominator of a fraction, only integers are tried
             is_new && (below == 1 || !is_part)
         };
         for &(above, below) in values.iter().filter(|value| fits(value)) {
             let plain = if below == 1 { above.to_string() } else { format!(r"\frac{{{above}}}{{{below}}}") };
             let after = if is_bare && (plain.len() > 1) { format!("{{{plain}}}") } else { plain.clone() };
             let words = format!("the number `{plain}` for `{}`", &text[span.clone()]);
-            // a factor 1 is not written where others stand beside it
+            // a factor 1 is left out where the product has other factors
             let gone = if plain == "1" { factor_gone(span, places) } else { None };
             all.extend(gone.map(|gone| Edit::new(EditKind::Number, gone, "", words.clone())));
             all.push(Edit::new(EditKind::Number, span.clone(), after, words));
@@ -250,7 +250,7 @@ fn numbers(places: &Places, text: &str) -> Vec<Edit> {
     all
 }
 
-/// Zero for a number that is a whole side.
+/// Edits that replace a number which is a whole side by zero.
 fn superfluous_numbers(places: &Places, text: &str) -> Vec<Edit> {
     let is_number = |span: &Range<usize>| {
         let mut all = places.numbers.iter().chain(&places.fractions);
@@ -265,7 +265,7 @@ fn superfluous_numbers(places: &Places, text: &str) -> Vec<Edit> {
     places.summands.iter().filter(is_side).map(edit).collect()
 }
 
-/// A factor beside others with the sign of a product between them.
+/// The range of a factor together with the product sign next to it; `None` for a factor that stands alone.
 pub(super) fn factor_gone(factor: &Range<usize>, places: &Places) -> Option<Range<usize>> {
     let mut places_of = places.summands.iter().filter_map(|summand| {
         let place = summand.factors.iter().position(|one| one == factor)?;
@@ -277,7 +277,7 @@ pub(super) fn factor_gone(factor: &Range<usize>, places: &Places) -> Option<Rang
     places_of.next()
 }
 
-/// A letter that was printed as a number: only one letter has the required dimension.
+/// Edits that replace a number by a letter.
 fn letters_for_numbers(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<Edit> {
     let edit = |span: &Range<usize>, rate: &LetterRate| {
         let words = format!("`{}` for `{}`", rate.latex, &text[span.clone()]);

@@ -1,4 +1,4 @@
-//! Edits of one factor: a missing or a superfluous one.
+//! Edits that add a missing factor or remove a superfluous one.
 
 use super::edit::Edit;
 use super::exchanges::told;
@@ -8,7 +8,7 @@ use crate::change::EditKind;
 use std::ops::Range;
 use symbolic::{Dimension, Hypotheses, normal};
 
-/// Numeric factors that are often missing or superfluous in formulas.
+/// Numerical factors that formulas often lack or have in excess.
 const NUMBERS: [&str; 10] = [
     "2",
     r"\frac{1}{2}",
@@ -22,7 +22,7 @@ const NUMBERS: [&str; 10] = [
     r"\frac{3}{4}",
 ];
 
-/// Edits that add a factor before each term, or remove a factor of a term.
+/// Edits that add a factor to a term, or remove a factor from it.
 pub(super) fn factors(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<Edit> {
     let mut candidates: Vec<String> = NUMBERS.map(str::to_owned).to_vec();
     for call in &places.calls {
@@ -36,7 +36,7 @@ pub(super) fn factors(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<
             }
         }
     }
-    // those of angles that are coordinates need not stand in the print
+    // cosines and sines of angles that are coordinates are tried even if the print does not contain them
     let is_angle = |rate: &&LetterRate| {
         rate.order == 0 && rate.is_symbol && !rate.is_parameter && rate.dimension == Dimension::none()
     };
@@ -54,10 +54,10 @@ pub(super) fn factors(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<
     candidates.extend(plain.iter().map(|latex| format!(r"\frac{{1}}{{{latex}}}")));
     candidates.extend(plain.iter().map(|latex| format!("{latex}^2")));
     candidates.extend(plain.iter().map(|latex| format!(r"\frac{{1}}{{{latex}^2}}")));
-    // a factor that changes no dimension
+    // quotients of letters of the same dimension
     let measured = || rates.iter().filter(|rate| rate.order == 0 && rate.dimension != Dimension::none());
     for above in measured() {
-        // one that is no number under another name
+        // except those that are numbers
         let is_number = |below: &LetterRate| {
             normal(above.value / below.value, &Hypotheses::none())
                 .is_ok_and(|form| form.to_sym().as_constant().is_some())
@@ -65,13 +65,13 @@ pub(super) fn factors(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<
         let others = measured().filter(|below| below.dimension == above.dimension && !is_number(below));
         candidates.extend(others.map(|below| format!(r"\frac{{{}}}{{{}}}", above.latex, below.latex)));
     }
-    // the letter whose value is told stays alone, and a factor is rather lost on one side than superfluous on the other one
+    // terms are preferred to a letter that the formula defines, and missing factors to superfluous ones
     let mut all = Vec::new();
     for summand in places.summands.iter().filter(|summand| &text[summand.span.clone()] != "0") {
         for (place, factor) in summand.factors.iter().enumerate() {
-            // with an adjoining product sign
+            // the range includes the adjacent product sign
             let (span, after) = match (place, summand.factors.get(place + 1)) {
-                // removing a term that consists of this factor alone is an edit of a term, and a side is not replaced by one
+                // a term that consists of this factor alone is removed by another kind of edit
                 (0, None) if summand.count > 1 || summand.side.is_some() => continue,
                 (0, None) => (factor.clone(), "1".to_owned()),
                 (0, Some(next)) => (factor.start..next.start, String::new()),
@@ -84,7 +84,7 @@ pub(super) fn factors(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<
         }
         for factor in &candidates {
             let below = factor.strip_prefix(r"\frac{1}{").and_then(|rest| rest.strip_suffix('}'));
-            // an added factor that would cancel is an edit of a superfluous factor
+            // a factor that would cancel a printed one is left out, since removing that one is an edit too
             if summand.factors.iter().any(|own| Some(&text[own.clone()]) == below) {
                 continue;
             }
@@ -100,7 +100,7 @@ pub(super) fn factors(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<
     all.into_iter().map(|(_, edit)| edit).collect()
 }
 
-/// Whether a term is one fraction, below whose bar one term stands: a divisor more is a factor of that.
+/// Whether a term is one fraction with a single term as denominator. A further divisor is then added as a factor of the denominator.
 fn is_fraction_by_one_term(summand: &Summand, places: &Places, text: &str) -> bool {
     let [factor] = &summand.factors[..] else { return false };
     let behind = |below: &Summand| text[below.span.end..factor.end.max(below.span.end)].trim();
@@ -115,7 +115,7 @@ fn is_fraction(factor: &Range<usize>, text: &str) -> bool {
     [r"\frac", r"\dfrac", r"\tfrac"].iter().any(|command| text[factor.clone()].starts_with(command))
 }
 
-/// A term, or what stands behind its fraction, over a divisor.
+/// The edit that divides a term, or the part of it after its fractions, by a divisor.
 fn over(summand: &Summand, below: &str, text: &str) -> Edit {
     let inverse = format!(r"\frac{{1}}{{{below}}}");
     let first = summand.factors.iter().position(|factor| !is_fraction(factor, text));
@@ -131,10 +131,10 @@ fn over(summand: &Summand, below: &str, text: &str) -> Edit {
     Edit::new(EditKind::MissingFactor, first.start..first.start, r"\frac{", words).closed(end, format!("}}{{{below}}}"))
 }
 
-/// A factor before a term.
+/// The edit that puts a factor before a term.
 pub(super) fn before(summand: &Summand, factor: &str, text: &str) -> Edit {
     let at = summand.span.start;
-    // a product needs a sign after a function, and between two numbers
+    // a product sign is necessary after a function, and between two numbers
     let needs_sign = factor.starts_with(r"\cos")
         || factor.starts_with(r"\sin")
         || text[at..].starts_with(|letter: char| letter.is_ascii_digit())

@@ -1,4 +1,4 @@
-//! The context in which edits of a formula are tried: its letters, test points, and the judge of edited formulas.
+//! The context in which edits of a formula are tried: its letters, its test points, and the judge of edited formulas.
 
 use super::edit::Edit;
 use super::letter_rates::LetterRate;
@@ -8,65 +8,66 @@ use claims::certificate::Certificate;
 use latex::{Chain, Form, Relation, Statement, Term};
 use symbolic::Sym;
 
-/// The result of test points for an edited formula.
+/// The result of the test points for an edited formula.
 pub(super) enum Look {
-    /// The formula is empty, such as 0 = 0, or false.
+    /// The formula is false at a point, or states nothing, such as 0 = 0.
     Fails,
     Holds,
     /// The formula has no value at the points.
     Open,
 }
 
-/// An edited formula that is proved.
+/// The proof of an edited formula.
 pub(super) struct Proof {
     pub judged: Judged,
-    /// Present if certificates are requested.
+    /// The certificate, if requested.
     pub certificate: Option<Certificate>,
 }
 
-/// A refuted printed formula, with everything needed to judge its edits.
+/// A refuted printed formula, with all that is necessary to judge its edits.
 pub(super) trait Ground {
-    /// The print in LaTeX.
+    /// The printed formula in LaTeX.
     fn text(&self) -> &str;
 
-    /// Names of the letters that the formula may have.
+    /// The names of the letters that a formula may contain.
     fn known(&self) -> Vec<String>;
 
-    /// Letters and their rates, as edits may write them.
+    /// The letters and their rates, in the form in which edits write them.
     fn rates(&self) -> &[LetterRate];
 
-    /// The difference of the two sides in the printed letters, if there is one.
+    /// The difference of the two sides in the printed letters; `None` if the formula does not have two sides.
     fn own_difference(&self, statement: &Statement) -> Option<Sym>;
 
-    /// The number of parts of a formula that say nothing.
+    /// The number of parts of a formula that state nothing.
     fn redundancies(&self, statement: &Statement) -> usize;
 
-    /// Whether test points can refute an edited formula.
+    /// Whether there are test points that can refute an edited formula.
     fn has_points(&self) -> bool;
 
-    /// The result of the test points.
+    /// The result of the test points for an edited formula.
     fn look(&self, text: &str, statement: &Statement) -> Look;
 
-    /// The residual of the formula at some points, in double precision, which is zero for a true formula. None if it cannot be evaluated.
+    /// The residual of the formula at some points, in double precision; it vanishes for a true formula. `None` if it cannot be evaluated.
     fn residual(&self, statement: &Statement) -> Option<Vec<f64>>;
 
-    /// The value that the sought letter must have, in normal form over the symbols of the judgement.
+    /// The value that the sought letter must have, in normal form in the symbols of the model.
     fn lack(&self, statement: &Statement) -> Option<Sym>;
 
-    /// The values that the sought letter must have, in the printed letters.
+    /// The values that the sought letter may have, in the printed letters.
     fn sought(&self, statement: &Statement) -> Vec<Sym>;
 
-    /// Lost terms: the terms that each sum lacks, if they are at most `most`.
+    /// Edits that add the terms which a sum lacks, if these are at most `most` terms.
     fn lost(&self, places: &Places, most: usize) -> Vec<Edit>;
 
-    /// The edited formula with its proof; none if there is no proof, or an objection to it.
+    /// The proof of an edited formula; `None` if there is no proof, or an objection to it.
     fn proved(&self, text: &str) -> Option<Proof>;
 
-    /// Whether there is time left.
+    /// Whether there is time for further edits.
     fn goes_on(&self) -> bool;
 }
 
-/// An equality multiplied by its common denominator, and the denominator: edits of numerators and denominators then change its residual additively.
+/// An equality multiplied by its common denominator, and this denominator. In this form, edits of numerators and denominators change the residual
+/// additively.
 pub(super) fn cleared(statement: &Statement) -> Option<(Statement, Term)> {
     let [Chain { sides, relations }] = &statement.chains[..] else { return None };
     let ([left, right], [Relation::Equal]) = (&sides[..], &relations[..]) else { return None };
@@ -81,7 +82,7 @@ fn product(left: Term, right: Term) -> Term {
     Term { span: left.span.clone(), form: Form::Product(Box::new(left), Box::new(right)) }
 }
 
-/// A product of fractions as one fraction: its numerator, and its denominator if there is one.
+/// A product of fractions as one fraction: its numerator, and its denominator if it has one.
 fn fraction(term: &Term) -> (Term, Option<Term>) {
     let with = |form: Form| Term { span: term.span.clone(), form };
     match &term.form {

@@ -1,4 +1,4 @@
-//! Hypotheses that the print may have omitted: a letter is zero, a quantity is constant.
+//! Hypotheses that the print may have omitted, such as that a letter is zero or has a sign.
 
 use super::letter_rates::LetterRate;
 use super::lost_inertia::takes_inertia;
@@ -20,7 +20,7 @@ use std::cmp::Reverse;
 use std::collections::BTreeSet;
 use symbolic::{Node, Sym, decide};
 
-/// Signs of letters, for a formula with a root.
+/// Hypotheses about the signs of letters, for a formula with a root.
 pub(super) fn signs_of_letters(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<String> {
     // the root of a square depends on the sign of a letter
     let has_root = text.contains(r"\sqrt");
@@ -29,9 +29,9 @@ pub(super) fn signs_of_letters(places: &Places, text: &str, rates: &[LetterRate]
     signed.flat_map(|rate| [r"\geq", r"\leq"].map(|sign| format!("{} {sign} 0", rate.latex))).collect()
 }
 
-/// Letters and rates that are one symbol of the model, each as zero: inputs first, then what is differentiated most; those of the formula before
-/// the others. Without its parameters a model is another one: they are asked for apart. A condition and a linear equation state the parameters for
-/// which they hold, and an inequality states a region.
+/// Hypotheses that a letter or rate is zero. Letters of the formula come first, then inputs, then higher rates. Parameters are tried separately, since
+/// without them the model is another one; for conditions and linearised equations they are not tried, since these state for which parameters they
+/// hold, and for inequalities nothing is tried, since these state a region.
 pub(super) fn zeros(kind: Kind, places: &Places, rates: &[LetterRate], are_parameters: bool) -> Vec<String> {
     let is_condition = matches!(kind, Kind::SteadyMotion | Kind::Equivalence | Kind::LinearisedEquation);
     if matches!(kind, Kind::Inequality | Kind::Stability) || are_parameters && is_condition {
@@ -39,7 +39,7 @@ pub(super) fn zeros(kind: Kind, places: &Places, rates: &[LetterRate], are_param
     }
     let names: BTreeSet<&str> = places.atoms.iter().map(|atom| atom.name.as_str()).collect();
     let has_acceleration = places.atoms.iter().any(|atom| atom.order == 2);
-    // a reaction is a result, and so is an acceleration where the formula has none
+    // a reaction is a result of the motion, and so is an acceleration where the formula contains none
     let is_result = |rate: &LetterRate| rate.is_reaction || rate.order == 2 && !has_acceleration;
     let is_stated = |rate: &&LetterRate| rate.is_symbol && !is_result(rate) && rate.is_parameter == are_parameters;
     let mut all: Vec<&LetterRate> = rates.iter().filter(is_stated).collect();
@@ -53,8 +53,8 @@ pub(super) fn zeros(kind: Kind, places: &Places, rates: &[LetterRate], are_param
     all.iter().map(|rate| format!("{} = 0", rate.latex)).collect()
 }
 
-/// Signs of parameters under which an inequality may hold; parameters, and letters, sines and cosines of the print other than zero, by which a
-/// condition may be divided.
+/// Hypotheses under which an inequality may hold (signs of parameters) or a condition may be divided (parameters, and printed letters, sines and
+/// cosines, that differ from zero).
 pub(super) fn of_parameters(kind: Kind, places: &Places, text: &str, rates: &[LetterRate]) -> Vec<String> {
     let signs: &[&str] = match kind {
         Kind::Inequality => &[r"\geq", ">"],
@@ -80,7 +80,7 @@ fn is_circular(function: Function) -> bool {
     matches!(function, Function::Sin | Function::Cos)
 }
 
-/// The parameters of an inequality as not negative, all together.
+/// Hypotheses that all parameters of an inequality are nonnegative.
 pub(super) fn signs_of_parameters(
     claim: &ClaimText,
     statement: &Statement,
@@ -95,8 +95,8 @@ pub(super) fn signs_of_parameters(
     held.map(|rate| format!(r"{} \geq 0", rate.latex)).collect()
 }
 
-/// Whether a claim still states something under its last hypothesis, where that is a letter that is zero: the model keeps its inertia, the equations
-/// of motion are needed as before, not all sides of the formula vanish, and most of its terms stay.
+/// Whether a claim still states something if its last hypothesis sets a letter to zero: the model keeps its inertia, the equations
+/// of motion are still needed, not all sides of the formula vanish, and most of its terms remain.
 pub(super) fn leaves_something(claim: &ClaimText, letters: &Letters<'_, '_>) -> bool {
     let Some(last) = claim.given.last().filter(|last| last.text.ends_with("= 0")) else { return true };
     let zero =
@@ -115,23 +115,23 @@ pub(super) fn leaves_something(claim: &ClaimText, letters: &Letters<'_, '_>) -> 
         return false;
     };
     let vanishes = |side: Sym| decide(motion.reduced(side), &motion.hypotheses).is_zero();
-    // every expression is constant where the system rests
+    // at rest every expression is constant
     if claim.kind == Kind::IntegralOfMotion && letters.trace.speeds.iter().all(|speed| vanishes(*speed)) {
         return false;
     }
-    // what holds without the equations of motion says nothing of them
+    // an equation that holds without the equations of motion states nothing about them
     if stated(claim, &statement, letters).is_some_and(|zeros| zeros.into_iter().any(vanishes)) {
         return false;
     }
-    // claims of other kinds have other sides
+    // claims of other kinds are not checked further
     let Ok(mut lines) = lines(claim, &statement, letters) else { return true };
-    // a formula is also empty if both sides are zero by the hypothesis and the constraints
+    // a formula also states nothing if both sides vanish by the hypothesis and the constraints
     if lines.iter().any(|line| line.model.into_iter().all(vanishes)) {
         return false;
     }
     let there = |own: Sym| own.substitute(&[(zero, Sym::ZERO)]);
     let terms: Vec<Sym> = lines.iter().flat_map(|line| line.own).flat_map(terms).collect();
-    // a letter that stands for a product vanishes with each of its factors; a rate that rests vanishes by itself
+    // a letter that denotes a product vanishes with a factor; a rate that vanishes anyway is not counted
     let is_gone = |term: &&Sym| {
         let meaning = term.substitute(&letters.meanings(**term));
         vanishes(meaning) && !decide(free.reduced(meaning), &free.hypotheses).is_zero()
@@ -141,7 +141,7 @@ pub(super) fn leaves_something(claim: &ClaimText, letters: &Letters<'_, '_>) -> 
     2 * gone < terms.len() && !lines.iter().any(says_nothing)
 }
 
-/// The number of parameters that are zero along every motion under some hypotheses: an acceleration is zero without the weight that causes it.
+/// The number of parameters that must vanish along every motion under some hypotheses, for example the weight if its acceleration is set to zero.
 fn vanishing_parameters(given: &[Passage], letters: &Letters<'_, '_>) -> usize {
     let motion = Motion::by_equations(letters.trace).ok().zip(hypotheses(given, letters).ok());
     let motion = motion.and_then(|(mut motion, given)| assume(&mut motion, &given).ok().map(|()| motion));
@@ -150,7 +150,7 @@ fn vanishing_parameters(given: &[Passage], letters: &Letters<'_, '_>) -> usize {
     motion.map_or(0, |motion| letters.trace.parameters.iter().filter(|one| vanishes(&motion, **one)).count())
 }
 
-/// All that constraints and hypotheses allow, where letters rest as a claim says; none where the hypotheses contradict each other.
+/// The motion under constraints and hypotheses, with the letters of the claim constant; `None` where the hypotheses contradict each other.
 fn under<'t, 'm>(given: &[Passage], claim: &ClaimText, letters: &Letters<'t, 'm>) -> Option<Motion<'t, 'm>> {
     let mut motion = match claim.kind {
         Kind::SteadyMotion => Motion::at_rest(letters.trace, &Resting::of(claim, letters).ok()?.rates(letters)),
@@ -160,7 +160,7 @@ fn under<'t, 'm>(given: &[Passage], claim: &ClaimText, letters: &Letters<'t, 'm>
     Some(motion)
 }
 
-/// The expressions that a claim on motions says to vanish along them; of an equivalence those of both conditions.
+/// The expressions that a claim about motions states to vanish along them; for an equivalence those of both conditions.
 fn stated(claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>) -> Option<Vec<Sym>> {
     match claim.kind {
         Kind::IntegralOfMotion => {
@@ -179,19 +179,19 @@ fn stated(claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>) -
     }
 }
 
-/// Whether a letter that is zero is a parameter without which a coordinate of the model has no inertia.
+/// Whether a hypothesis sets a parameter to zero without which a coordinate has no inertia.
 fn is_parameter_of_inertia(hypothesis: &Passage, letters: &Letters<'_, '_>) -> bool {
     let zero = vanishing_symbol(hypothesis, letters);
     zero.is_some_and(|zero| is_of_inertia(zero, &Motion::without_anything(letters.trace)))
 }
 
-/// The expression that a hypothesis says to be zero.
+/// The expression that a hypothesis sets to zero.
 fn vanishing_symbol(hypothesis: &Passage, letters: &Letters<'_, '_>) -> Option<Sym> {
     let read = hypotheses(std::slice::from_ref(hypothesis), letters).ok()?;
     read.first()?.equality.map(|(zero, _)| zero)
 }
 
-/// The terms of a sum, as it is written.
+/// The terms of a sum, without simplification.
 fn terms(sum: Sym) -> Vec<Sym> {
     match sum.node() {
         Node::Sum(a, b) | Node::Difference(a, b) => [terms(a), terms(b)].concat(),

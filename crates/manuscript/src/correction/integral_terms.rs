@@ -1,4 +1,4 @@
-//! The terms that the print of an integral lacks beside the integrals of the model.
+//! Terms that a printed integral of motion lacks, compared with the integrals of the model.
 
 use super::lost::{Sought, sought};
 use crate::integrals::is_constant;
@@ -6,7 +6,7 @@ use crate::letters::Letters;
 use latex::{Statement, Value, value};
 use symbolic::{Hypotheses, Sym, normal};
 
-/// The values of the sought letter with which an expression is a multiple of an integral of the model: its energy, or the momentum of a cyclic
+/// The values of the sought letter for which an expression is a multiple of an integral of the model: of its energy, or of the momentum of a cyclic
 /// coordinate.
 pub(super) fn integral_terms(statement: &Statement, letters: &Letters<'_, '_>) -> Vec<Sym> {
     let trace = letters.trace;

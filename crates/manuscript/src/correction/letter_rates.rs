@@ -1,28 +1,28 @@
-//! The letters of a paper and their rates, as edits may write them.
+//! The letters of a paper and their rates, in the form in which edits write them.
 
 use crate::letters::{Letters, rate};
 use model::equations::constraints_of;
 use symbolic::{Dimension, Sym};
 
-/// A letter, or its rate of this order.
+/// A letter (order 0), its rate (1) or its second rate (2).
 pub(super) struct LetterRate {
     pub name: String,
     pub order: u32,
     pub latex: String,
     pub dimension: Dimension,
-    /// Whether it is one symbol of the model.
+    /// Whether it is a single symbol of the model.
     pub is_symbol: bool,
     pub is_input: bool,
     pub is_parameter: bool,
     /// Whether it is the reaction of a constraint.
     pub is_reaction: bool,
-    /// Over the model.
+    /// Its value in the symbols of the model.
     pub value: Sym,
-    /// Whether it is zero along every motion, such as the rate of an integral: a formula multiplied by it would be empty.
+    /// Whether it is zero along every motion, such as the rate of an integral; a formula multiplied by it would state nothing.
     pub vanishes: bool,
 }
 
-/// Every scalar letter, and its rates as far as they are defined.
+/// All scalar letters, and their rates as far as they are defined.
 pub(super) fn rates(letters: &Letters<'_, '_>) -> Vec<LetterRate> {
     let trace = letters.trace;
     let reactions: Vec<Sym> = constraints_of(trace).into_iter().map(|one| one.multiplier).collect();

@@ -1,4 +1,4 @@
-//! Edits that add a lost term: the missing terms are computed exactly, and used if they are short.
+//! Edits that add a lost term. The missing terms are computed exactly, and used if they are short.
 
 use super::comparison::letters;
 use super::edit::Edit;
@@ -18,13 +18,13 @@ use model::equations::Equations;
 use std::ops::Range;
 use symbolic::{Hypotheses, Sym, normal};
 
-/// A lost term with more characters is not a plausible error of the print.
+/// The largest length of a lost term in characters; a longer term is not a plausible error of the print.
 pub(super) const SHORT: usize = 140;
 
-/// The letter that stands for the term that is looked for.
+/// The letter that stands for the unknown lost term.
 pub(super) const SOUGHT: &str = r"\aleph";
 
-/// The terms that each sum of a claim lacks; in an integral also a letter.
+/// Edits that add the terms which each sum of a claim lacks; in an integral of motion also edits that add a single letter.
 pub(super) fn lost(ground: &TextClaim<'_, '_, '_>, places: &Places, probe: &Probe<'_, '_>, most: usize) -> Vec<Edit> {
     let (kind, letters) = (ground.claim.kind, ground.letters);
     if kind == Kind::IntegralOfMotion && most == 1 {
@@ -38,9 +38,9 @@ pub(super) fn lost(ground: &TextClaim<'_, '_, '_>, places: &Places, probe: &Prob
     lost_terms(places, ground.text(), letters.spelt(), most, &|statement| missing_values(ground, statement, probe))
 }
 
-/// The values of the sought letter in a claim.
+/// The values of the sought letter with which a claim holds.
 pub(super) fn sought_values(ground: &TextClaim<'_, '_, '_>, statement: &Statement, probe: &Probe<'_, '_>) -> Vec<Sym> {
-    // a part of a linear equation has no value by itself
+    // a single part of a linearised equation does not determine the letter
     if ground.claim.kind == Kind::LinearisedEquation {
         return Vec::new();
     }
@@ -52,7 +52,7 @@ fn missing_values(ground: &TextClaim<'_, '_, '_>, statement: &Statement, probe: 
     zero.map_or_else(Vec::new, |zero| missing(ground.claim.kind, zero, ground.letters, probe))
 }
 
-/// The terms that each sum lacks, if they are at most `most` short terms. `of` gives their values from the formula in which
+/// Edits that add the terms which each sum lacks, if these are at most `most` short terms. `of` returns their values from the formula in which
 /// the sought letter is added to the sum.
 pub(super) fn lost_terms(
     places: &Places,
@@ -79,7 +79,7 @@ pub(super) fn lost_terms(
     }))
 }
 
-/// One term that the last side lacks in addition to an edit.
+/// Edits that add one term which the last side lacks after another edit.
 pub(super) fn lost_beside(ground: &impl Ground, edit: &Edit, end: usize) -> Vec<Edit> {
     let mut known = ground.known();
     if known.iter().any(|name| name == SOUGHT) || edit.span.end > end {
@@ -96,7 +96,7 @@ pub(super) fn lost_beside(ground: &impl Ground, edit: &Edit, end: usize) -> Vec<
     added(std::iter::once((end..end, terms.into_iter().filter(is_short).map(signed).collect())))
 }
 
-/// A term that the right side of a condition lacks, at the end of the right side, or at that of the left one if nothing stands on the right.
+/// The edits that add a missing term at the end of the right side of a condition, or at the end of the left side if the right side is zero.
 pub(super) fn lost_on_a_side(places: &Places, text: &str, missing: &str) -> Vec<Edit> {
     let end = |side: usize| {
         places.summands.iter().find(|summand| summand.side == Some(side)).map(|first| places.sums[first.sum].clone())
@@ -112,7 +112,7 @@ pub(super) fn lost_on_a_side(places: &Places, text: &str, missing: &str) -> Vec<
     added(std::iter::once((if is_empty { left } else { right }, vec![signed])))
 }
 
-/// The sums to which a term can be added.
+/// The sums to which a term can be added at the end.
 fn open_sums<'a>(places: &'a Places, text: &'a str) -> impl Iterator<Item = Range<usize>> + 'a {
     let may_hold = |sum: &&Range<usize>| {
         let behind = text[sum.end..].trim_start();
@@ -136,7 +136,7 @@ fn added(terms: impl Iterator<Item = (Range<usize>, Vec<(&'static str, String)>)
         }
     }
     all.sort_by_key(|edit| edit.after.len());
-    // a quotient by a sum would make up for a term that is lost elsewhere
+    // quotients of sums are left out, since they may compensate for a term that is lost elsewhere
     let is_plain = |edit: &Edit| !(edit.after.contains(r"\frac") && count(&edit.after) > 2);
     if all.iter().any(is_plain) {
         all.retain(is_plain);
@@ -144,7 +144,7 @@ fn added(terms: impl Iterator<Item = (Range<usize>, Vec<(&'static str, String)>)
     all
 }
 
-/// A term with its sign in LaTeX; several of them in parentheses.
+/// The sign and the LaTeX of a term; a sum is put in parentheses.
 pub(super) fn signed(term: Sym) -> (&'static str, String) {
     match (term.to_string().starts_with('-'), count(&term.to_string())) {
         (true, 1) => ("-", (-term).latex()),
@@ -153,7 +153,7 @@ pub(super) fn signed(term: Sym) -> (&'static str, String) {
     }
 }
 
-/// The difference of the two sides over the model.
+/// The difference of the two sides in the symbols of the model.
 fn one_difference(statement: &Statement, letters: &Letters<'_, '_>) -> Option<Sym> {
     let [Chain { sides, .. }] = &statement.chains[..] else { return None };
     let [left, right] = &sides[..] else { return None };
@@ -164,10 +164,10 @@ fn one_difference(statement: &Statement, letters: &Letters<'_, '_>) -> Option<Sy
     }
 }
 
-/// The value that the sought term must have, in the paper's letters: by the motion, and by each equation of motion.
+/// The values of the sought term in the paper's letters, on the motion and by each equation of motion.
 fn missing(kind: Kind, difference: Sym, letters: &Letters<'_, '_>, probe: &Probe<'_, '_>) -> Vec<Sym> {
     let sought = sought();
-    // a term below a bar is linear in the numerator
+    // if the term stands in a denominator, the numerator of the difference is linear in it
     let is_below = difference.diff(sought).symbols_of().contains(&sought);
     let over_one = || normal(difference, &Hypotheses::none()).map_or(difference, |form| form.numerator());
     let difference = if is_below { over_one() } else { difference };
@@ -192,7 +192,7 @@ fn missing(kind: Kind, difference: Sym, letters: &Letters<'_, '_>, probe: &Probe
     let mut found: Vec<Sym> = Vec::new();
     for (residual, slope) in residuals {
         let Ok(form) = normal(-residual / slope, &motion.hypotheses) else { continue };
-        // unchanged, or by letters that denote more than one symbol
+        // in all notations, since letters may denote more than one symbol
         let told = ways_to_tell(letters, form.to_sym(), &motion.hypotheses);
         for own in told {
             let Ok(own) = normal(own, &Hypotheses::none()).map(|form| form.to_sym()) else { continue };
@@ -204,13 +204,13 @@ fn missing(kind: Kind, difference: Sym, letters: &Letters<'_, '_>, probe: &Probe
     found
 }
 
-/// The differences of a printed equation from multiples of the equations of motion.
+/// The differences between a printed equation and multiples of the equations of motion.
 fn residuals(plain: Sym, letters: &Letters<'_, '_>) -> Vec<Sym> {
     let trace = letters.trace;
     let mut all = Vec::new();
     let moves = (0..trace.accelerations.len()).any(|j| trace.by_acceleration(plain, j) != Sym::ZERO);
     for (equation, row) in equations_with_inertia(letters) {
-        // the lost term may be that of inertia
+        // without accelerations, the lost term may be the inertia term
         if !moves {
             all.extend([plain - equation, plain + equation]);
         }
@@ -224,7 +224,7 @@ fn residuals(plain: Sym, letters: &Letters<'_, '_>) -> Vec<Sym> {
     all
 }
 
-/// The differences of a printed linear equation from multiples of the linear equations of motion.
+/// The differences between a printed linear equation and multiples of the linearised equations of motion.
 fn linear_residuals(plain: Sym, letters: &Letters<'_, '_>, linear: &Linearisation<'_, '_>) -> Vec<Sym> {
     let trace = letters.trace;
     let printed = linear.form(plain);
@@ -245,7 +245,7 @@ fn linear_residuals(plain: Sym, letters: &Letters<'_, '_>, linear: &Linearisatio
     all
 }
 
-/// The equations of motion as expressions that are zero, each with its row of the mass matrix.
+/// The equations of motion as expressions that vanish, each with its row of the mass matrix.
 fn equations_with_inertia(letters: &Letters<'_, '_>) -> Vec<(Sym, Vec<Sym>)> {
     let trace = letters.trace;
     let Equations { mass, bias, constraints } = Equations::of(trace);
@@ -256,7 +256,7 @@ fn equations_with_inertia(letters: &Letters<'_, '_>) -> Vec<(Sym, Vec<Sym>)> {
     mass.into_iter().enumerate().map(of).collect()
 }
 
-/// The number of terms of a sum, as it is written.
+/// The number of terms of a sum in a text.
 pub(super) fn count(text: &str) -> usize {
     1 + text.matches(" + ").count() + text.matches(" - ").count()
 }
@@ -265,21 +265,21 @@ pub(super) fn sought() -> Sym {
     Sym::symbol("sought term")
 }
 
-/// The sought letter from an expression that is zero; none if the expression is not linear in it.
+/// The value of the sought letter from an expression that is zero; `None` if the expression is not linear in the letter.
 pub(super) fn solved(zero: Sym) -> Option<Sym> {
     let slope = zero.diff(sought());
     let is_linear = slope != Sym::ZERO && !slope.symbols_of().contains(&sought());
     is_linear.then(|| -zero.substitute(&[(sought(), Sym::ZERO)]) / slope)
 }
 
-/// The value of the sought letter in a claim, by the motion.
+/// The value of the sought letter in a claim, on the motion.
 pub(super) fn lack(statement: &Statement, letters: &Letters<'_, '_>, probe: &Probe<'_, '_>) -> Option<Sym> {
     let motion = probe.motion();
     let value = motion.reduced(solved(one_difference(statement, letters)?)?);
     normal(value, &motion.hypotheses).ok().map(|form| form.to_sym())
 }
 
-/// The letters of the paper, and the sought letter.
+/// The meanings of the paper's letters and of the sought letter.
 pub(super) struct Sought<'a, 't, 'm>(pub &'a Letters<'t, 'm>);
 
 impl Meaning for Sought<'_, '_, '_> {

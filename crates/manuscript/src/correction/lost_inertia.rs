@@ -1,4 +1,4 @@
-//! Hypotheses that take a model its inertia: where they hold its equations give the accelerations no values.
+//! Hypotheses under which the model has no inertia, so that its equations determine no accelerations.
 
 use crate::conditions::{assume, hypotheses};
 use crate::inertia::inertia_determinant;
@@ -7,7 +7,7 @@ use crate::motion::Motion;
 use crate::passage::Passage;
 use symbolic::{Identity, Sym, decide, identified};
 
-/// Whether the accelerations have no values where the last of these hypotheses holds beside the others, and have some elsewhere.
+/// Whether the mass matrix is singular under the hypotheses, and is not without the last of them.
 pub(super) fn takes_inertia(given: &[Passage], letters: &Letters<'_, '_>) -> bool {
     let (Some((_, before)), Some(determinant)) = (given.split_last(), inertia_determinant(letters.trace)) else {
         return false;

@@ -1,11 +1,11 @@
 //! The smallest edit of a printed formula that makes a refuted claim true.
 //!
 //! # Overview
-//! * [`places`]: terms, factors, letters, numbers and powers with their places in the print;
-//! * [`exchanges`], [`factors`], [`terms`], [`lost`]: the edits, by their size;
-//! * [`ground`]: letters, points and judge of a formula: for a claim over its model ([`text_claim`], with [`probe`]), or for a recorded
-//!   equation compared with the derived one ([`recorded_equation`]);
-//! * [`search`]: the edits of the smallest size that are proved.
+//! * [`places`]: terms, factors, letters, numbers and powers with their ranges in the print;
+//! * [`exchanges`], [`factors`], [`terms`], [`lost`]: the edits, ordered by size;
+//! * [`ground`]: letters, test points and judge of a formula: of a claim about its model ([`text_claim`], with [`probe`]), or of a recorded
+//!   equation that is compared with the derived one ([`recorded_equation`]);
+//! * [`search`]: the search for the smallest edits that are proved.
 
 mod combinations;
 mod comparison;
@@ -48,7 +48,7 @@ use search::{MOST_TOLD, Search};
 use std::cmp::Reverse;
 use text_claim::TextClaim;
 
-/// Corrections of a refuted claim, all of one size; empty if no edit is proved.
+/// Corrections of a refuted claim, all of the same size; empty if no edit is proved.
 pub(crate) fn corrections(
     claim: &ClaimText,
     statement: &Statement,
@@ -60,11 +60,11 @@ pub(crate) fn corrections(
     let search = Search::of(&ground, statement);
     if claim.kind == Kind::Number {
         let right = right(claim, statement, letters, assumed);
-        // the printed number has the wrong sign, not its letter
+        // signs are tried from the end, since the printed number is on the right
         let mut signs = exchanges::signs(&search.places, ground.text());
         signs.sort_by_key(|sign| Reverse(sign.span.start));
         let power = right.as_ref().and_then(|right| power_of_ten(claim, right));
-        // a power of ten beside another sign
+        // a sign and a power of ten together
         let with_sign = power.iter().flat_map(|power| signs.iter().map(|sign| vec![sign.clone(), power.clone()]));
         let with_sign: Vec<Vec<Edit>> = with_sign.collect();
         let digits = right.map(|right| digits(claim, right));
@@ -86,14 +86,14 @@ pub(crate) fn corrections(
     sizes.into_iter().map(|found| found()).find(|found| !found.is_empty()).unwrap_or_default()
 }
 
-/// Hypotheses under which the claim as printed is proved.
+/// Corrections by one additional hypothesis under which the claim as printed is proved.
 fn under(ground: &TextClaim<'_, '_, '_>, candidates: Vec<String>) -> Vec<Correction> {
     let mut found: Vec<Correction> = Vec::new();
     for hypothesis in candidates {
         if found.len() >= MOST_TOLD || !ground.goes_on() {
             break;
         }
-        // a hypothesis on the sign of a letter makes other ones on it superfluous
+        // one hypothesis about the sign of a letter suffices
         let letter = hypothesis.split(' ').next();
         if found.iter().any(|one| one.changes[0].after.split(' ').next() == letter) {
             continue;
@@ -109,7 +109,7 @@ fn under(ground: &TextClaim<'_, '_, '_>, candidates: Vec<String>) -> Vec<Correct
     found
 }
 
-/// Those of several hypotheses that are needed together for the claim as printed; none if it is not proved under all of them.
+/// The correction by several additional hypotheses that are necessary together; `None` if the claim is not proved under all of them.
 fn under_all(ground: &TextClaim<'_, '_, '_>, mut all: Vec<String>) -> Option<Correction> {
     let proof = |all: &[String]| ground.proof(&with_hypotheses(ground, all)).filter(|_| ground.goes_on());
     let mut proved = if all.len() > 1 { proof(&all) } else { None }?;
@@ -122,7 +122,7 @@ fn under_all(ground: &TextClaim<'_, '_, '_>, mut all: Vec<String>) -> Option<Cor
     Some(by_hypotheses(ground, all, proved))
 }
 
-/// The claim with more hypotheses.
+/// The claim with additional hypotheses.
 fn with_hypotheses(ground: &TextClaim<'_, '_, '_>, hypotheses: &[String]) -> ClaimText {
     let mut claim = ground.claim.clone();
     claim.given.extend(hypotheses.iter().map(|hypothesis| claim.formula.with_text(hypothesis.clone())));
@@ -142,14 +142,14 @@ fn by_hypotheses(ground: &TextClaim<'_, '_, '_>, hypotheses: Vec<String>, proof:
     Correction { changes, formula: ground.text().to_owned(), parts: Vec::new(), judged, certificate }
 }
 
-/// The power of ten with which the printed digits are right.
+/// The edit of the power of ten, if the printed digits are correct with another power.
 fn power_of_ten(claim: &ClaimText, right: &Right) -> Option<Edit> {
     let (span, power) = right.power.clone()?;
     let words = format!("the power of ten `10{power}` for `10{}`", &claim.formula.text[span.clone()]);
     Some(Edit::new(EditKind::Exponent, span, power, words))
 }
 
-/// The correct digits of a printed number, as many as are printed.
+/// The edit that replaces a printed number by its correct digits, as many as are printed.
 fn digits(claim: &ClaimText, Right { span, digits, .. }: Right) -> Edit {
     let words = format!("the number `{digits}` for `{}`", &claim.formula.text[span.clone()]);
     Edit::new(EditKind::Digits, span, digits, words)

@@ -1,27 +1,27 @@
-//! The places of a formula at which it can be edited: terms with their signs, factors, letters, numbers, powers.
+//! The ranges of a formula that can be edited: terms with their signs, factors, letters, numbers, powers.
 
 use field::Rational;
 use latex::{Form, Function, Statement, Term};
 use std::ops::Range;
 
-/// A term of a sum, or a product that stands alone.
+/// A term of a sum, or a product that is not part of a sum.
 pub(super) struct Summand {
-    /// The place of the sign, and the sign; `None` for a positive first term.
+    /// The position of the sign in bytes, and the sign; `None` for a positive first term.
     pub sign: Option<(usize, char)>,
-    /// Without its sign.
+    /// The range of the term without its sign.
     pub span: Range<usize>,
-    /// Its number in the sum, and how many terms the sum has.
+    /// The number of the term in the sum, from 1; `count` is the number of terms.
     pub number: usize,
     pub count: usize,
-    /// The place of its sum among all sums.
+    /// The index of its sum in [`Places::sums`].
     pub sum: usize,
-    /// The side whose term it is; none if the sum is inside a group.
+    /// The index of the side to which the sum belongs; `None` for a sum inside a group.
     pub side: Option<usize>,
-    /// Its factors, each with its brackets.
+    /// The ranges of its factors, including their brackets.
     pub factors: Vec<Range<usize>>,
 }
 
-/// A letter, or its rate.
+/// A letter (order 0) or a rate of it.
 pub(super) struct Atom {
     pub span: Range<usize>,
     pub name: String,
@@ -29,22 +29,22 @@ pub(super) struct Atom {
     pub is_powered: bool,
 }
 
-/// A function with the place of its command.
+/// A function with the range of its command.
 pub(super) struct Call {
     pub command: Range<usize>,
     pub function: Function,
-    /// The argument after the function.
+    /// The range of the argument.
     pub argument: Range<usize>,
     pub is_powered: bool,
 }
 
-/// A power: its sign and exponent, `^2` or `^{10}`.
+/// A power: the range of `^2` or `^{10}`, and the exponent.
 pub(super) struct Raised {
     pub script: Range<usize>,
     pub exponent: i32,
 }
 
-/// All places of a formula.
+/// All editable ranges of a formula.
 #[derive(Default)]
 pub(super) struct Places {
     pub summands: Vec<Summand>,
@@ -54,12 +54,12 @@ pub(super) struct Places {
     pub numbers: Vec<(Range<usize>, Rational)>,
     /// Quotients of two numbers.
     pub fractions: Vec<(Range<usize>, Rational)>,
-    /// Sides, contents of groups, numerators, denominators: a term may be added at their ends.
+    /// Sides, contents of groups, numerators and denominators; a term may be added at the end of each.
     pub sums: Vec<Range<usize>>,
 }
 
 impl Places {
-    /// The places of a statement that was read from this text.
+    /// The editable ranges of a statement that was read from this text.
     pub fn of(statement: &Statement, text: &str) -> Self {
         let mut finder = Finder { text, found: Places::default() };
         let sides = statement.chains.iter().flat_map(|chain| &chain.sides);
@@ -71,7 +71,7 @@ impl Places {
 }
 
 impl Places {
-    /// Whether a term is the letter on the left side whose value the right side tells.
+    /// Whether a term is a single letter that forms the left side, so that the right side defines it.
     pub fn is_told(&self, summand: &Summand) -> bool {
         let is_alone = summand.side == Some(0) && summand.count == 1;
         is_alone && self.atoms.iter().any(|atom| atom.span == summand.span)
@@ -103,7 +103,7 @@ impl Finder<'_> {
         }
     }
 
-    /// A place, or that of the `\left` before the bracket that stands there.
+    /// The position, or that of the command `\left` before the bracket at this position.
     fn with_left(&self, at: usize) -> usize {
         let before = self.text[..at].trim_end();
         before.strip_suffix(r"\left").map_or(at, str::len)
@@ -120,7 +120,7 @@ impl Finder<'_> {
                     let sign = between.char_indices().find(|(_, letter)| matches!(letter, '+' | '-'));
                     parts.push((sign.map(|(at, sign)| (left.span.end + at, sign)), &**right));
                     if left.span.start != rest.span.start {
-                        // a group has signs of its own
+                        // the left part is a group, whose signs are its own
                         parts.push((None, &**left));
                         break;
                     }
@@ -152,7 +152,7 @@ impl Finder<'_> {
                 match &base.form {
                     Form::Letter(_) | Form::Rate(..) => {
                         let end = script.map_or(term.span.end, |script| script.start);
-                        // without the bracket that a power may need
+                        // without an opening bracket before the base
                         let bracket = self.text.get(term.span.start..base.span.start).unwrap_or_default();
                         let start = if bracket.contains(['(', '[']) { base.span.start } else { term.span.start };
                         self.atom(base, start..end.min(base.span.end), true);
@@ -207,7 +207,7 @@ impl Finder<'_> {
         self.sum(argument, None);
     }
 
-    /// The exponent of a power, with its sign.
+    /// The range of the exponent of a power, including `^`.
     fn script(&self, term: &Term, base: &Term) -> Option<Range<usize>> {
         let text = self.text.get(term.span.clone())?;
         if matches!(base.form, Form::Function(..)) {
@@ -234,7 +234,7 @@ impl Finder<'_> {
         start..start + text.trim().len()
     }
 
-    /// A factor with the brackets about it, as far as they stand within these bounds.
+    /// The range of a factor extended by the brackets around it within the bounds.
     fn with_brackets(&self, span: &Range<usize>, bounds: &Range<usize>) -> Range<usize> {
         let mut span = span.clone();
         loop {

@@ -1,23 +1,23 @@
-//! Letters of a recorded equation, as they are printed.
+//! The letters of a recorded equation in printed form.
 
 use super::lost::SOUGHT;
 use latex::letter_name;
 use symbolic::Sym;
 
-/// A letter of a print, or its rate.
+/// A letter of the print (order 0) or a rate of it.
 pub(super) struct Letter {
     pub name: String,
     pub order: u32,
     pub latex: String,
     pub symbol: Sym,
-    /// Whether the page contains it; otherwise it is the first rate between a letter and its second rate.
+    /// Whether the page contains it; otherwise it is the rate between a letter and its second rate.
     pub is_recorded: bool,
 }
 
-/// The left side if it is a single name, which denotes the derived expression.
+/// The name for the left side of an equation that is a single name; it denotes the derived expression.
 pub(super) const DERIVED: &str = r"\aleph_{0}";
 
-/// Letters for symbols: those of the page where its LaTeX is that of a letter, or of its rate.
+/// The letters for some symbols. A symbol whose LaTeX is that of a letter or of its rate is this letter; any other one gets a new name.
 pub(super) fn letters(symbols: &[Sym]) -> Vec<Letter> {
     let mut all: Vec<Letter> = Vec::new();
     for (place, &symbol) in symbols.iter().enumerate() {
@@ -51,7 +51,7 @@ pub(super) fn letters(symbols: &[Sym]) -> Vec<Letter> {
     all
 }
 
-/// The symbols of the page with the LaTeX of the print.
+/// Pairs of each symbol of the page and a symbol with its printed LaTeX.
 pub(super) fn in_print(letters: &[Letter]) -> Vec<(Sym, Sym)> {
     let recorded = letters.iter().filter(|letter| letter.is_recorded);
     recorded.map(|letter| (letter.symbol, Sym::named(&format!("·{}", letter.symbol), &letter.latex))).collect()

@@ -1,4 +1,4 @@
-//! Test points of the motion at which a claim must hold: they exclude most candidates before an exact decision.
+//! Test points of the motion, at which a correct claim must hold. They exclude most edits before an exact decision.
 
 use super::ground::Look;
 use super::samples::Samples;
@@ -15,15 +15,15 @@ use crate::refutation::Refutation;
 use latex::{Chain, Statement, Term, Value, value};
 use symbolic::{Hypotheses, Identity, Node, Sym, decide, identified, normal};
 
-/// The motion of a claim with the point at which its print fails.
+/// The motion of a refuted claim with a point at which the printed claim fails.
 pub(super) struct Probe<'t, 'm> {
     motion: Motion<'t, 'm>,
-    /// The point, with the accelerations, multipliers and dependent values that follow from it.
+    /// The point, extended by accelerations, multipliers and other values that follow from it.
     at: Option<Refutation>,
     kind: Kind,
-    /// The number of lines that are already empty in the print.
+    /// The number of lines that state nothing in the print.
     empty: usize,
-    /// Letters for sums and products of others that do not occur in the print, with their meanings.
+    /// Letters that are not in the print and denote expressions in printed letters, with these expressions.
     foreign: Vec<(Sym, Sym)>,
     samples: Option<Samples>,
     linear: Option<Linearisation<'t, 'm>>,
@@ -33,7 +33,7 @@ pub(super) struct Probe<'t, 'm> {
 }
 
 impl<'t, 'm> Probe<'t, 'm> {
-    /// The probe of a refuted claim; none if the claim is not refuted by equalities.
+    /// The probe of a refuted claim; `None` if the refutation does not consist of failing equalities.
     pub fn of(
         claim: &ClaimText,
         statement: &Statement,
@@ -67,7 +67,7 @@ impl<'t, 'm> Probe<'t, 'm> {
         let is_foreign = |value: Sym, own: Sym| value.symbol_name().is_none() && !printed.contains(&own);
         let foreign = letters.scalars().filter(|(_, value, own, _)| is_foreign(*value, *own));
         probe.foreign = foreign.map(|(_, value, own, _)| (own, letters.told(value))).collect();
-        // a letter for a printed letter, or for its rate, defines nothing either
+        // a letter with the meaning of a printed letter, or of its rate, is also replaced
         let known: Vec<(Sym, Sym)> = printed.iter().flat_map(|own| letters.meanings(*own)).collect();
         let others =
             letters.scalars().filter(|(_, value, own, _)| value.symbol_name().is_some() && !printed.contains(own));
@@ -97,12 +97,12 @@ impl<'t, 'm> Probe<'t, 'm> {
         &self.motion
     }
 
-    /// The linearisation of a linearised equation.
+    /// The linearisation, for a linearised equation.
     pub fn linear(&self) -> Option<&Linearisation<'t, 'm>> {
         self.linear.as_ref()
     }
 
-    /// The expressions that must vanish, with both sides in the paper's letters.
+    /// The equalities that must hold, with both sides also in the paper's letters.
     fn lines(&self, claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>) -> Option<Vec<Line>> {
         match self.kind {
             Kind::EquationOfMotion | Kind::Formula | Kind::Identity => lines(claim, statement, letters).ok(),
@@ -124,7 +124,7 @@ impl<'t, 'm> Probe<'t, 'm> {
         }
     }
 
-    /// Whether a line says nothing: of an identity, that both sides are equal with sines, cosines and roots as letters of their own.
+    /// Whether a line states nothing. For an identity: whether both sides are equal if sines, cosines and roots are independent letters.
     fn is_empty(&self, line: &Line) -> bool {
         if self.kind != Kind::Identity {
             return says_nothing(line);

@@ -108,7 +108,7 @@ pub fn plain(rows: &[Row]) -> Areas {
     let bounds = [DAMPINGS[0] - 0.5 * step, DAMPINGS[DAMPINGS.len() - 1] + 0.5 * step];
     let cells = rows.iter().map(|row| row.shares.iter().map(kind).collect()).collect();
     let curve = |row: &Row| {
-        // the load relative to the drag, in the unit of the columns
+        // the load in excess of the drag, in the unit of the columns
         let (first, last) = (row.shares.first()?, row.shares.last()?);
         let all = columns(1.0);
         let unit = (all.last()? - all.first()?) / (last.load - first.load);

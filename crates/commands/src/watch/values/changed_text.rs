@@ -1,4 +1,4 @@
-//! A text with other numbers, and the lines in which it differs.
+//! The text of a file with other numbers, and the lines in which it differs.
 
 use super::{Datum, Place};
 use toml::Spanned;
@@ -8,11 +8,11 @@ use toml::de::{DeTable, DeValue};
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ChangedText {
     pub text: String,
-    /// The lines that differ, with their numbers from 1; those that are added have none.
+    /// The lines that differ, with their numbers from 1; `None` for a line that is added.
     pub lines: Vec<(Option<usize>, String)>,
 }
 
-/// The text with these values, each a datum and a number of its slider.
+/// The text in which these numbers are replaced by the values of their sliders.
 pub fn changed(text: &str, values: &[(&Datum, f64)]) -> ChangedText {
     let mut edits: Vec<_> = values.iter().filter_map(|(datum, value)| edit(text, datum, *value)).collect();
     edits.sort_by_key(|(place, _)| std::cmp::Reverse(place.start));
@@ -20,7 +20,7 @@ pub fn changed(text: &str, values: &[(&Datum, f64)]) -> ChangedText {
     for (place, written) in &edits {
         changed.replace_range(place.clone(), written);
     }
-    // values that are replaced stand on one line, so that lines keep their numbers
+    // each replaced value stands on one line, so that line numbers do not change
     let pairs = text.lines().zip(changed.lines()).enumerate().filter(|(_, (old, new))| old != new);
     let mut lines: Vec<_> = pairs.map(|(place, (_, new))| (Some(place + 1), new.to_owned())).collect();
     let added: Vec<String> = values.iter().filter_map(|(datum, value)| added(datum, *value)).collect();
@@ -29,7 +29,7 @@ pub fn changed(text: &str, values: &[(&Datum, f64)]) -> ChangedText {
     ChangedText { text, lines }
 }
 
-/// A value as the file would have it.
+/// A value in the notation of the file, in quotes.
 fn quantity(datum: &Datum, value: f64) -> String {
     let Datum { before, unit, .. } = datum;
     format!("\"{before}{}\"", format!("{} {unit}", datum.written(value)).trim_end())
@@ -41,7 +41,7 @@ fn edit(text: &str, datum: &Datum, value: f64) -> Option<(std::ops::Range<usize>
     is_line.then(|| (place.clone(), quantity(datum, value)))
 }
 
-/// The line of a start that is left out.
+/// The line to be added for a coordinate or speed without an entry in the table `start`.
 fn added(datum: &Datum, value: f64) -> Option<String> {
     match &datum.place {
         Place::LeftOut { key } => Some(format!("{key} = {}", quantity(datum, value))),
@@ -49,7 +49,7 @@ fn added(datum: &Datum, value: f64) -> Option<String> {
     }
 }
 
-/// A text with lines more in its table `start`, and the lines that differ by it.
+/// The text with these lines added to its table `start`, and the lines that differ.
 fn with_start(text: String, added: &[String]) -> (String, Vec<(Option<usize>, String)>) {
     if added.is_empty() {
         return (text, Vec::new());
@@ -61,7 +61,7 @@ fn with_start(text: String, added: &[String]) -> (String, Vec<(Option<usize>, St
     };
     let new = |lines: &[String]| lines.iter().map(|line| (None, line.clone())).collect::<Vec<_>>();
     match place {
-        // headings may stand at the end of any file
+        // a new table may follow at the end of the file
         None => {
             let lines = [&["[start]".to_owned()], added].concat();
             let gap = if text.ends_with('\n') { "" } else { "\n" };
@@ -84,7 +84,7 @@ fn with_start(text: String, added: &[String]) -> (String, Vec<(Option<usize>, St
     }
 }
 
-/// The place of the table `start`: of its brace, or of its heading.
+/// The position of the table `start` in the text: of its brace or of its heading.
 fn start_of(top: &DeTable<'_>) -> Option<usize> {
     let value: &Spanned<DeValue<'_>> = top.get("start")?;
     Some(value.span().start)
@@ -95,7 +95,7 @@ mod tests {
     use super::super::data;
     use super::*;
 
-    /// The text with a value for the number of this id.
+    /// The text in which the numbers with these ids have other values.
     fn with(text: &str, values: &[(&str, f64)]) -> ChangedText {
         let data = data(text);
         let chosen = values.iter().map(|(id, value)| {

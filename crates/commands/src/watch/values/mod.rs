@@ -1,7 +1,7 @@
-//! The numbers of a file that sliders move: parameters, and the start.
+//! The numbers of a file for which the page has sliders: parameters, and the start.
 //!
-//! A slider changes the text in memory: the stages get the changed text, and the page shows the lines in which it differs. All
-//! scenes whose file has numbers with units can be changed, and the page shows the results that the changed file would give.
+//! A slider changes the text in memory. The stages receive the changed text, and the page shows the lines in which it differs. This works for all
+//! scenes whose numbers are written with units; the page shows the results that the changed file would give.
 
 mod changed_text;
 
@@ -17,23 +17,23 @@ use units::quantity::parse_any;
 /// A number of the file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Datum {
-    /// `parameters.m`, as TOML's dotted keys.
+    /// The path of the number in the file, as dotted keys of TOML: `parameters.m`.
     pub id: String,
     pub number: f64,
-    /// The unit as written; empty for a pure number.
+    /// The unit as written in the file; empty for a pure number.
     pub unit: String,
-    /// Before the number: `guess `, or nothing.
+    /// The text before the number: `guess ` or empty.
     pub before: &'static str,
     pub place: Place,
     is_start: bool,
 }
 
-/// The place of a number.
+/// The position of a number in the file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Place {
-    /// The value, with its quotes.
+    /// The range of its value in bytes, including the quotes.
     Written(Range<usize>),
-    /// A key of the table `start` that is left out, and means zero.
+    /// The number has no entry: this key of the table `start` is left out and means zero.
     LeftOut { key: String },
 }
 
@@ -41,16 +41,16 @@ pub enum Place {
 pub const ABOUT: &str = "A slider goes to twice its value, of parameters from a fiftieth of it, of the start from minus twice; of angles at the \
                          start over a full turn both ways; where the value is zero, from -1 to 1. The file is not changed.";
 
-/// The marker of a start that constraints may move.
+/// The marker of an initial value that constraints may change.
 const GUESS: &str = "guess ";
 
 impl Datum {
-    /// The slider of the number.
+    /// The slider for the number.
     pub fn slider(&self) -> Slider {
         Slider { id: self.id.clone(), number: self.number, unit: self.unit.clone(), range: self.range() }
     }
 
-    /// The ends of its slider.
+    /// The ends of the slider.
     fn range(&self) -> [f64; 2] {
         let twice = 2.0 * self.number;
         let turn = match self.unit.as_str() {
@@ -66,7 +66,7 @@ impl Datum {
         }
     }
 
-    /// A value of the slider as the file would have it: to a step of some hundredth of the slider, without digits that mean nothing.
+    /// A value of the slider as text, rounded to a power of ten of about a hundredth of the range, without meaningless digits.
     pub fn written(&self, value: f64) -> String {
         let [low, high] = self.range();
         let power = ((high - low) / 200.0).log10().floor();
@@ -75,7 +75,7 @@ impl Datum {
                 let step = 10_f64.powi(power);
                 let rounded = (value / step).round() * step;
                 let digits = usize::try_from(-power).unwrap_or(0);
-                // a zero without a sign
+                // the addition removes the sign of a negative zero
                 format!("{:.digits$}", rounded + 0.0)
             }
             _ => format!("{value:.3e}"),
@@ -83,7 +83,7 @@ impl Datum {
     }
 }
 
-/// The numbers of a text; none of one that is no TOML.
+/// The numbers of a text; empty for a text that is not valid TOML.
 pub fn data(text: &str) -> Vec<Datum> {
     let Ok(entries) = DeTable::parse(text) else { return Vec::new() };
     let top = entries.get_ref();
@@ -119,12 +119,12 @@ fn ordered<'a>(table: &'a DeTable<'a>) -> Vec<(&'a str, &'a Spanned<DeValue<'a>>
     entries.into_iter().map(|(key, value)| (key.get_ref().as_ref(), value)).collect()
 }
 
-/// One number with its unit.
+/// A number with its unit; `None` for any other value.
 fn datum(id: &str, value: &Spanned<DeValue<'_>>, is_start: bool) -> Option<Datum> {
     let text = match value.get_ref() {
         DeValue::String(text) => text.trim().to_owned(),
         DeValue::Float(number) => number.as_str().to_owned(),
-        // a count is no quantity; a parameter that is written as one is
+        // integers elsewhere are counts
         DeValue::Integer(number) if number.radix() == 10 && id.starts_with("parameters.") => number.as_str().to_owned(),
         _ => return None,
     };
@@ -147,8 +147,8 @@ fn datum(id: &str, value: &Spanned<DeValue<'_>>, is_start: bool) -> Option<Datum
     })
 }
 
-/// Coordinates and speeds that begin at zero since the file says nothing of them. Where constraints, an equilibrium or quasi-velocities may
-/// move them, a value would be another system of equations.
+/// Coordinates and speeds without an entry, which start at zero. There are none where constraints, an equilibrium or quasi-velocities may
+/// change the start, since an entry would then be a further condition.
 fn left_out(top: &DeTable<'_>) -> Vec<Datum> {
     let table = |key: &str| match top.get(key).map(Spanned::get_ref) {
         Some(DeValue::Table(table)) => Some(table),
@@ -181,7 +181,7 @@ fn left_out(top: &DeTable<'_>) -> Vec<Datum> {
     data
 }
 
-/// A key as TOML writes it.
+/// A key in the notation of TOML, quoted where necessary.
 fn dotted(key: &str) -> String {
     let is_bare = |letter: char| letter.is_ascii_alphanumeric() || matches!(letter, '_' | '-');
     match !key.is_empty() && key.chars().all(is_bare) {

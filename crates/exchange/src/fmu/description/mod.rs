@@ -1,4 +1,4 @@
-//! The description of a unit: its variables with their causality and variability, and the states, derivatives and outputs among them.
+//! The model description of a unit: its variables with their causality and variability, and its structure (states, derivatives, outputs).
 
 mod version_2;
 mod version_3;
@@ -9,7 +9,7 @@ use quick_xml::events::{BytesDecl, Event};
 use std::collections::BTreeSet;
 use std::io;
 
-/// A variable with the attributes of its kind in the standard.
+/// A variable of the model description.
 struct Listed<'a> {
     name: String,
     unit: &'a str,
@@ -23,7 +23,7 @@ struct Listed<'a> {
 enum Kind {
     Time,
     State,
-    /// The rate of the state with this value reference.
+    /// The derivative of the state with this value reference.
     Derivative(usize),
     Parameter,
     Input,
@@ -35,7 +35,7 @@ enum Kind {
 type Attributes = Vec<(&'static str, String)>;
 
 impl Unit {
-    /// `modelDescription.xml`.
+    /// The file `modelDescription.xml`.
     pub(super) fn description(&self) -> io::Result<Vec<u8>> {
         match self.version {
             Version::Two => version_2::description(self),
@@ -43,7 +43,7 @@ impl Unit {
         }
     }
 
-    /// `buildDescription.xml`, which version 2.0 does not have.
+    /// The file `buildDescription.xml`; `None` for FMI 2.0, which has no such file.
     pub(super) fn build_description(&self) -> io::Result<Option<Vec<u8>>> {
         match self.version {
             Version::Two => Ok(None),
@@ -51,7 +51,7 @@ impl Unit {
         }
     }
 
-    /// The span and the tolerance of a usual simulation.
+    /// The times and the tolerance of a default simulation.
     fn experiment(&self) -> Attributes {
         let experiment = [("startTime", 0.0), ("stopTime", self.span), ("tolerance", self.tolerance)];
         experiment.into_iter().map(|(name, value)| (name, format!("{value:?}"))).collect()
@@ -78,7 +78,7 @@ impl Unit {
             .chain(self.locals.iter().map(listed(Kind::Local)))
             .chain(self.indicators.iter().map(listed(Kind::Indicator)))
             .collect();
-        // a name of the standard that the system uses too is changed
+        // a name that the standard uses for another variable gets a suffix
         let mut own: Vec<usize> = (0..all.len()).collect();
         own.sort_by_key(|&place| {
             matches!(all[place].kind, Kind::Time | Kind::Derivative(_) | Kind::Local | Kind::Indicator)
@@ -100,7 +100,7 @@ impl<'a> Listed<'a> {
         Listed { name: name.clone(), unit, description, kind, start }
     }
 
-    /// Causality, variability and initial value by the words of the standard.
+    /// The causality, the variability and the kind of initial value in the words of the standard.
     fn words(&self) -> (&'static str, &'static str, Option<&'static str>) {
         match self.kind {
             Kind::Time => ("independent", "continuous", None),
@@ -112,7 +112,7 @@ impl<'a> Listed<'a> {
         }
     }
 
-    /// The attributes of a variable with a value reference that both versions of the standard have in one place.
+    /// The attributes of a variable that both versions of the standard have in common.
     fn attributes(&self, reference: usize) -> Attributes {
         let (causality, variability, initial) = self.words();
         let mut attributes: Attributes = vec![("name", self.name.clone()), ("valueReference", reference.to_string())];
@@ -124,14 +124,14 @@ impl<'a> Listed<'a> {
         attributes
     }
 
-    /// The unit and the start, where there are some.
+    /// The attributes for the unit and the initial value, if there are any.
     fn unit_and_start(&self) -> Attributes {
         let unit = Some(self.unit).filter(|unit| !matches!(*unit, "" | "1")).map(|unit| ("unit", unit.to_owned()));
         unit.into_iter().chain(self.start.map(|start| ("start", format!("{start:?}")))).collect()
     }
 }
 
-/// The units of variables, each once, by the base units of SI.
+/// Writes the units of the variables, each once, in terms of SI base units.
 fn measures(xml: &mut Xml, variables: &[Listed<'_>]) -> io::Result<()> {
     let names: BTreeSet<&str> =
         variables.iter().map(|variable| variable.unit).filter(|unit| !matches!(*unit, "" | "1")).collect();
@@ -156,7 +156,7 @@ fn begun() -> io::Result<Xml> {
     Ok(xml)
 }
 
-/// An attribute without characters that XML cannot contain.
+/// The text of an attribute, with control characters replaced by spaces.
 fn plain(text: &str) -> String {
     text.chars().map(|letter| if letter.is_control() { ' ' } else { letter }).collect()
 }

@@ -1,12 +1,12 @@
-//! The description of a unit of FMI 2.0, which counts variables from one where FMI 3.0 has value references.
+//! The model description of a unit of FMI 2.0. Its structure refers to variables by their index from 1, not by their value reference.
 
 use super::{Attributes, Kind, Listed, Xml, begun, element, empty, measures};
 use crate::fmu::{Unit, Version};
 use std::io;
 
-/// `modelDescription.xml`.
+/// The file `modelDescription.xml`.
 pub(super) fn description(unit: &Unit) -> io::Result<Vec<u8>> {
-    // indicators are no variables here; they are the last, so that the others keep their places
+    // event indicators are not variables in FMI 2.0; they are the last ones, so that other indices do not change
     let variables: Vec<Listed<'_>> =
         unit.variables().into_iter().filter(|variable| variable.kind != Kind::Indicator).collect();
     let mut xml = begun()?;

@@ -1,10 +1,10 @@
-//! The description of a unit of FMI 3.0.
+//! The model description of a unit of FMI 3.0.
 
 use super::{Attributes, Kind, Listed, Xml, begun, element, empty, measures};
 use crate::fmu::Unit;
 use std::io;
 
-/// `modelDescription.xml`.
+/// The file `modelDescription.xml`.
 pub(super) fn description(unit: &Unit) -> io::Result<Vec<u8>> {
     let variables = unit.variables();
     let mut xml = begun()?;
@@ -41,7 +41,7 @@ pub(super) fn description(unit: &Unit) -> io::Result<Vec<u8>> {
     Ok(xml.into_inner())
 }
 
-/// `buildDescription.xml`.
+/// The file `buildDescription.xml`.
 pub(super) fn build_description(unit: &Unit) -> io::Result<Vec<u8>> {
     let mut xml = begun()?;
     element(&mut xml, "fmiBuildDescription", &[("fmiVersion", "3.0".to_owned())], |xml| {
