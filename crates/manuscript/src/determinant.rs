@@ -2,7 +2,7 @@
 
 use symbolic::Sym;
 
-/// The determinant, expanded along the first row.
+/// The determinant of a square matrix, by expansion along the first row; 1 for an empty matrix.
 pub(crate) fn determinant(matrix: &[Vec<Sym>]) -> Sym {
     let [first, rest @ ..] = matrix else { return Sym::ONE };
     let mut sum = Sym::ZERO;

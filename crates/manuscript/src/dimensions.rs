@@ -1,4 +1,4 @@
-//! Dimensions of a printed formula: those of its parts, also where the parts cancel, and of both sides of each relation.
+//! Physical dimensions of a printed formula: within each side, also in parts that cancel, and between both sides of each relation.
 
 use crate::claim_text::Kind;
 use crate::finding::Finding;
@@ -7,7 +7,8 @@ use claims::Verdict;
 use latex::{Statement, Value, value};
 use symbolic::{Mismatch, Sym, dimension};
 
-/// Parts of mixed dimensions: a reason for a refutation, and an objection unless the file expects the refutation. Printed numbers are in SI units.
+/// Adds mixed dimensions to a finding: to the reasons of a refutation, and to the objections unless the file expects the refutation. Claims about printed
+/// numbers are left out, since their numbers are in SI units.
 pub(crate) fn object_to_dimensions(
     kind: Kind,
     statement: &Statement,
@@ -27,10 +28,10 @@ pub(crate) fn object_to_dimensions(
     }
 }
 
-/// The first mismatch in a side, or between neighbours.
+/// The first mismatch of dimensions within a side or between adjacent sides.
 fn mismatch(statement: &Statement, letters: &Letters<'_, '_>) -> Option<Mismatch> {
     let of = |name: &str| letters.dimension(name);
-    // the name of a derivative has no dimension of its own
+    // the name of a derivative has no dimension, which is not a mismatch
     let mixed = |own: Sym| dimension(own, &of).err().filter(|mismatch| !matches!(mismatch, Mismatch::Unknown(_)));
     let entries = |side| value(side, &letters.in_paper()).map(|own: Value| own.entries()).unwrap_or_default();
     statement.chains.iter().find_map(|chain| {

@@ -1,4 +1,4 @@
-//! Findings in the letters of the paper.
+//! Findings expressed in the letters of the paper.
 
 use crate::admissible::{Unusual, unusual};
 use crate::claim_text::Kind;
@@ -14,24 +14,24 @@ use model::equations::Equations;
 use std::cell::OnceCell;
 use symbolic::{Hypotheses, Node, Sym, normal};
 
-/// The letters of printed results.
+/// The letters of a paper, in which results are printed.
 #[derive(Clone, Copy)]
 pub(crate) struct Told<'a, 't, 'm>(pub &'a Letters<'t, 'm>);
 
-/// The largest length of a printed difference.
+/// The largest length of a printed difference in characters.
 const READABLE: usize = 600;
 
-/// An equation as it was read: text and LaTeX.
+/// An equation as text and LaTeX, without simplification.
 pub(crate) fn shown([left, right]: [Sym; 2]) -> (String, String) {
     (format!("{left} = {right}"), format!("{} = {}", left.latex(), right.latex()))
 }
 
-/// Divisors that must not be zero, each once and in its shortest form.
+/// The conditions that divisors do not vanish, as text and LaTeX, each once and in its shortest form.
 pub(crate) fn divisors(found: &[Sym], told: Told<'_, '_, '_>) -> Vec<(String, String)> {
     let mut all: Vec<(String, String)> = Vec::new();
     let mut known: Vec<Sym> = Vec::new();
     let constrained = OnceCell::new();
-    // a paper has no letters for the coordinates of a free frame
+    // papers have no letters for the coordinates of a free frame; other letters of position express them
     let by_letters = |part: Sym| {
         let coordinates = &told.0.trace.coordinates;
         let is_foreign = |symbol: &Sym| coordinates.contains(symbol) && has_no_letter(&told.0.told(*symbol), told);
@@ -49,7 +49,7 @@ pub(crate) fn divisors(found: &[Sym], told: Told<'_, '_, '_>) -> Vec<(String, St
     let never_vanishes =
         |part: Sym| is_exponential(part) || normal(part, &unit).is_ok_and(|form| form.to_sym().as_constant().is_some());
     for &divisor in found {
-        // a quotient is zero where its numerator is; its denominator is a separate divisor
+        // a quotient vanishes where its numerator does; its denominator is a divisor of its own
         let parts = normal(divisor, &Hypotheses::none()).map_or(vec![divisor], |form| factors(form.numerator()));
         for part in parts.into_iter().filter(|part| !never_vanishes(*part)) {
             let part = sine_of(part).unwrap_or(part);
@@ -68,7 +68,7 @@ pub(crate) fn divisors(found: &[Sym], told: Told<'_, '_, '_>) -> Vec<(String, St
     all
 }
 
-/// The sine whose square an expression is a multiple of: its normal form has cosines.
+/// The sine whose square divides an expression with a numerical quotient, since the normal form expresses sin² by cosines.
 fn sine_of(expression: Sym) -> Option<Sym> {
     let angles = expression.leaves_of().into_iter().filter_map(|leaf| match leaf.node() {
         Node::Cos(angle) => Some(angle),
@@ -82,7 +82,7 @@ fn sine_of(expression: Sym) -> Option<Sym> {
     sines.find(is_square)
 }
 
-/// The factors of a product, without signs and powers.
+/// The factors of a product, without signs and exponents.
 pub(crate) fn factors(product: Sym) -> Vec<Sym> {
     match product.node() {
         Node::Product(a, b) => [factors(a), factors(b)].concat(),
@@ -91,7 +91,7 @@ pub(crate) fn factors(product: Sym) -> Vec<Sym> {
     }
 }
 
-/// Tells the data of the paper at a counterexample: every letter of the formula with its value there, then what else the point fixes.
+/// Adds a counterexample to a finding in the paper's letters: the value of each letter of the formula, then the other values that define the point.
 pub(crate) fn tell_point(
     own: [Sym; 2],
     refutation: &Refutation,
@@ -110,7 +110,7 @@ pub(crate) fn tell_point(
             add(letter.to_string(), value);
         }
     }
-    // roots are told by the letters below them, and sines by their angles where these have values
+    // values of roots are left out, since the letters in them have values; so are sines and cosines of angles with values
     let has_value = |letter: &Sym| refutation.point.iter().any(|(known, _)| known == letter);
     let is_told = |symbol: Sym| match symbol.node() {
         Node::Product(..) | Node::Root(_) => false,
@@ -127,7 +127,7 @@ pub(crate) fn tell_point(
     }
     finding.judged.counterexample = listed;
     let Unusual { not_positive, mut zero } = unusual(refutation, motion);
-    // a print of one letter alone gives it its value
+    // a formula in one letter alone determines the value of this letter
     zero.retain(|one| (own[0] - own[1]).symbols_of() != [told.0.told(*one)]);
     let listed =
         |letters: Vec<Sym>| letters.into_iter().map(|one| told.0.told(one).to_string()).collect::<Vec<_>>().join(", ");
@@ -138,7 +138,7 @@ pub(crate) fn tell_point(
     };
 }
 
-/// Terms that the right side lacks, derived less printed: by the closest equation of motion, or by the derived value.
+/// Adds the terms to a finding that the right side lacks: relative to the closest equation of motion, or to the derived value.
 pub(crate) fn missing(kind: Kind, line: &Line, motion: &Motion<'_, '_>, told: Told<'_, '_, '_>, finding: &mut Finding) {
     let short = |expression: Sym| {
         let form = normal(expression, &motion.hypotheses).ok()?;
@@ -164,8 +164,8 @@ pub(crate) fn readable(left: Sym, print: [Sym; 2], motion: &Motion<'_, '_>, told
     plainest(form.to_sym(), print, motion, told).filter(|own| length(*own) <= READABLE)
 }
 
-/// The way to tell an expression of the model that has the fewest symbols which the paper has no letter for, and then the fewest that do not stand in
-/// the print; the first of these.
+/// The form of an expression in the paper's letters with the fewest symbols for which the paper has no letter, and among these with the fewest symbols
+/// that the print does not contain.
 pub(crate) fn plainest(
     expression: Sym,
     print: [Sym; 2],
@@ -191,7 +191,7 @@ pub(crate) fn length(expression: Sym) -> usize {
     expression.to_string().chars().count()
 }
 
-/// The shortest difference from a multiple of one of the model's equations.
+/// The shortest difference between a printed equation and multiples of the equations of the model, with a description of the equation.
 fn closest(printed: Sym, motion: &Motion<'_, '_>, short: &impl Fn(Sym) -> Option<Sym>) -> Option<(Sym, String)> {
     let trace = motion.trace;
     let Equations { mass, bias, constraints } = Equations::of(trace);

@@ -11,7 +11,7 @@ use claims::Condition;
 use latex::{Form, Function, Meaning, Statement, Term, Value, value};
 use symbolic::{Hypotheses, Sym, decide, normal};
 
-/// A part of a formula with the sign that it must have.
+/// A part of a formula with the condition that it must satisfy.
 struct Asked<'a> {
     part: &'a Term,
     sign: Sign,
@@ -22,21 +22,21 @@ enum Sign {
     NotZero,
     NotNegative,
     Positive,
-    /// The cosine of the part is not zero.
+    /// The cosine of the part must not vanish; [`Sign::Sine`]: its sine.
     Cosine,
     Sine,
 }
 
-/// A part of a formula that has a value along no motion, since this vanishes.
+/// The reason for which a part of a formula has no value along any motion: this divisor or argument vanishes.
 pub(crate) enum NoValue {
     Divisor(Sym),
     Logarithm(Sym),
 }
 
-/// Conditions under which every part of a formula has a value.
+/// The conditions under which all parts of a formula have values.
 ///
 /// # Errors
-/// A divisor, or an argument of a logarithm, that is zero along every motion.
+/// A divisor, or an argument of a logarithm, that vanishes along every motion.
 pub(crate) fn domains(
     statement: &Statement,
     letters: &Letters<'_, '_>,
@@ -72,7 +72,7 @@ pub(crate) fn domains(
             Sign::NotZero | Sign::Cosine | Sign::Sine => {
                 let is_stated = conditions.contains(&Condition::NonZero(here));
                 let apart = |e: Sym| is_positive(e, motion, conditions, true);
-                // a product is zero where one of its factors is
+                // each factor of a product is a separate requirement
                 (is_stated || apart(here) || apart(-here), divisors(&[model], Told(letters)))
             }
         };
@@ -100,7 +100,7 @@ fn is_positive(expression: Sym, motion: &Motion<'_, '_>, conditions: &[Condition
         || real_signs::shows(expression, conditions).is_some_and(is_enough)
 }
 
-/// The parts of a formula on which its value depends.
+/// Collects the parts of a formula on whose values the existence of its value depends.
 fn collect<'a>(term: &'a Term, all: &mut Vec<Asked<'a>>) {
     let mut add = |part: &'a Term, sign: Sign| all.push(Asked { part, sign });
     match &term.form {
@@ -134,7 +134,7 @@ fn collect<'a>(term: &'a Term, all: &mut Vec<Asked<'a>>) {
     }
 }
 
-/// The factors of a product as it is printed.
+/// The printed factors of a product.
 fn factors(term: &Term) -> Vec<&Term> {
     match &term.form {
         Form::Product(a, b) | Form::Dot(a, b) => [factors(a), factors(b)].concat(),

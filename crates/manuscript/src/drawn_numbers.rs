@@ -1,4 +1,4 @@
-//! Small numbers for letters, and points of the circle for angles.
+//! Trial points: small rational numbers for letters, and rational points of the circle for angles.
 
 use crate::half_turn::is_half_turn;
 use crate::refutation::Refutation;
@@ -6,16 +6,16 @@ use claims::Condition;
 use field::Rational;
 use symbolic::{Node, Sym};
 
-/// Small numbers for letters, in a fixed order.
+/// A generator of trial points in a fixed order.
 pub(crate) struct Draw<'a> {
     pub leaves: Vec<Sym>,
-    /// Letters that stand below roots, for which squares are drawn.
+    /// Letters below square roots, for which squares are also drawn.
     below_roots: Vec<Sym>,
     conditions: &'a [Condition],
 }
 
 impl<'a> Draw<'a> {
-    /// The letters of expressions; none where one of them depends on others.
+    /// The generator for the letters of expressions; `None` where one of them depends on others.
     pub fn of(expressions: impl Iterator<Item = Sym>, conditions: &'a [Condition]) -> Option<Self> {
         let (mut leaves, mut below_roots): (Vec<Sym>, Vec<Sym>) = (Vec::new(), Vec::new());
         let mut open: Vec<Sym> = expressions.flat_map(Sym::leaves_of).collect();
@@ -36,7 +36,7 @@ impl<'a> Draw<'a> {
         leaves.iter().all(is_plain).then_some(Draw { leaves, below_roots, conditions })
     }
 
-    /// The first suitable point, completed.
+    /// The first trial point that `completed` can complete and `is_asked` accepts.
     pub fn find(
         &self,
         points: u32,
@@ -56,7 +56,7 @@ impl<'a> Draw<'a> {
                 let is_positive = self.conditions.contains(&Condition::Positive(leaf));
                 let above = if is_positive { 1 + draw % size } else { draw % (2 * size + 1) - size };
                 let number = Rational::new(above, below);
-                // the root of a square is a fraction
+                // a square makes the square root rational
                 let is_squared = self.below_roots.contains(&leaf) && attempt % 2 == 1;
                 let number = if is_squared { number * number } else { number };
                 let (Node::Cos(angle) | Node::Sin(angle)) = leaf.node() else {

@@ -1,17 +1,17 @@
-//! The quadratic part of the energy about a steady motion of a conservative system with constant speeds, by Routh's reduction.
+//! The quadratic part of the energy about a steady motion of a conservative system, by Routh's reduction.
 //!
-//! With the coordinates q that are constant on the motion and the constant speeds v, the linear equations
+//! Let q be the coordinates that are constant on the motion and v the constant speeds. The linear equations
 //!
 //!   M q'' + G q' + K q + N v' + H v = 0 ,   d/dt (N^T q' + P q + J v) = 0
 //!
-//! become, for constant momenta,
+//! become, for constant momenta of the constant speeds,
 //!
 //!   (M - N J^-1 N^T) q'' + (G - N J^-1 P - H J^-1 N^T) q' + (K - H J^-1 P) q = 0 .
 //!
 //! Let the matrix of q'' be positive definite, that of q' antisymmetric and that of q symmetric. Then the matrix of q is the Hessian of the amended
-//! potential energy, which includes the kinetic energy of the momenta. The motion is stable if that energy has a minimum (J. L. Lagrange; P. G.
-//! Lejeune Dirichlet, J. reine angew. Math. 32 (1846), 85-88; E. J. Routh). Without gyroscopic terms a negative value of the quadratic form gives a
-//! root with a positive real part, so that the motion is unstable (A. M. Lyapunov).
+//! potential energy, which includes the kinetic energy at these momenta. The motion is stable if this energy has a minimum (J. L. Lagrange; P. G.
+//! Lejeune Dirichlet, J. reine angew. Math. 32 (1846), 85-88; E. J. Routh). Without gyroscopic terms, a negative value of the quadratic form implies an
+//! eigenvalue with a positive real part, so that the motion is unstable (A. M. Lyapunov).
 
 use crate::determinant::determinant;
 use crate::linear_motion::LinearMotion;
@@ -20,23 +20,23 @@ use model::Trace;
 use symbolic::linear::solve;
 use symbolic::{Hypotheses, Sym, decide, normal};
 
-/// The forms of the kinetic and of the potential energy, by their minors.
+/// The quadratic forms of the kinetic and of the amended potential energy, given by minors of their matrices.
 pub(crate) struct EnergyForm {
-    /// Leading principal minors.
+    /// Leading principal minors of the matrix of the kinetic energy.
     pub inertia: Vec<Sym>,
     /// Leading principal minors of the Hessian of the potential energy.
     pub potential: Vec<Sym>,
     /// All principal minors of this Hessian.
     pub principal: Vec<Sym>,
     pub is_gyroscopic: bool,
-    /// Whether there are constant speeds with conserved momenta.
+    /// Whether there are constant speeds, whose momenta are conserved.
     pub has_momenta: bool,
-    /// Whether the equations of motion are Lagrange's equations for energies that do not depend on the time: the energy is then conserved exactly.
+    /// Whether the equations of motion are Lagrange's equations with energies that do not depend on time, so that the energy is conserved exactly.
     pub is_lagrangian: bool,
 }
 
 impl EnergyForm {
-    /// None if the linear equations do not belong to a conservative system.
+    /// The quadratic forms; `None` if the linear equations do not belong to a conservative system.
     pub fn of(linear: &LinearMotion, motion: &Motion<'_, '_>) -> Option<Self> {
         let LinearMotion { resting, inertia, damping, stiffness, equations } = linear;
         let turning: Vec<usize> = (0..equations.len()).filter(|place| !resting.contains(place)).collect();
@@ -48,7 +48,7 @@ impl EnergyForm {
             return None;
         }
         let own: Vec<Vec<Sym>> = turning.iter().map(|&c| turning.iter().map(|&d| inertia[c][d]).collect()).collect();
-        // the speeds for these momenta
+        // the changes of the constant speeds at constant momenta
         let speeds = |rows: &[Vec<Sym>], j: usize| -> Option<Vec<Sym>> {
             let right: Vec<Sym> = turning.iter().map(|&c| rows[c][j]).collect();
             if turning.is_empty() { Some(right) } else { Some(solve(&own, &right, &Hypotheses::none()).ok()?.values()) }
@@ -100,7 +100,7 @@ impl EnergyForm {
     }
 }
 
-/// Whether equations of motion are Lagrange's equations for energies that depend neither on the time nor on these coordinates.
+/// Whether the equations of motion are Lagrange's equations with energies that depend neither on time nor on the coordinates `turning`.
 fn is_lagrangian(trace: &Trace<'_>, equations: &[Sym], turning: &[usize]) -> bool {
     let lagrangian = trace.kinetic_and_coenergy() - trace.potential_energy();
     let is_zero = |expression: Sym| decide(expression, &Hypotheses::none()).is_zero();
@@ -109,7 +109,7 @@ fn is_lagrangian(trace: &Trace<'_>, equations: &[Sym], turning: &[usize]) -> boo
     };
     let form = normal(lagrangian, &Hypotheses::none()).map_or(lagrangian, |form| form.to_sym());
     let known = [&trace.parameters, &trace.coordinates, &trace.speeds];
-    // an input is a function of the time
+    // an input may depend on time
     let is_fixed = |symbol: &Sym| *symbol == trace.pi || known.iter().any(|list| list.contains(symbol));
     form.symbols_of().iter().all(is_fixed)
         && turning.iter().all(|&k| is_zero(trace.by_coordinate(lagrangian, k)))

@@ -21,7 +21,7 @@ use latex::Statement;
 use reader::Issue;
 use symbolic::{Hypotheses, Sym, decide};
 
-/// An equality holds identically within the constraints or, unless the claim is an identity, along every motion.
+/// Judges an equality: for all states that the constraints allow or, unless the claim is an identity, along every motion.
 pub(crate) fn equalities(
     claim: &ClaimText,
     statement: &Statement,
@@ -63,7 +63,7 @@ pub(crate) fn equalities(
                 (vanishes_or_fails(motion, difference, &conditions(motion, assumed)), motion)
             }
         };
-        // with a divisor that is zero along every motion the formula is undefined
+        // if a divisor vanishes along every motion, the formula is undefined
         let outcome = match (outcome, &along) {
             (Outcome::Zero(divisors), Some(Ok(along))) => {
                 let is_zero = |divisor: &&Sym| decide(along.reduced(**divisor), &along.hypotheses).is_zero();
@@ -98,7 +98,7 @@ pub(crate) fn equalities(
             }
             Outcome::NonZero(refutation) => {
                 match sign_of_number(motion.reduced(difference)) {
-                    // no point gives a value to a number such as cos(pi/5)
+                    // no exact point exists for a number such as cos(pi/5)
                     Some(_) => record.part(motion, assumed, &[equal], |_| PartProof::Excluded),
                     None => record.fails(motion, assumed, equal, &refutation),
                 }
@@ -107,7 +107,7 @@ pub(crate) fn equalities(
                 break;
             }
             other => {
-                // a divisor may be zero along motions only
+                // the divisor may vanish only along motions
                 let dynamic = along.as_ref().and_then(|along| along.as_ref().ok()).unwrap_or(motion);
                 let where_undefined = if matches!(other, Outcome::Undefined(_)) { dynamic } else { motion };
                 record.undecided(where_undefined, assumed, equal, &other);
@@ -120,7 +120,7 @@ pub(crate) fn equalities(
         let symbols = (line.model[0] - line.model[1]).symbols_of();
         trace.accelerations.iter().any(|acceleration| symbols.contains(acceleration))
     };
-    // a wrong formula with a speed may have lost a dot
+    // a refuted formula with a speed may have lost a dot, so that the missing acceleration is not a fault of the file
     let has_rate =
         |line: &Line| line.own.into_iter().flat_map(Sym::symbols_of).any(|own| own.to_string().ends_with('\''));
     let has_lost_dot = finding.judged.verdict == Verdict::Refuted && lines.iter().any(has_rate);

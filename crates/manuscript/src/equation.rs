@@ -1,4 +1,4 @@
-//! Equality of two sides along motions: a proof, or an exact point at which they differ.
+//! Decisions whether two sides are equal along motions: a proof, or an exact point at which they differ.
 
 use crate::admissible::admissible;
 use crate::exact_points::{Effort, completed, search};
@@ -10,28 +10,28 @@ use claims::Condition;
 use model::equations::constraints_of;
 use symbolic::{Decision, HIGHEST_MULTIPLE, Identity, Node, Sym, Witness, decide, identified};
 
-/// The finding on an expression that should be zero.
+/// The decision on an expression that should vanish.
 pub(crate) enum Outcome {
-    /// Zero for all values for which these divisors are not zero.
+    /// The expression vanishes for all values for which these divisors do not.
     Zero(Vec<Sym>),
-    /// At an exact point the expression has another value.
+    /// The expression does not vanish at an exact point.
     NonZero(Refutation),
-    /// This denominator is zero everywhere.
+    /// This denominator vanishes identically.
     Undefined(Sym),
-    /// It is zero at random points of prime fields, and no normal form was reached.
+    /// The expression vanishes at random points of prime fields, and its normal form was not reached; the text states this.
     Identified(String),
     Undecided(String),
 }
 
-/// Longer expressions are evaluated in prime fields and at exact points before their normal form is computed.
+/// The number of operations above which an expression is evaluated in prime fields and at exact points before its normal form is computed.
 const MOST_EXPANDED: usize = 4_000;
 
-/// Whether an expression is zero along the motion where the conditions hold.
+/// Decides whether an expression vanishes along the motion wherever the conditions hold.
 pub(crate) fn vanishes(motion: &Motion<'_, '_>, expression: Sym, conditions: &[Condition]) -> Outcome {
     vanishes_within(motion, expression, conditions, Effort::Whole)
 }
 
-/// Whether an expression vanishes, as `vanishes` says; else a point of bodies that exist, where one is found.
+/// The decision of [`vanishes`]; a counterexample with physically possible parameters is preferred.
 pub(crate) fn vanishes_or_fails(motion: &Motion<'_, '_>, expression: Sym, conditions: &[Condition]) -> Outcome {
     let again = |within: &[Condition]| match vanishes_within(motion, expression, within, Effort::Part) {
         Outcome::NonZero(refutation) => Some(refutation),
@@ -43,7 +43,7 @@ pub(crate) fn vanishes_or_fails(motion: &Motion<'_, '_>, expression: Sym, condit
     }
 }
 
-/// Whether an expression vanishes, by so many points.
+/// The decision of [`vanishes`] with the given effort in the search for points.
 pub(crate) fn vanishes_within(
     motion: &Motion<'_, '_>,
     expression: Sym,
@@ -76,7 +76,7 @@ fn found(motion: &Motion<'_, '_>, expression: Sym, conditions: &[Condition], eff
     match decide(reduced, &motion.hypotheses) {
         Decision::Zero(proof) => Outcome::Zero(proof.requires),
         Decision::Undefined(denominator) => Outcome::Undefined(denominator),
-        // a number such as sin(1) is refuted by its enclosure, at no point
+        // a number such as sin(1) differs from zero by its enclosure; no exact point is necessary
         Decision::GaveUp(_) if sign_of_number(reduced).is_some_and(|sign| sign != 0) => {
             Outcome::NonZero(Refutation { point: Vec::new(), is_formal: false })
         }
@@ -92,7 +92,7 @@ fn found(motion: &Motion<'_, '_>, expression: Sym, conditions: &[Condition], eff
     }
 }
 
-/// A sentence on multiples of an angle that the normal form does not expand.
+/// A sentence about multiples of an angle that the normal form does not expand; empty if there are none.
 fn above_highest_multiple(expression: Sym) -> String {
     let is_above = |leaf: Sym| match leaf.node() {
         Node::Cos(angle) | Node::Sin(angle) => {
@@ -113,7 +113,7 @@ fn of_identity(points: usize, error: f64) -> Outcome {
     ))
 }
 
-/// The outcome for a long expression by points, without its normal form; none if points do not decide.
+/// The decision on a long expression by points, without its normal form; `None` if points do not decide.
 fn at_points(motion: &Motion<'_, '_>, reduced: Sym, conditions: &[Condition], effort: Effort) -> Option<Outcome> {
     match identified(&[reduced]) {
         Identity::Identified { points, error, .. } => Some(of_identity(points, error)),
@@ -128,7 +128,7 @@ fn at_points(motion: &Motion<'_, '_>, reduced: Sym, conditions: &[Condition], ef
     }
 }
 
-/// A witness counts if it satisfies all conditions.
+/// The decision for an expression whose normal form is not zero: refuted if the witness, or another point, satisfies all conditions.
 fn refuted(
     motion: &Motion<'_, '_>,
     reduced: Sym,
@@ -153,7 +153,7 @@ fn refuted(
     if let Some(refutation) = completed(found(witness), conditions) {
         return Outcome::NonZero(refutation);
     }
-    // positive letters are replaced by squares, unless a sine would become that of a square
+    // positive letters are replaced by squares, except within angles, where the square would have no exact sine
     let is_in_angle = |letter: Sym| {
         reduced.leaves_of().into_iter().any(|leaf| match leaf.node() {
             Node::Cos(angle) | Node::Sin(angle) => angle.symbols_of().contains(&letter),
@@ -187,7 +187,7 @@ fn refuted(
     }
 }
 
-/// The name of a symbol for readers.
+/// The name of a symbol for readers; a multiplier is named as the reaction of its constraint.
 fn named(symbol: Sym, motion: &Motion<'_, '_>) -> String {
     let constraints = constraints_of(motion.trace);
     let place = constraints.iter().position(|one| one.multiplier == symbol);

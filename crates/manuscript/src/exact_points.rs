@@ -9,11 +9,11 @@ use crate::turned_points;
 use claims::Condition;
 use symbolic::{Hypotheses, Node, Sym, normal};
 
-/// The numbers of trial points, without and with roots, whose evaluation takes longer.
+/// The number of trial points for expressions without square roots; [`POINTS_OF_ROOTS`] applies to expressions with roots, which are slower.
 const POINTS: u32 = 4_000;
 const POINTS_OF_ROOTS: u32 = 600;
 
-/// The number of points that a search tries: all, or a part if a less plain point is known already.
+/// The effort of a search: all trial points, or a part of them if a less suitable point is known already.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Effort {
     Whole,
@@ -26,7 +26,7 @@ impl Effort {
     }
 }
 
-/// An exact point at which the conditions hold and expressions have the required signs.
+/// An exact point at which the conditions hold and `asked` accepts the signs of the expressions.
 pub(crate) fn search(
     expressions: &[Sym],
     conditions: &[Condition],
@@ -35,7 +35,7 @@ pub(crate) fn search(
     asked: impl Fn(&[i8]) -> bool,
 ) -> Option<Refutation> {
     let is_open = |expression: &Sym| motion.undetermined(*expression).is_some();
-    // further rules besides squares of coordinates belong to free frames
+    // rules other than those for squares of coordinates belong to free frames
     let has_rules = motion.hypotheses.statements().len() != motion.squares.len();
     if !motion.open.is_empty() || expressions.iter().any(is_open) || has_rules {
         return None;
@@ -84,7 +84,7 @@ pub(crate) fn search(
     )
 }
 
-/// A point completed with values for letters that occur only in conditions, so that all conditions hold; none if there are no such values.
+/// The point extended by values for letters that occur only in conditions, such that all conditions hold; `None` if there are no such values.
 pub(crate) fn completed(found: Refutation, conditions: &[Condition]) -> Option<Refutation> {
     if !may_be_real(&found.point, conditions)
         || conditions.iter().any(|condition| found.satisfies(*condition) == Some(false))
@@ -98,8 +98,8 @@ pub(crate) fn completed(found: Refutation, conditions: &[Condition]) -> Option<R
     })
 }
 
-/// A point with the other coordinate of each angle of which it gives one, where conditions ask for it, by either root; none of these where a
-/// coordinate is not one of a circle.
+/// The points that extend a point by the missing sine or cosine of an angle that conditions contain, with either sign of the root; empty if a value of
+/// the point is not between -1 and 1.
 fn with_whole_circles(point: &[(Sym, Sym)], conditions: &[Condition]) -> Vec<Vec<(Sym, Sym)>> {
     let is_asked = |leaf: &Sym| conditions.iter().any(|condition| condition.expression().leaves_of().contains(leaf));
     let mut all = vec![point.to_vec()];
@@ -121,7 +121,7 @@ fn with_whole_circles(point: &[(Sym, Sym)], conditions: &[Condition]) -> Vec<Vec
     all
 }
 
-/// A point with values for the letters that it leaves open.
+/// The point extended by values for the letters that it leaves open and conditions contain.
 fn with_open_letters(found: Refutation, conditions: &[Condition]) -> Option<Refutation> {
     let open: Vec<Condition> =
         conditions.iter().copied().filter(|condition| found.satisfies(*condition) != Some(true)).collect();
@@ -142,14 +142,14 @@ fn with_open_letters(found: Refutation, conditions: &[Condition]) -> Option<Refu
     Some(Refutation { point: whole(&more.point), is_formal: found.is_formal })
 }
 
-/// Whether a point can be one of real numbers where the conditions hold. To refute an equation an angle, its sine and its cosine may have
-/// independent values: an expression that does not vanish there does not vanish for all angles. A condition that contains the angle ties them
-/// together.
+/// Whether a point can be one of real numbers where the conditions hold. To refute an equation, an angle, its sine and its cosine may have
+/// independent values, since an expression that does not vanish there does not vanish for all angles. A condition that contains the angle makes
+/// the values dependent.
 fn may_be_real(point: &[(Sym, Sym)], conditions: &[Condition]) -> bool {
     let asked = |letter: Sym| conditions.iter().any(|condition| condition.expression().leaves_of().contains(&letter));
     point.iter().all(|(letter, _)| match letter.node() {
         Node::Cos(angle) | Node::Sin(angle) => {
-            // conditions on every letter of an angle such as theta/2 or s/R tie it
+            // the values are dependent if conditions contain all letters of the angle, as for theta/2 or s/R
             let letters = angle.symbols_of();
             !letters.into_iter().filter(|letter| !is_half_turn(*letter)).all(asked)
         }

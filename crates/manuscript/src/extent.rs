@@ -1,4 +1,4 @@
-//! The points at which a claim applies: its hypotheses and the domain of its formula may leave none.
+//! The set of points to which a claim applies. Its hypotheses and the domain of its formula may make the set empty.
 
 use crate::cases::{Case, cases};
 use crate::conditions::{Hypothesis, assume, conditions};
@@ -13,21 +13,21 @@ use symbolic::Sym;
 
 /// A condition under which a part of a formula has a value.
 pub(crate) struct Demand {
-    /// In the paper's letters, text and LaTeX.
+    /// The condition in the paper's letters, as text and LaTeX.
     pub told: (String, String),
-    /// Over the model.
+    /// The condition in the symbols of the model.
     pub condition: Condition,
-    /// Whether it follows from hypotheses and constants.
+    /// Whether the condition follows from hypotheses and constants.
     pub is_shown: bool,
 }
 
-/// Contradictory hypotheses and demands, by their places.
+/// A contradiction: the indices of the hypotheses and demands that contradict each other.
 pub(crate) struct Contradiction {
     pub hypotheses: Vec<usize>,
     pub demands: Vec<usize>,
 }
 
-/// A minimal set of hypotheses and demands that no point of a motion satisfies together.
+/// A minimal set of hypotheses and demands that no point of a motion satisfies together; `None` if none is found.
 pub(crate) fn contradiction(
     base: &Motion<'_, '_>,
     assumed: &[Hypothesis],
@@ -60,7 +60,7 @@ pub(crate) fn contradiction(
     Some(found)
 }
 
-/// The conditions with the equalities inserted; none if one of these cannot be solved.
+/// The conditions with the equalities of hypotheses and the motion inserted; `None` if an equality cannot be solved.
 fn conditions_there(
     base: &Motion<'_, '_>,
     assumed: &[Hypothesis],
@@ -74,7 +74,7 @@ fn conditions_there(
     Some(conditions(&motion, assumed).into_iter().chain(demanded).chain(divisors).collect())
 }
 
-/// Whether it can be shown that no point satisfies all conditions: in one unknown by real roots; otherwise by the sign of one condition that
+/// Whether a proof is found that no point satisfies all conditions: in one unknown by real roots, otherwise by the sign of one condition that
 /// follows from the others, or by products of conditions.
 pub(crate) fn exclude_each_other(conditions: &[Condition]) -> bool {
     let expressions: Vec<Sym> = conditions.iter().map(|condition| condition.expression()).collect();
@@ -93,12 +93,12 @@ pub(crate) fn exclude_each_other(conditions: &[Condition]) -> bool {
         || condition_products::exclude_each_other(&all)
 }
 
-/// Whether an exact point satisfies all conditions.
+/// Whether an exact point is found that satisfies all conditions.
 pub(crate) fn is_met(conditions: &[Condition]) -> bool {
     completed(Refutation { point: Vec::new(), is_formal: false }, conditions).is_some()
 }
 
-/// Whether an exact point satisfies the hypotheses and lies inside the domain of the formula, not on its boundary.
+/// Whether an exact point is found that satisfies the hypotheses and lies inside the domain of the formula, not on its boundary.
 pub(crate) fn has_inside(motion: &Motion<'_, '_>, there: &[Condition], demands: &[Demand]) -> bool {
     let inside = demands.iter().map(|demand| match demand.condition.mapped(|e| motion.reduced(e)) {
         Condition::NotNegative(e) if e.as_constant().is_none() => Condition::Positive(e),

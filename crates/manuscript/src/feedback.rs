@@ -1,4 +1,4 @@
-//! Inputs that hypotheses give: `u = F_0`, or `u = -k x - c v` as a feedback of the state. Such a hypothesis holds at all times, so that it may be
+//! Inputs that hypotheses prescribe: `u = F_0`, or a state feedback `u = -k x - c v`. Such a hypothesis holds at all times and may therefore be
 //! differentiated.
 
 use crate::conditions::Hypothesis;
@@ -6,11 +6,11 @@ use crate::motion::{Motion, solution};
 use model::Trace;
 use symbolic::{Sym, substitute_all};
 
-/// The inputs that hypotheses give.
+/// The inputs that hypotheses prescribe.
 pub(crate) struct Feedback {
-    /// Expressions that are zero at all times, each with its input.
+    /// Expressions that vanish at all times, each with the input that it determines.
     laws: Vec<(Sym, Sym)>,
-    /// The inputs by their values, in which no given input stands.
+    /// The inputs with their values, which contain no prescribed input.
     values: Vec<(Sym, Sym)>,
 }
 
@@ -31,21 +31,21 @@ impl Feedback {
         found
     }
 
-    /// An expression with the values of given inputs.
+    /// An expression with prescribed inputs replaced by their values.
     pub fn put_in(&self, expression: Sym) -> Sym {
         substitute_all(&[expression], &self.values)[0]
     }
 
-    /// Puts the given inputs into the equations of a motion.
+    /// Adds the prescribed inputs to the equations of a motion.
     ///
     /// # Errors
-    /// One of them cannot be solved for its input.
+    /// A hypothesis cannot be solved for its input.
     pub fn close(&self, motion: &mut Motion<'_, '_>) -> Result<(), String> {
         self.laws.iter().try_for_each(|&(zero, input)| motion.assume(zero, Some(input)))
     }
 }
 
-/// The input that a hypothesis gives at all times, with the expression that is then zero; none of a hypothesis on the state at an instant.
+/// The input that a hypothesis prescribes at all times, with the expression that vanishes then; `None` for a hypothesis about the state at an instant.
 pub(crate) fn given_input(trace: &Trace<'_>, hypothesis: &Hypothesis) -> Option<(Sym, Sym)> {
     let (zero, alone) = hypothesis.equality?;
     let input = alone?;

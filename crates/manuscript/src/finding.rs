@@ -1,4 +1,4 @@
-//! The finding on a claim.
+//! The finding on a claim: its verdict with all results.
 
 use crate::change::{Correction, Search};
 use crate::claim_text::Kind;
@@ -6,34 +6,34 @@ use claims::certificate::Certificate;
 use claims::{Judged, Verdict};
 use std::fmt::Write;
 
-/// A claim with its verdict, as text only.
+/// A judged claim. It contains text only.
 #[derive(Clone, Debug)]
 pub struct Finding {
-    /// The entry for ledgers and pages, with the first correction.
+    /// The claim with its verdict and its first correction, as ledgers and pages contain it.
     pub judged: Judged,
     pub kind: Kind,
     /// The formula in LaTeX, as printed.
     pub printed: String,
-    /// Hypotheses of the file, in LaTeX as written.
+    /// The hypotheses of the file, in LaTeX without changes.
     pub given: Vec<String>,
-    /// The verdict that the file expects, if any.
+    /// The verdict that the file expects, if it states one.
     pub expected: Option<Verdict>,
-    /// The steps that were allowed to the equations of the model: combinations, constraints, hypotheses.
+    /// A sentence on the permitted use of the model: combinations of equations, constraints, hypotheses.
     pub allowed: String,
     /// The values of both sides at the counterexample.
     pub sides: Option<Sides>,
-    /// The smallest edits of a refuted claim that are proved, all of one size.
+    /// The smallest edits of a refuted claim with which it is proved, all of the same size.
     pub corrections: Vec<Correction>,
     pub search: Search,
-    /// A sentence on parameters that are not positive at the counterexample; may be empty.
+    /// A sentence on parameters that are zero or not positive at the counterexample; may be empty.
     pub(crate) unusual: String,
-    /// Whether an exact point was found inside the presuppositions of a proved claim.
+    /// Whether an exact point was found inside the domain of a proved claim.
     pub(crate) has_inside: bool,
-    /// Present if it was requested.
+    /// The certificate, if requested.
     pub certificate: Option<Certificate>,
 }
 
-/// Exact values at a counterexample.
+/// The exact values of both sides at a counterexample.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sides {
     pub left: String,
@@ -41,10 +41,10 @@ pub struct Sides {
 }
 
 impl Finding {
-    /// Whether the verdict is the one that the file expects.
+    /// Checks that the verdict is the one that the file expects and that there are no objections.
     ///
     /// # Errors
-    /// It is not, in a sentence.
+    /// A sentence on the deviation.
     pub fn as_expected(&self) -> Result<(), String> {
         let Judged { id, verdict, evidence, objections, .. } = &self.judged;
         match self.expected {
@@ -55,7 +55,7 @@ impl Finding {
         }
     }
 
-    /// The certificates of the finding and of its corrections, where they were asked for.
+    /// The certificates of the finding and of its corrections, if requested.
     pub fn certificates(&self) -> impl Iterator<Item = Certificate> {
         let corrected = self.corrections.iter().enumerate().filter_map(|(place, one)| {
             let id = format!("{} (correction {})", self.judged.id, place + 1);
@@ -64,7 +64,7 @@ impl Finding {
         self.certificate.clone().into_iter().chain(corrected)
     }
 
-    /// For reading: the printed formula, how it was read, the verdict with its grounds.
+    /// The finding as text: the printed formula, its reading, the verdict with its grounds.
     pub fn text(&self) -> String {
         let Judged {
             id, says, verdict, text, evidence, requires, signs, counterexample, difference, objections, ..
@@ -107,7 +107,7 @@ impl Finding {
                 line("where", &conditions);
             }
         }
-        // a reason for a refutation is told once
+        // an objection that is also the reason of the refutation is printed once
         for objection in objections.iter().filter(|objection| !evidence.contains(objection.as_str())) {
             line("objection", objection);
         }
@@ -116,11 +116,11 @@ impl Finding {
     }
 }
 
-/// The largest number of characters of one condition, and of a list of conditions, on a page for reading.
+/// The largest length in characters of a condition that is printed; [`MOST_OF_CONDITIONS`]: of a list of conditions.
 const MOST_OF_CONDITION: usize = 240;
 const MOST_OF_CONDITIONS: usize = 800;
 
-/// Conditions for reading: the short ones first, with the size of those that are too long; none if there are none.
+/// The conditions as text, with the lengths of those that are too long; `None` without conditions.
 fn told<'a>(conditions: impl Iterator<Item = &'a (String, String)>) -> Option<String> {
     let (mut shown, mut hidden, mut length) = (Vec::new(), Vec::new(), 0);
     for (text, _) in conditions {

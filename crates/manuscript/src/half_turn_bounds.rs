@@ -1,4 +1,4 @@
-//! Bounds of the number pi as hypotheses of the claims in which it stands.
+//! Bounds of π as hypotheses of claims that contain π.
 
 use crate::claim_text::ClaimText;
 use crate::conditions::Hypothesis;
@@ -7,7 +7,7 @@ use crate::letters::Letters;
 use claims::Condition;
 use latex::{Statement, value};
 
-/// Bounds of the number pi, 0 < 333/106 < pi < 355/113, as hypotheses of a claim in whose formula or hypotheses it stands.
+/// The hypotheses 333/106 < π < 355/113, if the formula or the hypotheses of a claim contain π; otherwise none.
 pub(crate) fn bounds(
     claim: &ClaimText,
     statement: &Statement,

@@ -1,4 +1,4 @@
-//! Membership in an ideal: an expression is a combination of others with polynomials as factors, so that it vanishes where they do.
+//! Ideal membership: an expression that is a polynomial combination of others vanishes wherever they do.
 
 use crate::polynomial_terms::{Terms, product, terms};
 use algebra::linear::nonnegative_combination;
@@ -6,11 +6,11 @@ use field::Rational;
 use std::collections::BTreeSet;
 use symbolic::{Hypotheses, Sym, normal};
 
-/// The largest numbers of expressions, and of their products with monomials.
+/// The largest number of expressions; [`MOST_PRODUCTS`]: of their products with monomials.
 const MOST_ZEROS: usize = 6;
 const MOST_PRODUCTS: usize = 120;
 
-/// The letters of a monomial that never vanishes, by which an expression is a combination of others; none if none was found.
+/// The letters of a monomial that never vanishes and whose product with the expression is a combination of the others; `None` if none is found.
 pub(crate) fn combination(target: Sym, zeros: &[Sym], is_apart: &dyn Fn(Sym) -> bool) -> Option<Vec<Sym>> {
     if zeros.len() > MOST_ZEROS {
         return None;
@@ -26,7 +26,7 @@ pub(crate) fn combination(target: Sym, zeros: &[Sym], is_apart: &dyn Fn(Sym) -> 
     let zeros = zeros.into_iter().map(|zero| terms(zero, &leaves)).collect::<Option<Vec<Terms>>>()?;
     let one = Rational::new(1, 1);
     let monomial = |powers: Vec<u32>| Terms::from([(powers, one)]);
-    // monomials by which a term of the target becomes a multiple of a term of the others
+    // monomials with which a term of the target becomes a multiple of a term of the others
     let lacking = ratios(&zeros, std::slice::from_ref(&target));
     let unit = vec![0; leaves.len()];
     let is_free = |powers: &Vec<u32>| leaves.iter().zip(powers).all(|(leaf, power)| *power == 0 || is_apart(*leaf));
@@ -42,7 +42,7 @@ pub(crate) fn combination(target: Sym, zeros: &[Sym], is_apart: &dyn Fn(Sym) -> 
     })
 }
 
-/// Monomials that divide a term of one list to give a term of the other, without negative powers; one among them.
+/// Monomials that are quotients of a term of one list and a term of the other, with negative exponents replaced by zero.
 fn ratios(above: &[Terms], below: &[Terms]) -> BTreeSet<Vec<u32>> {
     let keys = |all: &[Terms]| all.iter().flat_map(|each| each.keys().cloned()).collect::<BTreeSet<Vec<u32>>>();
     let (above, below) = (keys(above), keys(below));
@@ -50,7 +50,7 @@ fn ratios(above: &[Terms], below: &[Terms]) -> BTreeSet<Vec<u32>> {
     above.iter().flat_map(|a| below.iter().map(move |b| ratio(a, b))).collect()
 }
 
-/// Whether a polynomial is a sum of others, each times a number.
+/// Whether a polynomial is a linear combination of others with numerical coefficients.
 fn is_sum(target: &Terms, products: &[Terms]) -> bool {
     let zero = Rational::new(0, 1);
     let monomials: BTreeSet<&Vec<u32>> = products.iter().chain([target]).flat_map(|each| each.keys()).collect();

@@ -1,4 +1,4 @@
-//! Claims on the equivalence of conditions.
+//! Claims that two conditions are equivalent.
 
 use crate::admissible::has_positive_parameters;
 use crate::certificate::Record;
@@ -16,7 +16,7 @@ use latex::{Chain, Relation, Statement};
 use reader::Issue;
 use symbolic::Sym;
 
-/// A condition of the form `a = b`.
+/// A condition `a = b`: the difference in the symbols of the model, and both sides in the paper's letters.
 pub(crate) fn condition(claim: &ClaimText, chain: &Chain, letters: &Letters<'_, '_>) -> Result<(Sym, [Sym; 2]), Issue> {
     let ([left, right], [Relation::Equal]) = (&chain.sides[..], &chain.relations[..]) else {
         let issue = Issue::at(claim.formula.span.clone(), "a condition is one equality", "here");
@@ -27,7 +27,7 @@ pub(crate) fn condition(claim: &ClaimText, chain: &Chain, letters: &Letters<'_, 
     Ok((left - right, [left_own, right_own]))
 }
 
-/// `a = b \iff c = d`, where the hypotheses hold.
+/// Judges an equivalence `a = b \iff c = d` under its hypotheses.
 pub(crate) fn equivalence(
     claim: &ClaimText,
     statement: &Statement,
@@ -60,7 +60,7 @@ pub(crate) fn equivalence(
         record.step(&motion, assumed, [zero, then], &step);
         step
     });
-    // an exact point is more informative than a step without proof, most of all one with positive parameters
+    // a counterexample is preferred to a step without proof, and a counterexample with positive parameters to any other
     steps.sort_by_key(|step| match step {
         Step::Fails(found) => 1 - i32::from(has_positive_parameters(found, &motion)),
         _ => 2,

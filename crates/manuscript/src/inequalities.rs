@@ -1,4 +1,4 @@
-//! Inequalities: proved by the signs of their terms, refuted at an exact point.
+//! Claims that are inequalities: proofs by the signs of terms, refutations by exact points.
 
 use crate::admissible::admissible;
 use crate::certificate::Record;
@@ -31,19 +31,19 @@ use symbolic::{Sym, normal};
 
 /// The sides of an inequality.
 pub(crate) struct Sides {
-    /// The side that is claimed to be greater, less the other; of `a \neq b` the square of the difference.
+    /// The difference that is claimed to be positive or nonnegative; for `a \neq b` the square of the difference.
     pub greater: Sym,
     pub is_strict: bool,
-    /// Over the model.
+    /// The left side in the symbols of the model.
     pub left: Sym,
     pub right: Sym,
-    /// In the paper's letters.
+    /// Both sides in the paper's letters.
     pub own: [Sym; 2],
     pub text: String,
     pub latex: String,
 }
 
-/// Reads an inequality.
+/// Reads the sides of an inequality.
 ///
 /// # Errors
 /// The formula is not an inequality.
@@ -75,7 +75,7 @@ pub(crate) fn sides(claim: &ClaimText, statement: &Statement, letters: &Letters<
     Ok(Sides { greater, is_strict, left, right, own: [left_own, right_own], text, latex })
 }
 
-/// `a > b`, `a \geq b` and `a \neq b` where the hypotheses hold.
+/// Judges `a > b`, `a \geq b` or `a \neq b` under its hypotheses.
 pub(crate) fn inequality(
     claim: &ClaimText,
     statement: &Statement,
@@ -114,7 +114,7 @@ pub(crate) fn inequality(
     let by_terms = [reduced, greater]
         .into_iter()
         .find_map(|side| shows(side, &motion, &conditions).filter(is_enough).map(|found| (Some(side), found)));
-    // constraints of positions may give a square
+    // constraints of positions may turn the difference into a square
     let form = || normal(reduced, &motion.hypotheses).map_or(reduced, |form| form.to_sym());
     let by_squares = || {
         let shown = |side: Sym| real_signs::shows(side, &conditions).filter(is_enough);
@@ -134,7 +134,7 @@ pub(crate) fn inequality(
             _ if square_sum(reduced, is_strict, &conditions).is_some() => {
                 record.positive_by_squares(&motion, assumed, [greater, reduced], is_strict, &conditions);
             }
-            // a constraint of positions may give the square
+            // constraints of positions may turn the difference into a square
             _ if !motion.squares.is_empty() => {
                 record.positive_by_squares(&motion, assumed, [greater, form()], is_strict, &conditions);
             }
@@ -144,7 +144,7 @@ pub(crate) fn inequality(
         finding.judged.requires.extend(divisors(&hidden, told));
         return Ok(());
     }
-    // two sides differ where one of them is the greater one
+    // two sides differ where one of them is greater
     let apart = motion.reduced(left) - motion.reduced(right);
     let differences = if greater == (left - right) * (left - right) { vec![apart, -apart] } else { vec![reduced] };
     let fails = |sign: i8| sign == -1 || sign == 0 && is_strict;
@@ -207,7 +207,7 @@ pub(crate) fn inequality(
     Ok(())
 }
 
-/// A point at which an expression in one unknown has a wrong sign: a fraction, or a number with a square root.
+/// A point at which an expression in one unknown has a wrong sign: a rational number, or a number with a square root.
 fn failing_point(
     [greater, reduced]: [Sym; 2],
     conditions: &[Condition],
@@ -218,7 +218,7 @@ fn failing_point(
         return None;
     }
     let all = [conditions, &natural_domain(&[greater, reduced])].concat();
-    // points with a convergent of pi, within its bounds, are tried with pi
+    // π is replaced by a convergent within its bounds, and points that are found are tested with π itself
     let holds_pi = holds_half_turn(reduced) || all.iter().any(|condition| holds_half_turn(condition.expression()));
     if holds_pi {
         let near = [(motion.trace.pi, Sym::constant(Rational::new(103_993, 33_102)))];

@@ -1,15 +1,15 @@
-//! The matrix of the equations that are linear in accelerations and reactions. Where it is singular a model has no inertia along some direction, or its
-//! coordinates have a pole.
+//! The matrix of the equations of motion, which are linear in accelerations and reactions. Where it is singular, the model has no inertia in some
+//! direction, or its coordinates have a singular position (a pole).
 
 use crate::determinant::determinant;
 use model::Trace;
 use model::equations::Equations;
 use symbolic::Sym;
 
-/// Determinants of more rows are not expanded.
+/// The largest number of rows of a determinant that is expanded.
 const MOST_ROWS: usize = 7;
 
-/// Its determinant; none where it is large.
+/// The determinant of this matrix; `None` if the matrix is too large.
 pub(crate) fn inertia_determinant(trace: &Trace<'_>) -> Option<Sym> {
     let Equations { mass, constraints, .. } = Equations::of(trace);
     let above = mass.iter().enumerate().map(|(k, row)| {

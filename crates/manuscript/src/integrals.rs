@@ -1,4 +1,4 @@
-//! Integrals of motion: expressions whose rate vanishes along every motion.
+//! Integrals of motion: expressions whose time derivative vanishes along every motion.
 
 use crate::certificate::Record;
 use crate::claim_text::{ClaimText, Kind};
@@ -16,10 +16,10 @@ use latex::{Form, Relation, Statement, Term};
 use reader::Issue;
 use symbolic::{Hypotheses, Sym, normal};
 
-/// Letters of a constant without a value.
+/// The names of a constant without a stated value.
 pub(crate) const CONSTANTS: [&str; 3] = [r"\mathrm{const}", r"\text{const}", r"\mathit{const}"];
 
-/// The letters that a formula of this kind may have: only integrals may have a constant without a value.
+/// The letters that a formula of this kind may contain; only integrals may contain a constant without a value.
 pub(crate) fn known(kind: Kind, letters: &Letters<'_, '_>) -> Vec<String> {
     let mut known = letters.spelt();
     if kind == Kind::IntegralOfMotion {
@@ -28,15 +28,15 @@ pub(crate) fn known(kind: Kind, letters: &Letters<'_, '_>) -> Vec<String> {
     known
 }
 
-/// Whether a term is a constant whose value nobody gives.
+/// Whether a term is a constant without a stated value.
 pub(crate) fn is_constant(term: &Term) -> bool {
     matches!(&term.form, Form::Letter(name) if CONSTANTS.contains(&name.as_str()))
 }
 
-/// The expression that is claimed to be constant, over the model and in the paper's letters.
+/// The expression that is claimed to be constant, in the symbols of the model and in the paper's letters.
 ///
 /// # Errors
-/// The formula is not an integral.
+/// The formula is not an integral of motion.
 pub(crate) fn difference(
     claim: &ClaimText,
     statement: &Statement,
@@ -56,7 +56,7 @@ pub(crate) fn difference(
     Ok(values.into_iter().reduce(|(a, own), (b, other)| (a - b, own - other)).unwrap_or((Sym::ZERO, Sym::ZERO)))
 }
 
-/// `T + V = \mathrm{const}`, `T + V = h` or `T + V`: the rate of the difference of the sides vanishes.
+/// Judges `T + V = \mathrm{const}`, `T + V = h` or `T + V`: the time derivative of the difference of the sides must vanish.
 pub(crate) fn integral(
     claim: &ClaimText,
     statement: &Statement,
@@ -69,7 +69,7 @@ pub(crate) fn integral(
     finding.judged.text = vec![format!("{own} = const")];
     finding.judged.latex = vec![format!(r"{} = \mathrm{{const}}", own.latex())];
     let trace = letters.trace;
-    // the input of an integral has the value that a hypothesis gives it
+    // inputs that hypotheses prescribe are replaced by their values
     let is = Feedback::of(trace, assumed).put_in(is);
     let changing = rate(trace, is).map_err(|why| {
         let title = format!("this expression has no rate along the motion: {why}");
@@ -120,10 +120,10 @@ pub(crate) fn integral(
     Ok(())
 }
 
-/// The divisors in the proof that hypotheses on the state persist: the rate of each is zero where all of them hold.
+/// The divisors in the proof that hypotheses about the state persist: the time derivative of each vanishes wherever all of them hold.
 ///
 /// # Errors
-/// One of them holds at an instant only.
+/// A hypothesis holds only at an instant.
 fn persistence(assumed: &[Hypothesis], free: &Motion<'_, '_>, motion: &Motion<'_, '_>) -> Result<Vec<Sym>, Issue> {
     let trace = motion.trace;
     let mut divided = Vec::new();

@@ -1,4 +1,4 @@
-//! The judgement of every claim of a paper.
+//! The judgement of all claims of a paper.
 
 use crate::case_findings::joined;
 use crate::cases::{Case, cases};
@@ -36,19 +36,19 @@ use reader::{Issue, SceneError};
 use symbolic::Sym;
 
 impl PaperText {
-    /// Judges every claim, in the order of the file, and searches for corrections of refuted ones.
+    /// Judges all claims in the order of the file, and searches for corrections of refuted ones.
     ///
     /// # Errors
-    /// All that is wrong with the system, the meanings of letters and the formulas, each at its place.
+    /// All faults of the system, of the meanings of letters and of the formulas, with their places in the file.
     pub fn judge(&self) -> Result<Vec<Finding>, SceneError> {
         self.judge_each(|_| (), || true)
     }
 
-    /// Judges every claim, and calls `told` with all findings so far after each new one. When every claim has a verdict, corrections are searched for
-    /// while `goes_on` returns true.
+    /// Judges all claims, and calls `told` with all findings so far after each new one. Once every claim has a verdict, corrections are searched for
+    /// as long as `goes_on` returns true.
     ///
     /// # Errors
-    /// As those of [`PaperText::judge`].
+    /// Those of [`PaperText::judge`].
     pub fn judge_each(
         &self,
         told: impl FnMut(&[Finding]) + Send,
@@ -57,10 +57,10 @@ impl PaperText {
         self.findings(false, told, goes_on)?.whole()
     }
 
-    /// Judges every claim as `judge_each` does, with the certificate of each verdict.
+    /// Judges all claims like [`PaperText::judge_each`], with the certificate of each verdict.
     ///
     /// # Errors
-    /// As those of [`PaperText::judge`].
+    /// Those of [`PaperText::judge`].
     pub fn certify_each(
         &self,
         told: impl FnMut(&[Finding]) + Send,
@@ -69,10 +69,11 @@ impl PaperText {
         self.findings(true, told, goes_on)?.whole()
     }
 
-    /// Judges every claim that can be read, as `judge_each` does, with certificates where they are asked for; the faults of the others stand beside.
+    /// Judges all claims that can be read, like [`PaperText::judge_each`]; the result also contains the faults of the other claims. `is_certified`
+    /// requests certificates.
     ///
     /// # Errors
-    /// All that is wrong with the system and the meanings of letters, each at its place.
+    /// All faults of the system and of the meanings of letters, with their places in the file.
     pub fn findings(
         &self,
         is_certified: bool,
@@ -93,7 +94,7 @@ impl PaperText {
                 });
                 match finding {
                     Ok(mut finding) => {
-                        // until its corrections are looked for
+                        // the search for its corrections has not begun
                         if finding.judged.verdict == Verdict::Refuted {
                             finding.search = Search::Cut;
                         }
@@ -122,7 +123,7 @@ fn statement_of(claim: &ClaimText, letters: &Letters<'_, '_>) -> Result<Statemen
     read(&claim.formula.text, &known(claim.kind, letters)).map_err(|fault| vec![placed(&claim.formula, fault)])
 }
 
-/// Looks for the corrections of a refuted claim.
+/// Searches for corrections of a refuted claim.
 fn correct(
     paper: &PaperText,
     claim: &ClaimText,
@@ -145,7 +146,7 @@ fn correct(
     finding.search = if goes_on() { Search::Whole } else { Search::Cut };
     let values = finding.judged.counterexample.iter().map(|(name, value)| format!("{name} = {value}"));
     let at = values.collect::<Vec<_>>().join(", ");
-    // if the direction of the relation is right, the print fails at a point of equality
+    // a strict relation with the correct direction fails only at points of equality
     let loose = finding.corrections.iter_mut().flat_map(|one| &mut one.changes);
     for change in loose.filter(|change| change.kind == EditKind::Strictness && !at.is_empty()) {
         change.words += &format!(" (both sides are equal at {at})");
@@ -160,7 +161,7 @@ fn correct(
     });
 }
 
-/// Judges a claim in every case of its hypotheses.
+/// Judges a claim in all cases of its hypotheses.
 fn judge(
     paper: &PaperText,
     claim: &ClaimText,
@@ -185,7 +186,7 @@ fn judge(
     });
     let mut finding = match joined(found.collect::<Result<Vec<_>, Issue>>()?) {
         Some(finding) => finding,
-        // the message names the hypotheses that contradict each other
+        // every case is contradictory, and judging the hypotheses together gives a message that names them
         None => judge_case(paper, claim, statement, letters, assumed, is_certified)?,
     };
     if is_replaced && let Some(certificate) = &mut finding.certificate {
@@ -195,7 +196,7 @@ fn judge(
     Ok(finding)
 }
 
-/// Judges a claim under hypotheses none of which has several cases.
+/// Judges a claim under hypotheses without several cases.
 fn judge_case(
     paper: &PaperText,
     claim: &ClaimText,
@@ -266,7 +267,7 @@ fn judge_case(
     if matches!(finding.judged.verdict, Verdict::Proved | Verdict::Identified | Verdict::Undecided) {
         presupposed(paper, claim, statement, letters, (&assumed, &there), &mut finding);
     }
-    // a letter that is given as positive does not vanish
+    // letters that are positive by a hypothesis are not listed as divisors
     let positive = assumed.iter().filter_map(|one| match one.condition {
         Some(Condition::Positive(of)) => Some(of),
         _ => None,

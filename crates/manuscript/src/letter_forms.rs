@@ -4,7 +4,7 @@ use crate::letters::Letters;
 use crate::position_letters::by_position_letters;
 use symbolic::{Hypotheses, Sym, normal};
 
-/// A letter for a sum, or for a product of parameters: the symbol that it replaces, the value of that by the letter, the letter as the paper has it.
+/// A letter for a sum, or for a product of parameters: a symbol in its meaning, the value of this symbol in terms of the letter, and the letter.
 struct ForSum {
     symbol: Sym,
     value: Sym,
@@ -12,14 +12,14 @@ struct ForSum {
     own: Sym,
 }
 
-/// An expression of the model in the paper's letters: as it is; by letters for sums and products, each solved for one of its symbols, one of them or all;
-/// and each of these by letters that are functions of the position.
+/// The forms of an expression of the model in the paper's letters: without letters for sums and products; with one or all of these letters, each replacing
+/// one symbol of its meaning; and each of these forms also with letters that are functions of the position.
 pub(crate) fn ways_to_tell(letters: &Letters<'_, '_>, expression: Sym, hypotheses: &Hypotheses) -> Vec<Sym> {
     let for_sums = letters_for_sums(letters, expression);
     let by_all = (for_sums.len() > 1).then(|| {
         let mut replaced: Vec<Sym> = Vec::new();
         for_sums.iter().fold(expression, |known, one| {
-            // with two letters for one symbol the replacement would not end
+            // a second letter for the same symbol would replace it again
             let is_new = !replaced.contains(&one.symbol) && known.symbols_of().contains(&one.symbol);
             replaced.extend(is_new.then_some(one.symbol));
             if is_new { known.substitute(&[(one.symbol, one.value)]) } else { known }
@@ -57,7 +57,7 @@ fn is_of_parameters(letters: &Letters<'_, '_>, value: Sym) -> bool {
     value.leaves_of().iter().all(|leaf| leaf.as_constant().is_some() || letters.trace.parameters.contains(leaf))
 }
 
-/// Whether a symbol stands in an expression beside the other factors of a product alone, so that the letter of the product takes the place of all of them.
+/// Whether the replacement of a symbol by a letter for a product adds no divisor, so that the letter replaces the whole product.
 fn divides(expression: Sym, symbol: Sym, solved: Sym) -> bool {
     let below = |expression: Sym| normal(expression, &Hypotheses::none()).map(|form| form.denominator().symbols_of());
     match (below(expression), below(expression.substitute(&[(symbol, solved)]))) {

@@ -1,4 +1,4 @@
-//! The letters of a paper over the symbols of a model, and back.
+//! The translation between the letters of a paper and the symbols of a model.
 
 use crate::paper_text::{LetterText, PaperText};
 use field::Analytic;
@@ -7,8 +7,8 @@ use model::{Entry, Model, Text, Trace};
 use reader::{Issue, SceneError};
 use symbolic::{Dimension, Sym};
 
-/// The letters of a paper as outputs of a model, in their order, components of vectors one by one. If the system is another file, places in the
-/// paper are counted after the text of the system.
+/// The letters of a paper as outputs of a model, in their order, with one output for each component of a vector. If the system is in another file,
+/// positions in the paper are counted from the end of the system's text.
 pub(crate) fn outputs(paper: &PaperText) -> Vec<Entry> {
     let offset = if paper.has_own_system() { 0 } else { paper.system.text.len() + 1 };
     let mut entries = Vec::new();
@@ -34,7 +34,7 @@ fn output_name(letter: &LetterText, component: usize) -> String {
 /// The model with the letters as outputs.
 ///
 /// # Errors
-/// All that is wrong with the system, or with the meanings, each in its file.
+/// All faults of the system or of the meanings, each with its place in its file.
 pub(crate) fn model(paper: &PaperText) -> Result<Model, SceneError> {
     if !paper.has_own_system() {
         paper.system.for_judgement()?;
@@ -62,18 +62,18 @@ pub(crate) fn model(paper: &PaperText) -> Result<Model, SceneError> {
 /// A letter with its meaning.
 struct Letter {
     name: String,
-    /// Over the symbols of the model.
+    /// The meaning in the symbols of the model.
     value: Value,
-    /// The paper's own symbols, with its LaTeX.
+    /// The paper's own symbol, or symbols of its components, with its LaTeX.
     own: Value,
     dimension: Dimension,
 }
 
-/// The letters of a paper over a trace.
+/// The letters of a paper with their meanings in a model.
 pub(crate) struct Letters<'t, 'm> {
     pub trace: &'t Trace<'m>,
     letters: Vec<Letter>,
-    /// The paper's names for the symbols of the model.
+    /// The paper's expressions for symbols of the model.
     names: Vec<(Sym, Sym)>,
     dimensions: Vec<(Sym, Dimension)>,
 }
@@ -83,7 +83,7 @@ impl<'t, 'm> Letters<'t, 'm> {
         let mut letters: Vec<Letter> = Vec::new();
         for text in &paper.letters {
             let plain = plain_name(&text.name);
-            // two letters with equal plain names, such as r and \mathbf{r}
+            // two letters may have equal plain names, such as r and \mathbf{r}
             let is_taken = plain.is_empty() || letters.iter().any(|letter| plain_name(&letter.name) == plain);
             let plain = if is_taken { text.name.clone() } else { plain };
             let found = (0..text.meaning.len()).filter_map(|component| {
@@ -115,12 +115,12 @@ impl<'t, 'm> Letters<'t, 'm> {
         found
     }
 
-    /// Names of all letters, each in one spelling.
+    /// The names of all letters, each in one spelling.
     pub fn spelt(&self) -> Vec<String> {
         self.letters.iter().map(|letter| letter.name.clone()).collect()
     }
 
-    /// Every scalar letter: its name, its meaning, its own symbol, its dimension.
+    /// All scalar letters: name, meaning, own symbol, dimension.
     pub fn scalars(&self) -> impl Iterator<Item = (&str, Sym, Sym, Dimension)> {
         self.letters.iter().filter_map(|letter| match (&letter.value, &letter.own) {
             (Value::Scalar(value), Value::Scalar(own)) => Some((letter.name.as_str(), *value, *own, letter.dimension)),
@@ -128,7 +128,7 @@ impl<'t, 'm> Letters<'t, 'm> {
         })
     }
 
-    /// Finds the paper's names for symbols of the model: letters, or rates of letters, that are a symbol or a multiple of it.
+    /// Finds the paper's expressions for symbols of the model: letters, or rates of letters, that are a multiple of one symbol.
     fn name_symbols(&mut self) {
         let pairs: Vec<(Sym, Sym, Dimension)> = self
             .letters
@@ -178,10 +178,10 @@ impl<'t, 'm> Letters<'t, 'm> {
         self.names = names;
     }
 
-    /// An expression of the model in the paper's letters; a symbol without a letter keeps the name of the model.
+    /// An expression of the model in the paper's letters; a symbol without a letter keeps its name in the model.
     pub fn told(&self, expression: Sym) -> Sym {
         let mut names = self.names.clone();
-        // a name of the model that is a letter of the paper with another meaning
+        // a name of the model that is a letter of the paper with another meaning gets the prefix `model.`
         for symbol in expression.symbols_of() {
             let is_named = names.iter().any(|(known, _)| *known == symbol);
             let is_letter = self.letters.iter().any(|letter| letter.own.entries().contains(&symbol));
@@ -195,7 +195,7 @@ impl<'t, 'm> Letters<'t, 'm> {
         expression.substitute(&names)
     }
 
-    /// The dimension of a letter of the paper, or of its rate.
+    /// The dimension of a letter of the paper, or of a rate of a letter.
     pub fn dimension(&self, name: &str) -> Option<Dimension> {
         let symbol = Sym::symbol(name);
         self.dimensions
@@ -205,7 +205,7 @@ impl<'t, 'm> Letters<'t, 'm> {
             .or_else(|| (name == "pi").then(Dimension::none))
     }
 
-    /// The paper's letters in an expression, rates included, with their meanings.
+    /// The letters of the paper in an expression, including rates, each with its meaning.
     pub fn meanings(&self, printed: Sym) -> Vec<(Sym, Sym)> {
         let known = printed.symbols_of();
         let mut found = Vec::new();
@@ -225,18 +225,18 @@ impl<'t, 'm> Letters<'t, 'm> {
         found
     }
 
-    /// The letters over the symbols of the model.
+    /// The meanings of the letters in the symbols of the model.
     pub fn in_model(&self) -> InModel<'_, 't, 'm> {
         InModel(self)
     }
 
-    /// The letters as the paper's own symbols, for reading.
+    /// The letters as the paper's own symbols.
     pub fn in_paper(&self) -> InPaper<'_, 't, 'm> {
         InPaper(self)
     }
 }
 
-/// A symbol of the paper by its plain name and its LaTeX.
+/// A symbol of the paper: its plain name and its LaTeX.
 struct Own((String, String));
 
 impl Own {
@@ -250,15 +250,15 @@ impl Own {
     }
 }
 
-/// The rate of a letter of the paper, as a symbol of its own.
+/// The rate of this order of a letter of the paper, as a symbol.
 fn dotted(own: Sym, order: usize) -> Sym {
     Own((own.to_string(), own.latex())).symbol(order)
 }
 
-/// The rate along the motion.
+/// The time derivative of an expression along the motion.
 ///
 /// # Errors
-/// The expression contains a quantity without a known rate.
+/// The expression contains a quantity without a known derivative.
 pub(crate) fn rate(trace: &Trace<'_>, of: Sym) -> Result<Sym, String> {
     let symbols = of.symbols_of();
     if let Some(third) = trace.accelerations.iter().find(|symbol| symbols.contains(symbol)) {
@@ -310,7 +310,7 @@ impl Meaning for InModel<'_, '_, '_> {
     }
 }
 
-/// The circle point of an angle, exact at quarters of pi.
+/// The cosine and the sine of an angle, with multiples of π/4 replaced by exact values.
 pub(crate) fn circle(angle: Sym, pi: Sym) -> (Sym, Sym) {
     let part = angle.diff(pi).as_constant().filter(|part| part.sign() != Some(0));
     let rest = angle.substitute(&[(pi, Sym::ZERO)]);

@@ -1,23 +1,23 @@
-//! A paper as a text file: the letters of its formulas over a model, its claims as printed, and a finding for each claim.
+//! Judgement of a paper in a text file: the letters of its formulas with their meanings in a model, its claims as printed, and a finding on each claim.
 //!
 //! # Overview
-//! For readers and authors who check the equations of a paper. The example refutes and corrects a wrong sign.
+//! This crate is for readers and authors who check the equations of a paper. The example below refutes and corrects a wrong sign.
 //!
 //! * [`PaperText`]: a file with `[letters]` and `[[claim]]`, and with the tables of its system or the name of the system's file;
-//! * `letters`: the meaning of each letter, over the symbols of the model;
+//! * `letters`: the meaning of each letter in the symbols of the model;
 //! * `motion`: the equations that hold along every motion: accelerations, multipliers, constraints, hypotheses;
-//! * [`PaperText::judge`]: a [`Finding`] for each claim, with the derived side taken from the model; [`PaperText::findings`] accepts formulas
-//!   that cannot be read;
-//! * [`Correction`]: the smallest edit that makes a refuted formula true, with a proof;
-//! * [`PeerEquations`]: equations of motion that another program has derived, compared with those of the model.
+//! * [`PaperText::judge`]: a [`Finding`] for each claim, with the derived side from the model; [`PaperText::findings`] also accepts papers with
+//!   formulas that cannot be read;
+//! * [`Correction`]: the smallest edit with which a refuted formula is proved;
+//! * [`PeerEquations`]: equations of motion from another program, which are compared with those of the model.
 //!
 //! | kind of claim | statement |
 //! |---|---|
 //! | `equation of motion` | the printed equation holds along every motion: it is a combination of the model's equations |
-//! | `linearised equation` | the printed equation holds to the first order about a motion on which given letters are constant |
-//! | `formula` | the printed value of a quantity, identically or along every motion |
+//! | `linearised equation` | the printed equation holds to first order about a motion on which given letters are constant |
+//! | `formula` | the printed value of a quantity is correct, identically or along every motion |
 //! | `identity` | both sides are equal for all positions, speeds and accelerations that the constraints allow |
-//! | `integral of motion` | the rate of the printed expression is zero along every motion |
+//! | `integral of motion` | the time derivative of the printed expression is zero along every motion |
 //! | `inequality` | the inequality holds wherever its formula has a value |
 //! | `equivalence` | two conditions imply each other |
 //! | `steady motion` | the printed condition characterises the motions on which the listed letters are constant |

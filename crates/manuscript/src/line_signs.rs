@@ -1,4 +1,4 @@
-//! Exact signs of an expression in one unknown, a letter or an angle, where the conditions on it hold, by real roots.
+//! Exact signs of an expression in one unknown, a letter or an angle, wherever the conditions on the unknown hold, by real roots of polynomials.
 
 use crate::refutation::Refutation;
 use algebra::real::{Polynomial, Root};
@@ -6,24 +6,24 @@ use claims::Condition;
 use field::Rational;
 use symbolic::{Hypotheses, Node, Sym, normal, univariate};
 
-/// The least sign of an expression where the conditions on its unknown hold, and the points with this sign.
+/// The least sign of an expression where the conditions on its unknown hold, with points at which it has this sign.
 pub(crate) struct Least {
     pub sign: i32,
-    /// Numbers with few digits come before roots of polynomials.
+    /// The points, those with few digits before roots of polynomials.
     pub points: Vec<Refutation>,
 }
 
-/// The unknown, and its substitution in polynomials.
+/// The unknown of an expression, and its substitution in polynomials.
 enum Unknown {
     Letter(Sym),
-    /// An angle by the tangent of half of it, which has no value at half a turn.
+    /// An angle, replaced by the tangent of its half, which has no value at the angle π.
     Angle {
         angle: Sym,
         tangent: Sym,
     },
 }
 
-/// Numerator and denominator.
+/// The numerator and the denominator of a fraction.
 type Fraction = [Polynomial; 2];
 
 /// The least sign; `None` if there are more unknowns, or if no point satisfies the conditions.
@@ -40,7 +40,7 @@ pub(crate) fn exclude_each_other(conditions: &[Condition]) -> bool {
     conditions.iter().any(leaves_none)
 }
 
-/// The signs of an expression where the conditions on its unknown hold, each with a point, a number with few digits or a root; none if there are
+/// The signs of an expression where the conditions on its unknown hold, each with a point (a number with few digits, or a root); `None` if there are
 /// more unknowns.
 fn signs(expression: Sym, conditions: &[Condition]) -> Option<Vec<(i32, Option<Refutation>)>> {
     let unknown = Unknown::of(expression)?;
@@ -92,7 +92,7 @@ impl Unknown {
         }
     }
 
-    /// Whether an expression has no other unknown.
+    /// Whether an expression contains no other unknown.
     fn holds_all(&self, expression: Sym) -> bool {
         let is_own = |leaf: &Sym| match *self {
             Unknown::Letter(letter) => *leaf == letter,
@@ -119,7 +119,7 @@ impl Unknown {
         Some([of(form.numerator())?, of(form.denominator())?])
     }
 
-    /// The point at which the unknown, or the tangent, has this value.
+    /// The point at which the unknown, or the tangent of half the angle, has this value.
     fn point(&self, value: Sym) -> Option<Refutation> {
         let form = |part: Sym| normal(part, &Hypotheses::none()).ok().map(|form| form.to_sym());
         let point = match *self {
@@ -134,7 +134,7 @@ impl Unknown {
     }
 }
 
-/// The sign at half a turn, where the conditions hold there.
+/// The sign at the angle π; `None` unless the conditions hold there.
 fn at_half_turn(expression: Sym, angle: Sym, sides: &[(Condition, Fraction)]) -> Option<(i32, Option<Refutation>)> {
     let circle = angle.circle_as_written();
     let point = vec![(circle.cos, Sym::ZERO - Sym::ONE), (circle.sin, Sym::ZERO)];
@@ -147,7 +147,7 @@ fn at_half_turn(expression: Sym, angle: Sym, sides: &[(Condition, Fraction)]) ->
     Some((own, Some(there)))
 }
 
-/// The sign of a fraction at a root where all conditions hold and the fraction has a value.
+/// The sign of a fraction at a root; `None` unless all conditions hold and the fraction has a value there.
 fn sign_at(root: &Root, own: &Fraction, sides: &[(Condition, Fraction)]) -> Option<i32> {
     let sign = |[above, below]: &Fraction| {
         Some(root.sign_of(below)).filter(|below| *below != 0).map(|below| below * root.sign_of(above))
@@ -157,7 +157,7 @@ fn sign_at(root: &Root, own: &Fraction, sides: &[(Condition, Fraction)]) -> Opti
     sides.iter().all(holds).then(|| sign(own)).flatten()
 }
 
-/// A number in each interval between roots in their order, and beyond them.
+/// A number in each interval between adjacent roots, and one before and one after all roots.
 fn samples(roots: &[(Root, Polynomial)]) -> Option<Vec<(Root, Rational)>> {
     let ends: Vec<[f64; 2]> = roots.iter().map(|(root, _)| root.enclosure(64).ends()).collect();
     let gaps: Vec<Option<Rational>> = match (ends.first(), ends.last()) {
@@ -171,12 +171,12 @@ fn samples(roots: &[(Root, Polynomial)]) -> Option<Vec<(Root, Rational)>> {
     gaps.into_iter().map(|value| Some((Root::rational(value?)?, value?))).collect()
 }
 
-/// A whole number.
+/// An integer as an expression.
 pub(crate) fn number(value: i64) -> Sym {
     Sym::constant(Rational::new(value, 1))
 }
 
-/// A number with few digits in an open interval.
+/// A number with few binary digits in an open interval.
 pub(crate) fn number_between(low: f64, high: f64) -> Option<Rational> {
     (0..60).find_map(|bits| {
         let scale = 2_f64.powi(bits);
@@ -186,7 +186,7 @@ pub(crate) fn number_between(low: f64, high: f64) -> Option<Rational> {
     })
 }
 
-/// A root as a fraction, or by a square root of a fraction.
+/// A root as an exact expression: a rational number, or one with a square root; `None` for other roots.
 fn exact(root: &Root, polynomial: &Polynomial) -> Option<Sym> {
     let fraction = root.enclosure(256).simplest();
     if Root::rational(fraction).is_some_and(|same| same.compare(root).is_eq()) {

@@ -1,4 +1,4 @@
-//! The linear equations about a steady motion: inertia, damping and stiffness of every coordinate, and their characteristic polynomial.
+//! The linear equations about a steady motion: matrices of inertia, damping and stiffness, and the characteristic polynomial.
 
 use crate::determinant::determinant;
 use crate::feedback::Feedback;
@@ -11,11 +11,11 @@ use symbolic::{Sym, coefficients, decide, normal};
 /// The largest number of speeds of a system that is linearised.
 const MOST_SPEEDS: usize = 4;
 
-/// The coefficients of the linear equations, row by row.
+/// The matrices of the linear equations, by rows.
 pub(crate) struct LinearMotion {
-    /// Expressions that are zero along every motion.
+    /// Expressions that vanish along every motion, one for each coordinate.
     pub equations: Vec<Sym>,
-    /// The coordinates that are constant, by their places; the others have constant speeds.
+    /// The indices of the coordinates that are constant; the others have constant speeds.
     pub resting: Vec<usize>,
     pub inertia: Vec<Vec<Sym>>,
     pub damping: Vec<Vec<Sym>>,
@@ -23,23 +23,23 @@ pub(crate) struct LinearMotion {
     pub stiffness: Vec<Vec<Sym>>,
 }
 
-/// The determinant of the linear equations.
+/// The characteristic polynomial of the linear equations.
 pub(crate) struct Characteristic {
     /// The unknown.
     pub root: Sym,
-    /// The factor that makes the determinant a polynomial.
+    /// The factor with which the determinant becomes a polynomial.
     pub scale: Sym,
-    /// The coefficients by rising powers, without the roots at zero.
+    /// The coefficients by ascending powers, after division by the power of the zero roots.
     pub coefficients: Vec<Sym>,
-    /// The number of roots at zero.
+    /// The number of zero roots.
     pub neutral: u32,
 }
 
 impl LinearMotion {
-    /// Linearises about the motion on which the letters of a claim are constant, with the inputs that hypotheses give.
+    /// Linearises about the motion on which the letters of a claim are constant, with the inputs that hypotheses prescribe.
     ///
     /// # Errors
-    /// There are no such equations, or they change with the time.
+    /// The reason for which there are no such equations, or for which they depend on time.
     pub fn of(
         resting: &Resting,
         letters: &Letters<'_, '_>,
@@ -97,7 +97,7 @@ impl LinearMotion {
     /// The characteristic polynomial.
     ///
     /// # Errors
-    /// The polynomial has more zero roots than constant speeds explain, or the determinant is not a polynomial.
+    /// The polynomial has more zero roots than there are constant speeds, or the determinant is not a polynomial.
     pub fn characteristic(&self, motion: &Motion<'_, '_>) -> Result<Characteristic, String> {
         let n = self.equations.len();
         let s = Sym::symbol("root of the linear equations");
@@ -112,7 +112,7 @@ impl LinearMotion {
         let mut powers: Vec<(u32, Sym)> = terms.into_iter().map(|(exponents, value)| (exponents[0], value)).collect();
         powers.sort_by_key(|(power, _)| *power);
         let neutral = powers.first().map_or(0, |(power, _)| *power);
-        // each constant speed causes a zero root, since there are neighbouring motions with other speeds
+        // each constant speed causes one zero root, since there are steady motions with other speeds nearby
         if neutral as usize > n - self.resting.len() {
             return Err("the linear equations have a root zero beside those of speeds that stay as they are".to_owned());
         }

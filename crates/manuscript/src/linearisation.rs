@@ -1,4 +1,4 @@
-//! Linearised equations of motion: the printed equation holds up to terms of the second order about a motion on which letters are constant.
+//! Claims that are linearised equations: the printed equation must hold up to second-order terms about a motion on which given letters are constant.
 
 use crate::base_motion::Residuals;
 use crate::certificate::Record;
@@ -19,22 +19,22 @@ use latex::Statement;
 use reader::Issue;
 use symbolic::{Sym, decide};
 
-/// The equations of motion, and the motion about which they are linearised.
+/// The equations of motion, and the base motion about which they are linearised.
 pub(crate) struct Linearisation<'t, 'm> {
     along: Motion<'t, 'm>,
     pub base: Motion<'t, 'm>,
     inputs: Vec<Sym>,
     feedback: Feedback,
-    /// The rates that are zero on the motion.
+    /// The rates that vanish on the base motion.
     rates: Vec<Sym>,
 }
 
 impl<'t, 'm> Linearisation<'t, 'm> {
-    /// Linearises about the motion on which letters are constant. An input is small unless a hypothesis gives its value; a feedback
-    /// of the state is put in.
+    /// Linearises about the motion on which the letters of a claim are constant. An input is small unless a hypothesis prescribes it; a state
+    /// feedback is inserted.
     ///
     /// # Errors
-    /// All faults of the file; inside, the reason for which there are no linear equations.
+    /// A fault of the file (outer result), or the reason for which there are no linear equations (inner result).
     pub fn of(
         claim: &ClaimText,
         letters: &Letters<'t, 'm>,
@@ -65,14 +65,14 @@ impl<'t, 'm> Linearisation<'t, 'm> {
         Ok(Ok(Linearisation { along, base, inputs, feedback, rates }))
     }
 
-    /// The reason why the letters are not constant on the motion.
+    /// The conditions under which the letters are constant on the base motion.
     fn residuals(&self, conditions: &[Condition]) -> Residuals {
         let accelerations = self.rates.iter().filter(|rate| self.base.trace.accelerations.contains(rate));
         let values = accelerations.map(|&acceleration| (acceleration, self.along.reduced(acceleration)));
         Residuals::of(&self.base, values, conditions)
     }
 
-    /// The parts of an expression that a linear equation keeps: its value on the motion, and its derivatives there by each coordinate,
+    /// The parts of an expression that a linear equation contains: its value on the base motion, and its derivatives there by each coordinate,
     /// speed and input.
     pub fn parts(&self, expression: Sym) -> Vec<(Sym, Option<Sym>)> {
         let trace = self.base.trace;
@@ -94,7 +94,7 @@ impl<'t, 'm> Linearisation<'t, 'm> {
         all
     }
 
-    /// An expression to the first order in the deviations from the motion, accelerations among them.
+    /// An expression to first order in the deviations from the base motion, including deviations of accelerations.
     pub fn form(&self, expression: Sym) -> Sym {
         let trace = self.base.trace;
         let expression = self.feedback.put_in(expression);
@@ -113,7 +113,7 @@ impl<'t, 'm> Linearisation<'t, 'm> {
         by_each.chain(by_inputs).fold(there(expression), |sum, term| sum + term)
     }
 
-    /// Whether an expression is of the second order for all small accelerations, so that it says nothing of the motion.
+    /// Whether an expression is of second order for all small accelerations, so that it states nothing about the motion.
     pub fn is_of_second_order(&self, expression: Sym) -> bool {
         let trace = self.base.trace;
         let expression = self.feedback.put_in(expression);
@@ -129,7 +129,7 @@ impl<'t, 'm> Linearisation<'t, 'm> {
         all.all(|part| decide(self.base.reduced(part), &self.base.hypotheses).is_zero())
     }
 
-    /// The letters by which is differentiated; none where a free frame has other deviations than its coordinates.
+    /// The letters of differentiation; `None` for a system with a free frame, whose deviations are not those of its coordinates.
     fn letters(&self) -> Option<Vec<Sym>> {
         let trace = self.base.trace;
         let is_plain = trace.coordinates.len() == trace.speeds.len();
@@ -153,7 +153,7 @@ impl<'t, 'm> Linearisation<'t, 'm> {
     }
 }
 
-/// An equation that holds up to terms of the second order in the deviations from a motion on which the letters of `resting` are constant.
+/// Judges a linearised equation: the equation must hold up to second-order terms about the motion on which the letters of `resting` are constant.
 pub(crate) fn linearised(
     claim: &ClaimText,
     statement: &Statement,
@@ -194,7 +194,7 @@ pub(crate) fn linearised(
                     finding.judged.requires.extend(divisors(&found, told));
                 }
                 Outcome::NonZero(refutation) => {
-                    // a point that is on no such motion refutes nothing
+                    // a counterexample must lie on a motion on which the letters are constant
                     let found = Some(refutation).filter(|found| residuals.vanish_at(found));
                     let Some(refutation) = found.or_else(|| residuals.failing(part, base, &known)) else {
                         is_open = true;

@@ -1,4 +1,4 @@
-//! The equalities of a formula, component by component.
+//! The equalities of a formula, by components.
 
 use crate::claim_text::ClaimText;
 use crate::conditions::side;
@@ -7,13 +7,13 @@ use latex::{Chain, Relation, Statement};
 use reader::Issue;
 use symbolic::Sym;
 
-/// An equality between two neighbours of a chain.
+/// An equality between two adjacent sides: in the symbols of the model, and in the paper's letters.
 pub(crate) struct Line {
     pub model: [Sym; 2],
     pub own: [Sym; 2],
 }
 
-/// The equalities of a formula.
+/// The equalities of a formula, one for each component and each pair of adjacent sides.
 pub(crate) fn lines(claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>) -> Result<Vec<Line>, Issue> {
     let accepted = "two sides or more with `=` between them";
     let refused = |title: &str| Issue::at(claim.formula.span.clone(), title.to_owned(), "here").accepted(accepted);
@@ -30,7 +30,7 @@ pub(crate) fn lines(claim: &ClaimText, statement: &Statement, letters: &Letters<
     let mut lines = Vec::new();
     for pair in sides.windows(2) {
         let (left, right) = (pair[0].model.entries(), pair[1].model.entries());
-        // zero is a vector too
+        // the number zero also denotes the zero vector
         let all_zero = |side: &[Sym]| side.len() == 1 && side[0] == Sym::ZERO;
         let count = left.len().max(right.len());
         if left.len() != right.len() && !all_zero(&left) && !all_zero(&right) {

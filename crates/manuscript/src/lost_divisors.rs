@@ -1,24 +1,24 @@
 //! Divisors that hypotheses hide.
 //!
-//! Constraints and equations of motion give x' = N/D. An expression without D holds wherever the motions with D != 0 are dense; hypotheses
-//! restrict the motions, and may make N zero and leave D free, or make D zero as well. A bead on the circle x^2 + y^2 = R^2 has
-//! x' = -y y'/x; with y' = 0 it rests, except at x = 0.
+//! Constraints and equations of motion give values such as x' = N/D. An expression without D holds on all motions if the motions with D ≠ 0 are dense.
+//! Hypotheses restrict the motions; they may make N zero, so that the divisor D disappears, or make D itself zero. Example: a bead on the circle
+//! x² + y² = R² has x' = -y y'/x; with y' = 0 it is at rest, except possibly at x = 0.
 
 use crate::inertia::inertia_determinant;
 use crate::motion::Motion;
 use crate::natural_domain::written_divisors;
 use symbolic::{Hypotheses, Identity, Sym, decide, identified, normal, substitute_all};
 
-/// The needs of a proof beside its own divisors.
+/// The requirements of a proof in addition to its own divisors.
 pub(crate) enum Lost {
-    /// These must not be zero.
+    /// These divisors must not vanish.
     Divisors(Vec<Sym>),
-    /// The hypotheses make one zero, for a reason.
+    /// A divisor vanishes under the hypotheses, for this reason.
     Zero(String),
 }
 
 impl Motion<'_, '_> {
-    /// The divisors of the values in an expression that hypotheses hide.
+    /// The hidden divisors of the values in an expression.
     pub fn lost_divisors(&self, expression: Sym) -> Lost {
         let Some(given) = self.before_hypotheses else { return Lost::Divisors(Vec::new()) };
         if self.divisors.iter().any(|&divisor| self.is_zero(divisor)) {
@@ -32,7 +32,7 @@ impl Motion<'_, '_> {
                 |of: Sym| self.rounds[place + 1..].iter().fold(of, |of, round| substitute_all(&[of], &round.values)[0]);
             for (_, value) in round.values.iter().filter(|(symbol, _)| symbols.contains(symbol)) {
                 by_equations |= round.by.is_none();
-                // a long value without a normal form divides by what is written there
+                // without a normal form, the written divisors of a long value are used
                 let written = |of: Sym| written_divisors(of).into_iter().fold(Sym::ONE, |product, one| product * one);
                 let below =
                     |of: Sym| normal(of, &Hypotheses::none()).map_or_else(|_| written(of), |form| form.denominator());
@@ -60,7 +60,7 @@ impl Motion<'_, '_> {
         Lost::Divisors(lost)
     }
 
-    /// Whether hypotheses make the determinant of the equations for accelerations zero.
+    /// Whether the determinant of the equations for accelerations vanishes under the hypotheses.
     fn has_no_inertia(&self) -> bool {
         inertia_determinant(self.trace).is_some_and(|determinant| {
             let reduced = self.reduced(determinant);

@@ -1,4 +1,4 @@
-//! The certificate of stability by a minimum of the energy: the minors of both forms, and the rules that show their signs.
+//! Certificates of stability by a minimum of the energy: the minors of both quadratic forms, and the rules that prove their signs.
 
 use crate::certificate::Record;
 use crate::condition_products;
@@ -11,20 +11,20 @@ use claims::Condition;
 use claims::certificate::{Minimum, Part, PartProof};
 use symbolic::Sym;
 
-/// The cited theorems.
+/// The citations of the theorems.
 const MINIMUM: &str = "J. L. Lagrange; P. G. Lejeune Dirichlet, J. reine angew. Math. 32 (1846), 85-88: a minimum of the potential energy is stable; \
     J. J. Sylvester: a form is positive where its leading principal minors are; A. M. Lyapunov: a root with a positive real part is unstable";
 
 /// A sign that the theorems require.
 struct Sign<'a> {
-    /// The conditions in addition to those of the claim.
+    /// Conditions in addition to those of the claim.
     added: &'a [Condition],
     expression: Sym,
     is_strict: bool,
 }
 
-/// Records the proof that a printed condition is that of the minimum. If a sign needs a rule that the second checker does not have, records that
-/// there is no certificate.
+/// Records the proof that a printed condition is equivalent to a minimum of the energy. If a sign needs a rule that the second checker does not have,
+/// records that there is no certificate.
 pub(crate) fn minimum(
     record: &mut Record,
     (motion, assumed, known): (&Motion<'_, '_>, &[Hypothesis], &[Condition]),
@@ -63,7 +63,7 @@ pub(crate) fn minimum(
     });
 }
 
-/// A sign with the rule that shows it: by the terms as written, or by products of conditions.
+/// The proof of a sign: by the terms without simplification, or by products of conditions; `None` without such a proof.
 fn implied(
     record: &mut Record,
     (motion, assumed, known): (&Motion<'_, '_>, &[Hypothesis], &[Condition]),
@@ -76,7 +76,7 @@ fn implied(
         true => None,
         false => {
             let (list, products) = condition_products::proof(sign.expression, sign.is_strict, &all)?;
-            // the theorem does not cover a denominator with letters
+            // the cited theorem does not cover conditions with a variable denominator
             (list.len() == all.len() + 1).then_some(())?;
             Some(products)
         }

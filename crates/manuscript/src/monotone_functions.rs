@@ -1,4 +1,4 @@
-//! Inequalities between functions of one letter that begin with equality and then part: `sin(x) < x` for `x > 0`, since `1 - cos(x) >= 0`.
+//! Inequalities between functions of one letter that are equal at a bound of the letter: `sin(x) < x` for `x > 0`, since `1 - cos(x) >= 0`.
 
 use crate::circle_signs::circle_signs;
 use crate::half_turn::{is_half_turn, sign_of_number};
@@ -7,17 +7,17 @@ use crate::real_signs;
 use claims::Condition;
 use symbolic::{Hypotheses, Node, Sym, decide, normal};
 
-/// The largest number of derivatives.
+/// The largest order of derivatives that are examined.
 const DEPTH: usize = 4;
 
-/// Whether an expression is nonnegative for all values of a letter above a bound, since it is there and its derivative is nonnegative: none if not,
-/// otherwise whether zero is excluded.
+/// Whether an expression is proved nonnegative for all values of a letter above a lower bound, because it is at the bound and its derivative is above.
+/// `None` without a proof, otherwise whether the expression is positive.
 pub(crate) fn shows(expression: Sym, conditions: &[Condition]) -> Option<bool> {
     let letters = expression.symbols_of().into_iter().filter(|letter| !is_half_turn(*letter));
     letters.filter_map(|letter| Interval::of(letter, conditions)).find_map(|interval| interval.grows(expression, DEPTH))
 }
 
-/// The values of a letter that conditions leave.
+/// The interval of a letter that conditions allow.
 struct Interval<'a> {
     letter: Sym,
     from: Sym,
@@ -26,7 +26,7 @@ struct Interval<'a> {
 }
 
 impl<'a> Interval<'a> {
-    /// None where the values have no lower bound, or other conditions than bounds hold the letter.
+    /// The interval of a letter; `None` without a lower bound, or if conditions other than bounds contain the letter.
     fn of(letter: Sym, conditions: &'a [Condition]) -> Option<Self> {
         let own = || conditions.iter().filter(|condition| condition.expression().symbols_of().contains(&letter));
         let bound = |condition: &Condition| {
@@ -50,7 +50,7 @@ impl<'a> Interval<'a> {
         }
     }
 
-    /// Whether an expression is nonnegative at the bound and its derivative behind it.
+    /// Whether an expression is nonnegative at the bound and its derivative nonnegative above it.
     fn grows(&self, expression: Sym, depth: usize) -> Option<bool> {
         let is_continuous = |condition: Condition| {
             let of = condition.expression();
@@ -80,7 +80,7 @@ impl<'a> Interval<'a> {
         let slope = plain(expression.diff(self.letter))?;
         let by_signs = || real_signs::shows(slope, self.conditions).map(|shown| shown.is_strict);
         let is_strict = by_signs().or_else(|| if depth == 0 { None } else { self.grows(slope, depth - 1) })?;
-        // a derivative that vanishes at single points only leaves the function growing
+        // zeros of the derivative at single points do not prevent strict growth
         let is_alone = expression.symbols_of().into_iter().all(|letter| letter == self.letter || is_half_turn(letter));
         let parts = is_strict || is_alone && !decide(slope, &Hypotheses::none()).is_zero();
         Some(at_bound || self.is_open && parts)

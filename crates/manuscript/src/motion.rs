@@ -1,5 +1,5 @@
-//! The equations that hold along every motion of a model: accelerations and multipliers by its equations, speeds and positions by its
-//! constraints, and the hypotheses.
+//! The equations that hold along every motion of a model: accelerations and multipliers from its equations, speeds and positions from its
+//! constraints, and hypotheses.
 
 use crate::half_turn::is_half_turn;
 use crate::letters::circle;
@@ -7,36 +7,36 @@ use model::Trace;
 use model::equations::{Characteristics, Equation, Equations, Level, Singular, constraints_of, solved};
 use symbolic::{Hypotheses, Node, Sym, coefficients, decide, normal, substitute_all};
 
-/// Symbols with their values.
+/// Symbols with the values that replace them.
 #[derive(Clone)]
 pub(crate) struct Round {
     pub values: Vec<(Sym, Sym)>,
-    /// Expressions that are zero and linear in the symbols, and that determine these values; none for values by the equations of motion.
+    /// Expressions that vanish, are linear in the symbols and determine the values; `None` for values from the equations of motion.
     pub by: Option<Vec<Sym>>,
 }
 
-/// The equations of a motion as rounds of replacements, applied one after the other, and rewriting rules.
+/// The equations along a motion, as rounds of replacements that are applied one after the other, and rewriting rules.
 #[derive(Clone)]
 pub(crate) struct Motion<'t, 'm> {
     pub trace: &'t Trace<'m>,
     pub hypotheses: Hypotheses,
     pub rounds: Vec<Round>,
-    /// Squares of coordinates that are rewritten, with the constraints that give them.
+    /// Coordinates whose squares are rewritten, with the constraints that determine the squares.
     pub squares: Vec<(Sym, Sym)>,
-    /// Constraints that were not solved; a point may violate them.
+    /// Constraints that could not be solved; a point may violate them.
     pub open: Vec<String>,
-    /// The divisors in hypotheses.
+    /// The divisors that hypotheses introduced.
     pub divisors: Vec<Sym>,
-    /// The expressions that constraints and hypotheses state to be zero.
+    /// The expressions that vanish by constraints and hypotheses.
     pub held: Vec<Sym>,
-    /// Constraints of positions.
+    /// The constraints of positions.
     positions: Vec<Sym>,
     /// The number of rounds before the first hypothesis.
     pub before_hypotheses: Option<usize>,
 }
 
 impl<'t, 'm> Motion<'t, 'm> {
-    /// All motions that constraints allow, with free accelerations.
+    /// All motions that the constraints allow, with arbitrary accelerations.
     pub fn by_constraints(trace: &'t Trace<'m>) -> Self {
         let mut motion = Motion::without_anything(trace);
         motion.keep(&constraints_of(trace));
@@ -44,7 +44,7 @@ impl<'t, 'm> Motion<'t, 'm> {
         motion
     }
 
-    /// The motion with some rates zero; dependent rates may then need no divisor.
+    /// The motions on which some rates vanish; solving the constraints for dependent rates may then need no divisor.
     pub fn at_rest(trace: &'t Trace<'m>, rates: &[(Sym, Sym)]) -> Self {
         let mut motion = Motion::without_anything(trace);
         motion.set(rates.to_vec());
@@ -55,10 +55,10 @@ impl<'t, 'm> Motion<'t, 'm> {
         motion
     }
 
-    /// The motions by the equations of motion, with the positions and speeds that the constraints allow.
+    /// The motions by the equations of motion, with all positions and speeds that the constraints allow.
     ///
     /// # Errors
-    /// The equations of motion cannot be solved, with the reason.
+    /// The reason for which the equations of motion cannot be solved.
     pub fn by_equations(trace: &'t Trace<'m>) -> Result<Self, String> {
         let constraints = constraints_of(trace);
         let mut motion = Motion::without_anything(trace);
@@ -77,7 +77,7 @@ impl<'t, 'm> Motion<'t, 'm> {
         Ok(motion)
     }
 
-    /// Without equations of motion and constraints.
+    /// Arbitrary motions, without equations of motion and constraints.
     pub fn without_anything(trace: &'t Trace<'m>) -> Self {
         Motion {
             trace,
@@ -92,12 +92,12 @@ impl<'t, 'm> Motion<'t, 'm> {
         }
     }
 
-    /// Quaternions of free frames have length one.
+    /// Adds the rules that quaternions of free frames have length one.
     fn turn_freely(&mut self) {
         self.hypotheses = self.with_free_frames(self.hypotheses.clone());
     }
 
-    /// Hypotheses with the rule that the quaternions of free frames have length one.
+    /// Hypotheses with the rules that quaternions of free frames have length one.
     pub fn with_free_frames(&self, hypotheses: Hypotheses) -> Hypotheses {
         let plain = self.trace.model.coordinates.len();
         let quaternions = self.trace.coordinates[plain..].chunks_exact(4);
@@ -105,7 +105,7 @@ impl<'t, 'm> Motion<'t, 'm> {
     }
 
     fn keep(&mut self, constraints: &[Equation]) {
-        // the residual of a stabilised constraint need not be zero
+        // the residual of a stabilised constraint need not vanish
         let constraints: Vec<Equation> = constraints.iter().filter(|one| one.gains.is_none()).cloned().collect();
         if constraints.is_empty() {
             return;
@@ -116,7 +116,7 @@ impl<'t, 'm> Motion<'t, 'm> {
             Ok(known) => {
                 let rates = constraints.iter().map(|one| one.rate).collect();
                 let accelerated = constraints.iter().map(|one| accelerated(self.trace, one)).collect();
-                // the accelerations contain no dependent speed
+                // the values of accelerations contain no dependent speeds
                 self.rounds.push(Round { values: known.speeds, by: Some(rates) });
                 self.rounds.push(Round { values: known.accelerations, by: Some(accelerated) });
             }
@@ -132,7 +132,7 @@ impl<'t, 'm> Motion<'t, 'm> {
         }
     }
 
-    /// Solves a constraint for a coordinate, or for its square; otherwise for a parameter, which then depends on the free positions.
+    /// Solves a constraint for a coordinate or its square, otherwise for a parameter, which then depends on the free positions.
     fn solve_position(&mut self, zero: Sym) -> bool {
         let zero = self.reduced(zero);
         for &coordinate in &self.trace.coordinates {
@@ -160,12 +160,12 @@ impl<'t, 'm> Motion<'t, 'm> {
         true
     }
 
-    /// Sets a symbol to a value that follows from an expression that is zero.
+    /// Adds a replacement of a symbol that follows from an expression that vanishes.
     fn give(&mut self, known: (Sym, Sym), zero: Sym) {
         self.rounds.push(Round { values: vec![known], by: Some(vec![zero]) });
     }
 
-    /// Solves for the square of a symbol, if the symbol occurs only as this square with a numeric factor.
+    /// Solves an equation for the square of a symbol, if the symbol occurs only as this square with a numerical factor.
     fn solve_square(&mut self, zero: Sym, symbol: Sym) -> bool {
         let Ok(terms) = coefficients(zero, &[symbol]) else { return false };
         let of = |power: u32| terms.iter().find(|(exponents, _)| exponents[0] == power).map(|(_, value)| *value);
@@ -180,7 +180,7 @@ impl<'t, 'm> Motion<'t, 'm> {
         is_taken
     }
 
-    /// Coordinates, speeds and parameters that were replaced.
+    /// The coordinates, speeds and parameters that were replaced.
     pub fn replaced(&self) -> Vec<Sym> {
         let trace = self.trace;
         let known = [&trace.coordinates, &trace.speeds, &trace.parameters];
@@ -188,13 +188,13 @@ impl<'t, 'm> Motion<'t, 'm> {
         all.filter(|symbol| known.iter().any(|list| list.contains(symbol))).collect()
     }
 
-    /// An expression with all replacements and rules applied.
+    /// An expression after all replacements and rules.
     pub fn reduced(&self, expression: Sym) -> Sym {
         let found = self.rounds.iter().fold(expression, |now, round| substitute_all(&[now], &round.values)[0]);
         self.with_circles(found)
     }
 
-    /// Cosines and sines of angles that became fractions of pi get their values.
+    /// An expression in which cosines and sines of angles with π have their exact values.
     fn with_circles(&self, expression: Sym) -> Sym {
         let pi = self.trace.pi;
         let of = |leaf: Sym| match leaf.node() {
@@ -206,10 +206,10 @@ impl<'t, 'm> Motion<'t, 'm> {
         if known.is_empty() { expression } else { expression.substitute(&known) }
     }
 
-    /// Assumes that an expression is zero and solves it for a symbol, preferably for `first`.
+    /// Assumes that an expression vanishes, and solves this equation for a symbol, preferably for `first`.
     ///
     /// # Errors
-    /// It cannot be solved for any symbol, or no point satisfies it.
+    /// The equation cannot be solved for any symbol, or no point satisfies it.
     pub fn assume(&mut self, zero: Sym, first: Option<Sym>) -> Result<(), String> {
         self.held.push(zero);
         self.before_hypotheses.get_or_insert(self.rounds.len());
@@ -217,13 +217,13 @@ impl<'t, 'm> Motion<'t, 'm> {
         if decide(zero, &self.hypotheses).is_zero() {
             return Ok(());
         }
-        // no letter makes pi a rational number
+        // since π is transcendental, such an expression cannot vanish
         if zero.symbols_of().into_iter().all(is_half_turn) {
             return Err("this hypothesis contradicts the ones before it, or the model".to_owned());
         }
         match solution(self.trace, zero, first) {
             Some(Solution { symbol, value, divisor }) => {
-                // over one denominator: the numerator alone is solved
+                // the expression is a fraction, and its numerator was solved
                 let own = normal(zero, &Hypotheses::none()).map_or(Sym::ONE, |form| form.denominator());
                 let below = [own, divisor].into_iter();
                 for divisor in below.filter(|divisor| divisor.as_constant().is_none()) {
@@ -240,7 +240,7 @@ impl<'t, 'm> Motion<'t, 'm> {
         }
     }
 
-    /// Solves constraints of positions once more after a hypothesis has determined the letter for which they were solved.
+    /// Solves the constraints of positions again, after a hypothesis has determined a letter for which they were solved.
     fn keep_positions(&mut self) -> Result<(), String> {
         self.hypotheses = Hypotheses::none();
         self.squares.clear();
@@ -257,13 +257,13 @@ impl<'t, 'm> Motion<'t, 'm> {
         Ok(())
     }
 
-    /// Sets symbols to these values in a new round.
+    /// Adds a round that replaces symbols by these values.
     pub fn set(&mut self, values: Vec<(Sym, Sym)>) {
         let by = values.iter().map(|&(symbol, value)| symbol - value).collect();
         self.rounds.push(Round { values, by: Some(by) });
     }
 
-    /// A symbol in an expression that no motion determines: a reaction of a contact, or a condition.
+    /// A symbol in an expression that the motion does not determine: a reaction of a contact, or a condition.
     pub fn undetermined(&self, expression: Sym) -> Option<Sym> {
         let trace = self.trace;
         let known = [&trace.parameters, &trace.coordinates, &trace.speeds, &trace.accelerations];
@@ -278,12 +278,12 @@ impl<'t, 'm> Motion<'t, 'm> {
     }
 }
 
-/// A constraint between accelerations.
+/// A constraint between accelerations, as an expression that vanishes.
 fn accelerated(trace: &Trace<'_>, one: &Equation) -> Sym {
     one.row.iter().zip(&trace.accelerations).fold(one.bias, |sum, (&slope, &rate)| sum + slope * rate)
 }
 
-/// The equations of motion with the reactions of constraints, then the constraints between accelerations: expressions that are zero.
+/// The equations of motion with the reactions of constraints, then the constraints between accelerations, as expressions that vanish.
 pub(crate) fn equations_of_motion(trace: &Trace<'_>) -> Vec<Sym> {
     let Equations { mass, bias, constraints } = Equations::of(trace);
     let of_row = |(k, row): (usize, &Vec<Sym>)| {
@@ -294,11 +294,11 @@ pub(crate) fn equations_of_motion(trace: &Trace<'_>) -> Vec<Sym> {
     rows.chain(constraints.iter().map(|one| accelerated(trace, one))).collect()
 }
 
-/// A symbol by the others.
+/// The value of a symbol in terms of the others.
 pub(crate) struct Solution {
     pub symbol: Sym,
     pub value: Sym,
-    /// The divisors.
+    /// The divisor in the value.
     pub divisor: Sym,
 }
 
@@ -311,10 +311,10 @@ fn linear(zero: Sym, symbol: Sym) -> Option<Solution> {
     (!vanishes).then(|| Solution { symbol, value: -of(0).unwrap_or(Sym::ZERO) / divisor, divisor })
 }
 
-/// The solution of an equation for a symbol in which it is linear: preferably `first`, then a symbol with a numeric factor, then one with a
+/// The solution of an equation for a symbol in which it is linear: preferably for `first`, then for a symbol with a numerical factor, then for one with a
 /// constant factor.
 pub(crate) fn solution(trace: &Trace<'_>, zero: Sym, first: Option<Sym>) -> Option<Solution> {
-    // over one denominator: the expression is zero where its numerator is
+    // a fraction vanishes where its numerator does
     let zero = normal(zero, &Hypotheses::none()).map_or(zero, |form| form.numerator());
     let by = |symbol: Sym| linear(zero, symbol);
     let is_letter = |symbol: &Sym| symbol.symbol_name().is_some() && !is_half_turn(*symbol);

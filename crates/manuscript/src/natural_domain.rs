@@ -1,9 +1,9 @@
-//! The domain of an expression: nonzero divisors, nonnegative radicands.
+//! The domain of an expression: divisors do not vanish, radicands are nonnegative.
 
 use claims::Condition;
 use symbolic::{Node, Sym};
 
-/// The conditions of all parts of some expressions.
+/// The conditions under which all parts of some expressions have values.
 pub(crate) fn natural_domain(expressions: &[Sym]) -> Vec<Condition> {
     let mut all: Vec<Condition> = Vec::new();
     let mut add = |condition: Condition| {
@@ -24,13 +24,13 @@ pub(crate) fn natural_domain(expressions: &[Sym]) -> Vec<Condition> {
     all
 }
 
-/// The divisors that occur in an expression.
+/// The written divisors in an expression, without simplification.
 pub(crate) fn written_divisors(expression: Sym) -> Vec<Sym> {
     let divisor = |part: Sym| match part.node() {
         Node::Quotient(_, below) if below.as_constant().is_none() => Some(below),
         _ => None,
     };
-    // each part once: multiples of an angle share most of theirs
+    // each shared part is visited once, since multiples of an angle have many parts in common
     Sym::ascending(&[expression]).into_iter().filter_map(divisor).collect()
 }
 

@@ -1,4 +1,4 @@
-//! Printed numbers: the enclosed value of a quantity for given data is compared with the printed digits.
+//! Claims about printed numbers: an enclosure of a quantity for given data is compared with the printed digits.
 
 use crate::certificate::Record;
 use crate::claim_text::ClaimText;
@@ -18,7 +18,7 @@ use reader::Issue;
 use std::ops::Range;
 use symbolic::{Hypotheses, NotNormal, Sym, normal};
 
-/// `\ddot{\theta} = -12.98`: the value, determined by `given`, agrees with every printed digit. Numbers are in SI units.
+/// Judges a claim such as `\ddot{\theta} = -12.98`: the value that follows from `given` must agree with every printed digit. Numbers are in SI units.
 pub(crate) fn number(
     claim: &ClaimText,
     statement: &Statement,
@@ -110,7 +110,7 @@ pub(crate) fn number(
     Ok(())
 }
 
-/// A value beside the numbers that have the printed digits.
+/// The relation of a value to the interval of numbers that round to the printed digits.
 enum Agreement {
     Agrees,
     Differs,
@@ -118,7 +118,7 @@ enum Agreement {
 }
 
 impl Agreement {
-    /// By the exact difference from the print where the value is a fraction, otherwise by the ends of its enclosure, which are fractions.
+    /// The relation, by the exact difference `apart` from the printed number if the value is rational, otherwise by the ends of its enclosure.
     fn of(value: Interval, apart: Option<Rational>, [low, high]: [Rational; 2]) -> Self {
         let is_below = |one: Rational, other: Rational| (one - other).sign() == Some(-1);
         if let Some(apart) = apart {
@@ -137,16 +137,16 @@ impl Agreement {
     }
 }
 
-/// The printed number with the digits that it should have.
+/// A printed number with its correct digits.
 pub(crate) struct Right {
-    /// The printed digits in the formula.
+    /// The range of the printed digits in the formula.
     pub span: Range<usize>,
     pub digits: String,
-    /// The exponent of the power of ten, with which the printed digits are right: its place and its print.
+    /// The range of the exponent of ten and the exponent with which the printed digits are correct.
     pub power: Option<(Range<usize>, String)>,
 }
 
-/// The correct decimals, as many as are printed; none if the value is not determined.
+/// The correct digits of a printed number, as many as are printed; `None` if the value is not determined.
 pub(crate) fn right(
     claim: &ClaimText,
     statement: &Statement,
@@ -163,7 +163,7 @@ pub(crate) fn right(
     value.is_finite().then(|| Right { digits: printed.digits(value), span: printed.span, power })
 }
 
-/// A letter that cancels needs no value.
+/// A value in which letters that cancel have been removed.
 fn cancelled(motion: &Motion<'_, '_>, value: Sym) -> Sym {
     match value.symbols_of().into_iter().all(is_half_turn) {
         true => value,
@@ -171,7 +171,7 @@ fn cancelled(motion: &Motion<'_, '_>, value: Sym) -> Sym {
     }
 }
 
-/// The ends of an enclosure in words.
+/// A sentence with the ends of an enclosure.
 fn range(value: Interval) -> String {
     let beyond = "beyond the numbers of double precision";
     match (value.low(), value.high()) {
@@ -184,13 +184,13 @@ fn range(value: Interval) -> String {
     }
 }
 
-/// Nine digits of the middle.
+/// The midpoint of an enclosure with nine digits.
 fn short(value: Interval) -> String {
     let digits = format!("{:.8e}", value.middle());
     digits.parse::<f64>().map_or(digits, |value| value.to_string())
 }
 
-/// The value of an expression that is a rational number.
+/// The value of an expression if it is a rational number.
 fn exactly(expression: Sym) -> Option<Rational> {
     normal(expression, &Hypotheses::none()).ok()?.to_sym().as_constant().filter(|value| value.is_defined())
 }

@@ -132,14 +132,14 @@ impl<'t, 'm> Probe<'t, 'm> {
         says_nothing(&Line { model: line.model, own: line.own.map(with_formal_functions) })
     }
 
-    /// The residual of a claim's lines at points, in double precision.
+    /// The residual of a claim at the test points, in double precision.
     pub fn residual(&self, claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>) -> Option<Vec<f64>> {
         let lines = self.lines(claim, statement, letters)?;
         let zeros: Vec<Sym> = lines.iter().map(|line| self.motion.reduced(line.model[0] - line.model[1])).collect();
         self.samples.as_ref()?.values(&zeros)
     }
 
-    /// Whether the constraints and the hypotheses make the expression of an integral one of parameters alone.
+    /// Whether, under constraints and hypotheses, the expression of an integral depends on parameters only.
     fn is_number_of_model(&self, claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>) -> bool {
         let Ok((is, _)) = difference(claim, statement, letters) else { return false };
         let form = normal(self.motion.reduced(is), &self.motion.hypotheses).map(|form| form.to_sym());
@@ -153,16 +153,16 @@ impl<'t, 'm> Probe<'t, 'm> {
         let at = |zero: &Sym| self.at.as_ref().and_then(|at| at.value(*zero));
         let values: Vec<Option<Sym>> = zeros.iter().map(at).collect();
         let fails = values.iter().flatten().any(|value| *value != Sym::ZERO);
-        // a letter of the paper that abbreviates others is replaced, since its definition is no statement
+        // a letter that abbreviates an expression is replaced by it, since its definition states nothing
         let plain = |line: &Line| Line { model: line.model, own: line.own.map(|own| own.substitute(&self.foreign)) };
         if fails || lines.iter().filter(|line| self.is_empty(&plain(line))).count() > self.empty {
             return Look::Fails;
         }
-        // a number of the model is constant along every motion
+        // an expression in parameters is trivially constant along every motion
         if self.kind == Kind::IntegralOfMotion && self.is_number_of_model(claim, statement, letters) {
             return Look::Fails;
         }
-        // an expression that is constant without the equations is no integral; an identity is no equation of motion
+        // an expression that is constant without the equations of motion is not an integral, and an identity is not an equation of motion
         let is_empty = |zero: &Sym| decide(*zero, &Hypotheses::none()).is_zero();
         if matches!(self.kind, Kind::IntegralOfMotion | Kind::EquationOfMotion) && zeros.iter().any(is_empty) {
             return Look::Fails;
@@ -173,7 +173,7 @@ impl<'t, 'm> Probe<'t, 'm> {
         }) {
             return Look::Fails;
         }
-        // two sides that are zero by the hypotheses make an empty formula
+        // a formula with two sides that vanish by the hypotheses states nothing
         let vanishes = |side: Sym| decide(self.assumed.reduced(side), &self.assumed.hypotheses).is_zero();
         if self.linear.is_none()
             && !self.assumed.held.is_empty()
@@ -182,11 +182,11 @@ impl<'t, 'm> Probe<'t, 'm> {
             return Look::Fails;
         }
         let reduced: Vec<Sym> = zeros.iter().map(|zero| self.motion.reduced(*zero)).collect();
-        // in a prime field the root of a square may be either one
+        // in a prime field the sign of a square root is not determined
         let has_root =
             reduced.iter().any(|zero| zero.leaves_of().iter().any(|leaf| matches!(leaf.node(), Node::Root(_))));
         match identified(&reduced) {
-            // rules of hypotheses cannot be used in prime fields
+            // prime fields cannot use the rules of hypotheses
             Identity::NotZero if self.motion.hypotheses.statements().is_empty() && !has_root => Look::Fails,
             Identity::Identified { .. } => Look::Holds,
             _ if values.iter().all(Option::is_some) => Look::Holds,
@@ -195,7 +195,7 @@ impl<'t, 'm> Probe<'t, 'm> {
     }
 }
 
-/// An expression with a letter for each of its functions: for sines and cosines of one angle and of its opposite the same one.
+/// An expression with its functions replaced by letters; the same letter stands for functions of an angle and of its opposite.
 pub(super) fn with_formal_functions(expression: Sym) -> Sym {
     let plain = |angle: Sym| normal(angle, &Hypotheses::none()).map_or(angle, |form| form.to_sym());
     let letter = |word: &str, of: Sym| Sym::symbol(&format!("{word} of {of}"));
@@ -217,12 +217,12 @@ pub(super) fn with_formal_functions(expression: Sym) -> Sym {
     expression.substitute(&leaves.map(|leaf| (leaf, of_leaf(leaf))).collect::<Vec<_>>())
 }
 
-/// Whether both sides are equal as expressions of the letters.
+/// Whether both sides are equal as expressions in the paper's letters.
 pub(super) fn says_nothing(line: &Line) -> bool {
     decide(line.own[0] - line.own[1], &Hypotheses::none()).is_zero()
 }
 
-/// The difference of the sides in the paper's letters, for a formula with one equality; zero if two equivalent conditions are identical.
+/// The difference of the sides in the paper's letters, for a formula with one equality; zero for an equivalence of two identical conditions.
 pub(super) fn own_difference(statement: &Statement, letters: &Letters<'_, '_>) -> Option<Sym> {
     match &statement.chains[..] {
         [chain] => sides_apart(chain, letters),
@@ -240,7 +240,7 @@ fn sides_apart(chain: &Chain, letters: &Letters<'_, '_>) -> Option<Sym> {
         Value::Scalar(own) => Some(own),
         Value::Matrix(_) => None,
     };
-    // a constant without a value says nothing of the other side
+    // a constant without a value states nothing about the other side
     let sides: Vec<&Term> = chain.sides.iter().filter(|side| !is_constant(side)).collect();
     match sides[..] {
         [left, right] => Some(own(left)? - own(right)?),

@@ -1,4 +1,4 @@
-//! Corrections of an equation that is recorded as expressions and compared with the derived one, by edits of its print.
+//! Corrections of an equation that a page records as expressions and compares with the derived one, by edits of its printed form.
 
 use super::edit::Edit;
 use super::ground::{Ground, Look, Proof, cleared};
@@ -20,18 +20,18 @@ use symbolic::{Decision, Dimension, Hypotheses, Identity, Sym, coefficients, dec
 #[derive(Clone, Debug)]
 pub struct LineCorrection {
     pub correction: Correction,
-    /// The corrected equation, in the letters of the page.
+    /// The corrected equation in the letters of the page.
     pub line: Line,
 }
 
-/// The reason why the print of a recorded equation cannot be edited.
+/// The reason for which the print of a recorded equation cannot be edited.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NotRead(pub String);
 
-/// The smallest edits that turn an equation into the derived one: each is proved under the hypotheses.
+/// The smallest edits that turn an equation into the derived one. Each result is proved under the hypotheses.
 ///
 /// # Errors
-/// The LaTeX of the equation is not read back as the equation.
+/// The LaTeX of the equation, parsed again, does not give the equation.
 pub fn line_corrections(
     line: &Line,
     hypotheses: &Hypotheses,
@@ -43,7 +43,7 @@ pub fn line_corrections(
     ground.corrections()
 }
 
-/// The smallest edits of a conclusion in which letters stand for other expressions.
+/// The smallest edits of a conclusion; `stand_for` contains letters with the expressions that they replace.
 pub(super) fn conclusion_corrections(
     stand_for: &[(Sym, Sym)],
     line: &Line,
@@ -56,7 +56,7 @@ pub(super) fn conclusion_corrections(
 
 struct Recorded<'a> {
     stand_for: &'a [(Sym, Sym)],
-    /// Whether nothing was derived and nothing is assumed, so that the formula may be an identity of its letters.
+    /// Whether nothing was derived and nothing is assumed, so that the formula may be an identity in its letters.
     is_identity: bool,
     line: &'a Line,
     hypotheses: &'a Hypotheses,
@@ -156,7 +156,7 @@ impl<'a> Recorded<'a> {
         }
     }
 
-    /// An edited equation in the letters of the page; none if its name is edited.
+    /// An edited equation in the letters of the page; `None` if the name on its left side was edited.
     fn sides(&self, statement: &Statement) -> Option<Line> {
         let [left, right] = self.values(statement)?;
         match self.line.names {
@@ -165,11 +165,11 @@ impl<'a> Recorded<'a> {
         }
     }
 
-    /// An expression in its normal form, and in the forms that use a letter for another expression, solved for one of the symbols there.
+    /// An expression in its normal form, and in forms that use a letter for another expression.
     fn ways_to_tell(&self, expression: Sym) -> Vec<Sym> {
         let form = |expression: Sym| normal(expression, &Hypotheses::none()).map(|form| form.to_sym());
         let Ok(plain) = normal(expression, self.hypotheses).map(|form| form.to_sym()) else { return Vec::new() };
-        // a letter that is set to a number keeps dimensions right
+        // a letter with a numerical value is retained, so that dimensions still agree
         let lettered = with_letters(self.hypotheses).and_then(|known| normal(expression, &known).ok());
         let mut all: Vec<Sym> = [plain].into_iter().chain(lettered.map(|form| form.to_sym())).collect();
         for &(letter, stands_for) in self.hypotheses.statements() {
@@ -198,12 +198,12 @@ impl<'a> Recorded<'a> {
 
     fn difference(&self, statement: &Statement) -> Option<Sym> {
         let [left, right] = self.values(statement)?;
-        // a name denotes the derived expression
+        // a name on the left side denotes the derived expression
         Some(if self.line.names { right - left } else { left - right - self.line.derived })
     }
 }
 
-/// A point completed with the values of letters that hypotheses determine.
+/// The point extended by the values of letters that hypotheses determine.
 fn completed(point: Vec<(Sym, Sym)>, symbols: &[Sym], hypotheses: &Hypotheses) -> Refutation {
     let mut at = Refutation { point, is_formal: false };
     for &symbol in symbols {
@@ -216,7 +216,7 @@ fn completed(point: Vec<(Sym, Sym)>, symbols: &[Sym], hypotheses: &Hypotheses) -
     at
 }
 
-/// Hypotheses without those that set a letter to a number; none if there are other hypotheses than definitions of letters.
+/// The hypotheses without those that set a letter to a number; `None` if some of the others do not define a letter.
 fn with_letters(hypotheses: &Hypotheses) -> Option<Hypotheses> {
     hypotheses.statements().iter().try_fold(Hypotheses::none(), |known, &(letter, value)| match value.as_constant() {
         Some(_) => Some(known),
@@ -245,7 +245,7 @@ impl Ground for Recorded<'_> {
     }
 
     fn redundancies(&self, _: &Statement) -> usize {
-        // a recorded equation is compared with the derived one, term by term
+        // no part is redundant, since the equation is compared with the derived one term by term
         0
     }
 
@@ -255,7 +255,7 @@ impl Ground for Recorded<'_> {
 
     fn look(&self, _: &str, statement: &Statement) -> Look {
         let (Some(line), Some(zero)) = (self.sides(statement), self.difference(statement)) else { return Look::Fails };
-        // an identity of the letters is empty unless the claim is an identity, and so is a formula with both sides zero
+        // an identity of the letters states nothing unless the claim is an identity; neither does a formula with both sides zero
         let is_zero = |side: Sym, hypotheses: &Hypotheses| decide(side, hypotheses).is_zero();
         let is_told_twice = !self.is_identity || weight(line.left) == weight(line.right);
         let is_empty = is_told_twice && is_zero(line.printed(), &Hypotheses::none())
@@ -292,7 +292,7 @@ impl Ground for Recorded<'_> {
     }
 
     fn sought(&self, statement: &Statement) -> Vec<Sym> {
-        // with a sought term every equation can be made an identity
+        // for an identity there is no lost term, since a suitable term would make any equation an identity
         let zero = self.difference(statement).filter(|_| !self.is_identity);
         let Some(value) = zero.and_then(solved) else { return Vec::new() };
         let own = in_print(&self.letters);
@@ -321,7 +321,7 @@ impl Ground for Recorded<'_> {
     }
 }
 
-/// The letters of a print over the symbols of the page.
+/// The meanings of printed letters in symbols of the page.
 struct Letters<'a, 'b>(&'a Recorded<'b>);
 
 impl Meaning for Letters<'_, '_> {

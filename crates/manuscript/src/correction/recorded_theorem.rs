@@ -9,7 +9,7 @@ use symbolic::{Dimension, Hypotheses, Node, Sym, decide, normal};
 /// The smallest edits with which the conclusion of a theorem, one equality, follows from the given equalities.
 ///
 /// # Errors
-/// The conclusion is not an equality, or its LaTeX cannot be read back.
+/// The conclusion is not a single equality, or its LaTeX, parsed again, does not give the equality.
 pub fn theorem_corrections(
     theorem: &Theorem,
     dimension: fn(&str) -> Option<Dimension>,
@@ -23,7 +23,7 @@ pub fn theorem_corrections(
     let given: Vec<Condition> = theorem.given.iter().map(|one| one.mapped(of)).collect();
     let (left, right) = (of(left), of(right));
     let Premises { hypotheses, divisors } = Premises::of(&theorem.rules, &given, left);
-    // a derived side is not printed
+    // without premises, a left side that is not a single name is derived, and is not printed
     let is_derived = |side: Sym| side.symbol_name().is_none() && theorem.given.is_empty();
     let line = match (is_derived(left), left.symbol_name()) {
         (true, _) => Line::formula(left, left, right),
@@ -34,7 +34,7 @@ pub fn theorem_corrections(
     }
     let back: Vec<(Sym, Sym)> = circles.iter().map(|&(leaf, letter)| (letter, leaf)).collect();
     let mut found = conclusion_corrections(&back, &line, &hypotheses, dimension, goes_on)?;
-    // the corrected equation has no value where a divisor of the premises is zero
+    // the corrected equation must have no value where a divisor of the premises is zero
     found.retain(|found| divisors.iter().all(|&divisor| is_divided_by(&found.line, divisor)));
     for LineCorrection { line, .. } in &mut found {
         (line.left, line.right) = (line.left.substitute(&back), line.right.substitute(&back));
@@ -42,7 +42,7 @@ pub fn theorem_corrections(
     Ok(found)
 }
 
-/// Letters for cosines and sines of the conclusion, if one of them is the unknown: an equality can be solved for a letter.
+/// Letters for cosines and sines in the conclusion if the unknown is one of them, since an equality can be solved only for a letter.
 fn letters_for_circles(asked: Sym, right: Sym) -> Vec<(Sym, Sym)> {
     let is_circle = |leaf: &Sym| matches!(leaf.node(), Node::Cos(_) | Node::Sin(_));
     if !is_circle(&asked) {
@@ -58,7 +58,7 @@ fn is_divided_by(line: &Line, divisor: Sym) -> bool {
     rest.is_some_and(|rest| rest.denominator().as_constant().is_some())
 }
 
-/// The conclusion as printed, under the hypothesis that the divisors are not zero.
+/// The conclusion as printed, under the additional hypothesis that the divisors are not zero.
 fn apart(
     line: &Line,
     hypotheses: &Hypotheses,

@@ -1,28 +1,28 @@
-//! Parts of a formula that say nothing: terms that vanish, that cancel or are alike, factors that cancel, quotients by one.
+//! Parts of a formula that state nothing: terms that vanish, cancel or are alike, factors that cancel, divisors equal to one.
 
 use super::exchanges::gcd;
 use latex::{Chain, Form, Statement, Term};
 use symbolic::{Hypotheses, Sym, decide, normal};
 
-/// The number of such parts of sides, by what terms stand for.
+/// The number of such parts in all sides; `meaning` returns the value of a term.
 pub(super) fn redundancies(statement: &Statement, meaning: &dyn Fn(&Term) -> Option<Sym>) -> usize {
     statement.chains.iter().flat_map(|chain| &chain.sides).map(|side| within(side, meaning)).sum()
 }
 
-/// The number of terms that stand on one side of an equality and, by another number, in a sum on its other side, in the letters of the print.
+/// The number of terms on one side of an equality that are numerical multiples of a term on its other side; `own` returns a term in printed letters.
 pub(super) fn on_both_sides(statement: &Statement, own: &dyn Fn(&Term) -> Option<Sym>) -> usize {
     let [Chain { sides, .. }] = &statement.chains[..] else { return 0 };
     let [left, right] = &sides[..] else { return 0 };
     let values = |side: &Term| summands(side).into_iter().filter_map(|(_, term)| own(term)).collect::<Vec<Sym>>();
     let (left, right) = (values(left), values(right));
-    // one term on each side is the print itself
+    // two single terms are the formula itself
     if left.len() == 1 && right.len() == 1 {
         return 0;
     }
     left.iter().map(|one| right.iter().filter(|other| are_alike(*one, **other)).count()).sum()
 }
 
-/// The number of moving letters by which both sides of an equality are multiplied: where such a letter is zero the equality says nothing.
+/// The number of variable letters that are a factor of both sides of an equality; where such a letter is zero, the equality states nothing.
 pub(super) fn common_factors(
     statement: &Statement,
     own: &dyn Fn(&Term) -> Option<Sym>,
@@ -41,7 +41,7 @@ pub(super) fn common_factors(
     if others.is_empty() { 0 } else { leaves.filter(is_common).count() }
 }
 
-/// The number of factors of products that vanish on the motion, by what they stand for, or are one.
+/// The number of factors of products that vanish on the motion or are equal to one.
 pub(super) fn vanishing_factors(statement: &Statement, vanishes: &dyn Fn(&Term) -> bool) -> usize {
     statement.chains.iter().flat_map(|chain| &chain.sides).map(|side| vanishing_in(side, vanishes)).sum()
 }
@@ -56,7 +56,7 @@ fn vanishing_in(term: &Term, vanishes: &dyn Fn(&Term) -> bool) -> usize {
         Form::Number(_) | Form::Letter(_) | Form::Rate(..) | Form::Matrix(_) => 0,
         Form::Sum(a, b) | Form::Difference(a, b) | Form::Cross(a, b) | Form::Partial(a, b) => inner(&[a, b]),
         Form::Product(a, b) | Form::Dot(a, b) => of_product(&[a, b]),
-        // one over a divisor
+        // the numerator 1 is necessary
         Form::Quotient(above, below) if is_one(above) => inner(&[below]),
         Form::Quotient(above, below) => of_product(&[above]) + inner(&[below]),
         Form::Negation(of) | Form::Power(of, _) | Form::Root(of) | Form::Function(_, of) | Form::Transposed(of) => {
@@ -82,7 +82,7 @@ fn within(term: &Term, own: &dyn Fn(&Term) -> Option<Sym>) -> usize {
         Form::Product(..) | Form::Dot(..) => cancelling(term, own) + inner(&factors(term)),
         Form::Quotient(above, below) => {
             let products = [above, below].map(|side| factors(side));
-            // the factors of both sides are compared here, those of each are not once more
+            // both products are compared with each other here, and must not be compared again below
             cancelling(term, own) + usize::from(is_one(below)) + inner(&products.concat())
         }
         Form::Rate(of, _) | Form::Power(of, _) | Form::Root(of) | Form::Function(_, of) | Form::Transposed(of) => {
@@ -98,7 +98,7 @@ fn pairs(values: &[Sym], is_one: impl Fn(Sym, Sym) -> bool) -> usize {
     (0..values.len()).map(behind).sum()
 }
 
-/// Whether one term is a multiple of another one by a number.
+/// Whether two terms are nonzero numerical multiples of each other.
 pub(super) fn are_alike(one: Sym, other: Sym) -> bool {
     let is_number =
         |value: Sym| normal(value, &Hypotheses::none()).is_ok_and(|form| form.to_sym().as_constant().is_some());
@@ -109,7 +109,7 @@ fn is_zero(value: Sym) -> bool {
     decide(value, &Hypotheses::none()).is_zero()
 }
 
-/// The number of factors of a product that stand above and below a bar.
+/// The number of factors that a product has in its numerator and in its denominator.
 fn cancelling(product: &Term, own: &dyn Fn(&Term) -> Option<Sym>) -> usize {
     let (mut above, mut below) = (Vec::new(), Vec::new());
     collect(product, [&mut above, &mut below], own);
@@ -119,7 +119,7 @@ fn cancelling(product: &Term, own: &dyn Fn(&Term) -> Option<Sym>) -> usize {
     both + usize::from(is_cancelled(&numbers, &divisors))
 }
 
-/// Whether whole numbers above and below a bar have a common divisor.
+/// Whether integers in the numerator and the denominator have a common divisor.
 fn is_cancelled(above: &[Sym], below: &[Sym]) -> bool {
     let whole = |value: &Sym| value.to_string().parse::<i64>().ok();
     let product = |all: &[Sym]| all.iter().try_fold(1_i64, |product, value| product.checked_mul(whole(value)?));
@@ -129,7 +129,7 @@ fn is_cancelled(above: &[Sym], below: &[Sym]) -> bool {
     }
 }
 
-/// The bases above and below the bars of a product, numbers among them.
+/// The bases of the factors in the numerators and denominators of a product, including numbers.
 fn collect(product: &Term, [above, below]: [&mut Vec<Sym>; 2], own: &dyn Fn(&Term) -> Option<Sym>) {
     match &product.form {
         Form::Product(a, b) | Form::Dot(a, b) => {
@@ -152,7 +152,7 @@ fn is_one(term: &Term) -> bool {
     matches!(&term.form, Form::Number(value) if *value == field::Rational::new(1, 1))
 }
 
-/// The terms of a sum with their signs: whether each is subtracted.
+/// The terms of a sum, each with whether it is subtracted.
 pub(super) fn summands(sum: &Term) -> Vec<(bool, &Term)> {
     match &sum.form {
         Form::Sum(a, b) => [summands(a), summands(b)].concat(),
@@ -162,7 +162,7 @@ pub(super) fn summands(sum: &Term) -> Vec<(bool, &Term)> {
     }
 }
 
-/// The terms of a sum that is subtracted.
+/// The terms of a subtracted sum.
 fn turned(sum: &Term) -> Vec<(bool, &Term)> {
     summands(sum).into_iter().map(|(is_negative, part)| (!is_negative, part)).collect()
 }

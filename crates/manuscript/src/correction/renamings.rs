@@ -1,14 +1,14 @@
-//! Letters of one side that have lost dots, or have too many, at all their places in that side.
+//! Edits that change the number of dots of a letter at all its occurrences in one side.
 
 use super::edit::Edit;
 use super::letter_rates::LetterRate;
 use super::places::{Atom, Places};
 use crate::change::EditKind;
 
-/// The largest number of choices of orders.
+/// The largest number of combinations.
 const MOST: usize = 400;
 
-/// Each choice of other orders for the letters of a side, the fewest letters first.
+/// All combinations of other numbers of dots for the letters of a side, those with few changed letters first.
 pub(super) fn renamings(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<Vec<Edit>> {
     let sides = places.summands.iter().filter(|summand| summand.number == 1 && summand.side.is_some());
     let mut all: Vec<(usize, Vec<Edit>)> = Vec::new();
@@ -42,7 +42,7 @@ pub(super) fn renamings(places: &Places, text: &str, rates: &[LetterRate]) -> Ve
     all.into_iter().map(|(_, edits)| edits).filter(|edits| edits.len() > 1).collect()
 }
 
-/// Different letters with their places.
+/// The different letters, each with its occurrences.
 fn letters<'a>(atoms: impl Iterator<Item = &'a Atom>) -> Vec<(&'a Atom, Vec<&'a Atom>)> {
     let mut all: Vec<(&Atom, Vec<&Atom>)> = Vec::new();
     for atom in atoms {

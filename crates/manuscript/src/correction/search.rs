@@ -1,4 +1,4 @@
-//! The search for the smallest edits of a formula that are proved, for any kind of claim.
+//! The search for the smallest edits of a formula with which it is proved, for claims of any kind.
 
 use super::combinations::{self, Effect, apart, is_small, size};
 use super::edit::{Edit, is_whole};
@@ -19,41 +19,41 @@ use symbolic::{Hypotheses, Node, Sym, decide, normal};
 /// The largest number of reported corrections of one size.
 pub(super) const MOST_TOLD: usize = 3;
 
-/// The largest number of edits that pass the test points and are decided exactly, for each size.
+/// The largest number of edits of one size that are decided exactly after they have passed the test points.
 const MOST_DECIDED: usize = 24;
 
-/// The largest number of edits of formulas without test points, which are all decided exactly.
+/// The largest number of edits that are decided exactly, for formulas without test points.
 const MOST_UNTESTED: usize = 160;
 
-/// The largest number of pairs of edits.
+/// The largest number of pairs of edits that are tried.
 const MOST_PAIRS: usize = 20_000;
 
-/// The least number of letters, numbers and functions of a formula for two edits of any kind, and for three.
+/// The least number of letters, numbers and functions of a formula for which two edits of any kind are tried; [`LEAST_FOR_THREE`]: three edits.
 const LEAST_FOR_TWO: usize = 5;
 const LEAST_FOR_THREE: usize = 9;
 
-/// The largest number of edits whose effect is computed, for combinations.
+/// The largest number of edits whose effect on the residual is computed.
 const MOST_MEASURED: usize = 6_000;
 
-/// The largest number of effects of edits, and of pairs of edits of one term.
+/// The largest number of effects, including those of pairs of edits of one term.
 const MOST_EFFECTS: usize = 300_000;
 
-/// The largest number of terms lost together.
+/// The largest number of lost terms that are added together.
 const MOST_LOST: usize = 6;
 
-/// The largest number of edits that are combined with a lost term.
+/// The largest number of edits that are combined with one lost term.
 const MOST_BESIDE: usize = 120;
 
-/// Edits of one formula.
+/// The search for edits of one formula.
 pub(super) struct Search<'a, G> {
     pub ground: &'a G,
     pub places: Places,
     exchanges: Vec<Edit>,
     residual: Option<Vec<f64>>,
     known: Vec<String>,
-    /// Whether the sides of the printed formula differ by a number.
+    /// Whether the difference of the sides of the printed formula is a number.
     is_number: bool,
-    /// Parts of the print that say nothing.
+    /// The number of parts of the print that state nothing.
     redundancies: usize,
 }
 
@@ -67,7 +67,8 @@ impl<'a, G: Ground> Search<'a, G> {
         Search { ground, places, exchanges, residual, known: ground.known(), is_number, redundancies }
     }
 
-    /// Edits of a relation, one symbol, one factor or one term: the first of these sizes with a proved edit; then two signs.
+    /// Corrections by one edit, of a relation, a symbol, a factor or a term, in this order, and by two signs. The first size with a proved edit ends the
+    /// search.
     pub fn small(&self) -> Vec<Correction> {
         let (text, places) = (self.ground.text(), &self.places);
         let sizes: [&dyn Fn() -> Vec<Edit>; 4] = [
@@ -89,7 +90,7 @@ impl<'a, G: Ground> Search<'a, G> {
         self.proved(pairs(&signs))
     }
 
-    /// Two edits; several lost terms; another value of a part; three edits.
+    /// Corrections by two edits, several lost terms, another value of a part, or three edits. The first size with a proved edit ends the search.
     pub fn large(&self) -> Vec<Correction> {
         if !self.ground.has_points() {
             return Vec::new();
@@ -97,14 +98,14 @@ impl<'a, G: Ground> Search<'a, G> {
         let is_short = |edit: &&Edit| !matches!(edit.kind, EditKind::Number | EditKind::Letter);
         let short: Vec<&Edit> = self.exchanges.iter().filter(is_short).collect();
         let (text, places) = (self.ground.text(), &self.places);
-        // a short formula could be turned into any true one by as many edits as it has letters
+        // with as many edits as it has letters, a short formula could be turned into any true one
         let size = places.atoms.len() + places.numbers.len() + places.calls.len();
         let found = if size < LEAST_FOR_TWO { Vec::new() } else { self.proved(pairs(&short)) };
         if !found.is_empty() {
             return found;
         }
         let factors = factors::factors(places, text, self.ground.rates());
-        // a quantity that stands nowhere else is not lost beside other slips
+        // rates and composed quantities that the print does not contain are not added together with other edits
         let is_printed = |rate: &LetterRate| places.atoms.iter().any(|atom| atom.name == rate.name);
         let is_quantity = |rate: &&LetterRate| (rate.order > 0 || !rate.is_symbol) && !is_printed(rate);
         let foreign = self.ground.rates().iter().filter(is_quantity);
@@ -121,7 +122,7 @@ impl<'a, G: Ground> Search<'a, G> {
         let most = (places.summands.len() + 1).min(MOST_LOST);
         let kept = OnceCell::new();
         let compared = || kept.get_or_init(|| comparison::compared(self.ground, places));
-        // several added terms that only compensate wrong ones are less useful than edits of these
+        // several added terms are rejected if fewer edits of printed terms suffice
         let adds = |edit: &Edit| edit.kind == EditKind::LostTerm;
         let changes_some = |edits: &&Vec<Edit>| !edits.iter().all(adds);
         let fewest = || {
@@ -149,7 +150,7 @@ impl<'a, G: Ground> Search<'a, G> {
             .unwrap_or_default()
     }
 
-    /// An edit and one lost term at the end of the last side.
+    /// Pairs of an edit and one lost term at the end of the last side.
     fn beside_lost(&self, effects: &[Effect]) -> Vec<Vec<Edit>> {
         let end = self.ground.text().trim_end().len();
         let single = effects.iter().filter(|effect| effect.edits.len() == 1).take(MOST_BESIDE);
@@ -162,7 +163,7 @@ impl<'a, G: Ground> Search<'a, G> {
         going.flat_map(with).collect()
     }
 
-    /// Edits with their change of the residual, the smallest first; then pairs of edits of one term.
+    /// Edits with their change of the residual, the smallest edits first, then pairs of edits of one term.
     fn effects(&self, edits: &[Edit], residual: &[f64]) -> Vec<Effect> {
         let mut tried = HashSet::new();
         let mut ordered: Vec<&Edit> = edits.iter().collect();
@@ -186,7 +187,7 @@ impl<'a, G: Ground> Search<'a, G> {
         all
     }
 
-    /// The change of the residual by one edit; none if the edit was tried before, or has no value.
+    /// The change of the residual by one edit; `None` if the edit was tried before or gives no valid formula.
     fn change(&self, edit: &Edit, residual: &[f64], tried: &mut HashSet<String>) -> Option<Vec<f64>> {
         let (text, _) = edited(self.ground.text(), std::slice::from_ref(edit))?;
         if !is_whole(&text) || !tried.insert(text.clone()) {
@@ -197,7 +198,7 @@ impl<'a, G: Ground> Search<'a, G> {
         Some(after.iter().zip(residual).map(|(after, before)| after - before).collect())
     }
 
-    /// The first proved corrections, all with different formulas. Candidates that hold at test points are decided first.
+    /// The first corrections that are proved, with different formulas. Candidates that hold at the test points are decided before others.
     pub fn proved(&self, candidates: impl Iterator<Item = Vec<Edit>>) -> Vec<Correction> {
         let (mut found, mut open): (Vec<(Correction, Option<Sym>)>, Vec<Candidate>) = (Vec::new(), Vec::new());
         let mut tried = HashSet::<String>::new();
@@ -222,7 +223,7 @@ impl<'a, G: Ground> Search<'a, G> {
                 Some(Look::Fails) => {}
                 _ if says_less() => {}
                 Some(Look::Open) => open.push(candidate),
-                // an identity of the letters is empty, and so is an inequality between numbers
+                // identities in the letters and inequalities between numbers state nothing
                 None if is_empty() => {}
                 None | Some(Look::Holds) => {
                     decided += 1;
@@ -240,14 +241,14 @@ impl<'a, G: Ground> Search<'a, G> {
         found.into_iter().map(|(correction, _)| correction).collect()
     }
 
-    /// Whether the residual shows that an edited formula does not hold.
+    /// Whether the residual shows that an edited formula is false.
     fn is_apart(&self, statement: &Statement) -> bool {
         let Some(before) = &self.residual else { return false };
         let after = self.ground.residual(statement);
         after.is_some_and(|after| after.len() == before.len() && !is_small(&after, before))
     }
 
-    /// Adds a candidate if it is proved and is none of the previous ones, multiplied by letters.
+    /// Adds a candidate to the corrections if it is proved and is not equivalent to one of them.
     fn decide(&self, candidate: Candidate, found: &mut Vec<(Correction, Option<Sym>)>) {
         let Candidate { text, edits, parts, own } = candidate;
         let is_known = |known: &Option<Sym>| known.zip(own).is_some_and(|(known, own)| is_one_equality(known, own));
@@ -267,7 +268,7 @@ impl<'a, G: Ground> Search<'a, G> {
         let Proof { judged, certificate } = proof;
         let mut changes: Vec<Change> = Vec::new();
         for change in edits.iter().map(change) {
-            // an edit of all places of a letter is reported once
+            // an edit of all occurrences of a letter is reported once
             if !changes.contains(&change) {
                 changes.push(change);
             }
@@ -276,7 +277,7 @@ impl<'a, G: Ground> Search<'a, G> {
     }
 }
 
-/// Whether two expressions vanish together since one is the other, multiplied or divided by letters and numbers: `H/u = w` is `H = u w`.
+/// Whether two equations are equivalent because one is the other multiplied or divided by letters and numbers: `H/u = w` and `H = u w`.
 fn is_one_equality(one: Sym, other: Sym) -> bool {
     if [one - other, one + other].into_iter().any(|zero| decide(zero, &Hypotheses::none()).is_zero()) {
         return true;
@@ -288,7 +289,7 @@ fn is_one_equality(one: Sym, other: Sym) -> bool {
     !is_zero(other) && normal(one / other, &Hypotheses::none()).is_ok_and(|ratio| is_product(ratio.to_sym()))
 }
 
-/// Whether an expression has one value for all values of its letters.
+/// Whether an expression is a number, independent of its letters.
 fn is_number(expression: Sym) -> bool {
     normal(expression, &Hypotheses::none()).is_ok_and(|form| form.to_sym().as_constant().is_some())
 }
@@ -302,7 +303,7 @@ struct Candidate {
     own: Option<Sym>,
 }
 
-/// Pairs of edits at separate places.
+/// Pairs of edits in separate ranges.
 fn pairs<'a>(edits: &'a [&Edit]) -> impl Iterator<Item = Vec<Edit>> + 'a {
     let each = edits.iter().enumerate().flat_map(|(place, first)| {
         edits[place + 1..]
@@ -313,7 +314,7 @@ fn pairs<'a>(edits: &'a [&Edit]) -> impl Iterator<Item = Vec<Edit>> + 'a {
     each.take(MOST_PAIRS)
 }
 
-/// The formula after its edits, and the places of the edits in it; none if two of them overlap.
+/// The edited formula, and the ranges of the edits in it; `None` if two edits overlap.
 pub(super) fn edited(formula: &str, edits: &[Edit]) -> Option<(String, Vec<Range<usize>>)> {
     let behind = |place: usize| &edits[place + 1..];
     if edits.iter().enumerate().any(|(place, one)| behind(place).iter().any(|other| !apart(one, other))) {
@@ -321,7 +322,7 @@ pub(super) fn edited(formula: &str, edits: &[Edit]) -> Option<(String, Vec<Range
     }
     let edits: Vec<Edit> = edits.iter().flat_map(Edit::parts).collect();
     let mut ordered: Vec<&Edit> = edits.iter().collect();
-    // a sign before a part is inserted after the part itself is edited; a term behind a fraction before the fraction is closed
+    // at one position, the sign before a part is inserted after the part itself is edited, and a lost term before a fraction is closed
     let rank = |edit: &Edit| match edit.kind {
         EditKind::LostTerm => 0,
         _ if edit.after.starts_with('}') => 1,
@@ -339,7 +340,7 @@ pub(super) fn edited(formula: &str, edits: &[Edit]) -> Option<(String, Vec<Range
         if !edits.iter().any(|other| stands_there(&other)) {
             part = part.start - (edit.span.start - around.start)..part.end + (around.end - edit.span.end);
         }
-        // later spans are shifted by the change of length
+        // later ranges are shifted by the change of length
         for behind in &mut parts {
             *behind = behind.start + next.len() - text.len()..behind.end + next.len() - text.len();
         }

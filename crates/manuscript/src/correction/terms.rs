@@ -5,12 +5,12 @@ use super::exchanges::told;
 use super::places::{Places, Summand};
 use crate::change::EditKind;
 
-/// Removes each term that is not alone in its sum.
+/// Edits that remove one term; a term that is alone in its sum is not removed.
 pub(super) fn superfluous(places: &Places, text: &str) -> Vec<Edit> {
     away(places, text, |_, _| true)
 }
 
-/// Removes each term that occurs twice in its sum.
+/// Edits that remove a term which occurs twice in its sum.
 pub(super) fn repeated(places: &Places, text: &str) -> Vec<Edit> {
     away(places, text, |place, summand| {
         let before = places.summands[..place].iter().filter(|other| other.sum == summand.sum);
@@ -18,7 +18,7 @@ pub(super) fn repeated(places: &Places, text: &str) -> Vec<Edit> {
     })
 }
 
-/// Removes each chosen term, by its place among all terms.
+/// Edits that remove one of the chosen terms; `chosen` receives the index of a term among all terms.
 pub(super) fn away(places: &Places, text: &str, chosen: impl Fn(usize, &Summand) -> bool) -> Vec<Edit> {
     let mut all = Vec::new();
     for (place, summand) in places.summands.iter().enumerate() {
@@ -28,7 +28,7 @@ pub(super) fn away(places: &Places, text: &str, chosen: impl Fn(usize, &Summand)
         let start = summand.sign.map_or(summand.span.start, |(at, _)| at);
         let start = if summand.number > 1 { text[..start].trim_end().len() } else { start };
         let mut span = start..summand.span.end;
-        // a plus sign after the first term is removed with it
+        // if the first term is removed, the plus sign after it is removed too
         let next =
             places.summands.iter().find(|next| next.number == 2 && next.sign.is_some_and(|(at, _)| at >= span.end));
         if let (1, Some((at, '+'))) = (summand.number, next.and_then(|next| next.sign)) {

@@ -1,4 +1,4 @@
-//! A refuted claim of a paper as context of edits: it is judged over its model.
+//! A refuted claim of a paper as the context of edits, which are judged by its model.
 
 use super::edit::Edit;
 use super::ground::{Ground, Look, Proof, cleared};
@@ -21,25 +21,25 @@ use claims::{Condition, Verdict};
 use latex::{Form, NoValue, Statement, Term, Value, value};
 use symbolic::{Hypotheses, Sym, decide, normal};
 
-/// Everything needed to judge an edited claim.
+/// The functions by which an edited claim is judged.
 pub(crate) struct Judge<'a> {
-    /// Reads and decides an edited claim; none if it cannot be read.
+    /// Reads and decides a claim; `None` if it cannot be read.
     pub decide: &'a dyn Fn(&ClaimText) -> Option<Finding>,
-    /// Whether there is time left.
+    /// Whether there is time for further edits.
     pub goes_on: &'a dyn Fn() -> bool,
-    /// The terms that the right side lacks, as text and in LaTeX, where they are known.
+    /// The terms that the right side lacks, as text and LaTeX, if they are known.
     pub missing: Option<&'a (String, String)>,
 }
 
-/// A refuted claim with its letters.
+/// A refuted claim with the letters of its paper.
 pub(super) struct TextClaim<'a, 't, 'm> {
     pub claim: &'a ClaimText,
     pub letters: &'a Letters<'t, 'm>,
     pub judge: &'a Judge<'a>,
     rates: Vec<LetterRate>,
-    /// The differences of the sides of hypotheses, over the model.
+    /// The differences of the sides of hypotheses, in the symbols of the model.
     given: Vec<Sym>,
-    /// All that constraints and hypotheses allow, where letters rest as the claim says.
+    /// The motion under constraints and hypotheses, with the letters of the claim constant.
     allowed: Motion<'t, 'm>,
     probe: Option<Probe<'t, 'm>>,
 }
@@ -56,7 +56,7 @@ impl<'a, 't, 'm> TextClaim<'a, 't, 'm> {
             Kind::Number => None,
             _ => Probe::of(claim, statement, letters, assumed),
         };
-        // a rate that is zero on a steady motion cannot correct its condition
+        // rates that vanish on the steady motion cannot correct its condition
         let resting = match claim.kind {
             Kind::SteadyMotion | Kind::Stability => Resting::of(claim, letters).map(|rests| rests.rates(letters)),
             _ => Ok(Vec::new()),
@@ -68,7 +68,7 @@ impl<'a, 't, 'm> TextClaim<'a, 't, 'm> {
             false => Some(Motion::at_rest(letters.trace, &resting)),
         };
         let under_hypotheses = |mut motion: Motion<'t, 'm>| {
-            // one that cannot be assumed is reported where the claim is judged
+            // an error is reported where the claim is judged
             let _ = assume(&mut motion, assumed);
             motion
         };
@@ -79,7 +79,7 @@ impl<'a, 't, 'm> TextClaim<'a, 't, 'm> {
         };
         let vanishes = |value: Sym| motion.as_ref().is_some_and(|motion| vanishes_on(motion, value));
         let with_motion = |rate: LetterRate| LetterRate { vanishes: vanishes(rate.value), ..rate };
-        // a condition is corrected by no rate of a letter that it does not have, and by none that vanishes
+        // a condition is not corrected by a rate of a letter that it does not contain, or by a rate that vanishes
         let is_condition =
             matches!(claim.kind, Kind::SteadyMotion | Kind::Stability | Kind::Equivalence | Kind::Inequality);
         let atoms = Places::of(statement, &claim.formula.text).atoms;
@@ -92,7 +92,7 @@ impl<'a, 't, 'm> TextClaim<'a, 't, 'm> {
         TextClaim { claim, letters, judge, rates, given, allowed, probe }
     }
 
-    /// The difference of both sides of a formula, over the model.
+    /// The difference of the two sides of a formula in the symbols of the model.
     fn difference(&self, statement: &Statement) -> Option<Sym> {
         let [chain] = &statement.chains[..] else { return None };
         let [left, right] = &chain.sides[..] else { return None };
@@ -110,7 +110,7 @@ impl<'a, 't, 'm> TextClaim<'a, 't, 'm> {
         claim
     }
 
-    /// The proof of a claim by the judge, if it is proved.
+    /// The proof of a claim; `None` if it is not proved.
     pub fn proof(&self, claim: &ClaimText) -> Option<Proof> {
         let found = (self.judge.decide)(claim).filter(|finding| is_sound(finding, claim));
         found.map(|Finding { judged, certificate, .. }| Proof { judged, certificate })
@@ -132,7 +132,7 @@ impl Ground for TextClaim<'_, '_, '_> {
 
     fn own_difference(&self, statement: &Statement) -> Option<Sym> {
         let own = own_difference(statement, self.letters)?;
-        // an identity between functions is one of their values alone
+        // an identity that holds without properties of sines, cosines and roots is one between letters
         Some(if self.claim.kind == Kind::Identity { with_formal_functions(own) } else { own })
     }
 
@@ -142,7 +142,7 @@ impl Ground for TextClaim<'_, '_, '_> {
             _ => None,
         };
         let own = |term: &Term| scalar(value(term, &self.letters.in_paper()));
-        // a term of an integral that has no rate by itself says nothing
+        // a term of an integral that is constant by itself states nothing
         let rests = |term: &&Term| {
             let rate = scalar(value(term, &self.letters.in_model())).map(|value| rate(self.letters.trace, value));
             matches!(rate, Some(Ok(rate)) if decide(rate, &Hypotheses::none()).is_zero())
@@ -152,32 +152,32 @@ impl Ground for TextClaim<'_, '_, '_> {
                 let sides = statement.chains.iter().flat_map(|chain| &chain.sides);
                 sides.flat_map(summands).map(|(_, term)| term).filter(rests).count()
             }
-            // an inequality that holds for all values of its letters says nothing of the model
+            // an inequality that holds for all values of its letters states nothing about the model
             Kind::Inequality => usize::from(sides(self.claim, statement, self.letters).is_ok_and(|sides| {
                 let [left, right] = sides.own;
                 [left - right, right - left].into_iter().any(|side| is_written_as_positive(side, &[]).is_some())
             })),
-            // a region of stability that contains every model says nothing
+            // a stability condition that all models satisfy states nothing
             Kind::Stability => usize::from(sides(self.claim, statement, self.letters).is_ok_and(|sides| {
                 let given = hypotheses(&self.claim.given, self.letters).unwrap_or_default();
                 let given = given.iter().filter_map(|hypothesis| hypothesis.condition);
                 let known: Vec<Condition> = given.chain(positive_parameters(self.letters.trace)).collect();
                 is_written_as_positive(sides.greater, &known).is_some()
             })),
-            // the letter whose value is told stands alone
+            // a formula must define a letter that stands alone on a side
             Kind::Formula => {
                 usize::from(!has_quantity_alone(statement, &own)) + usize::from(has_number_for_letter(statement, &own))
             }
             _ => 0,
         };
-        // a hypothesis is no correction
+        // a formula that repeats a hypothesis is not a correction
         let is_given = |zero: Sym| self.given.iter().any(|given| are_alike(zero, *given));
-        // data give the value of a printed number
+        // for a printed number, the hypotheses are the data
         let states = self.claim.kind != Kind::Number;
         let repeated = usize::from(states && self.difference(statement).is_some_and(is_given));
-        // letters that stand for products are what they stand for
+        // letters that stand for products are compared by their meanings
         let meaning = |term: &Term| scalar(value(term, &self.letters.in_model()));
-        // on the motion about which an equation is linear letters vanish as deviations; where one sum is such a deviation, several may be
+        // in a linearised equation, letters vanish on the base motion as deviations; so may one composed factor, but not several
         let is_linear = self.claim.kind == Kind::LinearisedEquation;
         let is_deviation = |term: &Term| is_linear && matches!(term.form, Form::Letter(_) | Form::Rate(..));
         let vanishes =
@@ -187,7 +187,7 @@ impl Ground for TextClaim<'_, '_, '_> {
             let value = leaf.substitute(&self.letters.meanings(leaf));
             !value.symbols_of().iter().all(|symbol| self.letters.trace.parameters.contains(symbol))
         };
-        // a multiple of an angle is a multiple of its sine
+        // an identity between multiples of a sine may have a common factor
         let is_identity = self.claim.kind == Kind::Identity;
         let empty = empty + if is_identity { 0 } else { common_factors(statement, &own, &moves) };
         redundancies(statement, &meaning) + on_both_sides(statement, &own) + of_kind + repeated + empty
@@ -240,14 +240,14 @@ fn vanishes_on(motion: &Motion<'_, '_>, value: Sym) -> bool {
     normal(motion.reduced(value), &motion.hypotheses).is_ok_and(|form| form.to_sym() == Sym::ZERO)
 }
 
-/// Whether a letter is told to be a number.
+/// Whether the formula sets a letter equal to a number.
 fn has_number_for_letter(statement: &Statement, own: &dyn Fn(&Term) -> Option<Sym>) -> bool {
     let sides: Vec<&Term> = statement.chains.iter().flat_map(|chain| &chain.sides).collect();
     let is_number = |side: &&Term| own(side).is_some_and(|value| value.as_constant().is_some());
     sides.iter().any(|side| matches!(side.form, Form::Letter(_))) && sides.iter().any(is_number)
 }
 
-/// Whether a letter stands alone on one side, and not on the other.
+/// Whether a letter or rate stands alone on one side and does not occur on the others.
 fn has_quantity_alone(statement: &Statement, own: &dyn Fn(&Term) -> Option<Sym>) -> bool {
     let sides = || statement.chains.iter().flat_map(|chain| &chain.sides);
     let is_letter = |side: &Term| matches!(side.form, Form::Letter(_) | Form::Rate(..));
@@ -257,8 +257,8 @@ fn has_quantity_alone(statement: &Statement, own: &dyn Fn(&Term) -> Option<Sym>)
     })
 }
 
-/// Whether a claim is proved without objection, and its formula has values inside its domain and not only at its boundary; for printed numbers by
-/// enclosures.
+/// Whether a claim is proved without objections, and its formula has values inside its domain and not only on its boundary; for printed numbers a proof
+/// by enclosures suffices.
 fn is_sound(finding: &Finding, claim: &ClaimText) -> bool {
     let verdict = finding.judged.verdict;
     let is_shown =

@@ -1,17 +1,17 @@
-//! The premises of a theorem, each solved for a letter: roots by given signs, several relations for one letter together.
+//! The premises of a theorem, each solved for a letter; squares are replaced by roots with given signs, and several relations for one letter are combined.
 
 use claims::{Condition, Page, Verdict};
 use symbolic::{Hypotheses, Node, Sym, coefficients, normal};
 
-/// The premises, as values of letters.
+/// The premises as values of letters.
 pub(super) struct Premises {
     pub hypotheses: Hypotheses,
-    /// Divisors that no premise excludes from being zero.
+    /// Divisors that no premise excludes from vanishing.
     pub divisors: Vec<Sym>,
 }
 
 impl Premises {
-    /// The rules of a theorem with its equalities, each solved for a symbol in which it is linear, preferably for the unknown.
+    /// The rules of a theorem together with its equalities, each solved for a symbol in which it is linear, preferably for the unknown `asked`.
     pub fn of(rules: &Hypotheses, given: &[Condition], asked: Sym) -> Self {
         let (mut hypotheses, mut divisors) = (rules.clone(), Vec::new());
         let together = together(given, asked);
@@ -26,7 +26,7 @@ impl Premises {
                 continue;
             }
             let rooted = rooted(*condition, given);
-            // a given square
+            // an equality that gives the square of a letter
             if let (Condition::Equal(square, value), None) = (condition, rooted)
                 && let Node::Power(lead, power) = square.node()
                 && lead.symbol_name().is_some()
@@ -61,13 +61,13 @@ impl Premises {
     }
 }
 
-/// The unknown from several relations that are linear in it: each is multiplied by its own factor, so that the coefficient of the unknown in
-/// their sum is a sum of squares.
+/// The value of the unknown from several relations that are linear in it. Each relation is multiplied by its coefficient of the unknown, so that
+/// the coefficient in their sum is a sum of squares.
 fn together(given: &[Condition], asked: Sym) -> Option<Solution> {
     asked.symbol_name()?;
     let zeros = given.iter().filter(|one| matches!(one, Condition::Zero(_) | Condition::Equal(..)));
     let linear = zeros.filter_map(|one| solution(one.expression(), asked)).collect::<Vec<_>>();
-    // a single relation with a nonzero factor is enough
+    // a single relation with a coefficient that does not vanish is sufficient
     if linear.len() < 2 || linear.iter().any(|one| is_apart(one.divisor, given)) {
         return None;
     }
@@ -76,14 +76,14 @@ fn together(given: &[Condition], asked: Sym) -> Option<Solution> {
     Some(Solution { value: sum(&|one| one.divisor * one.divisor * one.value) / divisor, divisor })
 }
 
-/// The difference that is zero if two squares are equal and the signs of their roots are given.
+/// The difference of the roots if a condition states that two squares are equal and the signs of both roots are given.
 fn rooted(condition: Condition, given: &[Condition]) -> Option<Sym> {
     let Condition::Equal(left, right) = condition else { return None };
     let (left, right) = (root(left)?, root(right)?);
     Some(if sign(left, given)? == sign(right, given)? { left - right } else { left + right })
 }
 
-/// A root of a square, of either sign.
+/// A square root of an expression that is written as a square, without regard to its sign.
 fn root(square: Sym) -> Option<Sym> {
     match square.node() {
         Node::Power(of, power) if power % 2 == 0 => Some(of.powi(power as i32 / 2)),
@@ -94,7 +94,7 @@ fn root(square: Sym) -> Option<Sym> {
     }
 }
 
-/// The sign of a product of quantities with given signs.
+/// The sign of a product of quantities with given signs; `None` if it is not determined.
 fn sign(of: Sym, given: &[Condition]) -> Option<i32> {
     let stated = given.iter().find_map(|condition| match condition {
         Condition::Positive(positive) => {
@@ -108,14 +108,14 @@ fn sign(of: Sym, given: &[Condition]) -> Option<i32> {
     })
 }
 
-/// A symbol by the others, with what was divided by.
+/// The value of a symbol, and the divisor in it.
 #[derive(Clone, Copy)]
 struct Solution {
     value: Sym,
     divisor: Sym,
 }
 
-/// The value of a symbol for which an expression that is linear in it is zero.
+/// The value of a symbol at which an expression vanishes that is linear in it.
 fn solution(zero: Sym, symbol: Sym) -> Option<Solution> {
     let terms = coefficients(zero, &[symbol]).ok()?;
     let of = |power: u32| terms.iter().find(|(exponents, _)| exponents[0] == power).map(|(_, value)| *value);
@@ -123,7 +123,7 @@ fn solution(zero: Sym, symbol: Sym) -> Option<Solution> {
     Some(Solution { value: -of(0).unwrap_or(Sym::ZERO) / divisor, divisor })
 }
 
-/// Whether a factor is never zero: a number, by signs, or a product of such factors.
+/// Whether a factor never vanishes: a number, a quantity that differs from zero by a premise, or a product of such factors.
 fn is_apart(factor: Sym, given: &[Condition]) -> bool {
     if factor.as_constant().is_some() {
         return true;

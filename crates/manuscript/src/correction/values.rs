@@ -1,4 +1,4 @@
-//! The value that a part of a formula must have instead of the printed one: a factor, a number, one to three terms of a sum.
+//! Edits that replace a part of a formula by the value that it must have: a factor, a number, or one to three terms of a sum.
 
 use super::comparison::letters;
 use super::edit::Edit;
@@ -13,29 +13,29 @@ use symbolic::{Node, Sym};
 /// The largest number of terms that are replaced together.
 const MOST_TERMS: usize = 3;
 
-/// The largest number of letters, numbers and signs of a value.
+/// The largest number of letters, numbers and signs in a value.
 const MOST_WEIGHT: usize = 64;
 
-/// The largest number of letters, numbers and signs, and of terms, of a value that replaces a printed zero.
+/// The largest number of letters, numbers and signs in a value that replaces a printed zero; [`MOST_TERMS_FOR_ZERO`]: of its terms.
 const MOST_WEIGHT_FOR_ZERO: usize = 120;
 const MOST_TERMS_FOR_ZERO: usize = 8;
 
-/// The largest number of terms of the value of a whole side.
+/// The largest number of terms in the value of a whole side.
 const MOST_OF_SIDE: usize = 6;
 
-/// A part of the print.
+/// A part of the print that is replaced.
 struct Part {
-    /// The place of the value.
+    /// The range that the value replaces.
     span: Range<usize>,
-    /// Other terms of its sum, which are removed.
+    /// The ranges of other terms of its sum, which are removed.
     away: Vec<Range<usize>>,
-    /// The largest number of terms of its value.
+    /// The largest number of terms in its value.
     most: usize,
-    /// Whether nothing of its side stays.
+    /// Whether the part is a whole side.
     is_side: bool,
 }
 
-/// Each part by the value that it must have, where that is short; the shortest first. Parts are whole sides, or others.
+/// Edits that replace a part by its required value if this is short, the shortest first. `are_sides` selects whole sides, or else all other parts.
 pub(super) fn values(ground: &impl Ground, places: &Places, are_sides: bool) -> Vec<Vec<Edit>> {
     let (text, mut known) = (ground.text(), ground.known());
     if known.iter().any(|name| name == SOUGHT) {
@@ -93,7 +93,7 @@ pub(super) fn values(ground: &impl Ground, places: &Places, are_sides: bool) -> 
     found.into_iter().map(|(_, edits)| edits).collect()
 }
 
-/// The content of brackets about a whole expression; none of a product of two brackets.
+/// The content of brackets around a whole expression; `None` for other expressions, such as a product of two brackets.
 fn without_brackets(latex: &str) -> Option<&str> {
     let held = latex.strip_prefix(r"\left(")?.strip_suffix(r"\right)")?;
     let mut depth = 0usize;
@@ -107,18 +107,18 @@ fn without_brackets(latex: &str) -> Option<&str> {
     Some(held)
 }
 
-/// Whether a part is a term with all of its factors.
+/// Whether a part is a term with all its factors.
 fn is_whole_term(part: &Part, places: &Places) -> bool {
     places.summands.iter().any(|summand| summand.span == part.span)
 }
 
-/// The term of a factor whose value is a divisor, as a fraction of its other factors; none where these are a fraction themselves.
+/// For a factor whose value is 1/divisor: the range of its term, and the term as a fraction of its other factors; `None` if these contain a fraction.
 fn below(part: &Part, value: &str, places: &Places, text: &str) -> Option<(Range<usize>, String)> {
     let divisor = value.strip_prefix(r"\frac{1}{")?.strip_suffix('}')?;
     let term =
         places.summands.iter().find(|summand| summand.factors.len() > 1 && summand.factors.contains(&part.span))?;
     let place = term.factors.iter().position(|factor| *factor == part.span)?;
-    // with the sign of a product beside it
+    // the range includes the adjacent product sign
     let others = match place.checked_sub(1) {
         None => text.get(term.factors[1].start..term.span.end)?.to_owned(),
         Some(before) => {
@@ -130,7 +130,7 @@ fn below(part: &Part, value: &str, places: &Places, text: &str) -> Option<(Range
         .then(|| (term.span.clone(), format!(r"\frac{{{}}}{{{divisor}}}", others.trim())))
 }
 
-/// The number of letters, numbers and signs of an expression, as it is written.
+/// The number of letters, numbers and signs in an expression, without simplification.
 pub(super) fn weight(expression: Sym) -> usize {
     1 + expression.node().children().map(weight).sum::<usize>()
 }
@@ -144,7 +144,7 @@ fn terms(expression: Sym) -> usize {
     }
 }
 
-/// Factors, numbers, terms, and terms together.
+/// The parts that may be replaced: factors, numbers, terms, and groups of terms.
 fn parts(places: &Places, text: &str) -> Vec<Part> {
     let mut all: Vec<Part> = Vec::new();
     let mut add = |span: Range<usize>, away: Vec<Range<usize>>, terms: usize, is_side: bool| {
@@ -169,7 +169,7 @@ fn parts(places: &Places, text: &str) -> Vec<Part> {
     for count in 2..=MOST_TERMS {
         for sum in sums(places) {
             for chosen in subsets(sum.len(), count) {
-                // the first of them keeps its sign, before the value
+                // the value follows the sign of the first of these terms
                 let away = chosen[1..].iter().map(|&place| whole(sum[place])).collect();
                 add(sum[chosen[0]].span.clone(), away, count, count == sum.len() && sum[0].side.is_some());
             }
@@ -179,7 +179,7 @@ fn parts(places: &Places, text: &str) -> Vec<Part> {
     all
 }
 
-/// A term behind the first with its sign.
+/// The range of a term that is not the first of its sum, including its sign.
 fn whole(summand: &Summand) -> Range<usize> {
     summand.sign.map_or(summand.span.start, |(at, _)| at)..summand.span.end
 }
@@ -188,11 +188,11 @@ fn whole(summand: &Summand) -> Range<usize> {
 fn sums(places: &Places) -> Vec<Vec<&Summand>> {
     let of = |sum: usize| places.summands.iter().filter(|summand| summand.sum == sum).collect::<Vec<_>>();
     let all = (0..places.sums.len()).map(of);
-    // a leading group has signs of its own
+    // sums that begin with a group are left out, since the group has its own signs
     all.filter(|sum| sum.iter().skip(1).all(|summand| summand.sign.is_some())).collect()
 }
 
-/// Choices of `count` among the first `of` numbers, each in its order.
+/// All choices of `count` among the numbers 0 to `of` - 1, each in ascending order.
 fn subsets(of: usize, count: usize) -> Vec<Vec<usize>> {
     if count == 0 {
         return vec![Vec::new()];
