@@ -1,18 +1,18 @@
-//! The findings on a paper, beside its claims that were not judged.
+//! The findings on a paper, and its claims that could not be judged.
 
 use crate::claim_text::ClaimText;
 use crate::finding::Finding;
 use crate::paper_text::PaperText;
 use reader::{Issue, SceneError};
 
-/// All claims of a paper: those that were judged, and those that were not read.
+/// All claims of a paper: the judged ones, and those that could not be read.
 #[derive(Clone, Debug)]
 pub struct PaperFindings {
-    /// In the order of the file.
+    /// The findings, in the order of the file.
     pub findings: Vec<Finding>,
-    /// In the order of the file.
+    /// The claims that could not be read, in the order of the file.
     pub unjudged: Vec<UnjudgedClaim>,
-    /// The faults of these claims, each at its place.
+    /// The faults of these claims, with their places; `None` if all claims were judged.
     pub error: Option<SceneError>,
 }
 
@@ -20,15 +20,15 @@ pub struct PaperFindings {
 #[derive(Clone, Debug)]
 pub struct UnjudgedClaim {
     pub id: String,
-    /// The paper's own number of the formula.
+    /// The number of the formula in the paper.
     pub equation: String,
     /// The formula in LaTeX, as printed.
     pub printed: String,
-    /// The line of the file at which the fault stands, from 1.
+    /// The line of the fault in the file, from 1.
     pub line: usize,
-    /// The first fault, in one line.
+    /// The first fault, as one line of text.
     pub fault: String,
-    /// The input that would be accepted.
+    /// The input that would be accepted, if known.
     pub accepted: Option<String>,
 }
 
@@ -51,10 +51,10 @@ impl PaperFindings {
         PaperFindings { findings, unjudged, error }
     }
 
-    /// The findings where every claim was judged.
+    /// The findings, if every claim was judged.
     ///
     /// # Errors
-    /// The faults of those that were not.
+    /// The faults of the claims that could not be read.
     pub fn whole(self) -> Result<Vec<Finding>, SceneError> {
         self.error.map_or(Ok(self.findings), Err)
     }

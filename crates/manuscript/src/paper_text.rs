@@ -1,4 +1,4 @@
-//! A paper's file: its title, its letters, its claims, and its system.
+//! The text of a paper's file: title, letters, claims, and system.
 
 use crate::claim_text::{ClaimText, claims};
 use crate::passage::Passage;
@@ -8,63 +8,63 @@ use scenes::SystemText;
 use std::ops::Range;
 use std::path::Path;
 
-/// A letter as it is declared.
+/// A letter as the file declares it.
 #[derive(Clone, Debug)]
 pub(crate) struct LetterText {
-    /// In LaTeX, as written.
+    /// The letter in LaTeX, without changes.
     pub latex: String,
-    /// In one spelling.
+    /// The name of the letter in a uniform spelling.
     pub name: String,
-    /// Its meaning, an expression of the model; of a vector one for each component.
+    /// The meaning as an expression of the model; for a vector one expression for each component.
     pub meaning: Vec<Passage>,
     pub is_vector: bool,
 }
 
-/// Whether a text is that of a paper: it has claims.
+/// Whether a text is that of a paper, which contains `[[claim]]`.
 pub fn is_paper(text: &str) -> bool {
     text.lines().any(|line| line.trim_start().starts_with("[[claim]]"))
 }
 
-/// A paper as a file.
+/// A paper in a file.
 #[derive(Clone, Debug)]
 pub struct PaperText {
     /// The name of the file in messages.
     pub path: String,
     pub text: String,
-    /// The beginning of the ids of its claims: the file's name.
+    /// The first part of the ids of its claims: the name of the file without its extension.
     pub key: String,
     pub title: String,
     pub citation: String,
     pub summary: String,
     pub(crate) letters: Vec<LetterText>,
     pub claims: Vec<ClaimText>,
-    /// The system: this file, or the one that it names.
+    /// The text of the system, in this file or in the file that it names.
     pub(crate) system: SystemText,
 }
 
 impl PaperText {
-    /// The line of the file at which a part of it begins, from 1.
+    /// The line of the file at which a range begins, from 1.
     pub fn line_of(&self, at: &Range<usize>) -> usize {
         1 + self.text.bytes().take(at.start).filter(|byte| *byte == b'\n').count()
     }
 
-    /// The id of a claim: the file's name and the claim's.
+    /// The id of a claim: the key of the paper, `/`, and the key of the claim.
     pub fn id_of(&self, claim: &ClaimText) -> String {
         format!("{}/{}", self.key, claim.key())
     }
 
-    /// Reads a file, and that of its system where it names one.
+    /// Reads a file, and the file of its system if it names one.
     ///
     /// # Errors
-    /// All that is wrong with either, each at its place; formulas and meanings are read when they are judged.
+    /// All faults of both files, with their places. Formulas and meanings of letters are read only when they are judged.
     pub fn read(path: &Path) -> Result<Self, SceneError> {
         Self::parse(path, read_text(path).map_err(of_paper)?)
     }
 
-    /// Reads a text as the content of a file; messages name this file, and the file of the system is searched for in its folder.
+    /// Reads a text as the content of a file. The path is used in messages; the file of the system is searched for in its folder.
     ///
     /// # Errors
-    /// As those of [`PaperText::read`].
+    /// Those of [`PaperText::read`].
     pub fn parse(path: &Path, text: String) -> Result<Self, SceneError> {
         let name = path.display().to_string();
         let key = path.file_stem().map_or_else(|| "paper".to_owned(), |stem| stem.to_string_lossy().into_owned());
@@ -72,7 +72,7 @@ impl PaperText {
         let mut paper = tables(&name, &text, |top, _| {
             let model = top.optional_text("model", "file with the system of the paper");
             match &model {
-                // the reader of systems judges the other tables
+                // the reader of systems checks all other tables
                 None => top.known_all(),
                 Some(model) => named = Some(Passage::of(top, &text, model)),
             }
@@ -92,36 +92,36 @@ impl PaperText {
         Ok(paper)
     }
 
-    /// Its system.
+    /// The text of the system.
     pub fn system(&self) -> &SystemText {
         &self.system
     }
 
-    /// The file of its system, where it names one.
+    /// The path of the system's file; `None` if the system is in this file.
     pub fn model_file(&self) -> Option<&Path> {
         (self.system.name != self.path).then(|| Path::new(&self.system.name))
     }
 
-    /// The paper with the system of another text, under the name of the present one.
+    /// The paper with another text of its system, under the name of the present one.
     #[must_use]
     pub fn with_model(mut self, text: String) -> Self {
         self.system.text = text;
         self
     }
 
-    /// The file's part in messages about it.
+    /// An error with these faults of this file.
     pub(crate) fn error(&self, mut issues: Vec<Issue>) -> SceneError {
         issues.sort_by_key(|issue| issue.span.as_ref().map_or(0, |span| span.start));
         SceneError { path: self.path.clone(), text: self.text.clone(), issues }
     }
 
-    /// Whether the system stands in this file.
+    /// Whether the system is in this file.
     pub(crate) fn has_own_system(&self) -> bool {
         self.system.name == self.path
     }
 }
 
-/// A fault of a whole file, with the files that are accepted as papers.
+/// The error with a remark on accepted files, for faults of whole files.
 fn of_paper(mut error: SceneError) -> SceneError {
     for issue in error.issues.iter_mut().filter(|issue| issue.span.is_none()) {
         issue.help =
@@ -159,7 +159,7 @@ fn paper(top: &mut Table<'_>, name: &str, text: &str, key: &str) -> PaperText {
     }
 }
 
-/// `'\theta' = "theta"`, `'\mathbf{r}' = ["x", "y", "0"]`.
+/// Reads the table of letters: `'\theta' = "theta"`, `'\mathbf{r}' = ["x", "y", "0"]`.
 fn letters(top: &mut Table<'_>, source: &str) -> Vec<LetterText> {
     let mut table = top.table("letters", "each letter of the formulas its meaning in the model: '\\theta' = \"theta\"");
     let mut all: Vec<LetterText> = Vec::new();

@@ -1,13 +1,13 @@
-//! Factors of a polynomial that may vanish: common factors of the coefficients of a letter, and both factors of a polynomial of the second degree whose
+//! Factors of a polynomial: common factors of the coefficients of a letter, and the two factors of a polynomial of second degree whose
 //! discriminant is a square.
 
 use field::Analytic;
 use symbolic::{Hypotheses, Sym, coefficients, decide, normal};
 
-/// The largest number of factors that are taken from one polynomial.
+/// The largest number of successive splits of a polynomial.
 const DEPTH: usize = 8;
 
-/// The factors of a polynomial; it alone where none is found.
+/// The factors of a polynomial that are found; the polynomial itself if there are none.
 pub(crate) fn polynomial_factors(polynomial: Sym) -> Vec<Sym> {
     parted(polynomial, DEPTH)
 }
@@ -21,7 +21,7 @@ fn parted(polynomial: Sym, depth: usize) -> Vec<Sym> {
     }
 }
 
-/// Two factors of a polynomial, by its coefficients of a letter.
+/// Two factors of a polynomial, from its coefficients as a polynomial in a letter.
 fn split_by(polynomial: Sym, leaf: Sym) -> Option<(Sym, Sym)> {
     let form = |of: Sym| normal(of, &Hypotheses::none()).ok();
     let dense = dense(polynomial, leaf)?;
@@ -32,7 +32,7 @@ fn split_by(polynomial: Sym, leaf: Sym) -> Option<(Sym, Sym)> {
     match dense[..] {
         [constant, slope] => {
             let below = form(constant / slope)?.denominator();
-            // sines in a quotient may be told by cosines below the bar
+            // the normal form of a quotient may express sines by cosines in its denominator
             let common = form(slope / below).filter(|common| common.denominator().as_constant().is_some())?.to_sym();
             let rest = form(polynomial / common)?.numerator();
             common.as_constant().is_none().then_some((common, rest))
@@ -48,7 +48,7 @@ fn split_by(polynomial: Sym, leaf: Sym) -> Option<(Sym, Sym)> {
     }
 }
 
-/// The coefficients of a letter by rising powers.
+/// The coefficients of a letter by ascending powers.
 fn dense(polynomial: Sym, leaf: Sym) -> Option<Vec<Sym>> {
     let terms = coefficients(polynomial, &[leaf]).ok()?;
     let highest = terms.iter().map(|(powers, _)| powers[0]).max()?;
@@ -56,7 +56,7 @@ fn dense(polynomial: Sym, leaf: Sym) -> Option<Vec<Sym>> {
     Some((0..=highest).map(of).collect())
 }
 
-/// The polynomial whose square this one is, by its coefficients from the highest on.
+/// The polynomial whose square is the given one, by its coefficients from the highest power on; `None` if it is not a square.
 pub(crate) fn square_root(polynomial: Sym) -> Option<Sym> {
     let form = |of: Sym| normal(of, &Hypotheses::none()).ok().map(|form| form.to_sym());
     if let Some(value) = polynomial.as_constant() {

@@ -1,4 +1,4 @@
-//! Signs of polynomials for all values: by squares and discriminants, and in one unknown by its real roots, exactly.
+//! Signs of polynomials for all values of their letters: by squares and discriminants, and in one unknown by exact real roots.
 
 use crate::half_turn::{is_half_turn, sign_of_number};
 use crate::line_signs::number_between;
@@ -12,10 +12,10 @@ use symbolic::{Hypotheses, Node, Sym, coefficients, normal, univariate};
 /// The largest depth of nested completions of the square.
 const DEPTH: usize = 4;
 
-/// The largest number of terms of a polynomial.
+/// The largest number of terms of a polynomial that is examined.
 const MOST_TERMS: usize = 200;
 
-/// Signs of letters that are known.
+/// Known signs of letters.
 #[derive(Clone, Default)]
 struct Known {
     positive: Vec<Sym>,
@@ -24,7 +24,7 @@ struct Known {
 }
 
 impl Known {
-    /// Whether odd powers of a letter are nonnegative.
+    /// Whether a letter is nonnegative.
     fn is_up(&self, letter: &Sym) -> bool {
         self.positive.contains(letter) || self.not_negative.contains(letter)
     }
@@ -34,9 +34,9 @@ impl Known {
     }
 }
 
-/// Whether a quotient of polynomials is shown to be nonnegative where the conditions hold: none if not, otherwise whether zero is excluded.
+/// Whether a quotient of polynomials is proved nonnegative where the conditions hold. `None` without a proof, otherwise whether it is positive.
 pub(crate) fn shows(expression: Sym, conditions: &[Condition]) -> Option<bool> {
-    // a number is enclosed
+    // numbers are decided by enclosures elsewhere
     if expression.symbols_of().into_iter().all(is_half_turn) {
         return None;
     }
@@ -49,11 +49,11 @@ pub(crate) fn shows(expression: Sym, conditions: &[Condition]) -> Option<bool> {
         _ if of(-form.denominator()) == Some(true) => of(-form.numerator())?,
         _ => return None,
     };
-    // the tangent of half an angle has no value for half a turn: there the value is a limit
+    // the tangent of half an angle has no value at the angle π, where positivity does not follow from a limit
     Some(is_strict && !is_turned)
 }
 
-/// Cosines and sines replaced by the tangent of half the angle, which may have any value; and whether there were any.
+/// The expression with cosines and sines replaced by tangents of half angles, and whether there were any.
 fn by_half_angles(expression: Sym) -> (Sym, bool) {
     let mut known: Vec<(Sym, Sym)> = Vec::new();
     for leaf in expression.leaves_of() {
@@ -69,7 +69,7 @@ fn by_half_angles(expression: Sym) -> (Sym, bool) {
     (expression.substitute(&known), !known.is_empty())
 }
 
-/// Replaces a letter in which a condition is linear by the distance from the boundary of the condition, which has a sign.
+/// Replaces letters, in each of which a condition is linear, by the value of the condition (a slack variable), whose sign is known.
 fn by_slacks(mut expression: Sym, conditions: &[Condition]) -> (Sym, Known) {
     let mut signs = Known::default();
     let mut known: Vec<(Sym, Sym)> = Vec::new();
@@ -88,7 +88,7 @@ fn by_slacks(mut expression: Sym, conditions: &[Condition]) -> (Sym, Known) {
         let of = of.substitute(&known);
         let free = |symbol: &Sym| !signs.is_up(symbol);
         let mut symbols = of.symbols_of();
-        // a letter with a known sign is replaced only if there is no other
+        // letters without a known sign are replaced first
         symbols.sort_by_key(|symbol| !free(symbol));
         let solved = symbols.into_iter().filter(|symbol| free(symbol)).find_map(|symbol| {
             let terms = coefficients(of, &[symbol]).ok()?;
@@ -107,7 +107,7 @@ fn by_slacks(mut expression: Sym, conditions: &[Condition]) -> (Sym, Known) {
     (expression, signs)
 }
 
-/// Whether a polynomial is shown to be nonnegative for letters with given signs: none if not, otherwise whether zero is excluded.
+/// Whether a polynomial is proved nonnegative for letters with known signs. `None` without a proof, otherwise whether it is positive.
 fn is_at_least_zero(polynomial: Sym, known: &Known, depth: usize) -> Option<bool> {
     let form = normal(polynomial, &Hypotheses::none()).ok()?;
     let polynomial = form.to_sym();
@@ -135,7 +135,7 @@ fn is_at_least_zero(polynomial: Sym, known: &Known, depth: usize) -> Option<bool
     })
 }
 
-/// `a s^2 + b s + c` by its discriminant, and sums of powers of `s` by their coefficients.
+/// The sign of `a s² + b s + c` by its discriminant, and of other polynomials in a letter by their coefficients.
 fn by_square(polynomial: Sym, symbol: Sym, known: &Known, depth: usize) -> Option<bool> {
     let terms = coefficients(polynomial, &[symbol]).ok()?;
     let of =
@@ -156,23 +156,23 @@ fn by_square(polynomial: Sym, symbol: Sym, known: &Known, depth: usize) -> Optio
     let leading = shown(of(2))?;
     let four = Sym::constant(Rational::new(4, 1));
     let discriminant = shown(four * of(2) * of(0) - of(1) * of(1))?;
-    // where the leading coefficient vanishes, the discriminant leaves the constant alone
+    // where the leading coefficient vanishes, the discriminant implies that only the constant remains
     if leading { Some(discriminant) } else { shown(of(0)).map(|_| discriminant) }
 }
 
-/// A polynomial in one unknown, or a homogeneous one in two, by its real roots.
+/// The sign of a polynomial in one unknown, or of a homogeneous one in two, by real roots.
 fn by_roots(polynomial: Sym, symbols: &[Sym], known: &Known) -> Option<bool> {
     let is_up = |symbol: &Sym| known.is_up(symbol);
     match symbols {
         [one] => {
             let signs = Signs::of(&univariate(polynomial, *one).ok()?, is_up(one))?;
-            // a letter that may be zero is the limit of positive ones
+            // if the letter may be zero, the value there is a limit of positive values and may vanish
             let is_closed = is_up(one) && !known.positive.contains(one);
             signs.negative.is_none().then_some(!signs.vanishes && !is_closed)
         }
         &[first, second] => {
             let degree = homogeneous(polynomial, symbols)?;
-            // by the ratio of both: for an even degree the sign of the second does not matter
+            // a function of the ratio of both letters; for an even degree the sign of the second letter has no effect
             let (first, second) = if is_up(&second) { (first, second) } else { (second, first) };
             if !is_up(&second) && degree % 2 == 1 {
                 return None;
@@ -187,7 +187,7 @@ fn by_roots(polynomial: Sym, symbols: &[Sym], known: &Known) -> Option<bool> {
     }
 }
 
-/// The degree of a homogeneous polynomial.
+/// The degree of a homogeneous polynomial; `None` for other polynomials.
 fn homogeneous(polynomial: Sym, symbols: &[Sym]) -> Option<u32> {
     let terms = coefficients(polynomial, symbols).ok()?;
     let mut degrees = terms.iter().map(|(exponents, _)| exponents.iter().sum::<u32>());
@@ -195,9 +195,9 @@ fn homogeneous(polynomial: Sym, symbols: &[Sym]) -> Option<u32> {
     degrees.all(|degree| degree == first).then_some(first)
 }
 
-/// The signs of a polynomial in one unknown, over all numbers or over the positive ones.
+/// The signs of a polynomial in one unknown, on all real numbers or on the positive ones.
 struct Signs {
-    /// A number at which it is negative.
+    /// A number at which the polynomial is negative, if there is one.
     negative: Option<Rational>,
     vanishes: bool,
 }
@@ -205,7 +205,7 @@ struct Signs {
 impl Signs {
     fn of(dense: &[Rational], is_positive: bool) -> Option<Self> {
         let zero = Rational::new(0, 1);
-        // zero is not a positive value
+        // zero roots are removed, since zero is not positive
         let skipped = if is_positive { dense.iter().take_while(|c| **c == zero).count() } else { 0 };
         let dense = &dense[skipped..];
         let roots: Vec<Root> = Polynomial::from_rationals(dense)?.square_free().real_roots();

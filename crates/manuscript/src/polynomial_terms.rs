@@ -1,14 +1,14 @@
-//! Polynomials with rational coefficients by the exponents of their letters.
+//! Polynomials with rational coefficients, represented by exponents and coefficients of their terms.
 
 use field::Rational;
 use std::collections::BTreeMap;
 use symbolic::{Hypotheses, Sym, coefficients, normal};
 
-/// The largest number of terms, and the largest degree, of a polynomial that is used.
+/// The largest number of terms of a polynomial; [`HIGHEST`] is the largest degree.
 const MOST_TERMS: usize = 40;
 const HIGHEST: u32 = 12;
 
-/// Products of letters by their exponents, each with a number.
+/// A polynomial: the coefficient of each product of letters, by the exponents of the letters.
 pub(crate) type Terms = BTreeMap<Vec<u32>, Rational>;
 
 /// The difference of two polynomials.
@@ -20,7 +20,7 @@ pub(crate) fn difference(mut from: Terms, other: &Terms) -> Terms {
     from
 }
 
-/// A polynomial by the exponents of its letters; none where it is long.
+/// The terms of an expression that is a polynomial in these letters; `None` if it is not, or has too many terms.
 pub(crate) fn terms(polynomial: Sym, letters: &[Sym]) -> Option<Terms> {
     let found = coefficients(polynomial, letters).ok().filter(|found| found.len() <= MOST_TERMS)?;
     let number = |value: Sym| {
@@ -32,7 +32,7 @@ pub(crate) fn terms(polynomial: Sym, letters: &[Sym]) -> Option<Terms> {
     Some(all.into_iter().filter(|(_, value)| value.sign() != Some(0)).collect())
 }
 
-/// The product of two polynomials; none where it is long or of a high degree.
+/// The product of two polynomials; `None` if its degree or its number of terms is too large.
 pub(crate) fn product(one: &Terms, other: &Terms) -> Option<Terms> {
     let mut all = Terms::new();
     for (exponents, value) in one {

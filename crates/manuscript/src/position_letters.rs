@@ -1,4 +1,4 @@
-//! Expressions of positions by the paper's letters: direction cosines instead of the four coordinates of a free frame, or of
+//! Expressions of the position in the paper's letters: direction cosines instead of the four coordinates of a free frame, or instead of
 //! products of sines and cosines.
 
 use crate::letters::Letters;
@@ -7,20 +7,20 @@ use field::Rational;
 use std::collections::{BTreeMap, BTreeSet};
 use symbolic::{Hypotheses, Sym, coefficients, normal};
 
-/// With more letters, and for longer expressions, the form of the model is kept.
+/// The largest number of letters; [`MOST_TERMS`]: of terms. Beyond these numbers an expression keeps the symbols of the model.
 const MOST_LETTERS: usize = 9;
 const MOST_TERMS: usize = 200;
 
-/// A polynomial in the leaves of positions: the factor of each product of these, by its exponents.
+/// A polynomial in functions of the position: coefficients by exponents.
 type Terms = BTreeMap<Vec<u32>, Rational>;
 
-/// A product of letters, in the paper's symbols and over the positions.
+/// A product of letters, in the paper's symbols and as a polynomial in functions of the position.
 struct Product {
     own: Sym,
     terms: Terms,
 }
 
-/// An expression of the model as a polynomial of at most the second degree in the paper's letters for functions of the position. None if there
+/// An expression of the model as a polynomial of at most second degree in those letters of the paper that are functions of the position. `None` if there
 /// is no such polynomial under the hypotheses.
 pub(crate) fn by_position_letters(letters: &Letters<'_, '_>, expression: Sym, hypotheses: &Hypotheses) -> Option<Sym> {
     let coordinates = &letters.trace.coordinates;
@@ -46,7 +46,7 @@ pub(crate) fn by_position_letters(letters: &Letters<'_, '_>, expression: Sym, hy
     if below.leaves_of().iter().any(|leaf| leaves.contains(leaf)) {
         return None;
     }
-    // for each product of all other letters its coefficient, a polynomial
+    // the coefficient, a polynomial, of each product of all other letters
     let mut wanted: BTreeMap<Vec<u32>, Terms> = BTreeMap::new();
     for (mut exponents, value) in terms(above, &[&leaves[..], &others].concat())? {
         let of_others = exponents.split_off(leaves.len());
@@ -66,7 +66,7 @@ pub(crate) fn by_position_letters(letters: &Letters<'_, '_>, expression: Sym, hy
         }
         combinations(&wanted, &products)
     })?;
-    // names of the paper may be names of the model with another meaning
+    // placeholders are needed, since a letter of the paper may be a name of the model with another meaning
     let kept: Vec<(Sym, Sym)> = products
         .iter()
         .enumerate()
@@ -85,7 +85,7 @@ pub(crate) fn by_position_letters(letters: &Letters<'_, '_>, expression: Sym, hy
     Some(letters.told(sum / below).substitute(&kept))
 }
 
-/// Coefficients of the products whose sum is each of the polynomials; none if one of them is not such a sum.
+/// For each polynomial, the coefficients with which it is a sum of the products; `None` if one of them is not such a sum.
 fn combinations(wanted: &BTreeMap<Vec<u32>, Terms>, products: &[Product]) -> Option<Vec<Vec<Rational>>> {
     let zero = Rational::new(0, 1);
     wanted
@@ -96,9 +96,9 @@ fn combinations(wanted: &BTreeMap<Vec<u32>, Terms>, products: &[Product]) -> Opt
             let column = |terms: &Terms| -> Vec<Rational> {
                 rows.iter().map(|exponents| terms.get(*exponents).copied().unwrap_or(zero)).collect()
             };
-            // a coefficient of either sign is the difference of two nonnegative ones
+            // a coefficient of either sign is a difference of two nonnegative ones
             let columns: Vec<Vec<Rational>> = products.iter().map(|product| column(&product.terms)).collect();
-            // products of direction cosines depend on each other: the fewest of them are told
+            // since products of direction cosines are linearly dependent, sums of one or two products are preferred
             if let Some(found) = of_one_or_two(&columns, &column(target)) {
                 return Some(found);
             }
@@ -111,11 +111,11 @@ fn combinations(wanted: &BTreeMap<Vec<u32>, Terms>, products: &[Product]) -> Opt
         .collect()
 }
 
-/// Factors of one column that is the target, or of two whose sum is; zero for all others.
+/// The factors with which one column, or the sum of two, equals the target; `None` if there are none.
 fn of_one_or_two(columns: &[Vec<Rational>], target: &[Rational]) -> Option<Vec<Rational>> {
     let zero = Rational::new(0, 1);
     let is_zero = |entry: &Rational| *entry == zero;
-    // the factor of a column that takes an entry of the target away
+    // the difference between a column and a multiple of another one
     let rest = |own: &[Rational], factor: Rational, of: &[Rational]| -> Vec<Rational> {
         of.iter().zip(own).map(|(entry, own)| *entry - factor * *own).collect()
     };
@@ -149,7 +149,7 @@ fn of_one_or_two(columns: &[Vec<Rational>], target: &[Rational]) -> Option<Vec<R
     })
 }
 
-/// The terms of a polynomial in `leaves`: exponents and coefficient; `None` if it has too many terms, or is no polynomial.
+/// The terms of a polynomial in `leaves`; `None` for other expressions, or if there are too many terms.
 fn terms(polynomial: Sym, leaves: &[Sym]) -> Option<Terms> {
     let found = coefficients(polynomial, leaves).ok().filter(|found| found.len() <= MOST_TERMS)?;
     let number = |value: Sym| normal(value, &Hypotheses::none()).ok()?.as_constant();

@@ -1,4 +1,4 @@
-//! The premises of a certificate: equations, and the steps from them to the values of symbols.
+//! The premises of certificates: equations, and the steps from them to values of symbols.
 
 use crate::conditions::Hypothesis;
 use crate::motion::{Motion, equations_of_motion};
@@ -6,7 +6,7 @@ use claims::Condition;
 use claims::certificate::{Relation, Relations, Step};
 use symbolic::{Hypotheses, Sym};
 
-/// The equations that hold on a motion, and the steps from them to the values of its symbols.
+/// The equations that hold on a motion, and the steps that determine the values of its symbols from them.
 pub(crate) fn premises(
     motion: &Motion<'_, '_>,
     assumed: &[Hypothesis],
@@ -27,7 +27,7 @@ pub(crate) fn premises(
             }
         };
         let by = zeros.into_iter().map(|zero| place(zero, relations)).collect();
-        // a symbol that was replaced before no longer occurs
+        // a symbol that an earlier round replaced no longer occurs
         let new: Vec<(Sym, Sym)> = round.values.iter().copied().filter(|(symbol, _)| !known.contains(symbol)).collect();
         known.extend(new.iter().map(|&(symbol, _)| symbol));
         if !new.is_empty() {

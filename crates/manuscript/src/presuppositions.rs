@@ -1,4 +1,4 @@
-//! Presuppositions of a claim: its hypotheses, and the domain of its formula. If no point satisfies these, the claim is vacuous.
+//! The presuppositions of a claim: its hypotheses, and the domain of its formula. If no point satisfies them, the claim is vacuous.
 
 use crate::claim_text::{ClaimText, Kind};
 use crate::conditions::{Hypothesis, assume, conditions};
@@ -16,10 +16,10 @@ use latex::Statement;
 use reader::Issue;
 use symbolic::Sym;
 
-/// The conditions on signs and nonzero expressions, with the equalities inserted.
+/// The hypotheses about signs and zeros, with the equalities inserted.
 ///
 /// # Errors
-/// They contradict each other.
+/// The hypotheses contradict each other.
 pub(crate) fn where_they_hold(
     paper: &PaperText,
     kind: Kind,
@@ -36,7 +36,7 @@ pub(crate) fn where_they_hold(
         _ => constrained(),
     };
     let mut motion = base.clone();
-    // the code for kinds of claims that cannot assume one reports this itself
+    // an error is reported where the claim is judged
     let is_assumed = assume(&mut motion, assumed).is_ok();
     let there = match is_assumed {
         true => conditions(&motion, assumed),
@@ -57,18 +57,18 @@ pub(crate) fn where_they_hold(
     }
 }
 
-/// The hypotheses at these places that stand in the file: bounds of pi do not.
+/// The hypotheses with these indices except the bounds of π, which are not in the file.
 fn printed<'a>(places: &'a [usize], assumed: &'a [Hypothesis]) -> impl Iterator<Item = &'a Hypothesis> {
     let is_bound = |one: &Hypothesis| one.condition.is_some_and(|condition| half_turn::bounds().contains(&condition));
     places.iter().map(|&place| &assumed[place]).filter(move |one| !is_bound(one))
 }
 
-/// A hypothesis with the line at which it stands.
+/// A hypothesis as text, with its line in the file.
 fn of_line(paper: &PaperText, hypothesis: &Hypothesis) -> String {
     format!("`{}` (line {})", hypothesis.told.0, paper.line_of(&hypothesis.at))
 }
 
-/// Presuppositions of a formula in addition to its hypotheses: they are listed, and a formula without a value anywhere within them is undefined.
+/// Adds the domain of a formula to the requirements of a finding. A formula without a value at any point that satisfies its hypotheses is undefined.
 pub(crate) fn presupposed(
     paper: &PaperText,
     claim: &ClaimText,
@@ -83,7 +83,7 @@ pub(crate) fn presupposed(
         _ => Motion::by_equations(letters.trace).unwrap_or_else(|_| constrained()),
     };
     let mut motion = base.clone();
-    // the code for kinds of claims that cannot assume one has reported this itself
+    // an error has been reported where the claim was judged
     if assume(&mut motion, assumed).is_err() {
         return;
     }

@@ -1,24 +1,24 @@
-//! A printed decimal number, such as `-12.98` or `3.0\cdot 10^{-3}`, with the unit of its last digit.
+//! A printed decimal number, such as `-12.98` or `3.0\cdot 10^{-3}`, and the unit of its last digit.
 
 use field::{Rational, Scalar};
 use latex::{Form, Term};
 use std::ops::Range;
 
-/// The digits of a number, and the power of ten beside them.
+/// The digits of a number, and its power of ten.
 #[derive(Clone)]
 pub(crate) struct PrintedDecimal {
-    /// The digits in the formula, with a sign before them.
+    /// The range of the digits in the formula, including a sign before them.
     pub span: Range<usize>,
-    /// The number of digits after the point.
+    /// The number of digits after the decimal point.
     pub decimals: usize,
-    /// The exponent of the power of ten; zero without one.
+    /// The exponent of the power of ten; zero if none is printed.
     pub exponent: i32,
-    /// The exponent in the formula, with the sign before it; none without a power of ten.
+    /// The range of the printed exponent in the formula, including its `^`; `None` without a power of ten.
     script: Option<Range<usize>>,
 }
 
 impl PrintedDecimal {
-    /// None if the term is another expression.
+    /// The printed number; `None` if the term is another expression.
     pub fn of(term: &Term, formula: &str) -> Option<Self> {
         match &term.form {
             Form::Number(_) => {
@@ -48,8 +48,8 @@ impl PrintedDecimal {
         (0..places.unsigned_abs()).fold(half, |unit, _| if places < 0 { unit / ten } else { unit * ten })
     }
 
-    /// The power of ten with which the printed digits, with their sign or the other one, are those of a value: its place in the formula, and its print. None
-    /// without a power of ten, or where other digits are needed.
+    /// The range of the exponent, and the exponent with which the printed digits are those of a value up to the sign. `None`
+    /// without a power of ten, or if the digits differ.
     pub fn power_for(&self, value: f64, formula: &str) -> Option<(Range<usize>, String)> {
         let script = self.script.clone()?;
         let printed: f64 = formula.get(self.span.clone())?.replace(char::is_whitespace, "").parse().ok()?;
@@ -71,7 +71,7 @@ impl PrintedDecimal {
     }
 }
 
-/// The exponent of a power of ten.
+/// The exponent if a term is a power of ten.
 fn power_of_ten(term: &Term) -> Option<i32> {
     let is_ten = |term: &Term| matches!(&term.form, Form::Number(base) if *base == Rational::int(10));
     match &term.form {

@@ -1,4 +1,4 @@
-//! Signs of expressions over real letters: in one unknown by roots of polynomials; for square roots by squares; by conditions that are factors; and
+//! Signs of expressions in real letters: in one unknown by roots of polynomials, for square roots by squares, by factors with known signs, and
 //! by squares and discriminants.
 
 use crate::circle_signs::circle_signs;
@@ -15,10 +15,10 @@ use symbolic::{Hypotheses, Node, Sym, coefficients, decide, normal};
 /// The largest depth of nested rules.
 const DEPTH: usize = 2;
 
-/// The largest number of letters, numbers and signs of an expression as written.
+/// The largest number of letters, numbers and signs in an expression that is examined.
 const LONGEST: usize = 600;
 
-/// Whether an expression is positive, or nonnegative, wherever it has a value and the conditions hold.
+/// Whether an expression is proved positive or nonnegative wherever it has a value and the conditions hold; `None` without a proof.
 pub(crate) fn shows(expression: Sym, conditions: &[Condition]) -> Option<Shown> {
     if length(expression) > LONGEST {
         return None;
@@ -33,7 +33,7 @@ pub(crate) fn shows(expression: Sym, conditions: &[Condition]) -> Option<Shown> 
     Some(Shown { is_strict, evidence, is_of_normal_form: true })
 }
 
-/// Conditions, and conditions for their factors: a factor is not zero if the product is not.
+/// The conditions, and the conditions that factors of nonzero products do not vanish.
 fn with_factors(conditions: &[Condition]) -> Vec<Condition> {
     let mut all = conditions.to_vec();
     for condition in conditions {
@@ -46,7 +46,7 @@ fn with_factors(conditions: &[Condition]) -> Vec<Condition> {
     all
 }
 
-/// The length of an expression as written, counted up to a little more than the largest accepted length.
+/// The number of letters, numbers and signs in an expression, counted no further than slightly beyond `LONGEST`.
 fn length(expression: Sym) -> usize {
     let (mut open, mut length) = (vec![expression], 0);
     while let Some(part) = open.pop().filter(|_| length <= LONGEST) {
@@ -56,7 +56,7 @@ fn length(expression: Sym) -> usize {
     length
 }
 
-/// None if it is not shown to be nonnegative, otherwise whether zero is excluded.
+/// `None` if the expression is not proved nonnegative, otherwise whether it is positive.
 fn is_at_least_zero(expression: Sym, known: &[Condition], depth: usize) -> Option<bool> {
     if length(expression) > LONGEST {
         return None;
@@ -71,7 +71,7 @@ fn is_at_least_zero(expression: Sym, known: &[Condition], depth: usize) -> Optio
             written => by_root().or(written),
         };
     }
-    // the first rule that excludes zero
+    // the first rule that proves positivity, otherwise the first that proves nonnegativity
     let rules: [&dyn Fn() -> Option<bool>; 5] = [
         &|| is_written_as_positive(expression, known),
         &|| least(expression, known).filter(|least| least.sign >= 0).map(|least| least.sign > 0),
@@ -89,7 +89,7 @@ fn is_at_least_zero(expression: Sym, known: &[Condition], depth: usize) -> Optio
     shown
 }
 
-/// P + Q sqrt(a): by the signs of both parts, or of the difference of their squares.
+/// The sign of P + Q √a, by the signs of both parts, or of the difference of their squares.
 fn by_root(expression: Sym, root: Sym, known: &[Condition], depth: usize) -> Option<bool> {
     let Node::Root(inside) = root.node() else { return None };
     let form = normal(expression, &Hypotheses::none()).ok()?;
@@ -117,7 +117,7 @@ fn by_root(expression: Sym, root: Sym, known: &[Condition], depth: usize) -> Opt
     by_larger(factor_sign.is_some(), difference).or_else(|| by_larger(plain_sign.is_some(), -difference))
 }
 
-/// A condition, or the square of a nonzero expression, times an expression whose sign is shown.
+/// The sign of an expression that is a condition, or the square of a nonzero expression, times an expression with a proved sign.
 fn by_factor(expression: Sym, known: &[Condition], depth: usize) -> Option<bool> {
     if depth == 0 {
         return None;
@@ -134,7 +134,7 @@ fn by_factor(expression: Sym, known: &[Condition], depth: usize) -> Option<bool>
         if by.symbols_of().iter().any(|symbol| !expression.symbols_of().contains(symbol)) {
             return None;
         }
-        // if the quotient is longer, the expression does not contain this factor
+        // a quotient that is longer means that the expression does not contain this factor
         let rest = divided(by).filter(|rest| length(*rest) <= longest)?;
         let of_number = || sign_of_number(rest).filter(|sign| *sign >= 0).map(|sign| sign > 0);
         let shown = is_at_least_zero(rest, known, depth - 1).or_else(of_number);
@@ -142,13 +142,13 @@ fn by_factor(expression: Sym, known: &[Condition], depth: usize) -> Option<bool>
     })
 }
 
-/// Whether an expression with roots is neither positive nor negative where the conditions hold.
+/// Whether an expression with roots is proved neither positive nor negative where the conditions hold, so that it vanishes.
 pub(crate) fn vanishes_by_signs(expression: Sym, conditions: &[Condition]) -> bool {
     let has_root = Sym::ascending(&[expression]).into_iter().any(|part| matches!(part.node(), Node::Root(_)));
     has_root && [expression, -expression].into_iter().all(|side| shows(side, conditions).is_some())
 }
 
-/// Whether two sides have one square and one sign.
+/// Whether two sides have equal squares and equal signs.
 pub(crate) fn are_equal_by_squares(sides: [Sym; 2], motion: &Motion<'_, '_>, conditions: &[Condition]) -> bool {
     let [left, right] = sides.map(|side| motion.reduced(side));
     let of_circles = circle_signs(&[left, right], conditions);

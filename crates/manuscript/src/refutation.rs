@@ -6,27 +6,27 @@ use claims::{Condition, Point};
 use field::Analytic;
 use symbolic::{Hypotheses, Node, Sym, decide, normal};
 
-/// An exact point at which an expression is not zero, or has a wrong sign.
+/// An exact point at which an expression is not zero or has a wrong sign.
 pub(crate) struct Refutation {
-    /// Symbols of the model, cosines and sines of its angles, with their values.
+    /// Symbols of the model, and cosines and sines of its angles, with their values.
     pub point: Vec<(Sym, Sym)>,
-    /// Whether sines and cosines are taken as independent of their angles.
+    /// Whether sines and cosines are treated as independent of their angles.
     pub is_formal: bool,
 }
 
 impl Refutation {
-    /// The value of an expression there, where the point gives it one; the number pi may stand in it.
+    /// The value of an expression at the point; it may contain π. `None` if the point does not determine it.
     pub fn value(&self, expression: Sym) -> Option<Sym> {
         let at = |expression: Sym| {
             let there = with_exact_turns(self.with_parts_of_angles(expression).substitute(&self.point));
             let form = normal(there, &Hypotheses::none()).ok()?.to_sym();
             form.symbols_of().into_iter().all(is_half_turn).then_some(form)
         };
-        // multiples of angles are expressed by the angles of the point
+        // the normal form expresses multiples of angles by the angles of the point
         at(expression).or_else(|| at(normal(expression, &Hypotheses::none()).ok()?.to_sym()))
     }
 
-    /// An expression in which the circle points of an angle are those of a part of it, where the point has only these: sin(a) by sin(a/2) and cos(a/2).
+    /// An expression with an angle expressed by the part of it whose sine and cosine the point contains: sin(a) by sin(a/2) and cos(a/2).
     fn with_parts_of_angles(&self, expression: Sym) -> Sym {
         let parts: Vec<PartOfAngle> = self.point.iter().filter_map(|(leaf, _)| PartOfAngle::of(*leaf)).collect();
         if parts.is_empty() {
@@ -48,13 +48,13 @@ impl Refutation {
         expression.substitute(&known.collect::<Vec<_>>())
     }
 
-    /// Whether an expression has a nonzero value there, and all constraints and hypotheses of the motion hold.
+    /// Whether an expression does not vanish at the point, and all constraints and hypotheses of the motion hold there.
     pub fn is_confirmed(&self, expression: Sym, motion: &Motion<'_, '_>) -> bool {
         let is_possible = !self.point.iter().any(|(leaf, _)| is_number_of_half_turn(*leaf));
         is_possible && self.value(motion.reduced(expression)).is_some_and(is_apart) && self.is_on(motion)
     }
 
-    /// Whether constraints and hypotheses hold there as stated, for some values of the symbols that the point leaves open.
+    /// Whether constraints and hypotheses, in their original form, hold at the point for some values of the symbols that it leaves open.
     pub fn is_on(&self, motion: &Motion<'_, '_>) -> bool {
         let mut point = self.point.clone();
         for symbol in motion.replaced() {
@@ -70,7 +70,7 @@ impl Refutation {
             if left == Sym::ZERO || decide(motion.reduced(zero), &motion.hypotheses).is_zero() {
                 return true;
             }
-            // a symbol that the point leaves open gets the required value
+            // a symbol that the point leaves open takes the value that the equation requires
             match solution(motion.trace, left, None).filter(|found| found.divisor.as_constant().is_some()) {
                 Some(found) => {
                     let taken = [(found.symbol, found.value)];
@@ -83,11 +83,11 @@ impl Refutation {
         })
     }
 
-    /// Whether a condition holds there; none if the point does not decide it.
+    /// Whether a condition holds at the point; `None` if the point does not decide it.
     pub fn satisfies(&self, condition: Condition) -> Option<bool> {
         let of = condition.expression();
         let has_root = || of.leaves_of().iter().any(|leaf| matches!(leaf.node(), Node::Root(_)));
-        // the root of a square is a fraction, and another one is enclosed
+        // the root of a rational square is rational; any other root is enclosed
         let by_roots = || {
             let value = if has_root() { self.value(of)? } else { return None };
             sign(value).map(|sign| condition.allows(sign))
@@ -99,17 +99,17 @@ impl Refutation {
     }
 }
 
-/// An angle that is a fraction of a letter, such as a/2.
+/// An angle that is a rational multiple of a letter, such as a/2.
 struct PartOfAngle {
     letter: Sym,
     angle: Sym,
     factor: Sym,
-    /// A letter for the angle.
+    /// A letter that replaces the angle.
     unit: Sym,
 }
 
 impl PartOfAngle {
-    /// The part whose cosine or sine this is.
+    /// The angle of a cosine or sine, if it is such a multiple.
     fn of(leaf: Sym) -> Option<Self> {
         let angle = angle_of(leaf)?;
         let [letter] = angle.symbols_of()[..] else { return None };
@@ -133,13 +133,13 @@ fn angle_of(leaf: Sym) -> Option<Sym> {
     }
 }
 
-/// The sign of a number: exactly for a fraction, otherwise by an enclosure if it excludes zero.
+/// The sign of a number: exact for a rational number, otherwise by an enclosure; `None` if the enclosure contains zero.
 pub(crate) fn sign(value: Sym) -> Option<i32> {
     let exactly = value.as_constant().map(|value| value.sign());
     exactly.unwrap_or_else(|| enclosed(value)?.sign().filter(|sign| *sign != 0))
 }
 
-/// Whether a number is not zero: by its enclosure, or as the normal form of one root with rational factors, or of pi.
+/// Whether a number is not zero: by its enclosure, or because its normal form contains only one square root, or π, with rational coefficients.
 fn is_apart(value: Sym) -> bool {
     let has_one_root = || match value.leaves_of()[..] {
         [leaf] => is_half_turn(leaf) || matches!(leaf.node(), Node::Root(below) if below.as_constant().is_some()),
@@ -151,7 +151,7 @@ fn is_apart(value: Sym) -> bool {
     })
 }
 
-/// The rational values of a point, by the names under which expressions look them up.
+/// The rational values of a point, under the names that expressions use.
 pub(crate) fn exact(point: &[(Sym, Sym)]) -> Point {
     let name = |symbol: Sym| match symbol.node() {
         Node::Cos(angle) if angle.symbol_name().is_some() => format!("cos {angle}"),

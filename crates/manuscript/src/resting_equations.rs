@@ -1,4 +1,4 @@
-//! The equations of motions on which letters are constant: the conditions of such a motion, without reactions and accelerations.
+//! The conditions under which letters are constant along a motion: the equations of motion without reactions and accelerations.
 
 use crate::claim_text::ClaimText;
 use crate::conditions::{Hypothesis, assume, conditions};
@@ -14,22 +14,22 @@ use model::equations::{Characteristics, Equation, Equations, constraints_of, sol
 use reader::Issue;
 use symbolic::{Hypotheses, Sym, decide, normal};
 
-/// Motions on which letters are constant, with the conditions that follow from the equations of motion.
+/// The motions on which letters are constant, with the conditions that follow from the equations of motion.
 pub(crate) struct SteadyMotion<'t, 'm> {
     pub motion: Motion<'t, 'm>,
-    /// With the coordinates of their equations.
+    /// The conditions as expressions that vanish, each with the name of the coordinate of its equation.
     pub equations: Vec<(Sym, String)>,
-    /// The printed conditions.
+    /// The printed conditions, as expressions.
     pub printed: Vec<Sym>,
     pub conditions: Vec<Condition>,
     pub rates: Vec<(Sym, Sym)>,
 }
 
 impl<'t, 'm> SteadyMotion<'t, 'm> {
-    /// The equations without reactions and accelerations. Divisors are listed in the finding.
+    /// The conditions without reactions and accelerations. Divisors are added to the requirements of the finding.
     ///
     /// # Errors
-    /// All faults of the file; the inner error is the reason why there are no such equations.
+    /// A fault of the file (outer result), or the reason for which there are no such conditions (inner result).
     pub fn of(
         claim: &ClaimText,
         printed: &[Sym],
@@ -57,7 +57,7 @@ impl<'t, 'm> SteadyMotion<'t, 'm> {
         let mut printed: Vec<Sym> = printed.iter().map(|&one| motion.reduced(one)).collect();
         let moving: Vec<Sym> =
             trace.accelerations.iter().copied().filter(|one| rates.iter().all(|(rate, _)| rate != one)).collect();
-        // equations with such accelerations, as many as these, only determine the accelerations
+        // equations that are as many as the nonzero accelerations in them only determine these accelerations
         let holds_one = |equation: Sym| moving.iter().any(|one| equation.symbols_of().contains(one));
         let is_held = |one: &&Sym| equations.iter().any(|(equation, _)| equation.symbols_of().contains(one));
         let held = moving.iter().filter(is_held).count();
@@ -88,11 +88,11 @@ impl<'t, 'm> SteadyMotion<'t, 'm> {
     }
 }
 
-/// For more equations the combinations need divisions.
+/// The largest number of equations that are combined without divisions.
 const MOST_SPEEDS: usize = 7;
 
-/// Equations of motion without the reactions of constraints: determinants of the rows of constraints and the equations, which
-/// need no division; for many constraints, the combinations along the free speeds.
+/// The equations of motion without reactions of constraints: determinants of rows of constraints and equations, which
+/// need no division, or, for many constraints, combinations along the independent speeds.
 fn without_reactions(
     trace: &Trace<'_>,
     constraints: &[Equation],
@@ -119,8 +119,8 @@ fn without_reactions(
     free.into_iter().chain(tied).collect()
 }
 
-/// Equations along displacements that the constraints allow everywhere: of one coordinate alone, or of two by a numeric ratio; and the places of the
-/// coordinates that are left.
+/// The equations along virtual displacements that the constraints allow everywhere (of one coordinate, or of two with a numerical ratio), and the
+/// indices of the remaining coordinates.
 fn free_directions(
     rows: &[&Equation],
     inertia: &[Sym],
@@ -144,7 +144,7 @@ fn free_directions(
     (free, left)
 }
 
-/// The number by which the column of one coordinate is a multiple of another one.
+/// The number by which the column of one coordinate in the constraints is a multiple of that of another; `None` if there is none.
 fn ratio(rows: &[&Equation], of: usize, to: usize) -> Option<Sym> {
     let first = rows.iter().find(|one| one.row[to] != Sym::ZERO)?;
     let ratio = normal(first.row[of] / first.row[to], &Hypotheses::none()).ok()?.to_sym();
@@ -152,10 +152,10 @@ fn ratio(rows: &[&Equation], of: usize, to: usize) -> Option<Sym> {
     (ratio.as_constant().is_some() && rows.iter().all(is_it)).then_some(ratio)
 }
 
-/// The largest number of rows of an expanded determinant.
+/// The largest number of constraints for which determinants are expanded.
 const MOST_CONSTRAINTS: usize = 3;
 
-/// Every choice of so many places from here on.
+/// All choices of `count` indices from `from` to `end` - 1.
 fn chosen(from: usize, end: usize, count: usize) -> Vec<Vec<usize>> {
     if count == 0 {
         return vec![Vec::new()];
@@ -165,10 +165,10 @@ fn chosen(from: usize, end: usize, count: usize) -> Vec<Vec<usize>> {
     (from..end).flat_map(after).collect()
 }
 
-/// The divisors with which equations of motion determine the accelerations that are not zero; these equations state nothing else.
+/// The divisors with which equations of motion determine the accelerations that are not zero. These equations are removed from the conditions.
 ///
 /// # Errors
-/// One of them is only determined with a divisor that may be zero.
+/// A divisor that may vanish.
 fn determined(
     moving: &[Sym],
     equations: &mut Vec<(Sym, String)>,
@@ -196,7 +196,7 @@ fn determined(
     Ok(divided)
 }
 
-/// Speeds that are connected with a constant one by inertia or constraints, directly or through others.
+/// The indices of speeds that inertia or constraints couple to a constant speed, directly or through other speeds.
 fn connected(all: &Equations, rests: impl Fn(usize) -> bool) -> Vec<usize> {
     let n = all.mass.len();
     let mut is_in: Vec<bool> = (0..n).map(rests).collect();
@@ -210,7 +210,7 @@ fn connected(all: &Equations, rests: impl Fn(usize) -> bool) -> Vec<usize> {
     (0..n).filter(|&k| is_in[k]).collect()
 }
 
-/// The multipliers of constraints along every motion.
+/// The multipliers of constraints with their values along every motion.
 fn reactions(trace: &Trace<'_>) -> Option<Vec<(Sym, Sym)>> {
     let (_, multipliers) = solved(trace).ok()?;
     Some(constraints_of(trace).iter().map(|one| one.multiplier).zip(multipliers).collect())

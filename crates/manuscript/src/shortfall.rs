@@ -1,4 +1,4 @@
-//! The terms that a printed condition lacks beside the equation that it should be a multiple of.
+//! The terms that a printed condition lacks, compared with the equation of motion of which it should be a multiple.
 
 use crate::consequence::is_apart;
 use crate::display::{Told, factors, length, readable};
@@ -8,11 +8,11 @@ use crate::motion::Motion;
 use crate::resting_equations::SteadyMotion;
 use symbolic::{Sym, coefficients, normal};
 
-/// Longer conditions are not compared term by term.
+/// The largest number of terms of a condition that is compared term by term.
 const MOST_TERMS: usize = 16;
 
-/// Tells what the right side of a printed condition, which should vanish, lacks: with these terms it is the condition of the motion. Where that is no
-/// shorter than the equation of motion, or states less, the equation is told.
+/// Adds the terms to a finding that the right side of a printed condition lacks. If these are not simpler than the equation of motion, or the
+/// condition with them states less, adds the equation of motion.
 pub(crate) fn tell_shortfall(
     (printed, own): (Sym, [Sym; 2]),
     (equation, name): (Sym, &str),
@@ -34,7 +34,7 @@ pub(crate) fn tell_shortfall(
         let own = short(printed - scale * equation).filter(|own| *own != Sym::ZERO)?;
         let moves = scale.symbols_of().iter().any(|symbol| !motion.trace.parameters.contains(symbol));
         let rank = if scale.as_constant().is_some() { 0 } else { 1 + usize::from(moves) };
-        // by anything but a number the print should be told what it lacks in fewer letters than the equation has
+        // unless the factor is a number, the missing terms must be shorter than the equation
         let is_less = rank == 0 || whole.is_none_or(|whole| length(own) < length(whole));
         let is_fraction = normal(own, &motion.hypotheses).is_ok_and(|form| form.denominator().as_constant().is_none());
         is_less.then(|| ((is_fraction, rank, length(own)), own))
@@ -48,7 +48,7 @@ pub(crate) fn tell_shortfall(
     }
 }
 
-/// Multiples of an equation that have a term of the printed condition.
+/// The ratios of a term of the printed condition and a term of an equation.
 fn scales(printed: Sym, equation: Sym, motion: &Motion<'_, '_>) -> Vec<Sym> {
     let (Some(own), Some(other)) = (terms(printed, motion), terms(equation, motion)) else { return Vec::new() };
     let mut all: Vec<Sym> = Vec::new();
@@ -62,7 +62,7 @@ fn scales(printed: Sym, equation: Sym, motion: &Motion<'_, '_>) -> Vec<Sym> {
     all
 }
 
-/// The terms of an expression in normal form, each over its denominator; none of a long one.
+/// The terms of an expression in normal form, each divided by its denominator; `None` if there are too many.
 fn terms(expression: Sym, motion: &Motion<'_, '_>) -> Option<Vec<Sym>> {
     let form = normal(expression, &motion.hypotheses).ok()?;
     let (above, below) = (form.numerator(), form.denominator());

@@ -1,4 +1,4 @@
-//! Signs of expressions as they are written, and by their normal forms.
+//! Signs of expressions from their written form and from their normal form.
 
 use crate::motion::Motion;
 use claims::{Condition, Page, Verdict};
@@ -6,16 +6,16 @@ use field::Elementary;
 use std::collections::HashMap;
 use symbolic::{Node, Sym};
 
-/// The sign that an expression is shown to have.
+/// The proved sign of an expression, with the evidence.
 pub(crate) struct Shown {
-    /// Whether zero is excluded.
+    /// Whether the expression is positive, not only nonnegative.
     pub is_strict: bool,
-    /// Whether all terms of its normal form have this sign.
+    /// Whether all terms of the normal form have this sign.
     pub is_of_normal_form: bool,
     pub evidence: String,
 }
 
-/// Whether an expression is positive, or nonnegative, where the conditions hold: by its normal form, or as written.
+/// Whether an expression is proved positive or nonnegative where the conditions hold, by its normal form or by its written form; `None` without a proof.
 pub(crate) fn shows(expression: Sym, motion: &Motion<'_, '_>, conditions: &[Condition]) -> Option<Shown> {
     let mut page = Page::of("paper", |_| None);
     let draft = page.claim("", "", "").given(conditions.iter().copied()).under(&motion.hypotheses);
@@ -23,17 +23,17 @@ pub(crate) fn shows(expression: Sym, motion: &Motion<'_, '_>, conditions: &[Cond
     if let Some(judged) = page.judge().into_iter().find(|judged| judged.verdict == Verdict::Proved) {
         return Some(Shown { is_strict: true, is_of_normal_form: true, evidence: judged.evidence });
     }
-    // a normal form may mix signs that are separate in the printed form
+    // a normal form may mix signs that the written form separates
     let evidence =
         "every term as written has this sign: squares, exponentials, and letters that are positive".to_owned();
     let is_strict = is_written_as_positive(expression, conditions)?;
     Some(Shown { is_strict, is_of_normal_form: false, evidence })
 }
 
-/// Whether the terms of an expression as written show that it is nonnegative: none if not, otherwise whether zero is excluded.
+/// Whether the written terms of an expression prove that it is nonnegative. `None` without a proof, otherwise whether it is positive.
 pub(crate) fn is_written_as_positive(expression: Sym, conditions: &[Condition]) -> Option<bool> {
     let known = &mut HashMap::new();
-    // from the leaves on, since a long sum is as deep as it is long
+    // from the leaves on, to avoid deep recursion in a long sum
     for part in Sym::ascending(&[expression]) {
         sign(part, conditions, known);
     }
@@ -44,7 +44,7 @@ pub(crate) fn is_written_as_positive(expression: Sym, conditions: &[Condition]) 
     })
 }
 
-/// Knowledge of the sign of an expression.
+/// The known sign of an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Sign {
     Positive,
@@ -63,7 +63,7 @@ impl Sign {
         }
     }
 
-    /// Whether it is at least zero, and whether it excludes zero.
+    /// Whether the sign is nonnegative (otherwise nonpositive), and whether it excludes zero.
     fn parts(self) -> (bool, bool) {
         match self {
             Sign::Positive => (true, true),
@@ -88,10 +88,10 @@ impl Sign {
     }
 }
 
-/// The signs of parts that were looked at, since parts that stand in several places are looked at once.
+/// The signs of parts that have been determined; shared parts are examined once.
 type KnownSigns = HashMap<Sym, Option<Sign>>;
 
-/// The sign of an expression as written, by the signs of its letters.
+/// The sign of an expression in its written form, from conditions on its parts.
 fn sign(expression: Sym, conditions: &[Condition], known: &mut KnownSigns) -> Option<Sign> {
     if let Some(found) = known.get(&expression) {
         return *found;
@@ -154,9 +154,9 @@ fn sign_as_written(expression: Sym, conditions: &[Condition], known: &mut KnownS
     }
 }
 
-/// A part of an expression that is the square root of a quantity that is always negative.
+/// A square root in an expression whose radicand is proved negative.
 pub(crate) fn without_real_value(expression: Sym, motion: &Motion<'_, '_>, conditions: &[Condition]) -> Option<Sym> {
-    // each part once: multiples of an angle share most of theirs
+    // each shared part is visited once, since multiples of an angle have many parts in common
     Sym::ascending(&[expression]).into_iter().find(|part| {
         let Node::Root(below) = part.node() else { return false };
         let below = motion.reduced(below);

@@ -1,4 +1,4 @@
-//! Expressions as sums of squares and of products of given conditions: the form shows the sign.
+//! Expressions as sums of squares and of products of given conditions, whose form shows the sign.
 
 use crate::circle_forms::{by_bounds, by_squares_of_circles};
 use crate::line_signs::number;
@@ -11,30 +11,30 @@ use symbolic::{Hypotheses, Node, Sym, coefficients, normal};
 /// The largest depth of nested completions of the square.
 const DEPTH: usize = 4;
 
-/// The expression in a form whose terms show its sign, and the conditions that this uses.
+/// An expression in a form whose terms show its sign, and the conditions that this form uses.
 pub(crate) struct SquareSum {
     pub written: Sym,
     pub known: Vec<Condition>,
 }
 
-/// The largest number of operations of an expression that is tried without a search for a proof by other rules.
+/// The largest number of operations of an expression that [`shows`] examines.
 const LONGEST: usize = 240;
 
-/// The largest number of parts that are looked at there.
+/// The largest number of parts of an expression that [`shows`] examines.
 const MOST_PARTS: u32 = 300;
 
-/// The effort of a search.
+/// The limits of a search.
 struct Effort {
-    /// The number of parts that may still be looked at.
+    /// The number of parts that may still be examined.
     left: Cell<u32>,
-    /// Whether forms that exclude zero are looked for.
+    /// Whether only forms that prove positivity are accepted.
     excludes_zero: bool,
 }
 
-/// Whether a short expression is a sum of squares and of products of given conditions that is nonnegative: none if not, otherwise whether zero is
-/// excluded.
+/// Whether a short expression with sines or cosines is proved nonnegative as a sum of squares and of products of conditions. `None` without a proof,
+/// otherwise whether it is positive.
 pub(crate) fn shows(expression: Sym, conditions: &[Condition]) -> Option<bool> {
-    // polynomials in letters have rules of their own
+    // polynomials in letters are left to other rules
     let is_circle = |leaf: &Sym| matches!(leaf.node(), Node::Cos(_) | Node::Sin(_));
     if Sym::operations_of(&[expression]) > LONGEST || !expression.leaves_of().iter().any(is_circle) {
         return None;
@@ -46,13 +46,13 @@ pub(crate) fn shows(expression: Sym, conditions: &[Condition]) -> Option<bool> {
     within(false).map(|_| within(true).is_some())
 }
 
-/// None if no such form was found.
+/// The form of an expression that shows its sign; `None` if none was found.
 pub(crate) fn square_sum(expression: Sym, is_strict: bool, conditions: &[Condition]) -> Option<SquareSum> {
     within(expression, is_strict, conditions, &Effort { left: Cell::new(u32::MAX), excludes_zero: false })
 }
 
 fn within(expression: Sym, is_strict: bool, conditions: &[Condition], effort: &Effort) -> Option<SquareSum> {
-    // one angle alone has its real roots
+    // an expression in one angle alone is left to the rule of real roots
     if !expression.leaves_of().iter().any(|leaf| leaf.symbol_name().is_some()) {
         return None;
     }
@@ -92,13 +92,13 @@ fn sum(polynomial: Sym, known: &[Condition], depth: usize, effort: &Effort) -> O
     if !effort.excludes_zero {
         return found.next();
     }
-    // a completed square may vanish where the distance from an edge does not
+    // a completed square may vanish where a form with a slack variable does not
     let first = found.next()?;
     let is_strict = |form: &Sym| is_written_as_positive(*form, known) == Some(true);
     if is_strict(&first) { Some(first) } else { found.find(is_strict).or(Some(first)) }
 }
 
-/// A sum of nonnegative powers of a letter with nonnegative coefficients.
+/// The form as a sum of powers of a letter with nonnegative coefficients, all powers nonnegative.
 fn by_powers(polynomial: Sym, letter: Sym, known: &[Condition], depth: usize, effort: &Effort) -> Option<Sym> {
     let terms = coefficients(polynomial, &[letter]).ok().filter(|terms| terms.len() > 1)?;
     let term = |(exponents, value): (Vec<u32>, Sym)| {
@@ -109,7 +109,7 @@ fn by_powers(polynomial: Sym, letter: Sym, known: &[Condition], depth: usize, ef
     terms.into_iter().map(term).try_fold(Sym::ZERO, |sum, term| Some(sum + term?))
 }
 
-/// a s^2n + b s^n + c as a (s^n + b/2a)^2 + (4 a c - b^2)/4a.
+/// The form of a s²ⁿ + b sⁿ + c as a (sⁿ + b/2a)² + (4 a c - b²)/4a.
 fn by_square(polynomial: Sym, letter: Sym, known: &[Condition], depth: usize, effort: &Effort) -> Option<Sym> {
     let terms = coefficients(polynomial, &[letter]).ok()?;
     let degree = terms.iter().map(|(exponents, _)| exponents[0]).max().filter(|degree| degree % 2 == 0)?;
@@ -126,7 +126,7 @@ fn by_square(polynomial: Sym, letter: Sym, known: &[Condition], depth: usize, ef
     Some(lead * square + rest / (number(4) * lead))
 }
 
-/// A condition, or the square of a nonzero expression, times another sum.
+/// The form as a condition, or the square of a nonzero expression, times a form of the quotient.
 fn by_factor(polynomial: Sym, condition: Condition, known: &[Condition], depth: usize, effort: &Effort) -> Option<Sym> {
     let by = match condition {
         Condition::Positive(of) | Condition::NotNegative(of) => of,
@@ -137,7 +137,7 @@ fn by_factor(polynomial: Sym, condition: Condition, known: &[Condition], depth: 
     Some(by * sum(rest.to_sym(), known, depth - 1, effort)?)
 }
 
-/// A letter in which a condition is linear, replaced by the distance from the boundary of the condition.
+/// The form after replacement of a letter, in which a condition is linear, by the value of the condition (a slack variable).
 fn by_edge(polynomial: Sym, condition: Condition, known: &[Condition], depth: usize, effort: &Effort) -> Option<Sym> {
     let (Condition::Positive(of) | Condition::NotNegative(of)) = condition else { return None };
     if of.symbol_name().is_some() {

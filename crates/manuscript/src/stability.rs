@@ -1,5 +1,5 @@
-//! Claims on the stability of a steady motion: the printed inequality is compared with the roots of the linear equations, and for a
-//! conservative system with its energy.
+//! Claims about the stability of a steady motion: the printed inequality is compared with the conditions on the eigenvalues of the linear equations and,
+//! for a conservative system, with those for a minimum of the energy.
 
 use crate::admissible::admissible;
 use crate::certificate::Record;
@@ -30,8 +30,8 @@ use latex::{Relation, Statement};
 use reader::Issue;
 use symbolic::{Hypotheses, Sym, coefficients, normal};
 
-/// `a > b` if and only if the motion on which the letters of `resting` are constant is stable: by the hypotheses, else also by the parameters without which
-/// the model has no inertia.
+/// Judges the claim that the motion on which the letters of `resting` are constant is stable if and only if `a > b`: under the hypotheses, and if this
+/// fails under the additional hypotheses that parameters of inertia do not vanish.
 pub(crate) fn stability(
     claim: &ClaimText,
     statement: &Statement,
@@ -55,7 +55,7 @@ pub(crate) fn stability(
     Ok(())
 }
 
-/// The parameters without which the model has no inertia, as hypotheses that they are not zero.
+/// Hypotheses that the parameters without which the model has no inertia do not vanish.
 fn inertia(claim: &ClaimText, letters: &Letters<'_, '_>, assumed: &[Hypothesis]) -> Vec<Hypothesis> {
     let motion = Motion::without_anything(letters.trace);
     let is_new =
@@ -132,7 +132,7 @@ fn stability_within(
     Ok(())
 }
 
-/// A printed condition compared with the region of stability.
+/// A printed condition, and the region of stability with which it is compared.
 struct Compared<'a, 't, 'm> {
     region: &'a Region,
     printed: Sym,
@@ -142,7 +142,7 @@ struct Compared<'a, 't, 'm> {
 }
 
 impl Compared<'_, '_, '_> {
-    /// The verdict, with the part of its proof that the second checker can repeat.
+    /// Writes the verdict into the finding; returns the part of its proof that the second checker can repeat.
     fn judged(&self, letters: &Letters<'_, '_>, finding: &mut Finding) -> Option<Comparison> {
         let told = Told(letters);
         if let Some((criterion, multiple)) = self.multiple() {
@@ -175,7 +175,7 @@ impl Compared<'_, '_, '_> {
             false => format!("at the exact point the printed inequality fails, and {}", self.region.told_stable(by_roots)),
         };
         tell_point(self.own, &refutation, self.motion, told, finding);
-        // with gyroscopic terms no minimum is needed
+        // with gyroscopic terms, a minimum is not necessary for stability
         let is_needed = |one: &&Criterion| one.theorem.is_of_roots() || !self.region.is_gyroscopic;
         let needed = self.region.criteria.iter().filter(is_needed).map(|one| self.open(one));
         if let Some([condition]) = needed.map(|open| <[Sym; 1]>::try_from(open).ok()).next().flatten()
@@ -186,18 +186,18 @@ impl Compared<'_, '_, '_> {
         by_roots.then_some(Comparison::Other(refutation))
     }
 
-    /// The conditions of a criterion that the hypotheses alone do not show to be positive.
+    /// The conditions of a criterion that the hypotheses alone do not prove positive.
     fn open(&self, criterion: &Criterion) -> Vec<Sym> {
         let is_positive = |of: &Sym| shows(*of, self.motion, self.known).is_some_and(|shown| shown.is_strict);
         criterion.conditions.iter().copied().filter(|condition| !is_positive(condition)).collect()
     }
 
-    /// The criterion by roots, if its only open condition is a positive multiple of the printed one.
+    /// The criterion by eigenvalues, if its only open condition is a positive multiple of the printed one.
     fn multiple(&self) -> Option<(&Criterion, Multiple)> {
         let criterion = self.region.criteria.iter().find(|one| one.theorem.is_of_roots())?;
         let [condition] = self.open(criterion)[..] else { return None };
         let ratio = condition / self.printed;
-        // squares of nonzero expressions are positive
+        // squares of nonzero expressions are positive factors
         let apart = self.known.iter().enumerate().filter_map(|(place, condition)| match condition {
             Condition::NonZero(e) | Condition::Positive(e) => Some((place, *e)),
             _ => None,
@@ -211,7 +211,7 @@ impl Compared<'_, '_, '_> {
         multiple.map(|multiple| (criterion, multiple))
     }
 
-    /// A sentence about roots on the imaginary axis, which do not suffice for stability without an energy.
+    /// A sentence about eigenvalues on the imaginary axis, which do not imply stability of the nonlinear equations without an energy.
     fn beyond_roots(&self) -> String {
         let is_minimum = |one: &&Criterion| one.theorem == Theorem::Minimum && self.shows_all(&one.conditions);
         let is_asymptotic = self.region.criteria.iter().any(|one| one.theorem == Theorem::Hurwitz);
@@ -225,13 +225,13 @@ impl Compared<'_, '_, '_> {
         }
     }
 
-    /// Whether all of these are positive where the printed inequality holds.
+    /// Whether all conditions are proved positive where the printed inequality holds.
     fn shows_all(&self, conditions: &[Sym]) -> bool {
         let there = [self.known, &[Condition::Positive(self.printed)]].concat();
         conditions.iter().all(|&condition| has_sign(condition, true, self.motion, &there))
     }
 
-    /// The evidence that the conditions of a criterion follow from the printed one, and the printed one from the necessary conditions.
+    /// The evidence that the printed condition implies the conditions of a criterion, and that the necessary conditions imply the printed one.
     fn by_signs(&self) -> Option<String> {
         let criterion = self.region.criteria.iter().find(|one| self.shows_all(&one.conditions))?;
         let stable =
@@ -252,7 +252,7 @@ impl Compared<'_, '_, '_> {
         })
     }
 
-    /// A point at which the printed inequality and stability differ, whether the inequality holds there, and whether roots alone show the difference.
+    /// A point at which the printed inequality and stability disagree, whether the inequality holds there, and whether eigenvalues alone show this.
     fn refutation(&self) -> Option<(Refutation, bool, bool)> {
         let of_roots = |one: &&Criterion| one.theorem.is_of_roots();
         let roots: Vec<&Criterion> = self.region.criteria.iter().filter(of_roots).collect();
@@ -286,7 +286,7 @@ impl Compared<'_, '_, '_> {
     }
 }
 
-/// Whether an expression is positive, or nonnegative, where conditions hold: as a whole, or by the signs of its factors.
+/// Whether an expression is proved positive (`is_strict`) or nonnegative where conditions hold, as a whole or by the signs of its factors.
 fn has_sign(expression: Sym, is_strict: bool, motion: &Motion<'_, '_>, known: &[Condition]) -> bool {
     let shown = |of: Sym| {
         let is_enough = |found: Shown| found.is_strict || !is_strict;
@@ -298,7 +298,7 @@ fn has_sign(expression: Sym, is_strict: bool, motion: &Motion<'_, '_>, known: &[
     shown(left) || left != expression && shown(expression)
 }
 
-/// An expression without powers of positive letters.
+/// An expression without its positive factors.
 fn without_positive(expression: Sym, motion: &Motion<'_, '_>, known: &[Condition]) -> Sym {
     let is_positive = |of: Sym| {
         shows(of, motion, known).is_some_and(|shown| shown.is_strict) || condition_products::show(of, true, known)

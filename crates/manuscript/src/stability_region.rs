@@ -1,4 +1,4 @@
-//! Sufficient and necessary conditions for the stability of a steady motion: by the roots of its linear equations, and by the energy of a
+//! Sufficient and necessary conditions for the stability of a steady motion: by the eigenvalues of its linear equations, and by the energy of a
 //! conservative system.
 
 use crate::condition_products;
@@ -10,14 +10,14 @@ use claims::Condition;
 use field::Rational;
 use symbolic::Sym;
 
-/// The theorem of a sufficient criterion.
+/// The theorem behind a sufficient criterion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Theorem {
-    /// All roots are left of the imaginary axis.
+    /// All eigenvalues have negative real parts (Hurwitz).
     Hurwitz,
-    /// All roots are simple and on the imaginary axis.
+    /// All eigenvalues are simple and on the imaginary axis.
     EvenPowers,
-    /// The potential energy has a minimum.
+    /// The potential energy has a minimum (Lagrange, Dirichlet).
     Minimum,
 }
 
@@ -26,38 +26,38 @@ impl Theorem {
         self != Theorem::Minimum
     }
 
-    /// The kind of stability that it proves.
+    /// The kind of stability that the theorem proves.
     pub fn kind(self) -> &'static str {
         if self == Theorem::Hurwitz { "asymptotically stable" } else { "stable" }
     }
 }
 
-/// Expressions that are sufficient for stability if all of them are positive.
+/// A sufficient criterion: the motion is stable if all conditions are positive.
 pub(crate) struct Criterion {
     pub theorem: Theorem,
     pub conditions: Vec<Sym>,
 }
 
-/// The values of parameters for which a steady motion is stable.
+/// The conditions on parameters under which a steady motion is stable.
 pub(crate) struct Region {
     pub criteria: Vec<Criterion>,
-    /// If one of these is negative, a root has a positive real part.
+    /// If one of these is negative, an eigenvalue has a positive real part.
     pub necessary: Vec<Sym>,
     pub is_gyroscopic: bool,
-    /// Whether the energy is conserved by the nonlinear equations.
+    /// Whether the nonlinear equations conserve the energy.
     pub is_lagrangian: bool,
     has_momenta: bool,
     /// The characteristic polynomial, if there are conditions on its roots.
     pub roots: Option<Characteristic>,
-    /// Present for a conservative system.
+    /// The quadratic forms of the energy, for a conservative system.
     pub energy: Option<EnergyForm>,
 }
 
 impl Region {
-    /// The region of the linear equations about a motion.
+    /// The conditions from the linear equations about a motion.
     ///
     /// # Errors
-    /// Neither the roots nor the energy give conditions.
+    /// Neither the eigenvalues nor the energy give conditions.
     pub fn of(linear: &LinearMotion, motion: &Motion<'_, '_>, known: &[Condition]) -> Result<Self, String> {
         let is_positive = |of: &Sym| {
             shows(*of, motion, known).is_some_and(|shown| shown.is_strict) || condition_products::show(*of, true, known)
@@ -84,7 +84,7 @@ impl Region {
             Err(why) => Some(why),
         };
         if let Some(EnergyForm { potential, principal, is_gyroscopic, .. }) = &energy {
-            // a minimum of the energy proves more than roots on the imaginary axis
+            // a minimum of the energy proves more than eigenvalues on the imaginary axis
             region.criteria.insert(0, Criterion { theorem: Theorem::Minimum, conditions: potential.clone() });
             if !is_gyroscopic {
                 region.necessary.clone_from(principal);
@@ -97,7 +97,7 @@ impl Region {
         }
     }
 
-    /// The sentence on stability if the conditions of a theorem hold.
+    /// The sentence on stability under the conditions of a theorem.
     pub fn told(&self, theorem: Theorem) -> String {
         match theorem {
             Theorem::Hurwitz => "all roots have negative real parts, so that the motion is asymptotically stable".to_owned(),
@@ -121,7 +121,7 @@ impl Region {
         }
     }
 
-    /// The sentence on stability at a point.
+    /// The sentence on stability at a point at which a criterion holds; `by_roots` restricts it to the criterion by eigenvalues.
     pub fn told_stable(&self, by_roots: bool) -> String {
         let of_roots = self.criteria.iter().find(|one| one.theorem.is_of_roots()).filter(|_| by_roots);
         match of_roots {
@@ -131,7 +131,7 @@ impl Region {
     }
 }
 
-/// The conditions on a polynomial by rising powers. With even powers only: the squares of its roots are negative and simple. Otherwise Hurwitz's.
+/// The conditions on a polynomial, given by ascending powers: for even powers only, that the squares of its roots are negative and simple, otherwise Hurwitz's.
 fn conditions_of(all: &[Sym]) -> Result<Criterion, String> {
     let number = |value: i64| Sym::constant(Rational::new(value, 1));
     let is_even = all.iter().skip(1).step_by(2).all(|odd| *odd == Sym::ZERO);

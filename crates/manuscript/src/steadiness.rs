@@ -1,4 +1,4 @@
-//! Claims on conditions of steady motions.
+//! Claims about the conditions of steady motions.
 
 use crate::admissible::has_positive_parameters;
 use crate::certificate::Record;
@@ -22,7 +22,7 @@ use latex::{Statement, read};
 use reader::Issue;
 use symbolic::{Sym, decide};
 
-/// The condition of the motions on which the letters of `resting` are constant: alone, or together with the claims `beside` about this motion.
+/// Judges the condition of the motions on which the letters of `resting` are constant, alone or together with the claims `beside` about this motion.
 pub(crate) fn steady_motion(
     claim: &ClaimText,
     beside: &[&ClaimText],
@@ -77,13 +77,13 @@ pub(crate) fn steady_motion(
     let names: Vec<&str> = beside.iter().map(|(_, name)| name.as_str()).collect();
     if let Ok(mut steady) = SteadyMotion::of(claim, &all, letters, assumed, &mut trial)? {
         let written: Vec<Sym> = all.iter().copied().flat_map(written_divisors).collect();
-        // a line states nothing where it has no value
+        // a line states something only where it has a value
         let have_values = written.iter().map(|&divisor| Condition::NonZero(steady.motion.reduced(divisor)));
         let have_values: Vec<Condition> = have_values.collect();
         let given = steady.conditions.len();
         steady.conditions.extend(have_values);
         let joint = together(&steady, &names, assumed, record);
-        // where no partner makes it right, or none was shown to, a motion refutes it
+        // if the other conditions do not complete it, or this was not proved, a motion may refute it
         if matches!(joint, None | Some(Joint::Other))
             && (is_too_little && joint.is_none() || finding.judged.verdict == Verdict::Undecided)
             && let Some(found) = failing_motion(&steady)
@@ -94,7 +94,7 @@ pub(crate) fn steady_motion(
         match joint {
             Some(Joint::Other) => return Ok(()),
             Some(found) => {
-                // the conditions added above are dropped, so that their divisors are listed as required
+                // the conditions added above are removed, so that their divisors are listed as requirements
                 steady.conditions.truncate(given);
                 found.told(&steady, &written, letters, &mut trial);
                 *finding = trial;
@@ -104,7 +104,7 @@ pub(crate) fn steady_motion(
         }
     }
     if is_too_little {
-        // the point at which this claim fails alone need not satisfy the others
+        // the counterexample to this claim alone need not satisfy the other conditions
         record.restart();
         finding.judged.counterexample.clear();
         finding.judged.difference = None;
@@ -117,7 +117,7 @@ pub(crate) fn steady_motion(
     Ok(())
 }
 
-/// The condition that a claim prints, over the model, with both of its sides.
+/// The condition that a claim prints, in the symbols of the model, with both of its sides in the paper's letters.
 fn of_statement(claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>) -> Result<(Sym, [Sym; 2]), Issue> {
     match &statement.chains[..] {
         [chain] => condition(claim, chain, letters),
@@ -130,7 +130,7 @@ fn of_statement(claim: &ClaimText, statement: &Statement, letters: &Letters<'_, 
 
 /// A printed condition.
 struct Print<'a, 't, 'm> {
-    /// Over the model, as it was read.
+    /// The condition in the symbols of the model, as it was read.
     is: Sym,
     /// Its sides in the paper's letters, the right one zero.
     own: [Sym; 2],
@@ -139,7 +139,7 @@ struct Print<'a, 't, 'm> {
 }
 
 impl Print<'_, '_, '_> {
-    /// Tells that the letters rest along a motion on which the printed condition does not hold; `names` are those of the others.
+    /// Writes a refutation: the letters are constant along a motion on which the printed condition fails. `names` are those of the other conditions.
     fn fails(
         &self,
         steady: &SteadyMotion<'_, '_>,
@@ -173,7 +173,7 @@ impl Print<'_, '_, '_> {
     }
 }
 
-/// The verdict on the first of the printed conditions by itself. Whether it was refuted since it asks for too little.
+/// Judges the first printed condition alone; returns whether it was refuted because it is not sufficient.
 fn alone(steady: &SteadyMotion<'_, '_>, print: &Print<'_, '_, '_>, finding: &mut Finding, record: &mut Record) -> bool {
     let SteadyMotion { motion, equations, printed, conditions, .. } = steady;
     let &Print { is, own, letters, assumed } = print;
@@ -189,7 +189,7 @@ fn alone(steady: &SteadyMotion<'_, '_>, print: &Print<'_, '_, '_>, finding: &mut
         }
         let of_equation = step(motion, printed, reduced, conditions);
         record.step(motion, assumed, [printed, reduced], &of_equation);
-        // a motion that violates the print is shown rather where only it has positive parameters
+        // a motion that violates the printed condition is preferred if only this one has positive parameters
         if matches!(&of_equation, Step::Fails(found) if !has_positive_parameters(found, motion))
             && let Some(found) = failing_motion(steady).filter(|found| has_positive_parameters(found, motion))
         {
@@ -217,7 +217,7 @@ fn alone(steady: &SteadyMotion<'_, '_>, print: &Print<'_, '_, '_>, finding: &mut
         }
     }
     if of_print.is_empty() {
-        // a motion on which all letters are constant satisfies every equation
+        // along a motion on which all letters are constant, every equation stays satisfied
         let rests = all_rests(steady);
         if let Some(found) = failing.iter().find(|found| rests && is_steady(steady, found)) {
             let is_usual = |found: &Refutation| has_positive_parameters(found, motion);

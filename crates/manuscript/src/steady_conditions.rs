@@ -1,4 +1,4 @@
-//! Several printed conditions of one steady motion: each follows from the equations of motion, and together they imply all of these.
+//! Several printed conditions of one steady motion: each must follow from the equations of motion, and together they must imply these equations.
 
 use crate::certificate::Record;
 use crate::conditions::Hypothesis;
@@ -16,17 +16,17 @@ use crate::verdict::neither;
 use claims::{Condition, Verdict};
 use symbolic::{Sym, decide, normal};
 
-/// The first of several conditions in relation to the others.
+/// The relation of the first of several conditions to the others.
 pub(crate) enum Joint {
-    /// Together with these others it is the condition of the motion; with the divisors.
+    /// The condition, together with these others, is equivalent to the equations of the motion; `divided` contains the divisors.
     Whole { others: Vec<String>, divided: Vec<Sym> },
-    /// It holds on every such motion, but these others were not shown to hold.
+    /// The condition holds on every such motion, but these others were not proved to hold.
     Part { failing: Vec<String> },
-    /// It does not hold on every such motion.
+    /// The condition does not hold on every such motion.
     Other,
 }
 
-/// The first printed condition together with those of the others that hold on every such motion; none if this decides nothing.
+/// The relation of the first printed condition to the others; `None` if nothing is decided.
 pub(crate) fn together(
     steady: &SteadyMotion<'_, '_>,
     names: &[&str],
@@ -43,7 +43,7 @@ pub(crate) fn together(
         places.iter().filter(|place| **place > 0).map(|&place| names[place - 1].to_owned()).collect()
     };
     if holding.first() != Some(&0) {
-        // without a solution of the equations a condition that was not shown to hold may hold
+        // if the equations could not be solved, an unproved condition may still hold
         return of_equations.solved.map(|_| Joint::Other);
     }
     let zeros: Vec<Sym> = holding.iter().map(|&place| printed[place]).collect();
@@ -70,7 +70,7 @@ pub(crate) fn together(
     }
 }
 
-/// Expressions that are zero, with the motion on which they are where they can be solved.
+/// Expressions that vanish, with the motion on which they do if they can be solved.
 struct Vanishing<'a, 't, 'm> {
     motion: &'a Motion<'t, 'm>,
     conditions: &'a [Condition],
@@ -78,10 +78,10 @@ struct Vanishing<'a, 't, 'm> {
     solved: Option<Solved<'t, 'm>>,
 }
 
-/// The proof that another expression is zero there.
+/// The proof that another expression vanishes there.
 enum Way<'a, 't, 'm> {
     Solved(&'a Solved<'t, 'm>),
-    /// By a combination, with letters that never vanish.
+    /// The expression is a combination of the others, after multiplication by letters that never vanish.
     Combined(Vec<Sym>),
 }
 
@@ -108,7 +108,7 @@ impl<'a, 't, 'm> Vanishing<'a, 't, 'm> {
         solved.map(Way::Solved).or_else(combined)
     }
 
-    /// Whether an exact point satisfies the conditions, with nonzero divisors, where all of these are zero.
+    /// Whether an exact point is found at which all expressions vanish, the conditions hold and no divisor vanishes.
     fn is_somewhere(&self) -> bool {
         match &self.solved {
             Some(solved) => solved.is_somewhere(self.conditions),
@@ -118,7 +118,7 @@ impl<'a, 't, 'm> Vanishing<'a, 't, 'm> {
 }
 
 impl Vanishing<'_, '_, '_> {
-    /// Whether the expressions vanish at an exact point that satisfies the conditions, with these coordinates zero.
+    /// Whether an exact point is found at which the expressions vanish and the conditions hold, with these coordinates zero.
     fn vanish_where(&self, coordinates: &[Sym]) -> bool {
         let there: Vec<(Sym, Sym)> = coordinates.iter().map(|&coordinate| (coordinate, Sym::ZERO)).collect();
         let zeros: Vec<Sym> = self.zeros.iter().map(|zero| zero.substitute(&there)).collect();
@@ -128,15 +128,15 @@ impl Vanishing<'_, '_, '_> {
     }
 }
 
-/// A motion on which expressions are zero.
+/// A motion on which expressions vanish.
 struct Solved<'t, 'm> {
     motion: Motion<'t, 'm>,
-    /// Divisors, none of which is zero.
+    /// The divisors of the solution, none of which vanishes.
     divided: Vec<Sym>,
 }
 
 impl<'t, 'm> Solved<'t, 'm> {
-    /// None if one of them cannot be solved, or only with a divisor that may be zero.
+    /// Solves the equations; `None` if one cannot be solved, or only with a divisor that may vanish.
     fn of(motion: &Motion<'t, 'm>, zeros: &[Sym], conditions: &[Condition]) -> Option<Self> {
         let mut solved = Solved { motion: motion.clone(), divided: Vec::new() };
         let is_apart = |factor: Sym| is_apart(factor, motion, conditions) || is_pole(factor, motion);
@@ -168,7 +168,7 @@ impl<'t, 'm> Solved<'t, 'm> {
         Some(solved)
     }
 
-    /// Whether an exact point satisfies the conditions on the motion, with nonzero divisors.
+    /// Whether an exact point is found that satisfies the conditions on the motion, with nonzero divisors.
     fn is_somewhere(&self, conditions: &[Condition]) -> bool {
         let apart = self.divided.iter().map(|&divisor| Condition::NonZero(divisor));
         let all = conditions.iter().copied().chain(apart);

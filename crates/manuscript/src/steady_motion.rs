@@ -1,4 +1,4 @@
-//! The letters that are constant on a steady motion: coordinates, and speeds.
+//! The letters that are constant on a steady motion: coordinates and speeds.
 
 use crate::claim_text::ClaimText;
 use crate::conditions::scalar;
@@ -8,17 +8,17 @@ use latex::{Form, read};
 use reader::Issue;
 use symbolic::Sym;
 
-/// The places of constant coordinates, and of constant speeds.
+/// The indices of the constant coordinates and of the constant speeds.
 pub(crate) struct Resting {
     pub coordinates: Vec<usize>,
     pub speeds: Vec<usize>,
 }
 
 impl Resting {
-    /// Reads the letters of a claim.
+    /// Reads the letters of `resting` of a claim.
     ///
     /// # Errors
-    /// One of them is neither a coordinate nor a speed.
+    /// A letter is neither a coordinate nor a speed.
     pub fn of(claim: &ClaimText, letters: &Letters<'_, '_>) -> Result<Self, Issue> {
         let trace = letters.trace;
         let accepted = r"letters of coordinates, and their rates: '\theta', '\dot{\varphi}'";
@@ -45,7 +45,7 @@ impl Resting {
         Ok(found)
     }
 
-    /// The rates that are zero.
+    /// The rates that vanish on the motion, each with the value zero.
     pub fn rates(&self, letters: &Letters<'_, '_>) -> Vec<(Sym, Sym)> {
         let trace = letters.trace;
         let of_coordinates =

@@ -1,4 +1,4 @@
-//! Motions on which letters rest and a printed condition does not hold.
+//! Motions on which letters are constant and a printed condition fails.
 
 use crate::admissible::admissible;
 use crate::consequence::{Step, is_of_inertia, step};
@@ -13,8 +13,8 @@ use model::Trace;
 use model::equations::constraints_of;
 use symbolic::{Hypotheses, Sym, decide};
 
-/// An exact point of such a motion at which the first printed condition fails: where one of the other printed ones holds, where the equations of motion
-/// are solved, or among small numbers.
+/// An exact point of such a motion at which the first printed condition fails. It is searched for where another printed condition holds, where the
+/// equations of motion are solved, and among small numbers.
 pub(crate) fn failing_motion(steady: &SteadyMotion<'_, '_>) -> Option<Refutation> {
     let steady = &lasting(steady)?;
     let SteadyMotion { motion, equations, printed, .. } = steady;
@@ -38,7 +38,7 @@ pub(crate) fn failing_motion(steady: &SteadyMotion<'_, '_>) -> Option<Refutation
     Some(admissible(found, motion, &conditions, |wanted| within(wanted, Effort::Part)))
 }
 
-/// A point at which another printed condition holds and the first one does not.
+/// A point at which another printed condition holds and the first one fails.
 fn beside(steady: &SteadyMotion<'_, '_>, other: Sym, conditions: &[Condition]) -> Option<Refutation> {
     match step(&steady.motion, other, steady.printed[0], conditions) {
         Step::Fails(found) => Some(found),
@@ -46,7 +46,7 @@ fn beside(steady: &SteadyMotion<'_, '_>, other: Sym, conditions: &[Condition]) -
     }
 }
 
-/// Points at which the equations of motion, each solved for a letter, hold and the first printed condition does not.
+/// Points at which the equations of motion, each solved for a letter, hold and the first printed condition fails.
 fn by_equations(steady: &SteadyMotion<'_, '_>, conditions: &[Condition], effort: Effort) -> Vec<Refutation> {
     let mut there = steady.motion.clone();
     for (equation, _) in &steady.equations {
@@ -59,7 +59,7 @@ fn by_equations(steady: &SteadyMotion<'_, '_>, conditions: &[Condition], effort:
         Outcome::NonZero(found) => Some(found),
         _ => None,
     };
-    // a witness need not lie on the constraints
+    // a witness of a normal form need not satisfy the constraints
     let among_small = || search(&[there.reduced(steady.printed[0])], &known, &there, effort, |signs| signs[0] != 0);
     let inputs = || there.trace.model.inputs.iter().map(|input| Sym::symbol(&input.name));
     let whole = |mut found: Refutation| {
@@ -74,7 +74,7 @@ fn by_equations(steady: &SteadyMotion<'_, '_>, conditions: &[Condition], effort:
     by_witness.into_iter().chain(among_small()).filter_map(whole).collect()
 }
 
-/// An input or a parameter for which an equation is solved so that the constraints of positions stay as they are.
+/// An input or parameter for which an equation is solved, such that constraints of positions remain unchanged.
 fn letter_beside_constraints(there: &Motion<'_, '_>, equation: Sym) -> Option<Sym> {
     if there.squares.is_empty() {
         return None;
@@ -88,7 +88,7 @@ fn letter_beside_constraints(there: &Motion<'_, '_>, equation: Sym) -> Option<Sy
     letters.filter(|letter| left.symbols_of().contains(letter)).find(is_solved)
 }
 
-/// The conditions of a motion, with those under which the model has inertia there: at a pole of its coordinates the equations of motion ask for less.
+/// The conditions of a motion, and those under which the model has inertia there; at a pole of its coordinates the equations of motion require less.
 fn with_inertia(steady: &SteadyMotion<'_, '_>, first: Sym) -> Option<Vec<Condition>> {
     let SteadyMotion { motion, equations, conditions, .. } = steady;
     let regular = motion.reduced(inertia_determinant(motion.trace)?);
@@ -101,13 +101,13 @@ fn with_inertia(steady: &SteadyMotion<'_, '_>, first: Sym) -> Option<Vec<Conditi
     Some(conditions.iter().copied().chain(positive).chain([Condition::NonZero(regular)]).collect())
 }
 
-/// Whether a motion that satisfies the equations of motion at an instant goes on to satisfy them.
+/// Whether a motion that satisfies the conditions at an instant satisfies them at all later times.
 pub(crate) fn all_rests(steady: &SteadyMotion<'_, '_>) -> bool {
     let SteadyMotion { motion, equations, rates, .. } = steady;
     equations.iter().all(|(equation, _)| lasts(*equation, rates, motion.trace))
 }
 
-/// Whether every equation of motion holds at a point.
+/// Whether all conditions from the equations of motion hold at a point.
 pub(crate) fn is_steady(steady: &SteadyMotion<'_, '_>, found: &Refutation) -> bool {
     let SteadyMotion { motion, equations, .. } = steady;
     equations.iter().all(|(equation, _)| {
@@ -116,7 +116,7 @@ pub(crate) fn is_steady(steady: &SteadyMotion<'_, '_>, found: &Refutation) -> bo
     })
 }
 
-/// Whether the accelerations at a point are those that the constraints allow: where one speed rests, one that a constraint ties to it does not change.
+/// Whether the accelerations at a point satisfy the constraints: a speed that a constraint couples to constant speeds must be constant too.
 fn keeps_constraints(steady: &SteadyMotion<'_, '_>, found: &Refutation) -> bool {
     let SteadyMotion { motion, rates, .. } = steady;
     constraints_of(motion.trace).iter().filter(|constraint| constraint.gains.is_none()).all(|constraint| {
@@ -126,28 +126,29 @@ fn keeps_constraints(steady: &SteadyMotion<'_, '_>, found: &Refutation) -> bool 
     })
 }
 
-/// Whether a printed condition has a value other than zero at a point.
+/// Whether a printed condition has a nonzero value at a point.
 fn fails_at(printed: Sym, found: &Refutation) -> bool {
     found.value(printed).is_some_and(|value| value != Sym::ZERO && crate::refutation::sign(value).is_some())
 }
 
-/// Whether an expression stays as it is where these rates vanish.
+/// Whether an expression is constant where these rates vanish.
 fn lasts(expression: Sym, rates: &[(Sym, Sym)], trace: &Trace<'_>) -> bool {
     rate_there(expression, rates, trace).is_some_and(|rate| decide(rate, &Hypotheses::none()).is_zero())
 }
 
-/// The rate of an expression where these rates vanish. An input may be kept constant.
+/// The time derivative of an expression where these rates vanish, with inputs kept constant.
 fn rate_there(expression: Sym, rates: &[(Sym, Sym)], trace: &Trace<'_>) -> Option<Sym> {
     let inputs = trace.model.inputs.iter().map(|input| (Sym::symbol(&input.name), Sym::ONE));
-    // another quantity without a known rate stands there
+    // the expression must contain no other quantity without a known rate
     crate::letters::rate(trace, expression.substitute(&inputs.collect::<Vec<_>>())).ok()?;
     Some(trace.rate_of(expression).substitute(rates))
 }
 
-/// The number of times that the equations of a steady motion are differentiated: positions and speeds may be tied by them.
+/// The largest number of times that the conditions of a steady motion are differentiated.
 const MOST_RATES: usize = 2;
 
-/// The steady motion with the rates of its equations, which vanish too since the equations hold at all times; none where further rates were needed.
+/// The steady motion with the time derivatives of its conditions, which also vanish since the conditions hold at all times; `None` if further derivatives
+/// were necessary.
 fn lasting<'t, 'm>(steady: &SteadyMotion<'t, 'm>) -> Option<SteadyMotion<'t, 'm>> {
     let SteadyMotion { motion, equations, printed, conditions, rates } = steady;
     let mut all = SteadyMotion {

@@ -1,4 +1,4 @@
-//! Exact points at which angles are fractions of pi: for expressions in which an angle stands beside its sine, or in sums and parts of angles.
+//! Exact points at which angles are fractions of π, for expressions that contain an angle as well as its sine, or sums and fractions of angles.
 
 use crate::half_turn::{half_turn, is_half_turn};
 use crate::refutation::{Refutation, sign};
@@ -6,14 +6,14 @@ use claims::Condition;
 use field::Rational;
 use symbolic::{Hypotheses, Node, Sym, normal};
 
-/// Angles in twelfths of pi, those with the plainest sines first.
+/// Trial angles in multiples of π/12, those with simple sines first.
 const TWELFTHS: [i64; 16] = [6, 12, -6, 4, 2, 3, 8, 9, 0, -4, -2, -3, 24, 18, 16, -12];
 
-/// The plain numbers that letters get.
+/// Trial values of other letters.
 const NUMBERS: [(i64, i64); 10] = [(1, 1), (2, 1), (1, 2), (3, 1), (-1, 1), (-2, 1), (4, 1), (3, 2), (0, 1), (-1, 2)];
 
-/// The first of so many points at which the conditions hold and the expressions have the signs that are asked for. Where only conditions are asked for,
-/// every second point gives angles plain numbers: their sines are enclosed.
+/// The first of `points` trial points at which the conditions hold and `asked` accepts the signs of the expressions. Without expressions,
+/// every second trial point gives angles rational values, whose sines are enclosed.
 pub(crate) fn find(
     expressions: &[Sym],
     conditions: &[Condition],
@@ -40,7 +40,7 @@ pub(crate) fn find(
         (state >> 8) as usize % count
     };
     (0..points).find_map(|attempt| {
-        // plain values first, and more of them with every point
+        // the range of trial values grows from point to point
         let among = |all: usize| (1 + attempt as usize / 2).min(all);
         let mut value = |letter: Sym| match angles.contains(&letter) && (attempt % 2 == 0 || !expressions.is_empty()) {
             true => half_turn() * Sym::constant(Rational::new(TWELFTHS[next(among(TWELFTHS.len()))], 12)),
@@ -59,7 +59,7 @@ pub(crate) fn find(
     })
 }
 
-/// A point with the sines and cosines that stand among parts of expressions; those of multiples of an angle follow from its own.
+/// The point extended by the sines and cosines in the parts of expressions; those of multiples of an angle follow from the angle itself.
 fn with_circles(mut found: Refutation, parts: &[Sym]) -> Refutation {
     let angle_of = |part: Sym| match part.node() {
         Node::Cos(angle) | Node::Sin(angle) => Some(angle),

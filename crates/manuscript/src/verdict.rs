@@ -1,4 +1,4 @@
-//! Writes verdicts with their reasons into findings.
+//! Functions that write verdicts with their reasons into findings.
 
 use crate::conditions::Hypothesis;
 use crate::display::{Told, tell_point};
@@ -13,7 +13,7 @@ use model::Trace;
 use model::equations::constraints_of;
 use symbolic::{Mismatch, Sym, dimension};
 
-/// A verdict that neither proves nor refutes.
+/// Writes the verdict of an outcome that neither proves nor refutes.
 pub(crate) fn neither(outcome: Outcome, letters: &Letters<'_, '_>, finding: &mut Finding) {
     let (verdict, evidence) = match outcome {
         Outcome::Undefined(denominator) => {
@@ -32,7 +32,7 @@ pub(crate) fn neither(outcome: Outcome, letters: &Letters<'_, '_>, finding: &mut
     (finding.judged.verdict, finding.judged.evidence) = (verdict, evidence);
 }
 
-/// The hypotheses that were used in addition to the formula.
+/// The sentence on the permitted use of the model: constraints, equations of motion, hypotheses.
 pub(crate) fn allowed(trace: &Trace<'_>, is_dynamic: bool) -> String {
     let constraints = constraints_of(trace).len();
     let held = match constraints {
@@ -53,7 +53,7 @@ pub(crate) fn allowed(trace: &Trace<'_>, is_dynamic: bool) -> String {
     }
 }
 
-/// An exact point at which the sides of a line differ.
+/// Writes a refutation at an exact point at which the sides of a line differ.
 pub(crate) fn refute(
     line: &Line,
     refutation: &Refutation,
@@ -76,7 +76,7 @@ pub(crate) fn refute(
     tell_point(line.own, refutation, motion, told, finding);
 }
 
-/// Adds an objection if hypotheses have mixed dimensions.
+/// Adds an objection if a hypothesis has mixed dimensions.
 pub(crate) fn mixed_hypotheses(assumed: &[Hypothesis], letters: &Letters<'_, '_>, finding: &mut Finding) {
     let of = |name: &str| letters.dimension(name);
     for hypothesis in assumed {

@@ -1,4 +1,4 @@
-//! The right-hand side of a model and its Jacobian as callables.
+//! The right-hand side of a model and its Jacobian as objects that Python, SciPy, numba and C can call.
 
 use crate::errors::refused;
 use dalembert::integrators::{Jacobian, Ode};
@@ -8,7 +8,7 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyUntypedArray
 use pyo3::prelude::*;
 use std::sync::{Arc, OnceLock};
 
-/// A law of motion y' = f(t, y) with the names of its states.
+/// A right-hand side, y' = f(t, y), with the names of its states.
 #[derive(Clone)]
 pub struct NamedLaw {
     pub law: Arc<dyn Law>,
@@ -17,7 +17,7 @@ pub struct NamedLaw {
 }
 
 impl NamedLaw {
-    /// The numbers of a state; anything that NumPy makes an array of is accepted.
+    /// The components of a state, from any object that NumPy converts to an array.
     fn state<'py>(&self, state: &Bound<'py, PyAny>) -> PyResult<PyReadonlyArray1<'py, f64>> {
         let py = state.py();
         let array = match state.cast::<PyArray1<f64>>() {
@@ -45,7 +45,7 @@ impl NamedLaw {
     }
 }
 
-/// A law with the function by which C calls it, made when it is first asked for.
+/// A right-hand side with its C function, which is compiled at its first use.
 pub struct Callable {
     named: NamedLaw,
     entry: OnceLock<Option<CFunction>>,
@@ -58,7 +58,7 @@ impl From<NamedLaw> for Callable {
 }
 
 impl Callable {
-    /// The address of a function of so many values.
+    /// The address of a C function with this number of output values.
     fn address(
         &self,
         py: Python<'_>,
@@ -77,35 +77,35 @@ impl Callable {
     }
 }
 
-/// The right-hand side of the equations of motion: f(t, y) gives y', y being coordinates, then speeds, in SI units.
+/// The right-hand side of the equations of motion: f(t, y) returns y'; y contains the coordinates, then the speeds, in SI units.
 #[pyclass(frozen, module = "dalembert")]
 pub struct RightHandSide(pub Callable);
 
 #[pymethods]
 impl RightHandSide {
-    /// Names of the components of y.
+    /// The names of the components of y.
     #[getter]
     fn states(&self) -> Vec<String> {
         self.0.named.states.clone()
     }
 
-    /// Bytes of its machine code and of the constants in it; None where it is not machine code.
+    /// The size of the machine code with its constants in bytes; None where there is no machine code.
     ///
-    /// Where accelerations are solved for at each call, the bytes are those of the linear equations, without the solve.
+    /// Where accelerations are solved for at each call, the size is that of the code of the linear equations, without the solver.
     #[getter]
     fn code_size(&self) -> Option<usize> {
         self.0.named.law.code_size()
     }
 
-    /// The address of the function for C, `void f(double t, const double *y, double *rates)`: t in seconds, y and rates as in `states`.
+    /// The address of the C function `void f(double t, const double *y, double *rates)`: t in seconds, y and rates ordered as in `states`.
     ///
-    /// It may be called by many threads at a time, without Python's lock, and as long as this object lives.
+    /// Several threads may call it at the same time, without Python's lock, as long as this object exists.
     #[getter]
     fn address(&self, py: Python<'_>) -> PyResult<usize> {
         self.0.address(py, self.0.named.states.len(), |law, t, y, rates| Ode::<f64>::rates(law, t, y, rates))
     }
 
-    /// The rates of the state y at the time t in seconds.
+    /// The time derivative of the state y at the time t in seconds.
     fn __call__<'py>(&self, py: Python<'py>, t: f64, y: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let y = self.0.named.state(y)?;
         let mut rates = vec![f64::NAN; self.0.named.states.len()];
@@ -118,34 +118,34 @@ impl RightHandSide {
     }
 }
 
-/// The derivatives of the right-hand side by the state: J(t, y), exact.
+/// The Jacobian of the right-hand side: J(t, y) returns its exact derivatives by the state.
 #[pyclass(frozen, module = "dalembert")]
 pub struct JacobianMatrix(pub Callable);
 
 #[pymethods]
 impl JacobianMatrix {
-    /// Names of the components of y.
+    /// The names of the components of y.
     #[getter]
     fn states(&self) -> Vec<String> {
         self.0.named.states.clone()
     }
 
-    /// Bytes of its machine code and of the constants in it; None where the right-hand side is differentiated in numbers instead.
+    /// The size of the machine code with its constants in bytes; None where the right-hand side is differentiated numerically (by dual numbers).
     #[getter]
     fn code_size(&self) -> Option<usize> {
         Jacobian::of(&*self.0.named.law).code_size()
     }
 
-    /// The address of the function for C, `void jacobian(double t, const double *y, double *matrix)`: row after row df_i/dy_j.
+    /// The address of the C function `void jacobian(double t, const double *y, double *matrix)`; the matrix df_i/dy_j is stored by rows.
     ///
-    /// It may be called by many threads at a time, without Python's lock, and as long as this object lives.
+    /// Several threads may call it at the same time, without Python's lock, as long as this object exists.
     #[getter]
     fn address(&self, py: Python<'_>) -> PyResult<usize> {
         let size = self.0.named.states.len();
         self.0.address(py, size * size, |law, t, y, matrix| Jacobian::of(law).matrix(t, y, matrix))
     }
 
-    /// The matrix of the derivatives df_i/dy_j at the time t in seconds and the state y.
+    /// The matrix df_i/dy_j at the time t in seconds and the state y.
     fn __call__<'py>(&self, py: Python<'py>, t: f64, y: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let y = self.0.named.state(y)?;
         let n = self.0.named.states.len();

@@ -1,4 +1,4 @@
-//! Equations of motion in every notation.
+//! Equations of motion in several notations.
 
 use crate::errors::{not_derived, refused};
 use dalembert::scenes::SystemText;
@@ -6,7 +6,7 @@ use dalembert::scenes::derivation::{NamedPrinciple, Notation, derived};
 use dalembert::symbolic::Language;
 use pyo3::prelude::*;
 
-/// Equations of motion of a model by a principle. A notebook shows them typeset.
+/// The equations of motion of a model by a principle. A notebook shows them typeset.
 #[pyclass(frozen, module = "dalembert")]
 pub struct Equations {
     text: SystemText,
@@ -15,13 +15,13 @@ pub struct Equations {
 }
 
 impl Equations {
-    /// Derives the equations of a text.
+    /// Derives the equations of a text; without a principle by the default one.
     pub fn of(py: Python<'_>, text: &SystemText, principle: Option<&str>) -> PyResult<Self> {
         let asked = principle.map(NamedPrinciple::of_name).transpose().map_err(|why| refused(py, &text.name, why))?;
         let found =
             py.detach(|| derived(text, asked, false, |derived| (derived.principle, derived.written(Notation::Text))));
         let (principle, read) = found.map_err(|why| not_derived(py, &text.name, why))?;
-        // equations too long for reading can still be code
+        // equations that are too long for reading are still available as code
         let read = read.unwrap_or_else(|why| why);
         Ok(Equations { text: text.clone(), principle, read })
     }
@@ -37,31 +37,31 @@ impl Equations {
 
 #[pymethods]
 impl Equations {
-    /// The principle by its name.
+    /// The name of the principle.
     #[getter]
     fn principle(&self) -> &'static str {
         self.principle.name()
     }
 
-    /// For reading: the matrix form M q'' + h = Q, its letters with their units.
+    /// The equations as text: the matrix form M q'' + h = Q, and the letters with their units.
     #[getter]
     fn text(&self) -> &str {
         &self.read
     }
 
-    /// LaTeX, an `align` for each group.
+    /// The equations in LaTeX, with an `align` environment for each group.
     #[getter]
     fn latex(&self, py: Python<'_>) -> PyResult<String> {
         self.written(py, Notation::Latex)
     }
 
-    /// A Python program over SymPy's symbols.
+    /// The equations as a Python program with SymPy symbols.
     #[getter]
     fn sympy(&self, py: Python<'_>) -> PyResult<String> {
         self.written(py, Notation::Sympy)
     }
 
-    /// The same as objects of SymPy, which must be installed: q, mass_matrix, inertia, forces and equations, with constraints their jacobian,
+    /// The equations as objects of SymPy, which must be installed: q, mass_matrix, inertia, forces and equations; with constraints also jacobian,
     /// bias, constraints and multipliers; `letters` by their names, `values` of parameters.
     #[getter]
     fn sympy_expressions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
@@ -69,7 +69,7 @@ impl Equations {
         py.import("dalembert._sympy")?.call_method1("to_sympy", (program,))
     }
 
-    /// Straight-line code: language "c", "python" or "rust".
+    /// The equations as straight-line code; the language is "c", "python" or "rust".
     fn code(&self, py: Python<'_>, language: &str) -> PyResult<String> {
         let language = match language.to_lowercase().as_str() {
             "c" => Language::C,
@@ -83,9 +83,9 @@ impl Equations {
         self.written(py, Notation::Code(language))
     }
 
-    /// For notebooks; none where the equations are too long to be read.
+    /// The LaTeX for notebooks; None where the equations are too long to be read.
     fn _repr_latex_(&self, py: Python<'_>) -> Option<String> {
-        // a notebook's typesetter knows aligned displays, and no comments
+        // the typesetter of a notebook supports unnumbered displays, and no comments
         let latex = self.written(py, Notation::Latex).ok()?;
         let lines = latex.lines().filter(|line| !line.starts_with('%'));
         Some(lines.collect::<Vec<_>>().join("\n").replace("{align}", "{align*}"))

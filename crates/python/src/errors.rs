@@ -1,4 +1,4 @@
-//! Exceptions: each with its place in the text, and what is accepted there.
+//! Exceptions with the place of the fault in the text, and a remedy.
 
 use dalembert::reader::{Issue, SceneError};
 use dalembert::scenes::derivation::NotDerived;
@@ -40,7 +40,7 @@ fn described<'py>(py: Python<'py>, error: &SceneError, issue: &Issue) -> PyResul
     Ok(dictionary)
 }
 
-/// A text that is wrong, as an exception.
+/// The exception for all faults of a text.
 pub fn scene_error(py: Python<'_>, error: &SceneError) -> PyErr {
     let exception = ModelError::new_err(error.to_string());
     let described = || -> PyResult<()> {
@@ -59,18 +59,18 @@ pub fn scene_error(py: Python<'_>, error: &SceneError) -> PyErr {
     }
 }
 
-/// One issue of a text, as an exception.
+/// The exception for one fault of a text.
 pub fn issue(py: Python<'_>, (name, text): (&str, &str), issue: Issue) -> PyErr {
     scene_error(py, &SceneError { path: name.to_owned(), text: text.to_owned(), issues: vec![issue] })
 }
 
-/// A refusal without a place.
+/// The exception for a refusal without a place in the text.
 pub fn refused(py: Python<'_>, name: &str, why: impl Into<String>) -> PyErr {
     let issue = Issue { span: None, title: why.into(), label: String::new(), help: None };
     scene_error(py, &SceneError { path: name.to_owned(), text: String::new(), issues: vec![issue] })
 }
 
-/// Equations that are not written.
+/// The exception for equations that could not be derived.
 pub fn not_derived(py: Python<'_>, name: &str, error: NotDerived) -> PyErr {
     match error {
         NotDerived::Text(error) => scene_error(py, &error),

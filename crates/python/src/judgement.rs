@@ -9,31 +9,31 @@ pub struct Judgement(pub model::Judgement);
 
 #[pymethods]
 impl Judgement {
-    /// The statement: two principles that are compared, or a quantity and what the equations say of it.
+    /// The statement: two principles that are compared, or a quantity with the conservation law for it.
     #[getter]
     fn statement(&self) -> String {
         self.0.title()
     }
 
-    /// In one word: proved, identified, tested, refuted, undecided, or "does not apply".
+    /// The verdict: proved, identified, tested, refuted, undecided, or "does not apply".
     #[getter]
     fn verdict(&self) -> &'static str {
         self.0.degree()
     }
 
-    /// The verdict in a sentence: on what ground, for which values.
+    /// The verdict as a sentence, with its ground and the values for which it holds.
     #[getter]
     fn sentence(&self) -> String {
         self.0.said()
     }
 
-    /// Grounds of the verdict, line by line.
+    /// Further grounds of the verdict, one per line.
     #[getter]
     fn grounds(&self) -> Vec<String> {
         self.0.behind.clone()
     }
 
-    /// Whether something that must hold is refuted, or could not be decided.
+    /// Whether a statement that must hold was refuted or not decided.
     #[getter]
     fn fails(&self) -> bool {
         self.0.fails()

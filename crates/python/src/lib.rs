@@ -15,13 +15,13 @@ mod time_limit;
 mod trajectory;
 mod wording;
 
-// they bring motors and knowledge, by being linked
+// linked for the motors and the derivations that they register
 use dalembert::scenes::derivation::NamedPrinciple;
 use dalembert_machines as _;
 use dalembert_studies as _;
 use pyo3::prelude::*;
 
-/// A warning about a text, as Python tells it.
+/// Issues a Python warning about a text.
 fn warn(text: &str) {
     Python::attach(|py| {
         let text = text.strip_prefix("warning: ").unwrap_or(text);
@@ -29,7 +29,7 @@ fn warn(text: &str) {
             let category = py.get_type::<pyo3::exceptions::PyUserWarning>();
             PyErr::warn(py, &category, &text, 2)
         });
-        // a filter that makes errors of warnings has no one to give them to here
+        // a filter may turn the warning into an error, which cannot be raised here
         drop(told);
     });
 }

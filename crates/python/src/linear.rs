@@ -1,4 +1,4 @@
-//! Linear equations about a point.
+//! Linear equations of a model about a point.
 
 use crate::errors::{issue, refused};
 use dalembert::scenes::linearisation::{Linear, Names, VariedEquations, inputs_of, point_of};
@@ -7,7 +7,7 @@ use numpy::{Complex64, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// The linear equations x' = A x + B w, y = C x + D w about a point of a model; x, w and y are named.
+/// The linear equations x' = A x + B w, y = C x + D w about a point of a model, with the names of x, w and y.
 #[pyclass(frozen, module = "dalembert")]
 pub struct LinearEquations {
     found: Linear,
@@ -15,7 +15,7 @@ pub struct LinearEquations {
 }
 
 impl LinearEquations {
-    /// Linearises the system of a text with values of parameters and the start.
+    /// Linearises the system of a text about its start, or about an equilibrium near it.
     pub fn of(py: Python<'_>, text: &SystemText, equilibrium: bool, inputs: &[String]) -> PyResult<Self> {
         let mut model = text.model(Task::Vary).map_err(|error| crate::errors::scene_error(py, &error))?;
         let place = |found: dalembert::reader::Issue| issue(py, (&text.name, &text.text), found);
@@ -47,66 +47,66 @@ impl LinearEquations {
 
 #[pymethods]
 impl LinearEquations {
-    /// Derivatives of x' by x.
+    /// The matrix A, the derivatives of x' by x.
     #[getter]
     #[pyo3(name = "A")]
     fn a<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         self.matrix(py, "A")
     }
 
-    /// Derivatives of x' by the inputs w.
+    /// The matrix B, the derivatives of x' by the inputs w.
     #[getter]
     #[pyo3(name = "B")]
     fn b<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         self.matrix(py, "B")
     }
 
-    /// Derivatives of the outputs y by x.
+    /// The matrix C, the derivatives of the outputs y by x.
     #[getter]
     #[pyo3(name = "C")]
     fn c<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         self.matrix(py, "C")
     }
 
-    /// Derivatives of the outputs y by the inputs w.
+    /// The matrix D, the derivatives of the outputs y by the inputs w.
     #[getter]
     #[pyo3(name = "D")]
     fn d<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         self.matrix(py, "D")
     }
 
-    /// Eigenvalues of A, in 1/s.
+    /// The eigenvalues of A, in 1/s.
     #[getter]
     fn eigenvalues<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<Complex64>> {
         let values = self.found.eigenvalues.iter().map(|[re, im]| Complex64::new(*re, *im)).collect();
         PyArray1::from_vec(py, values)
     }
 
-    /// The verdict of the eigenvalues, in a sentence.
+    /// The verdict on stability by the eigenvalues, as a sentence.
     #[getter]
     fn stability(&self) -> String {
         self.found.stability.to_string()
     }
 
-    /// Names of the components of x: independent variations of coordinates, then of speeds.
+    /// The names of the components of x: independent variations of coordinates, then of speeds.
     #[getter]
     fn states(&self) -> Vec<String> {
         self.names.states(&self.found.linear)
     }
 
-    /// Names of the components of w.
+    /// The names of the components of w.
     #[getter]
     fn inputs(&self) -> Vec<String> {
         self.names.inputs.clone()
     }
 
-    /// Names of the components of y.
+    /// The names of the components of y.
     #[getter]
     fn outputs(&self) -> Vec<String> {
         self.names.outputs.clone()
     }
 
-    /// Coordinates and speeds of the point by their names, in SI units.
+    /// The coordinates and speeds of the point by their names, in SI units.
     #[getter]
     fn point<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let point = &self.found.linear.point;

@@ -1,4 +1,4 @@
-//! A model: a text that is read, and all that is done with it.
+//! The class of a model: a text that was read, and all operations on it.
 
 use crate::callables::{JacobianMatrix, NamedLaw, RightHandSide};
 use crate::equations::Equations;
@@ -24,21 +24,21 @@ use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 use std::time::{Duration, Instant};
 
-/// A system with values of its own for some letters.
+/// A system in a text, with replaced values of parameters and of the start.
 #[pyclass(frozen, module = "dalembert._native")]
 pub struct NativeModel {
     text: SystemText,
     model: Arc<model::Model>,
     #[pyo3(get)]
     title: String,
-    /// Made when it first runs.
+    /// The scene for runs, created at its first use.
     scene: OnceLock<Arc<dyn Modelled>>,
 }
 
-/// Python looks after this time whether Ctrl-C was pressed.
+/// The interval at which Python is asked whether Ctrl-C was pressed.
 const LOOK: Duration = Duration::from_millis(50);
 
-/// The run of a text that says nothing of its own.
+/// The default run of a text without a table [run]: 10 s with 200 samples.
 fn usual() -> Run {
     Run {
         span: 10.0,
@@ -67,7 +67,7 @@ impl NativeModel {
         Ok(self.scene.get_or_init(|| Arc::new(made)))
     }
 
-    /// The one law of the model.
+    /// The right-hand side of the model; an error if the law changes at events.
     fn law(&self, py: Python<'_>) -> PyResult<NamedLaw> {
         let scene = self.scene(py)?;
         if scene.hybrid().is_some() {
@@ -103,13 +103,13 @@ impl NativeModel {
         &self.text.name
     }
 
-    /// Values in the place of those of the text.
+    /// The replaced values, in SI units.
     #[getter]
     fn values(&self) -> Vec<(String, f64)> {
         self.text.values.clone()
     }
 
-    /// Parameters: name, value in SI units, unit.
+    /// The parameters: name, value in SI units, unit.
     #[getter]
     fn parameters(&self) -> Vec<(String, Option<f64>, String)> {
         let value =
@@ -118,13 +118,13 @@ impl NativeModel {
         self.model.parameters.iter().map(datum).collect()
     }
 
-    /// Coordinates and speeds with their units.
+    /// The names of coordinates and speeds, with their units.
     #[getter]
     fn states(&self) -> Vec<(String, String)> {
         self.model.state_names()
     }
 
-    /// Inputs by their names.
+    /// The names of the inputs.
     #[getter]
     fn inputs(&self) -> Vec<String> {
         self.model.inputs.iter().map(|input| input.name.clone()).collect()
@@ -136,12 +136,12 @@ impl NativeModel {
         self.model.positions()
     }
 
-    /// The state at time zero, completed so that constraints hold.
+    /// The state at time zero, completed such that constraints hold, in SI units.
     fn start(&self, py: Python<'_>) -> PyResult<Vec<f64>> {
         Ok(self.scene(py)?.problem(Axes::First).state)
     }
 
-    /// The same system with other values, in SI units, of parameters and of the start.
+    /// The system with other values, in SI units, of parameters and of the start.
     fn with_values(&self, py: Python<'_>, values: Vec<(String, f64)>) -> PyResult<Self> {
         let names = self.model.parameters.iter().map(|one| one.name.clone());
         let names: Vec<String> = names.chain(self.states().into_iter().map(|(name, _)| name)).collect();
@@ -173,8 +173,8 @@ impl NativeModel {
         Ok(found.into_iter().map(Judgement).collect())
     }
 
-    /// Compares equations of motion of another program, texts in the language of models, with those of this model: verdict, sentence,
-    /// divisors that must not vanish, and what is found of each equation.
+    /// Compares equations of motion of another program, given as texts in the language of models, with those of this model. The result contains the
+    /// verdict, a sentence, divisors that must not vanish, and a finding on each equation.
     #[allow(clippy::too_many_arguments)]
     fn check<'py>(
         &self,
@@ -201,7 +201,7 @@ impl NativeModel {
         checked(py, &self.text, &peer)
     }
 
-    /// Steady motions in ranges of coordinates and speeds: JSON, and a text.
+    /// The steady motions within ranges of coordinates and speeds, as JSON and as text.
     fn stationary(
         &self,
         py: Python<'_>,
@@ -212,22 +212,22 @@ impl NativeModel {
         results::steady(py, &self.text, ranges, boxes, seconds)
     }
 
-    /// The smallest model that meets a tolerance in outputs: JSON, a text and a picture.
+    /// The cheapest model that meets a tolerance in outputs, as JSON, as text and as an SVG picture.
     fn choose(&self, py: Python<'_>, tolerance: f64, outputs: Vec<String>) -> PyResult<(String, String, String)> {
         results::chosen(py, (self.scene(py)?, &self.text.name), tolerance, outputs)
     }
 
-    /// Work against precision: JSON, a text, and pictures by evaluations and by time.
+    /// The errors and costs of all methods, as JSON, as text, and as SVG pictures over evaluations and over time.
     fn chart(&self, py: Python<'_>, seconds: f64) -> PyResult<(String, String, [String; 2])> {
         results::chart(py, (self.scene(py)?, &self.text.name), seconds)
     }
 
-    /// The number of members of the text's table [ensemble].
+    /// The number of members in the table [ensemble] of the text.
     fn ensemble_members(&self, py: Python<'_>) -> PyResult<u64> {
         Ok(results::ensemble_scene(py, &self.text, usual())?.members)
     }
 
-    /// Members of the text's table [ensemble], from one to another; all without these.
+    /// Runs members of the ensemble in the text, from the first to the last given number; without numbers all members.
     fn ensemble<'py>(
         &self,
         py: Python<'py>,
@@ -244,7 +244,7 @@ impl NativeModel {
         results::ensemble(py, &scene, first..=last, threads, seconds)
     }
 
-    /// Forces along prescribed motions: names and texts of these, unknowns, instants.
+    /// The forces along prescribed motions (names with expressions in the time) for unknowns, at instants in seconds.
     fn inverse<'py>(
         &self,
         py: Python<'py>,
@@ -255,17 +255,17 @@ impl NativeModel {
         motions::inverse(py, &self.text, &motions, &unknowns, &times)
     }
 
-    /// The optimal regulator of the text's table [regulator]: JSON, and a text.
+    /// The optimal regulator by the table [regulator] of the text, as JSON and as text.
     fn regulate(&self, py: Python<'_>, seconds: f64) -> PyResult<(String, String)> {
         motions::regulate(py, &self.text, usual(), seconds)
     }
 
-    /// The consistent regimes at the start: JSON, and a text.
+    /// The consistent regimes at the start, as JSON and as text.
     fn regimes(&self, py: Python<'_>) -> PyResult<(String, String)> {
         motions::regimes(py, &self.text, &self.title)
     }
 
-    /// The motion to all digits that two methods share: JSON, and a text.
+    /// The motion to the digits on which two methods agree, as JSON and as text.
     fn reference(&self, py: Python<'_>, span: Option<f64>, seconds: f64) -> PyResult<(String, String)> {
         motions::reference(py, &self.text, usual(), span, seconds)
     }
@@ -282,7 +282,7 @@ impl NativeModel {
         Ok(JacobianMatrix(self.law(py)?.into()))
     }
 
-    /// Runs; what is left out, the text says.
+    /// Runs the model; for arguments that are None the values of the text apply.
     #[pyo3(signature = (span, method, tolerance, samples, seconds))]
     fn run(
         &self,

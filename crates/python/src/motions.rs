@@ -1,5 +1,5 @@
-//! Forces along a motion, regulators, regimes at the start and references, as plain data, which goes from one process to another. Objects
-//! come as JSON, as the commands of the program print it.
+//! Forces along a motion, regulators, regimes at the start and references as plain data, which can be sent between processes. Objects
+//! are JSON in the format that the commands of the program print.
 
 use crate::errors::{refused, scene_error};
 use crate::time_limit::{end_after, left};
@@ -15,7 +15,7 @@ use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Forces along a prescribed motion: columns with their units, and a row of numbers for each instant.
+/// The forces along a prescribed motion: columns with their units, and a row of numbers for each instant.
 pub fn inverse<'py>(
     py: Python<'py>,
     text: &SystemText,
@@ -36,7 +36,7 @@ pub fn inverse<'py>(
     Ok(told)
 }
 
-/// The optimal regulator of the text's table [regulator]: JSON, and the same for reading.
+/// The optimal regulator by the table [regulator] of the text, as JSON and as text.
 pub fn regulate(py: Python<'_>, text: &SystemText, run: Run, seconds: f64) -> PyResult<(String, String)> {
     let end = end_after(seconds);
     let found = py.detach(|| {
@@ -47,7 +47,7 @@ pub fn regulate(py: Python<'_>, text: &SystemText, run: Run, seconds: f64) -> Py
     Ok((object.to_string(), text))
 }
 
-/// The consistent regimes at the start: JSON, and the same for reading.
+/// The consistent regimes at the start, as JSON and as text.
 pub fn regimes(py: Python<'_>, text: &SystemText, title: &str) -> PyResult<(String, String)> {
     let found = py.detach(|| {
         let model = text.model(Task::Run)?;
@@ -57,7 +57,7 @@ pub fn regimes(py: Python<'_>, text: &SystemText, title: &str) -> PyResult<(Stri
     Ok((object.to_string(), text))
 }
 
-/// The motion up to the end of a span to all digits that two methods share: JSON, and the same for reading.
+/// The motion up to the end of a span to the digits on which two methods agree, as JSON and as text.
 pub fn reference(
     py: Python<'_>,
     text: &SystemText,
@@ -74,7 +74,7 @@ pub fn reference(
     Ok((object.to_string(), text))
 }
 
-/// The scene of a text; the run is for a text without one.
+/// The scene of a text; `run` applies to a text without a table [run].
 fn scene(text: &SystemText, run: Run) -> Result<ModelScene, SceneError> {
     let given = Given { run: Some(run), values: text.values.clone(), ..Given::default() };
     ModelScene::parse_with(&text.name, &text.text, given)

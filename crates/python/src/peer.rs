@@ -1,4 +1,4 @@
-//! Equations of motion that another program has derived, beside those of a model.
+//! Comparison of equations of motion from another program with those of a model.
 
 use crate::errors::scene_error;
 use dalembert::manuscript::{PeerEquation, PeerEquations, PeerFinding, TermDifference};
@@ -6,8 +6,8 @@ use dalembert::scenes::SystemText;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Compares equations of motion with those of a text: verdict, sentence, divisors that must not vanish, and each equation, as plain
-/// data, which goes from one process to another.
+/// The comparison of equations of motion with those of a text, as plain data, which can be sent between processes: verdict, sentence,
+/// divisors that must not vanish, and a finding on each equation.
 pub fn checked<'py>(py: Python<'py>, text: &SystemText, peer: &PeerEquations) -> PyResult<Bound<'py, PyDict>> {
     let found = py.detach(|| peer.compared(text)).map_err(|error| scene_error(py, &error))?;
     let PeerFinding { verdict, sentence, equations, requires } = found;

@@ -1,5 +1,5 @@
-//! Results of longer computing as plain data, which goes from one process to another. Objects come as JSON, as the commands of the program
-//! print it.
+//! Results of long computations as plain data, which can be sent between processes. Objects are JSON in the format that the commands of the program
+//! print.
 
 use crate::errors::{refused, scene_error};
 use crate::time_limit::{end_after, left};
@@ -22,7 +22,7 @@ use std::sync::Arc;
 use std::thread::available_parallelism;
 use std::time::Instant;
 
-/// Judges the claims of a paper: a file, or a text beside whose name files lie. `tell` hears of each claim as soon as it has a verdict.
+/// Judges the claims of a paper: of a file, or of a text with the path of its file. `tell` is called with each claim that has been judged.
 #[pyfunction]
 pub fn judge_paper<'py>(
     py: Python<'py>,
@@ -64,12 +64,12 @@ pub fn judge_paper<'py>(
     Ok(about)
 }
 
-/// A claim as JSON, and why its verdict is not the one that the file expects.
+/// A claim as JSON, and a sentence if its verdict is not the one that the file expects.
 fn object(finding: &Finding) -> (String, Option<String>) {
     (finding_object(finding).to_string(), finding.as_expected().err())
 }
 
-/// Steady motions: JSON, and the same for reading.
+/// The steady motions within ranges, as JSON and as text.
 pub fn steady(
     py: Python<'_>,
     text: &SystemText,
@@ -85,7 +85,7 @@ pub fn steady(
     Ok((object.to_string(), text))
 }
 
-/// The choice of a model: JSON, the same for reading, and a picture.
+/// The choice of a model, as JSON, as text, and as an SVG picture.
 pub fn chosen(
     py: Python<'_>,
     (scene, name): (&Arc<dyn Modelled>, &str),
@@ -97,7 +97,7 @@ pub fn chosen(
     Ok((object.to_string(), text, picture))
 }
 
-/// Work against precision: JSON, the same for reading, and pictures by evaluations and by time.
+/// The errors and costs of all methods, as JSON, as text, and as SVG pictures over evaluations and over time.
 pub fn chart(
     py: Python<'_>,
     (scene, name): (&Arc<dyn Modelled>, &str),
@@ -109,14 +109,14 @@ pub fn chart(
     Ok((object.to_string(), text, pictures))
 }
 
-/// An ensemble as its text says.
+/// The ensemble that a text defines; `run` applies to a text without a table [run].
 pub fn ensemble_scene(py: Python<'_>, text: &SystemText, run: Run) -> PyResult<EnsembleScene> {
     let given = Given { run: Some(run), values: text.values.clone(), ..Given::default() };
     let scene = py.detach(|| parse_ensemble_with(&text.name, &text.text, given));
     scene.map_err(|error| scene_error(py, &error))
 }
 
-/// Some members of an ensemble: its columns with their units, a row of numbers for each member, and why members stopped.
+/// Members of an ensemble: the columns with their units, a row of numbers for each member, and the reasons of stopped members.
 pub fn ensemble<'py>(
     py: Python<'py>,
     scene: &EnsembleScene,

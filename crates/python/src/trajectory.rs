@@ -1,4 +1,4 @@
-//! A run, handed over to Python.
+//! The results of a run, as objects of Python.
 
 use dalembert::integrators::{Lost, StepHalvingCheck as StepHalving};
 use dalembert::simulation::events::Passage;
@@ -7,12 +7,12 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// The numbers and the facts of a run. The class Trajectory of the package shows them.
+/// The numbers and the facts of a run; the class Trajectory of the Python package presents them.
 #[pyclass(frozen, module = "dalembert._native")]
 pub struct NativeTrajectory {
     #[pyo3(get)]
     time: Py<PyArray1<f64>>,
-    /// A row for each time.
+    /// The values of all columns, one row for each time.
     #[pyo3(get)]
     rows: Py<PyArray2<f64>>,
     #[pyo3(get)]
@@ -23,7 +23,7 @@ pub struct NativeTrajectory {
     method: String,
     #[pyo3(get)]
     tolerance: f64,
-    /// The number of columns that are the state.
+    /// The number of leading columns that form the state.
     #[pyo3(get)]
     states: usize,
     trajectory: Trajectory,
@@ -31,25 +31,25 @@ pub struct NativeTrajectory {
     beside: Option<StepHalving>,
 }
 
-/// Facts of a run beside its trajectory.
+/// The facts of a run in addition to its trajectory.
 pub struct Beside {
     pub units: Vec<String>,
     pub method: String,
     pub tolerance: f64,
     pub states: usize,
     pub told: RunNotes,
-    /// The verdict of shorter steps on constant ones.
+    /// For a method with constant steps: the comparison with a run with half the step size.
     pub steps: Option<StepHalving>,
 }
 
 impl NativeTrajectory {
-    /// Takes a trajectory over: its rows become one array.
+    /// Converts a trajectory; its rows become one array.
     pub fn of(py: Python<'_>, mut trajectory: Trajectory, beside: Beside) -> PyResult<Self> {
         let Beside { units, method, tolerance, states, told, steps } = beside;
         let columns = trajectory.names.len();
         let mut rows = std::mem::take(&mut trajectory.rows);
         let mut times = std::mem::take(&mut trajectory.times);
-        // where it stopped is a row too
+        // the instant at which a run stopped is a row too
         if times.last().is_none_or(|last| *last < trajectory.outcome.time) {
             times.push(trajectory.outcome.time);
             rows.push(trajectory.last.clone());
@@ -73,25 +73,25 @@ impl NativeTrajectory {
 
 #[pymethods]
 impl NativeTrajectory {
-    /// Why the run stopped before its end; None where it did not.
+    /// The reason for which the run stopped before its end; None where it reached the end.
     #[getter]
     fn stopped(&self) -> Option<String> {
         self.trajectory.stopped()
     }
 
-    /// Sentences of theory on the run.
+    /// Sentences with results of theory on the run.
     #[getter]
     fn theory(&self) -> Vec<String> {
         self.told.theory.clone()
     }
 
-    /// The end that a run came to early, where it is known.
+    /// The reason of an early end, where it is known.
     #[getter]
     fn diagnosis(&self) -> Option<String> {
         self.told.diagnosis.clone()
     }
 
-    /// Failures by their standard names, each with its time, its evidence and a remedy.
+    /// Failures: name, time in seconds, evidence, remedy.
     #[getter]
     fn failures(&self) -> Vec<(&'static str, f64, String, String)> {
         let told =
@@ -99,19 +99,19 @@ impl NativeTrajectory {
         self.told.failures.iter().map(told).collect()
     }
 
-    /// The quantity that the motion keeps and the run has lost, with the time and what it is measured by.
+    /// The conserved quantity that the run did not conserve, with the time of the deviation and the magnitude to which it is compared.
     #[getter]
     fn lost(&self) -> Option<(String, f64, f64)> {
         self.trajectory.lost().map(|(own, Lost { at, size })| (own.name.clone(), at, size))
     }
 
-    /// The verdict of shorter steps on constant ones, and whether these follow the motion.
+    /// For a method with constant steps: the verdict of the comparison with half the step size, and whether the run follows the motion.
     #[getter]
     fn steps(&self) -> Option<(String, bool)> {
         self.beside.as_ref().map(|beside| (beside.to_string(), beside.verdict.serves()))
     }
 
-    /// Quantities that should stay zero, by names, with a value for each sample.
+    /// Quantities that should stay zero, by their names, with a value for each sample.
     #[getter]
     fn checks<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let all = PyDict::new(py);
@@ -122,13 +122,13 @@ impl NativeTrajectory {
         Ok(all)
     }
 
-    /// Columns that have no value at the end.
+    /// The names of columns without a value at the end.
     #[getter]
     fn undefined(&self) -> Vec<String> {
         self.trajectory.undefined().into_iter().map(str::to_owned).collect()
     }
 
-    /// Quantities that are kept along the run: first value, and largest change.
+    /// Conserved quantities by their names: the first value and the largest change.
     #[getter]
     fn invariants<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let all = PyDict::new(py);
@@ -138,14 +138,14 @@ impl NativeTrajectory {
         Ok(all)
     }
 
-    /// Events: time, what happened, what holds then.
+    /// Events: time in seconds, description, the law after the event.
     #[getter]
     fn events(&self) -> Vec<(f64, String, Option<String>)> {
         let event = |Passage { time, what, then, .. }: &Passage| (*time, what.clone(), then.clone());
         self.trajectory.passages.iter().map(event).collect()
     }
 
-    /// Counts of the work.
+    /// The numbers of evaluations, Jacobians, factorisations, steps and rejected steps.
     #[getter]
     fn work<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let work = &self.trajectory.outcome.work;

@@ -1,8 +1,8 @@
-//! Sentences for readers of a command line, in words of Python.
+//! Messages of the command line, reworded for Python.
 
 use dalembert::reader::SceneError;
 
-/// Options as they stand in sentences, and the arguments in their place.
+/// Options in messages, and the arguments of Python that replace them.
 const ARGUMENTS: [(&str, &str); 8] = [
     ("--range ", "range of "),
     ("--seconds", "`seconds`"),
@@ -14,7 +14,7 @@ const ARGUMENTS: [(&str, &str); 8] = [
     ("--unknown", "`unknowns`"),
 ];
 
-/// The faults of a text, in words of Python.
+/// The faults of a text, reworded for Python.
 pub fn of_python(mut error: SceneError) -> SceneError {
     for issue in &mut error.issues {
         issue.title = in_python(&issue.title);
@@ -24,7 +24,7 @@ pub fn of_python(mut error: SceneError) -> SceneError {
     error
 }
 
-/// A sentence: `--range "x=-1..1"` is ranges={"x": (-1, 1)}, `--motion "x = 2*t"` is motions={"x": "2*t"}.
+/// A message reworded: `--range "x=-1..1"` becomes ranges={"x": (-1, 1)}, `--motion "x = 2*t"` becomes motions={"x": "2*t"}.
 pub fn in_python(said: &str) -> String {
     let range = |text: &str| {
         let (name, ends) = text.split_once('=')?;
@@ -39,7 +39,7 @@ pub fn in_python(said: &str) -> String {
     ARGUMENTS.iter().fold(said, |told, (option, argument)| told.replace(option, argument))
 }
 
-/// A sentence with other words for an option and its value in quotes, where there are some.
+/// The message with an option and its quoted value replaced, wherever `words` returns a replacement.
 fn quoted(said: &str, option: &str, words: impl Fn(&str) -> Option<String>) -> String {
     let mut parts = said.split(option);
     let mut told = parts.next().unwrap_or_default().to_owned();

@@ -1,4 +1,4 @@
-//! Terms by which an equation differs from that of the model along the same direction.
+//! Terms in which an equation of another program differs from the model's equation along the same direction.
 
 use super::finding::readable;
 use crate::motion::Motion;
@@ -7,39 +7,39 @@ use model::equations::{Characteristics, Equations, generic_rank};
 use symbolic::linear::solve;
 use symbolic::{Decision, Hypotheses, Sym, decide};
 
-/// A term that differs, each side in text and LaTeX.
+/// A term that differs; each expression as text and LaTeX, `None` if it is too long.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TermDifference {
-    /// The acceleration whose coefficient differs; none for the terms without accelerations.
+    /// The acceleration whose coefficient differs; `None` for the terms without accelerations.
     pub of: Option<String>,
-    /// The other program's.
+    /// The expression of the other program.
     pub theirs: Option<(String, String)>,
-    /// The model's.
+    /// The expression of the model.
     pub ours: Option<(String, String)>,
-    /// Theirs less the model's.
+    /// The expression of the other program minus that of the model.
     pub difference: Option<(String, String)>,
 }
 
-/// The model's equations along the directions of the other program's speeds.
+/// Projects the model's equations onto the directions of the other program's speeds.
 pub(super) struct Projected<'a, 't, 'm> {
     pub trace: &'t Trace<'m>,
-    /// On the constraints, with free accelerations.
+    /// The motion under the constraints, with arbitrary accelerations.
     pub held: &'a Motion<'t, 'm>,
     pub free: &'a Characteristics,
-    /// The derivatives of the other program's speeds by the model's independent ones.
+    /// The derivatives of the other program's speeds by the independent speeds of the model.
     pub slopes: &'a [Vec<Sym>],
 }
 
 impl Projected<'_, '_, '_> {
-    /// An equation of the other program, and the model's equation along the speed at the same place with all other speeds zero: on the constraints,
-    /// with free accelerations. None if this direction is not defined.
+    /// An equation of the other program, and the model's equation along its speed with this index, all other speeds being zero: under the constraints,
+    /// with arbitrary accelerations. `None` if this direction is not defined.
     pub fn sides(&self, row: Sym, place: usize) -> Option<[Sym; 2]> {
         let square = self.slopes.get(..self.free.independent.len())?;
         Some(self.beside(row, &self.free.along(&self.equations()), direction(square, place)?))
     }
 
-    /// As `sides`, without the reactions on both sides, if all speeds are independent in the other program. The sides are equal if the
-    /// equations are; they do not decide a verdict.
+    /// Both equations like [`Projected::sides`], but without reactions, if all speeds are independent in the other program. Equal equations give
+    /// equal sides; the converse fails, so that these sides do not decide a verdict.
     pub fn sides_without_reactions(&self, row: Sym, place: usize, speeds: &[Sym]) -> Option<[Sym; 2]> {
         let Projected { trace, held, .. } = self;
         let by_speeds =
@@ -53,7 +53,7 @@ impl Projected<'_, '_, '_> {
         [self.held.reduced(row), self.held.reduced(ours)]
     }
 
-    /// The model's equations, without reactions.
+    /// The equations of motion of the model, without reactions.
     fn equations(&self) -> Vec<Sym> {
         let trace = self.trace;
         let Equations { mass, bias, .. } = Equations::of(trace);
@@ -63,7 +63,7 @@ impl Projected<'_, '_, '_> {
         mass.iter().zip(&bias).map(inertia).collect()
     }
 
-    /// Their difference if it contains no acceleration, with the divisors that must not be zero.
+    /// The difference of both sides, if it contains no acceleration. Divisors that must not vanish are added to `requires`.
     pub fn without_accelerations(&self, [theirs, ours]: [Sym; 2], requires: &mut Vec<Sym>) -> Option<Sym> {
         let difference = theirs - ours;
         for &k in &self.free.independent {
@@ -76,7 +76,7 @@ impl Projected<'_, '_, '_> {
         Some(at_rest(self.trace, difference))
     }
 
-    /// The terms by which two sides differ.
+    /// The terms in which both sides differ.
     pub fn differences(&self, [theirs, ours]: [Sym; 2]) -> Vec<TermDifference> {
         let Projected { trace, free, .. } = self;
         let mut all = Vec::new();
@@ -99,13 +99,13 @@ impl Projected<'_, '_, '_> {
     }
 }
 
-/// An expression without its terms with accelerations.
+/// An expression with all accelerations set to zero.
 fn at_rest(trace: &Trace<'_>, expression: Sym) -> Sym {
     let rest: Vec<(Sym, Sym)> = trace.accelerations.iter().map(|&rate| (rate, Sym::ZERO)).collect();
     expression.substitute(&rest)
 }
 
-/// The model's speeds for which only the speed at this place is not zero; none if the matrix does not determine them.
+/// The speeds of the model for which the speed with this index is 1 and all other speeds of the other program are 0; `None` if they are not determined.
 fn direction(square: &[Vec<Sym>], place: usize) -> Option<Vec<Sym>> {
     let size = square.len();
     let unit = |place: usize| (0..size).map(|r| if r == place { Sym::ONE } else { Sym::ZERO }).collect::<Vec<Sym>>();

@@ -10,35 +10,35 @@ use model::Trace;
 use model::equations::Characteristics;
 use symbolic::{Hypotheses, Sym, normal};
 
-/// The finding on one equation of the other program.
+/// The finding on an equation of the other program.
 #[derive(Clone, Debug)]
 pub struct PeerEquation {
     pub name: String,
     pub verdict: Verdict,
-    /// The verdict in a sentence.
+    /// The verdict as a sentence.
     pub sentence: String,
-    /// The terms by which it differs from the model's equation along the same direction.
+    /// The terms in which it differs from the model's equation along the same direction.
     pub terms: Vec<TermDifference>,
-    /// The value of its left side with the model's accelerations inserted, text and LaTeX, if it is short enough to read.
+    /// The value of its left side with the model's accelerations inserted, as text and LaTeX; `None` if it is too long.
     pub left: Option<(String, String)>,
-    /// An exact point at which it does not hold.
+    /// An exact point at which the equation fails, as pairs of name and value.
     pub point: Vec<(String, String)>,
 }
 
-/// The finding on all equations.
+/// The finding on all equations of the other program.
 #[derive(Clone, Debug)]
 pub struct PeerFinding {
     pub verdict: Verdict,
     pub sentence: String,
     pub equations: Vec<PeerEquation>,
-    /// Divisors that must not be zero, text and LaTeX.
+    /// The conditions that divisors do not vanish, as text and LaTeX.
     pub requires: Vec<(String, String)>,
 }
 
-/// The largest length of a printed expression.
+/// The largest length of a printed expression in characters.
 const READABLE: usize = 600;
 
-/// The finding on an expression that should be zero along the motion; `along` has the accelerations.
+/// The finding on an expression that should vanish along the motion `motion`; `along` also determines the accelerations.
 pub(super) fn judged(
     name: String,
     zero: Sym,
@@ -84,15 +84,15 @@ pub(super) fn judged(
     found
 }
 
-/// Numbers of degrees of freedom.
+/// The degrees of freedom of both programs.
 pub(super) struct Freedom {
     pub theirs: usize,
-    /// Equations of theirs that may be constraints, and take away one each.
+    /// The number of undecided equations of the other program, each of which may be a constraint and remove a degree of freedom.
     pub open: usize,
     pub ours: usize,
 }
 
-/// The verdict on all equations.
+/// The verdict on all equations, with a sentence.
 pub(super) fn whole(found: &[PeerEquation], determined: bool, freedom: Freedom) -> (Verdict, String) {
     let with = |verdict: Verdict| {
         found.iter().filter(|one| one.verdict == verdict).map(|one| one.name.as_str()).collect::<Vec<_>>()
@@ -143,7 +143,7 @@ pub(super) fn whole(found: &[PeerEquation], determined: bool, freedom: Freedom) 
     }
 }
 
-/// Speeds of the model that the other program's speeds do not determine.
+/// A sentence on the speeds of the model that the other program's speeds do not determine.
 pub(super) fn untold(trace: &Trace<'_>, free: &Characteristics, slopes: &[Vec<Sym>]) -> String {
     let is_told = |column: usize| slopes.iter().any(|row| row[column] != Sym::ZERO);
     let open: Vec<String> = free
@@ -157,7 +157,7 @@ pub(super) fn untold(trace: &Trace<'_>, free: &Characteristics, slopes: &[Vec<Sy
     format!("the coordinates of the other program do not determine {what}")
 }
 
-/// An expression for readers; none if it is too long.
+/// An expression as text and LaTeX; `None` if it is too long.
 pub(super) fn readable(expression: Sym, motion: &Motion<'_, '_>) -> Option<(String, String)> {
     let form = normal(expression, &motion.hypotheses).ok()?.to_sym();
     let text = form.to_string();
@@ -180,7 +180,7 @@ fn point(refutation: &Refutation, motion: &Motion<'_, '_>) -> Vec<(String, Strin
     listed
 }
 
-/// Divisors, each once.
+/// The conditions that divisors do not vanish, each once.
 pub(super) fn divisors(found: &[Sym]) -> Vec<(String, String)> {
     let mut all: Vec<(String, String)> = Vec::new();
     for &divisor in found {

@@ -1,8 +1,8 @@
-//! Equations of motion that another program has derived, compared with those of a model.
+//! Comparison of equations of motion from another program with those of a model.
 //!
-//! The letters of the other program have meanings in the model. Its equations are equivalent to those of the model if each of them holds with
-//! the model's accelerations inserted, its constraints hold wherever the model's do, it determines all accelerations, and both have
-//! equally many degrees of freedom. The choice of its speeds, and of combinations of its equations, does not matter.
+//! The letters of the other program have meanings in the model. Its equations are equivalent to those of the model if four conditions hold: each of them
+//! is satisfied by the model's accelerations, its constraints hold wherever the model's do, it determines all accelerations, and both have
+//! equal numbers of degrees of freedom. The choice of its speeds, and of linear combinations of its equations, is arbitrary.
 
 mod differences;
 mod finding;
@@ -25,23 +25,23 @@ use reader::SceneError;
 use scenes::SystemText;
 use symbolic::{Identity, Sym, identified};
 
-/// Equations of motion as texts in the language of models, without units.
+/// Equations of motion of another program, as texts in the language of models, without units.
 #[derive(Clone, Debug, Default)]
 pub struct PeerEquations {
-    /// Letters with their meanings in the model: coordinates, parameters, inputs. Rates of a letter carry primes.
+    /// Letters with their meanings in the model: coordinates, parameters, inputs. Primes denote rates of a letter.
     pub letters: Vec<(String, String)>,
     /// Speeds that are not rates of coordinates; the kinematic equations determine them.
     pub speeds: Vec<String>,
     /// The accelerations in the equations, `q''` or `u'`.
     pub accelerations: Vec<String>,
     pub multipliers: Vec<String>,
-    /// Abbreviations, each over letters and those before it.
+    /// Abbreviations with their expressions, in terms of letters and earlier abbreviations.
     pub abbreviations: Vec<(String, String)>,
-    /// Expressions that are zero, linear in the speeds: rates of coordinates by speeds.
+    /// Kinematic equations: expressions that vanish and are linear in the speeds; they relate rates of coordinates to speeds.
     pub kinematics: Vec<String>,
-    /// Expressions that are zero: constraints between speeds, or between coordinates.
+    /// Constraints between speeds or coordinates: expressions that vanish.
     pub constraints: Vec<String>,
-    /// Expressions that are zero, linear in accelerations and multipliers, each with its name.
+    /// Equations of motion with names: expressions that vanish and are linear in accelerations and multipliers.
     pub equations: Vec<(String, String)>,
 }
 
@@ -50,12 +50,12 @@ const BESIDE_OURS: &str = "its difference to the model's equation along the same
 const ALONG_MOTIONS: &str = "its left side, with the model's accelerations put in,";
 
 impl PeerEquations {
-    /// Compares them with the equations of a system.
+    /// Compares the equations with those of a system.
     ///
     /// # Errors
-    /// The system or the meaning of a letter is wrong, or the equations cannot be compared.
+    /// The system or the meaning of a letter is faulty, or the equations cannot be compared.
     pub fn compared(&self, system: &SystemText) -> Result<PeerFinding, SceneError> {
-        // faults of the system are reported as such, not as faults of the letters
+        // the system is read alone first, so that its faults are not reported as faults of letters
         system.for_judgement()?;
         let offset = system.text.len() + 1;
         let (mut written, mut outputs) = (String::new(), Vec::new());
@@ -90,7 +90,7 @@ impl PeerEquations {
         let constraints = constraints_of(trace);
         let free = Characteristics::of(trace, &constraints);
         let unknowns = [&rates.accelerations[..], &rates.multipliers].concat();
-        // the matrix of their accelerations and multipliers, on the constraints
+        // the matrix of accelerations and multipliers, under the constraints
         let by =
             |row: Sym, unknowns: &[Sym]| -> Vec<Sym> { unknowns.iter().map(|&z| held.reduced(row.diff(z))).collect() };
         let rank = |rows: Vec<Vec<Sym>>| if rows.iter().all(Vec::is_empty) { 0 } else { generic_rank(&rows) };
@@ -102,10 +102,10 @@ impl PeerEquations {
                 "equations that are linear in accelerations and multipliers",
             ));
         }
-        // a constraint that stands twice leaves its multipliers open, and no acceleration
+        // a repeated constraint leaves multipliers undetermined, but no acceleration
         let of_multipliers = rates.equations.iter().map(|&row| by(row, &rates.multipliers)).collect();
         let determined = rank(matrix) - rank(of_multipliers) == rates.accelerations.len();
-        // the model's independent speeds by theirs
+        // the derivatives of their speeds along the independent directions of the model
         let directions = free.directions(trace.speeds.len());
         let by_direction = |speed: Sym| -> Vec<Sym> {
             let along = |direction: &Vec<Sym>| {
@@ -126,17 +126,17 @@ impl PeerEquations {
         let is_constraint = |row: Sym| {
             let reduced = held.reduced(row);
             let vanishes_there = || matches!(vanishes(&held, row, &[]), Outcome::Zero(_) | Outcome::Identified(_));
-            // roots that are written differently have one value in an identity test alone
+            // an identity test also recognises roots that are written differently
             let is_identity = || matches!(identified(&[reduced]), Identity::Identified { .. });
             reduced == Sym::ZERO || (generic_rank(&[vec![reduced]]) == 0 && vanishes_there()) || is_identity()
         };
         let (differentiated, others): (Vec<usize>, Vec<usize>) =
             (0..rows.len()).filter(|&row| without_multipliers_in(rows[row])).partition(|&row| is_constraint(rows[row]));
-        // by their own letters, which the rows no longer hold
+        // the accelerations are those of their equations, since they were eliminated from the rows
         let accelerations_of = |&row: &usize| by(rates.equations[row], &rates.accelerations);
         let held_by = rank(differentiated.iter().map(accelerations_of).collect());
         let theirs = rates.accelerations.len().saturating_sub(held_by);
-        // a row that was not decided may be a constraint as well
+        // an undecided row may be a constraint too
         let is_open = |row: &&usize| !matches!(vanishes(&held, rows[**row], &[]), Outcome::NonZero(_));
         let open = if theirs > freedom { others.iter().filter(is_open).count() } else { 0 };
         let projected = Projected { trace, held: &held, free: &free, slopes: &slopes };
@@ -149,7 +149,7 @@ impl PeerEquations {
         }
         let idle: Vec<(Sym, Sym)> = rates.multipliers.iter().map(|&z| (z, Sym::ZERO)).collect();
         let names: Vec<&String> = self.equations.iter().map(|(name, _)| name).collect();
-        // equations are compared without reactions, and an equation that differs should not be used to find a multiplier
+        // terms are compared without reactions; an equation that differs should not determine a multiplier
         let of_rows: Vec<Vec<TermDifference>> = match rates.multipliers.is_empty() {
             true => Vec::new(),
             false => {
@@ -164,7 +164,7 @@ impl PeerEquations {
         let (left, used) = without_multipliers(&rows, &rates.multipliers, &along, differs)?;
         for (place, row) in left.iter().enumerate().filter(|(place, _)| !used.contains(place)) {
             let sides = rates.multipliers.is_empty().then(|| projected.sides(*row, place)).flatten();
-            // along every motion the model's side is zero; without accelerations fewer symbols have to be replaced
+            // the side of the model vanishes along motions; a difference without accelerations is simpler
             let rest = sides.and_then(|sides| projected.without_accelerations(sides, &mut requires));
             let (zero, motion, is) = match (rest, sides) {
                 (Some(rest), _) => (rest, &held, BESIDE_OURS),

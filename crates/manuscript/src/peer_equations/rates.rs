@@ -1,4 +1,4 @@
-//! Speeds, accelerations and multipliers of another program by those of a model.
+//! Speeds, accelerations and multipliers of another program in terms of a model.
 
 use super::PeerEquations;
 use super::reading::Vocabulary;
@@ -9,25 +9,25 @@ use model::equations::{generic_pivots, generic_rank};
 use symbolic::linear::solve;
 use symbolic::{Hypotheses, Sym, decide};
 
-/// The reason why equations cannot be compared, and the accepted form.
+/// The reason for which equations cannot be compared, and the accepted form.
 type Refusal = (String, &'static str);
 
 const LINEAR: &str = "kinematic equations that are linear in the speeds and determine them; `names` has the meaning of a speed without one";
 
-/// The most choices of equations that are tried for finding multipliers.
+/// The largest number of choices of equations that are tried to eliminate multipliers.
 const MOST_CHOICES: usize = 64;
 
-/// The equations of another program, over the symbols of the model and letters for its unknowns.
+/// The equations of another program, in the symbols of the model and letters for its own unknowns.
 pub(super) struct PeerRates {
     pub equations: Vec<Sym>,
-    /// Constraints over the symbols of the model.
+    /// The constraints, in the symbols of the model.
     pub constraints: Vec<Sym>,
-    /// The letters of accelerations, and those of multipliers.
+    /// The letters of accelerations; `multipliers` are those of multipliers.
     pub accelerations: Vec<Sym>,
     pub multipliers: Vec<Sym>,
-    /// The speed whose rate each acceleration is, over the model.
+    /// The speed whose rate each acceleration is, in the symbols of the model.
     pub speeds: Vec<Sym>,
-    /// The letters of accelerations with their values over the model.
+    /// The letters of accelerations with their values in the symbols of the model.
     pub values: Vec<(Sym, Sym)>,
 }
 
@@ -51,7 +51,7 @@ impl PeerRates {
         }
         let speeds: Vec<Sym> = peer.speeds.iter().map(|name| unknown(name)).collect();
         peer.speeds.iter().zip(&speeds).for_each(|(name, &letter)| words.add(name, letter));
-        // abbreviations that contain speeds are read again when these are known
+        // abbreviations that contain speeds are read again once the speeds are known
         let mut of_kinematics = words.clone();
         for (name, text) in &peer.abbreviations {
             if let Ok(value) = of_kinematics.read(text) {
@@ -97,7 +97,7 @@ impl PeerRates {
     }
 }
 
-/// The speeds by the kinematic equations, and the equations that were not needed for them.
+/// The speeds from the kinematic equations, and the equations that were not needed for them.
 fn solved_speeds(kinematics: &[Sym], speeds: &[Sym]) -> Result<(Vec<Sym>, Vec<Sym>), Refusal> {
     if speeds.is_empty() {
         return Ok((Vec::new(), kinematics.to_vec()));
@@ -121,8 +121,8 @@ fn solved_speeds(kinematics: &[Sym], speeds: &[Sym]) -> Result<(Vec<Sym>, Vec<Sy
     Ok((solution.values(), others))
 }
 
-/// The equations with the multipliers inserted that some of them determine, and the places of these equations. They are chosen such that the
-/// fewest of the others fail, and preferably do not differ from the model's equations.
+/// The equations after elimination of the multipliers, and the indices of the equations that were used for it. These are chosen such that
+/// as few as possible of the others fail, and preferably agree with the model's equations.
 pub(super) fn without_multipliers(
     rows: &[Sym],
     multipliers: &[Sym],
@@ -136,7 +136,7 @@ pub(super) fn without_multipliers(
         rows.iter().map(|row| multipliers.iter().map(|&z| along.reduced(row.diff(z))).collect()).collect();
     let order: Vec<usize> = (0..multipliers.len()).collect();
     let columns: Vec<usize> = generic_pivots(&slopes, &order).into_iter().map(|(_, column)| column).collect();
-    // multipliers that remain free are zero
+    // multipliers that the equations leave undetermined are set to zero
     let idle: Vec<(Sym, Sym)> = multipliers
         .iter()
         .enumerate()
@@ -182,7 +182,7 @@ pub(super) fn without_multipliers(
     Ok((left, taken))
 }
 
-/// All choices of `count` places, beginning with the last places, so that the first equations are used last.
+/// All choices of `count` indices below `of`, those with large indices first, so that the first equations are used last.
 fn choices(of: usize, count: usize) -> Vec<Vec<usize>> {
     if count == 0 {
         return vec![Vec::new()];

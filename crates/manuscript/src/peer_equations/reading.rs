@@ -1,6 +1,6 @@
-//! Texts of another program's equations over the symbols of a model.
+//! Parser for texts of another program's equations, in the symbols of a model.
 //!
-//! The language is that of models, without units, which the other program lacks.
+//! The language is that of models without units, which the other program does not have.
 
 use crate::letters::circle;
 use field::{Analytic, Elementary, Rational, Scalar as _};
@@ -8,7 +8,7 @@ use model::expression::{Exponent, Form, Part, read};
 use std::collections::HashMap;
 use symbolic::{Sym, parse};
 
-/// Names with what they stand for.
+/// Names with the expressions that they denote.
 #[derive(Clone)]
 pub(super) struct Vocabulary {
     known: HashMap<String, Sym>,
@@ -28,10 +28,10 @@ impl Vocabulary {
         self.known.get(name).copied()
     }
 
-    /// An expression.
+    /// Parses an expression.
     ///
     /// # Errors
-    /// It cannot be read, or contains unknown names.
+    /// The text is not an expression, or contains unknown names.
     pub fn read(&self, text: &str) -> Result<Sym, String> {
         let expression = read(text).map_err(|fault| format!("`{}`: {}", shortened(text), fault.reason))?;
         let mut values: Vec<Sym> = Vec::with_capacity(expression.parts.len());
@@ -90,7 +90,7 @@ impl Vocabulary {
     }
 }
 
-/// Square roots are repeated for denominators that are powers of two.
+/// A power with a rational exponent; a denominator that is a power of two gives nested square roots.
 fn power(base: Sym, Exponent { numerator, denominator }: Exponent) -> Result<Sym, String> {
     let (mut root, mut left) = (base, denominator);
     while left > 1 && left % 2 == 0 {
