@@ -1,5 +1,5 @@
-//! Certificates are sufficient by themselves: read by a few lines that know no expressions, both sides of a proved claim agree at a
-//! point chosen here, and those of a refuted one differ at the point of the certificate.
+//! Certificates can be checked without the library of expressions: the evaluator below shows that both sides of a proved claim are equal
+//! at a chosen point, and that the sides of a refuted claim differ at the point of the certificate.
 
 use dalembert_claims::certificate::{Certificate, Operation, Part, PartProof};
 use dalembert_claims::{Condition, Line, Page};
@@ -7,14 +7,14 @@ use field::{Analytic, Rational, Scalar};
 use std::collections::HashMap;
 use symbolic::{Hypotheses, Sym, symbols};
 
-/// The certificates of a page with one claim.
+/// The certificates of a page with one claim, which `write` adds.
 fn certificates(write: impl FnOnce(&mut Page)) -> Vec<Certificate> {
     let mut page = Page::of("test", |_| None);
     write(&mut page);
     page.certified(|_| true).flat_map(|(_, certificates)| certificates).collect()
 }
 
-/// The values of all entries; letters and coordinates of angles have their values at the point.
+/// The values of all entries; an entry without a value in `point` has a rational number chosen by its position.
 fn values(program: &[Operation], point: &HashMap<usize, Rational>) -> Vec<Rational> {
     let mut values: Vec<Rational> = Vec::new();
     for (place, operation) in program.iter().enumerate() {
@@ -36,7 +36,7 @@ fn values(program: &[Operation], point: &HashMap<usize, Rational>) -> Vec<Ration
     values
 }
 
-/// Whether the sides of the only conclusion agree.
+/// Whether the two sides of each conclusion are equal at the point.
 fn agree(program: &[Operation], part: &Part, point: &HashMap<usize, Rational>) -> bool {
     let values = values(program, point);
     part.then.iter().all(|relation| values[relation.left] == values[relation.right])
@@ -53,7 +53,7 @@ fn sides_that_are_proved_to_agree_do_in_the_program() {
     let part = &all[0].parts[0];
     assert_eq!((all[0].verdict.as_str(), &part.proof), ("proved", &PartProof::Identity));
     assert!(agree(&all[0].program, part, &HashMap::new()));
-    // the sides stand there as they were recorded, not as one normal form
+    // the certificate has the sides as they were recorded, not their common normal form
     assert_ne!(part.then[0].left, part.then[0].right);
 }
 

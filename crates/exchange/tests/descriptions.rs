@@ -1,4 +1,4 @@
-//! The description of a unit.
+//! The model description of a functional mock-up unit.
 
 use dalembert_exchange::fmu::{Unit, Variable, Version, seal_holds};
 
@@ -36,10 +36,10 @@ fn written(unit: &Unit) -> String {
 fn names_of_the_system_stay_and_those_of_the_standard_give_way() {
     let text = written(&unit());
     for part in [
-        // a state that is called as the time is
+        // a state with the name of the time
         "name=\"time\" valueReference=\"1\"",
         "name=\"time_\" valueReference=\"0\" causality=\"independent\"",
-        // an output that is called as a derivative is
+        // an output with the name of a derivative
         "name=\"der(v)\" valueReference=\"7\"",
         "name=\"der(v)_\" valueReference=\"4\"",
     ] {

@@ -1,21 +1,21 @@
-//! Proved claims of the papers, each broken by one edit of its text: the correction is found back.
+//! Proved claims of the papers, each made false by one edit of its text: the corrections must restore the claim.
 
 use dalembert_manuscript::{ClaimText, EditKind, Finding, Kind, PaperText};
 use machines as _;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// A formula that one edit breaks, with the name of the edit.
+/// A formula made false by one edit, with the name of the edit.
 struct Mutant {
     kind: &'static str,
     formula: String,
 }
 
-/// Every place of one text replaced by another, one at a time.
+/// Adds a mutant for each occurrence of a text, with that occurrence replaced.
 fn replaced(kind: &'static str, formula: &str, from: &str, to: &str, all: &mut Vec<Mutant>) {
     for (at, _) in formula.match_indices(from) {
         let behind = &formula[at + from.len()..];
-        // a longer command begins in the same way
+        // `from` is only the beginning of a longer command
         if from.starts_with('\\')
             && from.ends_with(|l: char| l.is_ascii_alphabetic())
             && behind.starts_with(|l: char| l.is_ascii_alphabetic())
@@ -26,7 +26,7 @@ fn replaced(kind: &'static str, formula: &str, from: &str, to: &str, all: &mut V
     }
 }
 
-/// Terms outside of groups, as they stand between signs and relations.
+/// The ranges of the terms outside groups, between signs and relations.
 fn terms(formula: &str) -> Vec<std::ops::Range<usize>> {
     let (mut depth, mut start) = (0, 0);
     let mut found = Vec::new();
@@ -99,7 +99,7 @@ struct Row {
     refuted: usize,
     corrected: usize,
     back: usize,
-    /// Corrections that are not proved when they are judged alone.
+    /// The number of corrections that are not proved when judged as claims.
     wrong: usize,
 }
 
@@ -108,7 +108,7 @@ fn paper(name: &str) -> PaperText {
     PaperText::read(&path).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Whether a correction is the original formula, or one whose sides have the same difference for all values of the letters.
+/// Whether a correction is the original formula, or has the same difference of its sides up to sign.
 fn is_back(whole: &PaperText, claim: &ClaimText, original: &Finding, found: &Finding) -> bool {
     let sides =
         |formula: &str| formula.split_once('=').map(|(left, right)| (left.trim().to_owned(), right.trim().to_owned()));
@@ -129,7 +129,7 @@ fn is_back(whole: &PaperText, claim: &ClaimText, original: &Finding, found: &Fin
     })
 }
 
-/// The first of so many mutants is judged; with `EVERY_MUTANT=1` each one, and those that are not found back are printed.
+/// One mutant in this many is judged; with `EVERY_MUTANT=1` every mutant is judged, and those not restored are printed.
 const SAMPLE: usize = 12;
 
 const PAPERS: [(&str, &[&str]); 5] = [
@@ -140,7 +140,7 @@ const PAPERS: [(&str, &[&str]); 5] = [
     ("beside_pages/manglieva2022_two_discs.toml", &[r"\omega_2"]),
 ];
 
-/// Proved claims, each broken in every way.
+/// All mutants of the proved claims of the papers.
 fn broken_claims() -> Vec<(PaperText, ClaimText, Finding, Mutant)> {
     let mut all = Vec::new();
     for (name, letters) in PAPERS {
@@ -156,7 +156,7 @@ fn broken_claims() -> Vec<(PaperText, ClaimText, Finding, Mutant)> {
     all
 }
 
-/// A paper with this formula alone, judged; none where it is refused.
+/// The finding on a paper with this formula as its only claim; `None` if it is refused.
 fn judged(paper: &PaperText, claim: &ClaimText, formula: &str, corrects: bool) -> Option<Finding> {
     let mut alone = paper.clone();
     alone.claims = vec![claim.clone()];
@@ -177,7 +177,7 @@ fn an_edit_that_breaks_a_proved_claim_is_found_back() {
         }
         row.refuted += 1;
         row.corrected += usize::from(!found.corrections.is_empty());
-        // every correction is judged anew, as a claim of its own
+        // every correction is judged again as a claim
         for correction in found.corrections.iter().filter(|one| one.changes[0].kind != EditKind::Hypothesis) {
             let anew = judged(&paper, &claim, &correction.formula, false);
             row.wrong += usize::from(anew.is_none_or(|anew| anew.judged.verdict.name() != "proved"));

@@ -1,4 +1,4 @@
-//! Every claim of every paper under `papers/` is a test of its own: `cargo test -p dalembert-manuscript --test papers -- cart_pole/eq5`.
+//! Each claim of each paper under `papers/` is a separate test: `cargo test -p dalembert-manuscript --test papers -- cart_pole/eq5`.
 
 use dalembert_manuscript::PaperText;
 use libtest_mimic::{Arguments, Failed, Trial};
@@ -19,7 +19,7 @@ fn main() {
     libtest_mimic::run(&arguments, trials).exit();
 }
 
-/// A test for each claim, or one that tells why the file cannot be read.
+/// One test for each claim, or one that reports why the file cannot be read.
 fn trials_of(file: &Path) -> Vec<Trial> {
     let findings = PaperText::read(file).and_then(|paper| paper.judge());
     match findings {

@@ -1,4 +1,4 @@
-//! Equations of motion of another program compared with those of a model.
+//! Equations of motion of another program, compared with those of a model.
 
 use claims::Verdict;
 use dalembert_manuscript::{PeerEquations, PeerFinding};
@@ -32,7 +32,7 @@ fn texts<const N: usize>(all: [&str; N]) -> Vec<String> {
     all.map(str::to_owned).to_vec()
 }
 
-/// Lagrange's equations of two links, along absolute angles.
+/// Lagrange's equations of two links with absolute angles.
 fn by_rates() -> PeerEquations {
     PeerEquations {
         letters: pairs([["m", "m"], ["l", "l"], ["g", "g"], ["p", "a"], ["q", "b"]]),
@@ -86,7 +86,7 @@ fn a_wrong_term_is_told_by_the_coefficient_in_which_it_stands() {
 #[test]
 fn speeds_are_what_the_kinematic_equations_say() {
     let mut peer = by_rates();
-    // u is the relative speed, v the absolute one
+    // u is the relative speed, v the absolute speed
     (peer.speeds, peer.accelerations) = (texts(["u", "v"]), texts(["u'", "v'"]));
     peer.kinematics = texts(["p' + u - q'", "q' - v"]);
     for (_, text) in &mut peer.equations {

@@ -1,4 +1,4 @@
-//! The JSON schema of papers for editors: it is made of the schema of systems and of the reader's own kinds and verdicts.
+//! The JSON schema of papers for editors is made of the schema of systems and of the kinds and verdicts that the reader knows.
 
 use claims::Verdict;
 use dalembert_manuscript::{Kind, PaperText};
@@ -29,7 +29,7 @@ fn formulas(says: &str) -> Value {
     json!({ "type": "array", "items": { "type": "string" }, "description": says, "unit": "list of LaTeX" })
 }
 
-/// Claims with every key, about a pendulum.
+/// Claims about a pendulum that use every key.
 fn claims() -> Value {
     json!([
         {
@@ -51,7 +51,7 @@ fn letters() -> Value {
     json!({ "m": "m", "l": "l", "g": "g", r"\theta": "theta", r"\mathbf{v}": ["l*theta'*cos(theta)", "l*theta'*sin(theta)"] })
 }
 
-/// The tables of a paper beside those of its system.
+/// The tables of a paper that a system does not have.
 fn own() -> Value {
     let kinds = Kind::ALL.map(Kind::name);
     let verdicts = [

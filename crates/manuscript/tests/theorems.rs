@@ -1,4 +1,4 @@
-//! Corrections of conclusions: several relations together, roots by given signs, a divisor that must not vanish.
+//! Corrections of conclusions: several relations together, roots with given signs, divisors that must not vanish.
 
 use claims::{Condition, Proof, Theorem};
 use dalembert_manuscript::{EditKind, LineCorrection, theorem_corrections};
@@ -10,7 +10,7 @@ fn letters<const N: usize>(names: [&str; N]) -> [Sym; N] {
     names.map(Sym::symbol)
 }
 
-/// The kinds of edits by which a conclusion follows, and its right side after them.
+/// The kinds of edits after which the conclusion follows, each with the new right side.
 fn corrected(given: &[Condition], left: Sym, right: Sym) -> Vec<(Vec<EditKind>, String)> {
     let theorem = Theorem {
         given: given.to_vec(),
@@ -31,7 +31,7 @@ fn corrected(given: &[Condition], left: Sym, right: Sym) -> Vec<(Vec<EditKind>, 
 fn a_root_has_the_sign_that_is_given() {
     let [a, b, f, x] = letters(["a", "b", "f", "x"]);
     let squares = Equal((a * x).powi(2), f.powi(2) * (b + x).powi(2));
-    // a x = f (b + x), so that x = f b/(a - f)
+    // a x = f (b + x) gives x = f b/(a - f)
     let given = [squares, Positive(f), Positive(a * x), Positive(b + x)];
     let found = corrected(&given, x, f * b / (a + f));
     assert_eq!(found.first(), Some(&(vec![EditKind::Sign], "f*b/(a - f)".to_owned())), "{found:?}");

@@ -1,9 +1,9 @@
-//! The page in a browser: it loads without a complaint, and its scripts do what they are for.
+//! The page in a browser: it loads without errors, and search, filter and links work.
 
 use dalembert_charts::page;
 use std::process::Command;
 
-/// Runs a script after those of the page; what it told, or nothing where there is no browser.
+/// The lines that a script reports when it runs after the scripts of the page; `None` if no browser is installed.
 fn told(name: &str, script: &str) -> Option<Vec<String>> {
     const WATCH: &str = "<script>const told = []; addEventListener('error', (e) => told.push(`error: ${e.message}`));\
         addEventListener('securitypolicyviolation', (e) => told.push(`outside: ${e.blockedURI}`))</script>";

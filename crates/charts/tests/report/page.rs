@@ -1,4 +1,4 @@
-//! The whole page, on the specimen: self-contained, escaped, typeset, the same every time.
+//! The page of the specimen: self-contained, escaped, with all formulas typeset, and deterministic.
 
 use crate::report::specimen;
 use dalembert_charts::{ClaimRow, PaperSection, Report, Trajectory, Verdict, page};
@@ -55,7 +55,7 @@ fn all_text_is_escaped() {
     assert_eq!(html.matches("<script").count(), 1);
 }
 
-/// A title as an attacker writes it: markup, LaTeX that is none or that links, a terminal's commands, a turned direction.
+/// A title of an attacker: markup, LaTeX that is invalid or makes a link, terminal escape sequences, a change of the writing direction.
 const HOSTILE: &str = "\"><script>alert(1)</script><img src=x onerror=alert(1)>' $\\href{javascript:alert(1)}{x}$ $\\frac{$ \u{1b}]0;T\u{7} \
                        \u{9b}2J \u{202e}B \u{0}&amp;]]>--></style></title></svg>";
 

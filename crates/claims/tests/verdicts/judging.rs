@@ -1,4 +1,4 @@
-//! False statements are not proved: a false one for each way of deciding a claim.
+//! False statements are not proved: one false statement for each method of deciding a claim.
 
 use dalembert_claims::{Claim, Condition, Judged, Line, Page, Point, Verdict};
 use field::{Rational, Scalar};
@@ -110,7 +110,7 @@ fn a_certificate_with_a_wrong_cofactor_proves_nothing() {
     assert_eq!(with(a - b), Verdict::Undecided);
 }
 
-/// A normal form that is not zero refutes, unless assumptions beside the rules exclude the counterexample.
+/// A nonzero normal form refutes a claim, unless hypotheses that are not rules exclude the counterexample.
 #[test]
 fn what_a_point_contradicts_is_refuted_and_shows_the_point() {
     let [a, b] = symbols(["a", "b"]);
@@ -252,7 +252,7 @@ fn an_identically_vanishing_denominator_is_undefined() {
     assert_eq!(claim.verdict, Verdict::Undefined);
 }
 
-/// a^2 so many times, unreduced.
+/// `times * a^2` as a sum of unreduced terms.
 fn written_out(times: u32) -> Sym {
     let [a, b] = symbols(["a", "b"]);
     (0..times).fold(Sym::ZERO, |sum, _| sum + ((a + b) * (a - b) + b * b))

@@ -23,13 +23,13 @@ fn dimension(name: &str) -> Option<Dimension> {
     })
 }
 
-/// The changes by which an edit of the page is reported.
+/// The changes that a review reports after one edit of the page.
 fn after(from: &str, to: &str) -> Vec<Change> {
     assert_eq!(PAGE.matches(from).count(), 1, "{from}");
     review(PAGE, &PAGE.replace(from, to), &dimension)
 }
 
-/// The one term that changed.
+/// The only term that a review reports as changed.
 fn term(from: &str, to: &str) -> (Edit, String, &'static str) {
     match after(from, to).as_slice() {
         [Change::Terms { terms, .. }] => match terms.as_slice() {
@@ -75,7 +75,7 @@ fn letters_inside_a_root_count_with_those_outside() {
     assert_eq!([lost.meaning, new.meaning], ["viscous friction, or a spin's gyroscopic moment"; 2]);
 }
 
-/// Both are brought over one denominator: numerators that were not divided are equal before and after.
+/// Both sides are brought to a common denominator, so that numerators of undivided terms are equal before and after.
 #[test]
 fn a_term_that_is_divided_now_is_lost_and_new_and_no_other_changed() {
     let changes = after("- M", "- M/(A + B)");

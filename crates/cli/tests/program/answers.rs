@@ -1,4 +1,4 @@
-//! Answers about motions, motors, failures and models in JSON, with the evidence for each.
+//! Results in JSON about steady motions, motors, failures and models, with the evidence for each result.
 
 use crate::{json, run, temporary};
 use serde_json::Value;
@@ -44,7 +44,7 @@ fn a_motor_under_load_has_a_pull_in_below_its_pull_out() {
         let shares = motor["shares"].as_array().expect("a list");
         assert_eq!(shares.last().expect("a load beyond the pull-out")["in_step"], 0);
         for share in shares {
-            // below the pull-in every start comes into step, if there is time
+            // below the pull-in load a motor with bars comes into step from every start, except for runs out of time
             let (load, slipping) = (share["load"].as_f64().expect("a load"), share["slipping"].as_u64());
             assert!(load >= pull_in || slipping == Some(0) || motor["bars"] == 0, "{motor}");
         }
@@ -72,7 +72,7 @@ fn each_stationary_motion_has_a_verdict_for_each_angle_of_the_rotor() {
         let [driven_away, held] = &motion["stability"].as_array().expect("a list")[..] else { panic!("two angles") };
         assert_eq!(driven_away["verdict"], "unstable");
         assert_eq!(held["structural_zeros"], serde_json::json!(["|v|", "x.v"]));
-        // with a motor no root is on the axis, and the energy's negative squares are the roots with positive real parts
+        // with a motor no root is on the axis, and the number of negative squares of the energy is that of roots with positive real part
         let (roots, energy) = (&held["roots"], &held["energy"]);
         assert_eq!((roots["axis"].as_u64(), &roots["right"]), (Some(0), &energy["negative"]));
         asymptotically += usize::from(held["verdict"] == "asymptotically stable modulo the integrals");
@@ -140,7 +140,7 @@ fn a_family_has_a_verdict_and_a_map_has_the_columns_of_its_data() {
     let asked = [&["stationary", scene, "--upright", "--out", path, "--format", "json"], &ranges[..]].concat();
     let map = json(&run(&asked));
     let columns = map["columns"].as_array().expect("columns");
-    // b0 = 1/8 N m
+    // the pull-out is at b0 = 1/8 N m
     let pulled_out = |column: &&serde_json::Value| column["pulled_out"] == true;
     let beyond = |column: &&serde_json::Value| column["value"].as_f64().is_some_and(|load| load.abs() > 0.125);
     assert!(columns.iter().filter(pulled_out).eq(columns.iter().filter(beyond)));

@@ -1,10 +1,10 @@
-//! `choose` prints a command, and this command runs the model that was chosen.
+//! `choose` prints a command, and this command runs the chosen model.
 
 use crate::{json, root, run};
 use serde_json::Value;
 use std::path::PathBuf;
 
-/// All scenes, those of odd data among them.
+/// All scenes of the project, and those of the folder `odd` of these tests.
 fn scenes() -> Vec<PathBuf> {
     let mut folders = vec![root().join("scenes"), root().join("crates/cli/tests/program/odd")];
     let mut found = Vec::new();
@@ -26,13 +26,13 @@ fn what_is_taken_runs_by_the_words_that_are_printed() {
     let mut taken = 0;
     for scene in scenes() {
         let path = scene.to_string_lossy();
-        // its contacts change so often that each of its runs takes half a minute
+        // each run of this scene takes half a minute, since its contacts change often
         if path.ends_with("wheelset.toml") {
             continue;
         }
         let output = run(&["choose", &path, "--tol", "1e-1", "--format", "json", "--seconds", "20"]);
         if !matches!(output.status.code(), Some(0)) {
-            // a model that stops, or a scene of another kind
+            // the model stops, or the scene is of another kind
             continue;
         }
         let receipt = json(&output);
@@ -75,7 +75,7 @@ fn a_receipt_says_when_it_promises_and_what_is_left_out() {
     }
 }
 
-/// A stiff spring is where it balances; a transient that is asked for is not left out.
+/// A stiff spring is replaced by its equilibrium, unless an output needs its transient.
 #[test]
 fn a_smaller_model_of_a_system_as_text_is_found_and_run_by_its_name() {
     let scene = "scenes/models/stiff_spring.toml";
@@ -103,7 +103,7 @@ fn a_smaller_model_of_a_system_as_text_is_found_and_run_by_its_name() {
     assert!(shown["state"]["a"].is_null() && shown["state"]["theta'"].is_number(), "{shown}");
 }
 
-/// A motion that overflows ends by every method, and no choice is made for it.
+/// A motion that overflows ends with every method, and no model is chosen for it.
 #[test]
 fn a_motion_that_overflows_and_outputs_without_values_are_told() {
     let file = std::env::temp_dir().join(format!("dalembert-overflows-{}.toml", std::process::id()));

@@ -1,13 +1,13 @@
-//! The deadline of a command and Ctrl-C: commands of every kind obey them, and print the results found until then.
+//! Commands obey a time limit and Ctrl-C, and print the results found until then.
 
 use crate::{program, root, run, table_at, temporary};
 use std::process::Output;
 use std::time::{Duration, Instant};
 
-/// Far above a second, for a machine that does much else, and far below what each of these commands takes by itself.
+/// Far longer than the limit of one second, for a busy machine, and far shorter than each of these commands takes without a limit.
 const SOON: Duration = Duration::from_secs(15);
 
-/// A search of minutes, which decides no motion at any speed.
+/// A scene whose search takes minutes and decides no speed.
 const CONE: &str = "crates/cli/tests/program/cone_without_answer.toml";
 
 fn soon(asked: impl FnOnce() -> Output) -> (Option<i32>, String, String) {
@@ -24,7 +24,7 @@ fn a_search_that_asks_no_clock_is_ended_by_it() {
     let (code, out, error) = soon(|| run(&["stationary", CONE, "--cone", "--seconds", "1"]));
     assert_eq!(code, Some(1), "{out}{error}");
     assert!(error.contains("out of time: `stationary`") && error.contains("after 1 s"), "{error}");
-    // the pull-out is printed before the search begins
+    // the pull-out is printed before the search starts
     assert!(out.contains("pull-out: two speeds merge at"), "{out}");
 }
 

@@ -1,23 +1,23 @@
-//! Every command that README, CONTRIBUTING and the book show runs as written, and prints the lines shown below it.
+//! Every command in README, CONTRIBUTING and the book runs as printed there, and prints the lines shown below it.
 //!
-//! In a block ```` ```console ```` a line `$ dalembert ...` is a command; text after ` # ` is a remark, in which `exit code N` gives its exit
-//! code where that is not 0. Lines below it are lines that it prints, in this order; `...` stands for any others. A block ```` ```toml ````
-//! whose first line is `# NAME.toml` is a file of that name.
+//! In a block ```` ```console ```` a line `$ dalembert ...` is a command. Text after ` # ` is a remark; `exit code N` in it states the exit
+//! code, which is 0 otherwise. The lines below a command must be printed in this order; `...` stands for any number of other lines.
+//! A block ```` ```toml ```` whose first line is `# NAME.toml` is the file of that name.
 
 use crate::{program_in, root};
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
-/// A command as a document shows it.
+/// A command in a document.
 struct Shown {
     words: Vec<String>,
     code: i32,
-    /// The lines that it prints, where the document shows them.
+    /// The lines that the command must print; empty if the document shows none.
     lines: Vec<String>,
 }
 
-/// The commands of the program in a document's blocks.
+/// The commands of the program in the blocks of a document.
 fn commands(text: &str) -> Vec<Shown> {
     let mut found: Vec<Shown> = Vec::new();
     let mut inside = false;
@@ -45,14 +45,14 @@ fn commands(text: &str) -> Vec<Shown> {
     found
 }
 
-/// The files given by blocks of a document, with their names.
+/// The names and texts of the files in the blocks of a document.
 fn files(text: &str) -> Vec<(&str, &str)> {
     let blocks = text.split("\n```toml\n").skip(1).filter_map(|rest| rest.split_once("\n```").map(|(block, _)| block));
     let named = |block| str::strip_prefix(block, "# ").and_then(|rest| rest.lines().next()).zip(Some(block));
     blocks.filter_map(named).filter(|(name, _)| name.ends_with(".toml") && !name.contains([' ', '/'])).collect()
 }
 
-/// The words of a command; text in quotes is one word, without the quotes.
+/// The words of a command line; a text in quotes is one word, without the quotes.
 fn words(command: &str) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
     let (mut is_quoted, mut is_inside) = (false, false);
@@ -75,7 +75,7 @@ fn words(command: &str) -> Vec<String> {
     words
 }
 
-/// The first shown line that is not printed where it should be.
+/// The first shown line that is missing in the output at its position; `None` if all are printed.
 fn missing<'a>(shown: &'a [String], printed: &str) -> Option<&'a str> {
     let mut printed = printed.lines().map(str::trim_end);
     let mut next_one = true;
@@ -97,7 +97,7 @@ fn missing<'a>(shown: &'a [String], printed: &str) -> Option<&'a str> {
     None
 }
 
-/// Runs the commands of some documents in a folder that holds a copy of the scenes and papers, since some of them write.
+/// Runs the commands of some documents in a temporary folder with copies of the scenes and papers, since some commands write files.
 fn run_all(documents: &[&Path], least: usize) {
     let folder = tempfile::tempdir().expect("a folder can be made");
     for shown in ["scenes", "papers"] {
@@ -112,7 +112,7 @@ fn run_all(documents: &[&Path], least: usize) {
         for Shown { words, code, lines } in commands(&text) {
             count += 1;
             let words: Vec<&str> = words.iter().map(String::as_str).collect();
-            // `review` compares with an earlier text by git, which needs the project's own folder
+            // `review` reads an earlier text from git, and needs the project's folder
             let place = if words[0] == "review" { &root() } else { folder.path() };
             let output = program_in(place, &words).output().expect("the program starts");
             let (printed, told) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));

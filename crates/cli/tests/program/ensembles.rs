@@ -15,7 +15,7 @@ fn run(scene: &Path, out: &Path, more: &[&str]) -> Output {
     ensemble(scene, out, more).output().expect("the program starts")
 }
 
-/// A folder for one test, which goes with it.
+/// A folder of one test, deleted with this value.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -46,7 +46,7 @@ impl Drop for Folder {
 
 const SAME: [&str; 2] = ["", ""];
 
-/// A table with the hashes that its rows must have, as a program on another machine writes them.
+/// A table with new hashes for its rows, as if another machine had written it.
 fn sealed(table: &str) -> String {
     let row = |(number, line): (usize, &str)| {
         let Some((cells, _)) = line.rsplit_once(',').filter(|_| number > 0) else { return format!("{line}\n") };
@@ -70,7 +70,7 @@ fn a_run_killed_again_and_again_ends_with_the_same_table() {
         std::thread::sleep(Duration::from_millis(pause));
         child.kill().and_then(|()| child.wait()).expect("it can be killed");
         let size = std::fs::metadata(&path).map_or(0, |data| data.len());
-        // a row that is cut in the middle, as when the power fails
+        // a row cut in the middle, as after a power failure
         if let Ok(file) = std::fs::OpenOptions::new().write(true).open(&path) {
             file.set_len(size - size.min(7)).expect("it can be cut");
         }
@@ -80,7 +80,7 @@ fn a_run_killed_again_and_again_ends_with_the_same_table() {
     assert!(last.status.success(), "{}", String::from_utf8_lossy(&last.stderr));
     assert!(folder.read("killed.csv") == folder.read("whole.csv"), "{sizes:?}");
     assert_eq!(folder.read("whole.csv").lines().count(), 1201);
-    // nothing is left to do, and more members are those and some more
+    // a finished table is unchanged, and more members are added to it
     let again = run(&scene, &path, &[]);
     assert!(String::from_utf8_lossy(&again.stdout).contains("the first 1200 were there already"));
     assert!(run(&folder.scene(1250, SAME), &path, &[]).status.success());
@@ -109,13 +109,13 @@ fn a_table_of_something_else_is_refused_and_left_alone() {
     }
     let output = run(&folder.scene(19, SAME), &path, &[]);
     assert!(String::from_utf8_lossy(&output.stderr).contains("there are more than the 19 members"));
-    // with the flag for it the ensemble begins anew
+    // `--force` starts the ensemble again
     let seed = folder.scene(21, ["seed = 1", "seed = 2"]);
     assert!(run(&seed, &path, &["--force"]).status.success());
     assert!(folder.read("table.csv") != before && folder.read("table.csv").lines().count() == 22);
 }
 
-/// The same drawn data and no member that starts, so that no computed result tells the two ensembles apart.
+/// Both ensembles draw the same data and start no member: no computed result distinguishes them.
 #[test]
 fn a_table_whose_last_member_never_started_is_told_from_that_of_another_scene() {
     let folder = Folder::new("unstarted");
@@ -132,7 +132,7 @@ fn a_table_whose_last_member_never_started_is_told_from_that_of_another_scene() 
     };
     let first = run(&none(5, "span = \"0.5 s\""), &path, &[]);
     assert!(String::from_utf8_lossy(&first.stdout).contains("0 reached the end, 5 did not"), "{first:?}");
-    // as of a run that stops
+    // the exit code of a run that stops
     assert_eq!(first.status.code(), Some(1));
     let before = folder.read("table.csv");
     let columns = before.lines().next().map_or(0, |line| line.split(',').count());
@@ -145,7 +145,7 @@ fn a_table_whose_last_member_never_started_is_told_from_that_of_another_scene() 
     assert!(folder.read("table.csv").starts_with(&before));
 }
 
-/// The table of a part, by its three-digit number.
+/// The table of part `number` of 3.
 fn part(folder: &Folder, scene: &Path, number: u32) -> PathBuf {
     let path = folder.0.join(format!("part{number}.csv"));
     let output = run(scene, &path, &["--part", &format!("{number}/3")]);
@@ -153,7 +153,7 @@ fn part(folder: &Folder, scene: &Path, number: u32) -> PathBuf {
     path
 }
 
-/// The command with tables behind a flag: its exit code and its output.
+/// Runs the command with a flag and tables: its exit code and its output.
 fn of_tables(scene: &Path, flag: &str, tables: &[&PathBuf], more: &[&str]) -> (Option<i32>, String) {
     let output = program(&["ensemble"]).arg(scene).arg(flag).args(tables).args(more).output().expect("it starts");
     let told = [output.stdout, output.stderr].map(|said| String::from_utf8_lossy(&said).into_owned());
@@ -169,7 +169,7 @@ fn parts_are_joined_to_the_table_of_one_run_whatever_was_killed() {
     let [first, second, third] = &parts[..] else { panic!("three") };
     assert_eq!(of_tables(&scene, "--missing", &[first, second, third], &[]), (Some(0), String::new()));
     assert_eq!(of_tables(&scene, "--missing", &[third, first], &[]), (Some(1), "7-13\n".to_owned()));
-    // a row that was cut is missing
+    // a row that was cut counts as missing
     let text = std::fs::read_to_string(second).expect("it is there");
     std::fs::write(second, &text[..text.len() - 4]).expect("it can be written");
     assert_eq!(of_tables(&scene, "--missing", &[first, second, third], &[]), (Some(1), "13\n".to_owned()));
@@ -178,18 +178,18 @@ fn parts_are_joined_to_the_table_of_one_run_whatever_was_killed() {
     let (code, said) = of_tables(&scene, "--merge", &[first, second, third], &out);
     assert!(code == Some(2) && said.contains("no table has member 13") && !joined.exists(), "{said}");
     part(&folder, &scene, 2);
-    // in any order, and with a table twice
+    // in any order, and with one table twice
     let (code, said) = of_tables(&scene, "--merge", &[third, second, first, second], &out);
     assert!(code == Some(0) && said.starts_with("20 members: 20 reached the end"), "{said}");
     assert_eq!(folder.read("joined.csv"), folder.read("whole.csv"));
     assert!(run(&scene, &joined, &[]).status.success(), "it is a table like any other");
-    // a row that was edited is not lost
+    // an edited row is not overwritten
     let whole = folder.read("joined.csv");
     let edited = whole.replacen(",0.", ",0.9", 3);
     std::fs::write(&joined, &edited).expect("it can be written");
     let (code, said) = of_tables(&scene, "--merge", &[first, second, third], &out);
     assert!(code == Some(2) && said.contains("it was edited since") && folder.read("joined.csv") == edited, "{said}");
-    // nor is the table of a run with more members
+    // the table of a run with more members is not overwritten
     let more = folder.scene(21, SAME);
     std::fs::remove_file(&joined).expect("it is there");
     assert!(run(&more, &joined, &[]).status.success());
@@ -215,7 +215,7 @@ fn tables_that_do_not_belong_together_are_not_joined() {
     };
     let text = std::fs::read_to_string(second).expect("it is there");
     let write = |text: &str| std::fs::write(second, text).expect("it can be written");
-    // the last digit of a number in the middle of a row
+    // a changed digit in the middle of a row
     write(&text.replacen(",0.", ",0.9", 1));
     refused(&[first, second, third], "line 2");
     let end = text.lines().nth(1).and_then(|row| row.split(',').rev().nth(2)).expect("a row has cells");
@@ -230,7 +230,7 @@ fn tables_that_do_not_belong_together_are_not_joined() {
     );
     std::fs::remove_file(&joined).expect("it was written");
     write(&text);
-    // the table is one of those that are read
+    // the output is one of the tables that are read
     let own = ["--out", first.to_str().expect("a name"), "--force"];
     let (code, said) = of_tables(&scene, "--merge", &[first, second, third], &own);
     assert!(code == Some(2) && said.contains("reads this file"), "{said}");
@@ -257,7 +257,7 @@ fn a_table_with_an_edited_row_is_neither_continued_nor_replaced() {
         let why = "line 4: this row was edited since it was written";
         assert!(output.status.code() == Some(2) && said.contains(why) && folder.read("table.csv") == edited, "{said}");
     }
-    // a note at the end is no row that a killed run began
+    // a note at the end is not the incomplete row of a killed run
     let noted = format!("{table}checked by hand");
     std::fs::write(&path, &noted).expect("it can be written");
     let output = run(&folder.scene(6, SAME), &path, &[]);

@@ -1,11 +1,11 @@
-//! Files for other simulators: their content, and refusals with their places.
+//! Files for other simulators: their content, and refusals with file and line.
 
 use crate::{program_in, root};
 use std::fs;
 use std::path::PathBuf;
 use std::process::Output;
 
-/// A folder with scenes, for the files written from them.
+/// A folder with a scene and the files written from it, deleted with this value.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -23,7 +23,7 @@ impl Folder {
         program_in(&self.0, &[&["export", "scene.toml"], arguments].concat()).output().expect("the program starts")
     }
 
-    /// The text of a file that the export of the scene has written.
+    /// The content of a file written by an export of the scene, as text.
     fn text(&self, option: &str, file: &str) -> String {
         let output = self.export(&[option, file]);
         assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
@@ -48,7 +48,7 @@ fn of_repository(name: &str) -> String {
     fs::read_to_string(root().join("scenes").join(name)).expect("a scene")
 }
 
-/// A mass that slides with a force along x, and rows of the file behind it.
+/// A mass that slides along x under a force; `rows` follow in its file.
 fn sliding(force: &str, rows: &str) -> String {
     format!(
         "title = \"A <mass> & a \\\"force\\\"\"\n[parameters]\nm = \"2 kg\"\nF = \"3 N\"\nv0 = \"1 m/s\"\n[coordinates]\nx = \"m\"\n\
@@ -75,7 +75,7 @@ fn a_unit_holds_its_description_its_sources_and_its_origin() {
     ] {
         assert!(unit.contains(part), "{part}");
     }
-    // the same scene gives the same file, and a file that the program wrote is replaced
+    // the same scene gives the same bytes, and the program replaces its own file
     let [first, second] = [(); 2].map(|()| {
         folder.text("--fmu", "ball.fmu");
         fs::read(folder.0.join("ball.fmu")).expect("it is there")
@@ -172,7 +172,7 @@ fn a_run_is_an_archive_of_numpy_too() {
         let output = program_in(&folder.0, &[&["run", "scene.toml", "--samples", "4"], arguments].concat()).output();
         assert_eq!(output.expect("the program starts").status.code(), Some(0), "{arguments:?}");
     };
-    // the second time over a file that the program wrote
+    // the second run replaces the file of the first
     for _ in 0..2 {
         run(&["--out", "run.npz"]);
     }

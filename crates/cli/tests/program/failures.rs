@@ -1,4 +1,4 @@
-//! Failures of runs, each found and named on a system of its own, with place and remedy; entries of the catalogue that are text.
+//! Failures of runs, each diagnosed on a system made for it, with location and remedy; entries of the catalogue from files.
 
 use super::{json, run, temporary};
 use serde_json::Value;
@@ -9,7 +9,7 @@ const BOB: &str = "title = \"A pendulum\"\ngravity = \"-g*N.y\"\n[parameters]\nm
     [coordinates]\nx = \"m\"\ny = \"m\"\n[points]\nP = \"O + x*N.x + y*N.y\"\n[bodies.bob]\ncentre = \"P\"\nmass = \"m\"\n\
     [[constraint]]\nname = \"rod\"\nzero = \"x^2 + y^2 - l^2\"\n";
 
-/// A run of a text with options: its JSON, its exit code, and its standard error.
+/// Runs a text with options: its JSON, its exit code, and its standard error.
 fn ran(name: &str, text: &str, options: &[&str]) -> (Value, Option<i32>, String) {
     let file = temporary(&format!("{name}.toml"));
     std::fs::write(&file, text).expect("it can be written");
@@ -21,7 +21,7 @@ fn ran(name: &str, text: &str, options: &[&str]) -> (Value, Option<i32>, String)
     (found, output.status.code(), message)
 }
 
-/// The only failure of a run: its kind, time, evidence, remedy.
+/// The only failure of a run: its kind, time in seconds, evidence, remedy.
 fn failure(found: &Value) -> (String, f64, String, String) {
     let all = found["failures"].as_array().expect("a list");
     assert_eq!(all.len(), 1, "{found}");
@@ -29,7 +29,7 @@ fn failure(found: &Value) -> (String, f64, String, String) {
     (text("kind"), all[0]["at"].as_f64().expect("a time"), text("evidence"), text("remedy"))
 }
 
-/// The fall of a pendulum in spherical angles, nearly in one plane: it passes the pole at the quarter of its period, K(sin^2 1/2) of its size.
+/// A spherical pendulum that swings nearly in one plane from 1 rad: it passes the pole after `K(k^2)*sqrt(l/g)`, with `k = sin(1/2)`.
 #[test]
 fn angles_that_pass_near_their_pole_are_a_singular_chart() {
     let text = "title = \"Spherical angles\"\ngravity = \"-g*N.z\"\n[parameters]\nm = \"1 kg\"\nl = \"1 m\"\ng = \"9.81 m/s^2\"\n\
@@ -53,7 +53,7 @@ fn an_inertia_that_vanishes_at_a_place_is_a_singular_mass_matrix() {
     let (kind, _, evidence, _) = failure(&found);
     assert_eq!((kind.as_str(), code), ("singular mass matrix", Some(1)), "{found}");
     assert!(evidence.contains("no inertia resists `x'` at `x` = 1 m"), "{evidence}");
-    // constant steps go on past the place, and lose the energy
+    // constant steps continue past the singularity, and lose energy
     let (found, _, _) = ran("mass_steps", text, &["--method", "runge_kutta_4:1000"]);
     assert_eq!(failure(&found).0, "singular mass matrix", "{found}");
 }
@@ -69,7 +69,7 @@ fn a_crank_as_long_as_its_rod_loses_the_rank_of_its_constraints_at_the_right_ang
     let (kind, _, evidence, _) = failure(&found);
     assert_eq!((kind.as_str(), code), ("loss of rank of the constraints", Some(1)), "{found}");
     assert!(evidence.contains("`rod` along N.y") && evidence.contains("`theta` = 1.57"), "{evidence}");
-    // the remedy: a length that differs by a ten-thousandth
+    // the remedy: a length that differs by a factor of 1 + 1e-4
     let (found, code, _) = ran("crank_apart", &text.replace("r*(cos(phi)", "(1 + 1e-4)*r*(cos(phi)"), &[]);
     assert_eq!((code, found["failures"].as_array().map(Vec::len)), (Some(0), Some(0)), "{found}");
 }
@@ -84,7 +84,7 @@ fn a_constraint_that_is_written_twice_is_warned_of() {
     assert!(message.contains("`again` follows from other constraints"), "{message}");
 }
 
-/// The load hangs at the drive by a spring: the force appears in the fourth derivative of the constraint.
+/// The drive moves the load by a spring: the unknown force appears in the fourth derivative of the constraint.
 #[test]
 fn a_force_that_keeps_a_place_through_a_spring_has_index_five() {
     let text = "title = \"Through a spring\"\n[parameters]\nm = \"1 kg\"\nM = \"2 kg\"\nk = \"100 N/m\"\na = \"0.1 m\"\nw = \"3 rad/s\"\n\
@@ -100,7 +100,7 @@ fn a_force_that_keeps_a_place_through_a_spring_has_index_five() {
     );
 }
 
-/// A law with events keeps a constraint on speeds in differentiated form only.
+/// In a law with events a constraint of speeds is kept by its derivative only.
 #[test]
 fn a_constraint_of_speeds_that_long_steps_leave_is_drift() {
     let text = "title = \"A sleigh\"\n[parameters]\nm = \"1 kg\"\nJ = \"1 kg m^2\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
@@ -128,7 +128,7 @@ fn a_damper_that_is_gone_at_once_is_stiffness_for_explicit_methods() {
     // the remedy
     let (found, code, _) = ran("stiff_radau", &text, &["--method", "radau_5"]);
     assert_eq!((code, found["failures"].as_array().map(Vec::len)), (Some(0), Some(0)), "{found}");
-    // constant steps that are too long: the bound is 2.785 time constants
+    // constant steps that are too long: the stability limit is 2.785 time constants
     let (found, _, _) = ran("stiff_steps", &text, &["--method", "runge_kutta_4:1000"]);
     let (kind, _, _, remedy) = failure(&found);
     assert!(kind == "step beyond the stability limit" && remedy.contains("at least 71806 steps"), "{found}");
@@ -143,7 +143,7 @@ fn bounces_whose_times_have_a_limit_are_told_as_zeno_with_their_factor() {
     let (found, code, _) = ran("zeno", &text, &[]);
     let (kind, at, evidence, _) = failure(&found);
     assert_eq!((kind.as_str(), code), ("Zeno: events accumulate", Some(1)), "{found}");
-    // sqrt(2 h/g) (1 + e)/(1 - e)
+    // t = sqrt(2 h/g) (1 + e)/(1 - e)
     assert!((at - 3.0 * (2.0_f64 / 9.81).sqrt()).abs() < 1e-8, "{at}");
     assert!(evidence.contains("`impact`") && evidence.contains("0.5000"), "{evidence}");
 }
@@ -166,7 +166,7 @@ fn a_force_as_the_square_of_its_speed_blows_up_at_a_finite_time() {
     let (found, code, _) = ran("blow_up", &text, &[]);
     let (kind, at, evidence, _) = failure(&found);
     assert_eq!((kind.as_str(), code), ("blow-up in finite time", Some(1)), "{found}");
-    // m/(c v)
+    // t = m/(c v)
     assert!((at - 1.0).abs() < 1e-6 && evidence.contains("`x'`"), "{found}");
     let (found, _, _) = ran("blow_up_steps", &text, &["--method", "runge_kutta_4:100"]);
     assert_eq!(failure(&found).0, "blow-up in finite time", "{found}");
@@ -185,7 +185,7 @@ fn a_stiffness_of_the_wrong_sign_and_a_power_of_time_grow_without_bound_and_do_n
         let (found, code, _) = ran("growth_by_methods", &text, &["--method", method]);
         assert_eq!((failure(&found).0.as_str(), code), ("growth without bound", Some(1)), "{method}: {found}");
     }
-    // t^66
+    // x grows as t^66
     let text = format!("{MASS}[[force]]\non = \"mass\"\nis = \"(1 N)*(t/(1 s))^64*N.x\"\n[run]\nspan = \"400 s\"\n");
     let (found, ..) = ran("power", &text, &[]);
     let (kind, _, evidence, _) = failure(&found);
@@ -200,11 +200,11 @@ fn a_root_whose_argument_turns_negative_is_the_end_of_the_domain_of_the_law() {
     let (found, code, _) = ran("domain", &text, &[]);
     let (kind, at, evidence, _) = failure(&found);
     assert_eq!((kind.as_str(), code), ("end of the domain of the law", Some(1)), "{found}");
-    // x' = -sqrt(4/3 (1 - x^(3/2))) integrated over the way
+    // the time from x = 1 to x = 0 with x' = -sqrt(4/3 (1 - x^(3/2)))
     assert!((at - 1.4937).abs() < 1e-3 && evidence.contains("`sqrt(x/(1 m))` in line 11"), "{found}");
 }
 
-/// Torricelli's law: sqrt(h) falls in proportion to time, to zero at A/a sqrt(2 h/g).
+/// Torricelli's law: `sqrt(h)` decreases linearly in time, and is zero at `t = A/a*sqrt(2 h/g)`.
 #[test]
 fn a_tank_that_is_empty_names_the_root_its_line_and_the_time_by_every_method() {
     let text = "title = \"A tank drains\"\n[parameters]\nA = \"1 m^2\"\na = \"0.02 m^2\"\ng = \"9.81 m/s^2\"\nb = \"1 N s/m\"\n[coordinates]\n\
@@ -225,7 +225,7 @@ fn a_tank_that_is_empty_names_the_root_its_line_and_the_time_by_every_method() {
     assert_eq!((code, found["failures"].as_array().map(Vec::len)), (Some(0), Some(0)), "{found} {message}");
 }
 
-/// A ball between two walls a millionth of a metre apart meets one every microsecond.
+/// A ball between two walls 1e-6 m apart hits one of them every microsecond.
 #[test]
 fn events_by_the_thousand_are_chattering_with_their_distance() {
     let text = format!(
@@ -243,7 +243,7 @@ fn events_by_the_thousand_are_chattering_with_their_distance() {
     assert!(remedy.contains("if(s > 0, a, b)"), "{remedy}");
 }
 
-/// The mass hangs at a line that the constraint holds; its own inertia vanishes at x = a.
+/// The constraint acts on y and z only; the inertia of x vanishes at x = a.
 #[test]
 fn an_inertia_that_vanishes_beside_a_constraint_is_no_loss_of_rank() {
     let text = "title = \"Vanishing inertia\"\n[parameters]\nm = \"1 kg\"\na = \"1 m\"\nk = \"2 N/m\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
@@ -255,7 +255,7 @@ fn an_inertia_that_vanishes_beside_a_constraint_is_no_loss_of_rank() {
     assert!(evidence.contains("no inertia resists `x'` at `x` = 1 m"), "{evidence}");
 }
 
-/// A damper that is gone after 1e-9 s needs more steps than are allowed; a slow machine is out of time before.
+/// A damper with a time constant of 1e-9 s needs more steps than are allowed; a slow machine reaches the time limit first.
 #[test]
 fn a_stiff_run_that_is_given_up_is_told_as_stiff() {
     let text = format!(
@@ -268,7 +268,7 @@ fn a_stiff_run_that_is_given_up_is_told_as_stiff() {
     assert!(kind == "stiffness" && evidence.contains("-1.000e9 1/s") && remedy.contains("--method radau_5"), "{found}");
 }
 
-/// A push of 1 N s within 2 ms at t = 5.03 s.
+/// An impulse of about 0.9 N s within 2 ms at t = 5.03 s.
 #[test]
 fn a_smooth_push_between_two_long_steps_is_told_under_constant_ones() {
     let text = format!(
@@ -283,7 +283,7 @@ fn a_smooth_push_between_two_long_steps_is_told_under_constant_ones() {
     assert_eq!((code, found["failures"].as_array().map(Vec::len)), (Some(0), Some(0)), "{found}");
 }
 
-/// A push of 1 N s that conditions of the time begin and end is stepped to.
+/// A force of 1000 N from 5.03 s to 5.031 s by conditions on the time: steps end at both instants.
 #[test]
 fn a_push_by_conditions_of_the_time_is_stepped_to() {
     let text = format!(
@@ -303,13 +303,13 @@ fn a_start_off_the_constraints_is_refused_with_what_is_left() {
     assert!(message.contains("`rod` does not hold at the start") && message.contains("0.21 m^2"), "{message}");
 }
 
-/// The pulse is half as high as it can be for 3.3 ms.
+/// The function of the event is positive for 3.3 ms.
 #[test]
 fn a_pulse_between_two_long_steps_is_a_missed_event() {
     let text = format!(
         "{MASS}[[event]]\nname = \"kick\"\nwhen = \"exp(-((t - (5.03 s))/(0.002 s))^2) - 0.5\"\ndirection = \"up\"\nset = {{ \"x'\" = \"x' + (1 m/s)\" }}\n[start]\n\"x'\" = \"1 m/s\"\n[run]\nspan = \"10 s\"\n"
     );
-    // a method with error control resolves it
+    // a method with error control finds both events
     let (found, code, _) = ran("pulse_seen", &text, &[]);
     assert_eq!((code, found["events"].as_array().map(Vec::len)), (Some(0), Some(2)), "{found}");
     let (found, code, _) = ran("pulse", &text, &["--method", "runge_kutta_4:100"]);
@@ -330,7 +330,7 @@ fn a_tolerance_below_rounding_is_refused_with_the_finest() {
 const ENTRY: &str = "method = \"euler:4000\"\n[failure]\nname = \"mine\"\ntitle = \"t\"\nwhy = \"w\"\nadvice = \"a\"\nvary = \"step\"\n\
     holds_at = \"0.1 s\"\nfails_at = \"1 s\"\nof = \"longest step\"\nthreshold = \"2*m/c\"\nwhile = \"(2 m/s) - abs(x')\"\nexpects = \"step beyond the stability limit\"\n";
 
-/// A damper c alone: Euler's method is stable up to steps of 2 m/c.
+/// A mass with a damper c: Euler's method is stable for steps up to 2 m/c.
 fn damper() -> String {
     format!(
         "{}[[force]]\non = \"mass\"\nis = \"-c*x'*N.x\"\n[start]\n\"x'\" = \"1 m/s\"\n[run]\nspan = \"1 s\"\n{ENTRY}",

@@ -1,4 +1,4 @@
-//! Every format in which results are printed, and the messages beside them.
+//! Each output format of results, and the messages printed with them.
 
 use crate::{json, run, temporary};
 use serde_json::Value;
@@ -31,14 +31,14 @@ fn equations_are_written_in_every_notation() {
     }
 }
 
-/// A folder for a program's files.
+/// A new folder for the files of a program.
 fn folder(name: &str) -> PathBuf {
     let folder = temporary(name);
     std::fs::create_dir_all(&folder).expect("a folder can be made");
     folder
 }
 
-/// The numbers that a program prints; none where the program is not installed.
+/// The numbers that a program prints; `None` if the program is not installed.
 fn numbers(command: &mut Command) -> Option<Vec<f64>> {
     let output = command.output().ok()?;
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
@@ -46,7 +46,7 @@ fn numbers(command: &mut Command) -> Option<Vec<f64>> {
     Some(text.split_whitespace().map(|word| word.parse().expect("a number")).collect())
 }
 
-/// Left sides minus right sides where the letters are 0.3, 0.4, ..., by the C program.
+/// Left sides minus right sides, by the C code, for letters with the values 0.3, 0.4, ...
 fn by_c(system: &str, folder: &Path) -> Option<Vec<f64>> {
     let code = printed(&["derive", system, "--format", "c"]);
     let text = format!(
@@ -60,7 +60,7 @@ fn by_c(system: &str, folder: &Path) -> Option<Vec<f64>> {
     numbers(&mut Command::new(program))
 }
 
-/// Left sides minus right sides by the text for SymPy, evaluated with floats under SymPy's names.
+/// Left sides minus right sides, by the SymPy text, with floating-point numbers in place of SymPy's symbols.
 fn by_sympy(system: &str, folder: &Path) -> Option<Vec<f64>> {
     const FLOATS: &str = "from math import cos, sin, sqrt\n\ndef symbols(names): return [0.3 + 0.1 * k for k, _ in enumerate(names.split())]\n\
                           def Eq(left, right): return left - right\ndef Rational(above, below): return above / below\n";
@@ -136,7 +136,7 @@ fn every_shell_completes_every_command() {
     }
 }
 
-/// A scene with a motor runs a law of its own, and is a model where its equations are asked for.
+/// A scene with a motor runs by a built-in law; `derive` and `prove` use its equations as a model.
 #[test]
 fn a_scene_with_a_motor_is_derived_and_proved_as_a_whole() {
     let text = printed(&["derive", "scenes/spin_up.toml", "--principle", "lagrange"]);

@@ -1,11 +1,11 @@
-//! Programs that are killed or interrupted: a file under its name is whole, and results announced before are in it.
+//! Programs that are killed or interrupted: a file is either the old or the complete new one, and contains the results printed before.
 
 use crate::{program, run, temporary};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::time::Duration;
 
-/// A folder for one test, which goes with it.
+/// A folder of one test, deleted with this value.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -15,7 +15,7 @@ impl Folder {
         Folder(folder)
     }
 
-    /// Whether a file is being written there, or was.
+    /// Whether the program is writing the file, or has replaced it.
     fn is_written(&self, old: &str, name: &str) -> bool {
         let part = |entry: std::io::Result<std::fs::DirEntry>| {
             entry.is_ok_and(|entry| entry.file_name() != name && entry.metadata().is_ok_and(|data| data.len() > 0))
@@ -35,17 +35,17 @@ fn ends(child: &mut Child) -> bool {
     child.try_wait().expect("it can be asked").is_some()
 }
 
-/// A number that follows from the seed, from 0 to below 1.
+/// A pseudo-random number in [0, 1) from the seed, which is advanced.
 fn drawn(seed: &mut u64) -> f64 {
     *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
     (*seed >> 11) as f64 / (1u64 << 53) as f64
 }
 
-/// The text of the file before the program writes it.
+/// The content of the file before the program writes it.
 const OLD: &str = "what was there before\n";
 
-/// Kills a program so often at instants up to so many milliseconds, and as often while it writes its file; each time the
-/// file under its name is the earlier one or the complete new one.
+/// Kills a program `times` times at random instants up to `within` milliseconds, and `times` times while it writes its file. Each time
+/// the file must be the old or the complete new one.
 fn kill(arguments: &[&str], name: &str, (times, within): (usize, f64), whole: impl Fn(&[u8]) -> bool) {
     let folder = Folder::new(&format!("killed_{name}"));
     let path = folder.0.join(name);
@@ -76,7 +76,7 @@ fn kill(arguments: &[&str], name: &str, (times, within): (usize, f64), whole: im
     assert!(left > 0, "{arguments:?} was never killed in time");
 }
 
-/// Whether a picture or a page, whose content has this end, ends with its seal.
+/// A test whether a picture or page ends with `end` and its hash.
 fn is_sealed(end: &str) -> impl Fn(&[u8]) -> bool {
     let before = format!("{end}\n<!-- sha256 of the lines above: ");
     move |found| {
@@ -86,7 +86,7 @@ fn is_sealed(end: &str) -> impl Fn(&[u8]) -> bool {
     }
 }
 
-/// The file that a program writes if it is not killed: its last digits may depend on the processor.
+/// The file that the program writes if it is not killed. It is computed here, since its last digits may depend on the processor.
 fn undisturbed(arguments: &[&str], name: &str) -> Vec<u8> {
     let path = temporary(name);
     assert!(run(&[arguments, &[&path.to_string_lossy()]].concat()).status.success());
@@ -112,13 +112,13 @@ fn pages_pictures_and_references_are_whole_whenever_their_program_is_killed() {
     kill(&arguments, "again.reference", (4, 10.0), |found| found == reference);
 }
 
-/// Sends Ctrl-C as soon as the program handles it.
+/// Sends Ctrl-C to the command with `--out` as soon as the program handles the signal.
 #[cfg(target_os = "linux")]
 fn interrupted(arguments: &[&str], out: &Path) -> Output {
     interrupt(program(arguments).arg("--out").arg(out))
 }
 
-/// Starts a program, and sends Ctrl-C as soon as it handles it.
+/// Starts a program, and sends Ctrl-C as soon as the program handles the signal.
 #[cfg(target_os = "linux")]
 pub fn interrupt(asked: &mut Command) -> Output {
     const SIGINT: u64 = 1 << 1;

@@ -1,4 +1,4 @@
-//! Sizes beyond a limit are refused at their place, with the sizes that are accepted.
+//! Sizes beyond a limit are refused with their location and with the accepted sizes.
 
 use crate::{root, run, temporary};
 
@@ -11,7 +11,7 @@ fn refused(text: &str, name: &str, options: &[&str]) -> String {
     String::from_utf8(output.stderr).expect("text")
 }
 
-/// A motor with a thousand windings.
+/// A scene whose motor has 1000 bars.
 fn of_many_bars() -> String {
     let text = std::fs::read_to_string(root().join("scenes/spin_up.toml")).expect("it is there");
     text.replace("bars = 8", "bars = 1000")

@@ -31,12 +31,12 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// The program in the project's folder.
+/// The command that starts the program in the project's folder.
 fn program(arguments: &[&str]) -> Command {
     program_in(&root(), arguments)
 }
 
-/// The program in a folder, started by the command in `DALEMBERT_RUNNER` where its processor is emulated.
+/// The command that starts the program in a folder; `DALEMBERT_RUNNER` states the emulator if its processor is emulated.
 fn program_in(folder: &Path, arguments: &[&str]) -> Command {
     let binary = env!("CARGO_BIN_EXE_dalembert");
     let runner = std::env::var("DALEMBERT_RUNNER").unwrap_or_default();
@@ -50,12 +50,12 @@ fn run(arguments: &[&str]) -> Output {
     program(arguments).output().expect("the program starts")
 }
 
-/// A file for one test.
+/// A path for a temporary file of one test.
 fn temporary(name: &str) -> PathBuf {
     std::env::temp_dir().join(format!("dalembert_{}_{name}", std::process::id()))
 }
 
-/// A table that a command wrote, without the comments before it, which say its origin.
+/// A table written by a command, without the comments about its origin at its head.
 fn table_at(path: impl AsRef<Path>) -> String {
     let text = std::fs::read_to_string(path).expect("it was written");
     let (comments, rows): (Vec<&str>, Vec<&str>) = text.split_inclusive('\n').partition(|line| line.starts_with("# "));

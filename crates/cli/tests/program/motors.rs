@@ -1,10 +1,10 @@
-//! Motors begun and checked from the command line.
+//! New motors and their checks at the command line.
 
 use crate::{json, program_in, root, run, temporary};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A folder with the project's lists of machines and nothing else.
+/// A folder with the project's lists of motors only.
 struct Project(PathBuf);
 
 const LIST: &str = "derivations/machines/src/lib.rs";
@@ -17,7 +17,7 @@ impl Project {
         Project(folder)
     }
 
-    /// The exit code, and the output.
+    /// Runs `new motor`: the exit code, and standard error.
     fn begin(&self, arguments: &[&str]) -> (Option<i32>, String) {
         let project = self.0.to_string_lossy();
         let output = run(&[&["new", "motor"], arguments, &["--project", &project]].concat());
@@ -139,7 +139,7 @@ fn a_motor_that_fails_a_check_ends_with_one_and_says_which() {
     let text = fs::read_to_string(&place).expect("it is written");
     let driving = text.replace("\"-f*phi'\"", "\"f*phi'\"");
     fs::write(&place, &driving).expect("a file can be written");
-    // a datum that is usually a mistake needs the key `allow`
+    // a value that is usually a mistake needs the key `allow`
     assert_eq!(run(&["conform", &place.to_string_lossy()]).status.code(), Some(2));
     fs::write(&place, format!("allow = [\"negative friction\"]\n{driving}")).expect("a file can be written");
     let output = run(&["conform", &place.to_string_lossy()]);

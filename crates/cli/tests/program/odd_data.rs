@@ -1,9 +1,9 @@
-//! Data at which a law, a theory or a closed form has no number: all output is a number, or says that there is none.
+//! Data for which a law, a theory or a closed form has no value: the output has finite numbers, or states that there is none.
 
 use crate::{program, root, temporary};
 use std::path::Path;
 
-/// A scene with one datum exchanged.
+/// A scene with one value replaced.
 fn with(scene: &str, datum: &str, value: &str) -> String {
     let text = std::fs::read_to_string(root().join(scene)).expect("a scene");
     let key = format!("{datum} = ");
@@ -12,14 +12,14 @@ fn with(scene: &str, datum: &str, value: &str) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// The first word of a text for an infinite or undefined number.
+/// The first word that stands for an infinite or undefined number, if any.
 fn no_number(text: &str) -> Option<&str> {
     let words = text.split(|letter: char| !(letter.is_alphanumeric() || letter == '_'));
     let is = |word: &&str| ["nan", "inf", "infinity"].contains(&word.to_ascii_lowercase().as_str());
     words.into_iter().find(is)
 }
 
-/// Every command on a scene, with the files that it writes.
+/// Runs every command on a scene, and checks the output and the written files.
 fn all_of(name: &str, text: &str) {
     let scene = temporary(&format!("{name}.toml"));
     std::fs::write(&scene, text).expect("a scene is written");
@@ -75,7 +75,7 @@ fn no_command_answers_with_what_is_no_number() {
     }
 }
 
-/// A scene of this folder.
+/// The text of a scene of the folder `odd`.
 fn odd(name: &str) -> String {
     let folder = root().join("crates/cli/tests/program/odd");
     std::fs::read_to_string(folder.join(name).with_extension("toml")).expect("a scene")
@@ -100,7 +100,7 @@ fn code_with_a_constant_beyond_the_range_of_doubles_is_refused() {
     }
 }
 
-/// Three steps of Euler over the whole run: its final speeds are far from those of any motor.
+/// Three Euler steps for the whole run: the final speeds are far from those of any motor.
 #[test]
 fn constant_steps_whose_error_is_as_large_as_the_state_are_no_success() {
     for scene in ["scenes/bench.toml", "scenes/spin_up.toml", "scenes/free_rotor.toml"] {

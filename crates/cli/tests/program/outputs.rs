@@ -1,10 +1,10 @@
-//! The files that commands write, and files that they never overwrite.
+//! The files that commands write, and the files that commands never overwrite.
 
 use crate::{program, root, run};
 use std::path::{Path, PathBuf};
 use std::process::{Output, Stdio};
 
-/// A folder with a scene, which goes with it.
+/// A folder with a scene, deleted with this value.
 struct Folder(tempfile::TempDir);
 
 impl Folder {
@@ -35,7 +35,7 @@ impl Folder {
     }
 }
 
-/// Every command with an output, up to the name of its file, and a name that it accepts.
+/// Every command with an output file: its arguments before the name of the file, and a name that the command accepts.
 const COMMANDS: [(&[&str], &str); 10] = [
     (&["run", "scene.toml", "--out"], "out.csv"),
     (&["run", "scene.toml", "--out"], "out.npz"),
@@ -59,7 +59,7 @@ fn every_command_replaces_its_own_file_and_no_other() {
             let output = folder.run(&[command, &[name]].concat());
             let said = String::from_utf8_lossy(&output.stderr).into_owned();
             assert_eq!(output.status.code(), Some(0), "{command:?}: {said}");
-            // a reference as good as the new one is kept, with a message
+            // a stored reference that is as good as the new one is kept, with a message
             assert!(String::from_utf8_lossy(&output.stdout).contains(name), "{command:?}");
         }
         let mut edited = std::fs::read(folder.at(name)).expect("it is there");

@@ -1,9 +1,9 @@
-//! Answers that claim no more and no less than is known: of motions that end, come to rest, or are degenerate.
+//! Results that claim no more and no less than is known, for motions that end, come to rest, or are degenerate.
 
 use super::{json, run, temporary};
 use std::process::Output;
 
-/// A mass of 1 kg with lines added to its file, and a command on it.
+/// Runs a command on two masses of 1 kg with parameters and further tables.
 fn asked(name: &str, parameters: &str, rest: &str, words: &[&str]) -> Output {
     let file = temporary(&format!("{name}.toml"));
     let text = format!(
@@ -21,7 +21,7 @@ fn text(output: &Output) -> String {
     String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr)
 }
 
-/// x' = -sqrt(x): x = (1 - t/2)^2, whose series is a parabola that rises again.
+/// x' = -sqrt(x) has the solution x = (1 - t/2)^2 up to t = 2; the Taylor series of x continues beyond as a growing parabola.
 #[test]
 fn every_method_ends_where_a_tank_is_empty() {
     let tank = "[[constraint]]\nzero = \"x' + sqrt(x*(1 m/s^2))\"\n[start]\nx = \"1 m\"\n[run]\nspan = \"400 s\"\n";
@@ -30,7 +30,7 @@ fn every_method_ends_where_a_tank_is_empty() {
         let found = json(&output);
         let failure = &found["failures"][0];
         assert_eq!(failure["kind"], "end of the domain of the law", "{method}: {found}");
-        // empty after 2 s
+        // the tank is empty after 2 s
         let at = failure["at"].as_f64().expect("a time");
         assert!((at - 2.0).abs() < 0.2, "{method}: {found}");
         let work = found["work"]["evaluations"].as_u64().expect("a number");
@@ -66,7 +66,7 @@ fn the_drift_of_a_damped_motion_is_told_of_what_is_kept() {
     );
 }
 
-/// x^3 = 0 and y^3 = 0: one zero, at which all derivatives vanish.
+/// x^3 = 0 and y^3 = 0: one solution, with a zero Jacobian.
 #[test]
 fn a_degenerate_steady_motion_is_told_as_that() {
     let cubes = "[[force]]\non = \"a\"\nis = \"-(1 N/m^3)*x^3*N.x\"\n[[force]]\non = \"b\"\nis = \"(1 N/m^3)*y^3*N.x\"\n[run]\nspan = \"1 s\"\n";
@@ -77,7 +77,7 @@ fn a_degenerate_steady_motion_is_told_as_that() {
     assert!(!told.contains("which more boxes would show") && !told.contains("\nno steady motion;"), "{told}");
 }
 
-/// x^2 y: no change of sign, so that no zero is proved, though there is one.
+/// x^2 = 0 and y^3 = 0: x^2 does not change its sign, so that its zero cannot be proved by signs.
 #[test]
 fn a_double_root_is_not_shown_by_signs() {
     let squares = "[[force]]\non = \"a\"\nis = \"-(1 N/m^2)*x^2*N.x\"\n[[force]]\non = \"b\"\nis = \"(1 N/m^3)*y^3*N.x\"\n[run]\nspan = \"1 s\"\n";
@@ -98,8 +98,8 @@ fn a_choice_says_which_outputs_it_was_made_for() {
     assert!(one.contains("to 1e-3 in x (as --outputs names them)"), "{one}");
 }
 
-/// A slider crank with an elastic rod: accuracy limits the steps to half the period of the rod, where rounding makes the Lipschitz
-/// number of many steps in a row larger than its eigenvalue.
+/// A slider crank with an elastic rod. Accuracy limits the steps to half the period of the rod; rounding then makes the estimated
+/// Lipschitz constant larger than the eigenvalue, for many steps in a row.
 #[test]
 fn a_fast_mode_that_accuracy_resolves_is_followed_to_the_end() {
     let text = "title = \"Crank\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"1 kg\"\nM = \"2 kg\"\ng = \"9.81 m/s^2\"\nl = \"1 m\"\nK = \"1e8 N/m\"\n\
@@ -122,7 +122,7 @@ fn a_fast_mode_that_accuracy_resolves_is_followed_to_the_end() {
     std::fs::remove_file(&file).expect("it is there");
 }
 
-/// Circles of a sleigh: eigenvalues of x, y and the heading change along them, those of both speeds do not.
+/// Circular motion of a sleigh: the linear equations of x, y and the heading vary along it, those of the two speeds are constant.
 #[test]
 fn methods_are_judged_by_what_is_constant_along_a_circling_motion() {
     let file = temporary("circling.toml");
@@ -141,7 +141,7 @@ fn methods_are_judged_by_what_is_constant_along_a_circling_motion() {
     assert!(told.contains("correct up to h = 1.085520296"), "{told}");
 }
 
-/// x'' = -x^3: both eigenvalues are zero, and no method is called correct by them.
+/// x'' = -x^3: both eigenvalues are zero, and no method is called correct because of them.
 #[test]
 fn zero_eigenvalues_alone_judge_no_method() {
     let cubes = "[[force]]\non = \"a\"\nis = \"-(1 N/m^3)*x^3*N.x\"\n[run]\nspan = \"1 s\"\n";
@@ -151,7 +151,7 @@ fn zero_eigenvalues_alone_judge_no_method() {
     assert!(!told.contains("correct up to") && !told.contains("correct at every"), "{told}");
 }
 
-/// The inertia m r^2 is far from zero at the start; that it is small beside the one of the last state says nothing.
+/// The inertia m r^2 is far from zero at the start, though small compared with its value at the end.
 #[test]
 fn a_motion_that_grows_without_bound_has_no_singular_coordinates() {
     let file = temporary("grows.toml");

@@ -1,10 +1,10 @@
-//! Forces of short duration: no method with error control steps over one of the time; one along the motion is reported.
+//! Short forces: methods with error control do not step over a pulse in time, and report a pulse along the motion that they may miss.
 
 use super::{json, run, temporary};
 use serde_json::Value;
 use std::f64::consts::PI;
 
-/// All methods that follow a tolerance and take any law.
+/// All methods with error control that accept any law.
 const METHODS: [&str; 12] = [
     "dormand_prince_8",
     "dormand_prince_5",
@@ -20,7 +20,7 @@ const METHODS: [&str; 12] = [
     "bader_deuflhard",
 ];
 
-/// A mass of 1 kg at 1 m/s under a force along x.
+/// A mass of 1 kg with initial speed 1 m/s and a force along x.
 fn mass(force: &str) -> String {
     format!(
         "title = \"A mass\"\n[parameters]\nm = \"1 kg\"\n[coordinates]\nx = \"m\"\n[bodies.a]\ncentre = \"O + x*N.x\"\nmass = \"m\"\n\
@@ -28,7 +28,7 @@ fn mass(force: &str) -> String {
     )
 }
 
-/// The command on a text, as JSON.
+/// The JSON that a command prints for a text.
 fn told(name: &str, text: &str, words: &[&str]) -> Value {
     let file = temporary(&format!("{name}.toml"));
     std::fs::write(&file, text).expect("it can be written");
@@ -38,7 +38,7 @@ fn told(name: &str, text: &str, words: &[&str]) -> Value {
     json(&output)
 }
 
-/// The impulse of each is known: that of a bell F w sqrt(pi), of 1/cosh F w pi, of a front F (T - t0) after it.
+/// The impulses are known: F w sqrt(pi) of a Gaussian, F w pi of 1/cosh, F (T - t0) of a step at t0.
 #[test]
 fn no_method_steps_over_a_pulse_of_the_time() {
     let root = PI.sqrt();
@@ -59,7 +59,7 @@ fn no_method_steps_over_a_pulse_of_the_time() {
     }
 }
 
-/// Everything that a shorter start would miss: a method's own choice agrees with its promise.
+/// A pulse late in the run must be seen by `choose`: its command reaches the promised accuracy.
 #[test]
 fn a_choice_keeps_its_promise_about_a_pulse() {
     let text = mass("(10 N)*exp(-((t - (3.3 s))/(20 ms))^2)");
@@ -73,7 +73,7 @@ fn a_choice_keeps_its_promise_about_a_pulse() {
 #[test]
 fn a_narrow_force_along_the_motion_is_followed_or_told() {
     let exact = {
-        // the speed behind: v^2 = 1 + 2 F w sqrt(pi)
+        // the speed after the pulse: v^2 = 1 + 2 F w sqrt(pi)
         (1.0 + 2.0 * 10.0 * 0.02 * PI.sqrt()).sqrt()
     };
     let text = mass("(10 N)*exp(-((x - (3.3 m))/(20 mm))^2)");
@@ -95,8 +95,8 @@ fn a_narrow_force_along_the_motion_is_followed_or_told() {
     assert!(told_of > 0);
 }
 
-/// 1/cosh by exponentials is zero far from its peak, and has no derivatives there, since one of the exponentials is larger than any number. The
-/// form that the remedy names gives the impulse F w pi.
+/// 1/cosh written with exponentials is zero far from its peak, and has no derivatives there, since one exponential overflows. The
+/// form proposed as a remedy gives the impulse F w pi.
 #[test]
 fn an_exponential_beyond_every_number_is_named_and_its_remedy_helps() {
     let by = |force: &str, method: &str| told("overflow", &mass(force), &["run", "--method", method]);
@@ -113,7 +113,7 @@ fn an_exponential_beyond_every_number_is_named_and_its_remedy_helps() {
     }
 }
 
-/// The force of a spring and of a damper is smooth along the motion: nothing is reported.
+/// The forces of springs and dampers are smooth along the motion: no missed pulse is reported.
 #[test]
 fn ordinary_motions_are_not_told_to_have_missed_something() {
     for force in ["-(40 N/m)*x - (0.1 N s/m)*x'", "-(1 N)*sin((3 1/m)*x)", "(2 N)*cos((50 rad/s)*t)", "-(1e6 N/m)*x"] {

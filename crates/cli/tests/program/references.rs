@@ -1,4 +1,4 @@
-//! Existing references are kept.
+//! `reference` keeps existing references unless the new one is better.
 
 use crate::{root, run, temporary};
 
@@ -11,7 +11,7 @@ fn a_reference_gives_way_to_a_better_one_only() {
     let made = read();
     let (unsealed, seal) = made.trim_end().rsplit_once('\n').expect("it has lines");
     assert!(seal.starts_with("# sha256 of the lines above: "), "{seal}");
-    // as an earlier version wrote it, without its number, and with a comment that a newly written reference would not have
+    // a reference of an earlier version: without the version number and the hash, and with a comment that a new one would not have
     let version = format!(", version {}", env!("CARGO_PKG_VERSION"));
     let marked = format!("{}\n# kept\n", unsealed.replace(&version, ""));
     std::fs::write(&path, &marked).expect("it can be written");
@@ -28,7 +28,7 @@ fn a_reference_gives_way_to_a_better_one_only() {
     std::fs::write(&path, &edited).expect("it can be written");
     let refused = run(&asked);
     assert!(refused.status.code() == Some(2) && read() == edited, "an edited reference is the user's");
-    // so is one of this version that lost its hash
+    // a reference of this version without its hash counts as edited
     let stripped = format!("{unsealed}\n").replace(digits, "digits = 20.5");
     std::fs::write(&path, &stripped).expect("it can be written");
     let refused = run(&asked);

@@ -2,7 +2,7 @@
 
 use crate::{root, run};
 
-/// Asserts the exit code, then compares what was printed as an error.
+/// Asserts exit code 2 and an empty standard output, and compares the message with its snapshot.
 fn refused(name: &str, arguments: &[&str]) {
     let output = run(arguments);
     let message = String::from_utf8(output.stderr).expect("messages are text");
@@ -151,7 +151,7 @@ fn a_folder_without_scenes() {
     refused("a_folder_without_scenes", &["scenes", "snapshots"]);
 }
 
-/// Absurd in size, and yet nothing breaks: the run ends with a reason.
+/// A scene with absurdly large values: the model does not exist for a mechanism, and the message says so.
 #[test]
 fn a_mechanism_has_no_machine() {
     refused("a_mechanism_has_no_machine", &["run", "scenes/governors/blow_up.toml", "--model", "synchronous"]);
@@ -211,6 +211,6 @@ fn a_place_that_cannot_be_written_is_told_before_the_work() {
             assert!(output.stdout.is_empty());
         }
     }
-    // the work takes minutes
+    // the computation itself would take minutes
     assert!(begin.elapsed().as_secs() < 20, "{:?}", begin.elapsed());
 }

@@ -1,4 +1,4 @@
-//! `review` of files: terms of equations, steady motions, runs and claims that moved.
+//! `review` of files: changed terms of equations, steady motions, runs and claims.
 
 use super::{json, run, temporary};
 use std::path::PathBuf;
@@ -27,7 +27,7 @@ fn a_term_of_another_sign_is_told_with_the_motions_and_the_run_that_moved() {
     assert!(told.contains("asymptotically stable before") && told.contains("unstable now"), "{told}");
     assert!(told.contains("x: ") && told.contains("apart at t = "), "{told}");
     assert!(told.contains("M: 2 kg before, 3 kg now"), "{told}");
-    // one equation, the same by every principle
+    // one equation, equal by every principle
     assert!(told.contains("equations, by virtual-power, lagrange, ") && told.contains("newton-euler"), "{told}");
     let same = run(&["review", &before, "--against", &before]);
     assert!(String::from_utf8_lossy(&same.stdout).contains("no equation, run or other entry differs"));
@@ -103,7 +103,7 @@ fn a_claim_that_cannot_be_read_leaves_the_others_reviewed() {
     [old, new].iter().for_each(|file| std::fs::remove_file(file).expect("it is there"));
 }
 
-/// A stop is a case of the law: its steady motions are those of `stationary`, and a run that ends early is told.
+/// A stop makes cases of the law: its steady motions are those of `stationary`, and the early end of a run is reported.
 #[test]
 fn steady_motions_in_cases_of_a_law_and_the_end_of_a_run_are_compared() {
     let law = "title = \"A mass at a stop\"\n[coordinates]\nx = \"m\"\n[bodies.b]\ncentre = \"O + x*N.x\"\nmass = \"(1 kg)\"\n[[force]]\non = \"b\"\n\

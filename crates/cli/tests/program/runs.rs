@@ -1,4 +1,4 @@
-//! Runs, charts and lists.
+//! Runs, charts and lists of scenes.
 
 use crate::{json, program, root, run, table_at, temporary};
 use serde_json::Value;
@@ -48,7 +48,7 @@ fn the_table_has_a_row_for_the_start_and_for_every_sample() {
     assert!(lines[9].starts_with("2,"));
 }
 
-/// Explicit steps far longer than the damper's 2 microseconds blow up at once.
+/// Explicit steps much longer than the damper's time constant of 2 microseconds diverge at once.
 #[test]
 fn a_run_that_stops_says_why_and_keeps_what_it_has() {
     let path = temporary("stopped.csv");
@@ -65,8 +65,7 @@ fn a_run_that_stops_says_why_and_keeps_what_it_has() {
     assert!(table.lines().count() >= 2 && !table.contains("NaN") && !table.contains("inf"), "{table}");
 }
 
-/// A millisecond is five hundred times the time constant of the damper's currents: one step back by a twenty-fourth of
-/// it is too much.
+/// A step of 1 ms is 500 time constants of the damper's currents: a backward sub-step of 1/24 of it lets them grow by exp(21).
 #[test]
 fn a_splitting_that_would_go_back_on_stiff_windings_says_which_step_it_takes() {
     let output = run(&[
@@ -90,7 +89,7 @@ fn a_splitting_that_would_go_back_on_stiff_windings_says_which_step_it_takes() {
     assert!(run["stopped"].as_str().is_some_and(|why| parts.iter().all(|part| why.contains(part))), "{run}");
 }
 
-/// The field turns so fast that no step above rounding is short enough.
+/// The field rotates so fast that even steps at the size of rounding are too long.
 #[test]
 fn a_step_that_collapses_ends_the_run_with_a_reason() {
     let path = temporary("collapse.toml");
@@ -129,7 +128,7 @@ fn a_chart_lists_every_method_and_draws_itself() {
     }
 }
 
-/// The main job on a folder with one small scene.
+/// The report on a folder with one small scene.
 #[test]
 fn the_report_is_one_page_with_the_scene_and_its_charts() {
     let folder = temporary("scenes");
@@ -159,7 +158,7 @@ fn a_run_across_events_writes_its_table_and_its_log() {
     let log = run["events"].as_array().expect("a log");
     assert_eq!(log.len(), 5);
     assert!(run["stopped"].as_str().is_some_and(|why| why.contains("impact")), "{run}");
-    // each event with the state and the reactions there
+    // each event is logged with the state and the reactions at its instant
     assert!(log.iter().all(|event| event["state"]["N_floor"].as_f64().is_some_and(|normal| normal > 0.0)), "{run}");
     assert_eq!((&log[4]["what"], &log[4]["then"]), (&"contact `top` closes".into(), &Value::Null));
     let table = table_at(&path);
@@ -188,7 +187,7 @@ fn the_report_tells_what_happened_across_events() {
     std::fs::create_dir_all(folder.join("inside")).expect("a temporary folder");
     let copy = |from: &str, to: &str| std::fs::copy(root().join(from), folder.join(to)).expect("it can be copied");
     copy("scenes/friction/pushed_ladder.toml", "inside/pushed_ladder.toml");
-    // one scene that cannot be read is reported, and does not stop the others
+    // a scene that cannot be read is reported, and does not stop the others
     let bench = std::fs::read_to_string(root().join("scenes/bench.toml")).expect("it is there");
     let unknown = bench.replace("\"multi_current\"", "\"not_built_yet\"");
     std::fs::write(folder.join("unread.toml"), unknown).expect("it can be written");
@@ -290,11 +289,11 @@ fn a_start_beyond_the_end_of_the_law_is_refused() {
     assert!(message.contains("the law does not hold at the start") && message.contains("second disc"), "{message}");
 }
 
-/// Behind a pole of the law, and on a motion that it follows.
+/// One motion beyond a pole of the law, and one motion that constant steps follow.
 #[test]
 fn constant_steps_say_whether_shorter_ones_come_nearer() {
     let asked = |scene, method| json(&run(&["run", scene, "--method", method, "--format", "json"]));
-    // a step that ends past the pole; shorter ones end with the law before it
+    // one long step ends beyond the pole; shorter steps end before it, with the domain of the law
     let behind = asked("scenes/failures/nodding_top.toml", "euler:20");
     assert_eq!(
         (&behind["reached"], &behind["steps"]["follows"]),
@@ -320,7 +319,7 @@ fn a_run_is_drawn_on_one_sheet_with_what_should_stay_zero() {
     for shown in ["time, s", "theta, rad", "theta', rad/s", "change of energy less work", "residual of constraints"] {
         assert!(picture.contains(&shown.replace('\'', "&#39;")) || picture.contains(shown), "{shown}: {picture}");
     }
-    // a file that the program wrote may be replaced by the program
+    // the program replaces its own file
     assert_eq!(run(&asked).status.code(), Some(0));
     std::fs::write(&path, "mine").expect("it can be written");
     let output = run(&asked);

@@ -1,8 +1,8 @@
-//! `dalembert draw`: sketches of systems, still and moving.
+//! `dalembert draw`: sketches of systems, static and animated.
 
 use crate::{root, run, temporary};
 
-/// A sketch that is printed.
+/// The sketch that `draw` prints.
 fn drawn(arguments: &[&str]) -> String {
     let output = run(&[&["draw"], arguments].concat());
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
@@ -83,7 +83,7 @@ fn a_picture_of_another_is_left_alone() {
     std::fs::remove_file(&path).expect("it is there");
 }
 
-/// A scene of its own, drawn.
+/// Runs `draw` on a text.
 fn of_text(name: &str, text: &str, arguments: &[&str]) -> std::process::Output {
     let path = temporary(name);
     std::fs::write(&path, text).expect("it can be written");
@@ -103,7 +103,7 @@ fn a_long_run_is_shown_in_part_by_pictures_close_enough_to_keep_its_bars_togethe
     let svg = String::from_utf8_lossy(&output.stdout).into_owned();
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     assert!(svg.contains("of a run of 400 s") && svg.contains("keyTimes"), "{svg}");
-    // the second bar hangs on the end of the first: both are turned, and the places of marks and bars move little
+    // the second bar hangs on the end of the first: both rotate, and successive positions of marks and bars are close
     let lists = svg.split("type=\"translate\" values=\"").skip(1).filter_map(|rest| rest.split('"').next());
     let number = |text: &str| text.parse::<f64>().expect("a number");
     let pair = |text: &str| text.split_once(' ').map(|(x, y)| (number(x), number(y))).expect("two numbers");

@@ -1,4 +1,4 @@
-//! Counterexamples of bodies that exist.
+//! Counterexamples are physically possible: masses, lengths and inertias have admissible values.
 
 use crate::{PENDULUM, on, on_pendulum, verdict};
 use dalembert_manuscript::Finding;
@@ -35,7 +35,7 @@ fn a_negative_mass_is_told_in_words() {
         "{}",
         found.text()
     );
-    // a hypothesis that gives a mass its value is no choice
+    // the hypothesis fixes the mass, so that no choice is reported
     let found = on_pendulum("inequality", r"m l^2 \geq 0", "given = ['m = -1']");
     assert!(!found.judged.evidence.contains("no point was found"), "{}", found.text());
 }

@@ -1,4 +1,4 @@
-//! Angles between bounds: the signs of their sines, and points at which an angle is a fraction of pi.
+//! Angles between bounds: signs of their sines, and counterexamples at rational multiples of pi.
 
 use crate::{PENDULUM, on, on_pendulum, verdict};
 

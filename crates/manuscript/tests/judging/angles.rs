@@ -1,4 +1,4 @@
-//! Multiples and parts of one angle, and numbers that are cosines of parts of pi.
+//! Multiples and fractions of one angle, and cosines of rational multiples of pi.
 
 use crate::{PENDULUM, on, verdict};
 
@@ -50,7 +50,7 @@ fn numbers_of_parts_of_pi_have_signs() {
     }
 }
 
-/// A bead on an arc of radius R, by its distance s along it.
+/// A bead on an arc of radius R, with its distance s along the arc as coordinate.
 const ARC: &str = r#"
 title = "Bead"
 gravity = "-g*N.y"
@@ -69,7 +69,7 @@ fn multiples_of_an_angle_that_is_divided_by_a_letter_belong_together() {
         ("identity", r"\cos\frac{2s}{R} = 2\cos^2\frac{s}{R} - 1", "", "proved"),
         ("identity", r"\sin\frac{s}{R} = 2\sin\frac{s}{2R}\cos\frac{s}{2R}", "", "proved"),
         ("identity", r"\cos\frac{2s}{R} = 2\cos^2\frac{s}{R} + 1", "", "refuted"),
-        // between 0 and 1 the sine is positive
+        // for angles between 0 and 1 the sine is positive
         ("identity", r"\sqrt{\sin^2\frac{s}{R}} = \sin\frac{s}{R}", "given = ['s > 0', 's < R']", "proved"),
     ] {
         let found = on(ARC, kind, formula, given);

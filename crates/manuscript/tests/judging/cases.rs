@@ -1,8 +1,8 @@
-//! Hypotheses that are products: a claim is judged in every case, and no factor is taken to vanish unless the others do not.
+//! Hypotheses that set a product to zero: a claim is judged in each case, one for each factor.
 
 use crate::{on, verdict};
 
-/// A block with a force that acts on it as an input.
+/// A block on a spring with a damper and a force as input.
 pub const BLOCK: &str = r#"
 title = "A block"
 [parameters]
@@ -47,7 +47,7 @@ fn a_claim_under_a_product_holds_in_every_case_of_it() {
         ("identity", "k = 1", r"'k c = c', 'c \neq 0'", "proved"),
         ("identity", "x = 0", "'x^2 = 0'", "proved"),
         ("identity", "x = 0", r"'x^2 v = 0', 'v \neq 0'", "proved"),
-        // the second hypothesis is a product in one case of the first one
+        // the second hypothesis becomes a product in one case of the first
         ("identity", "c v = 0", "'x v = 0', 'k x = 3 c v'", "proved"),
         ("equation of motion", r"m \ddot{x} + k x = u", "'c v = 0'", "proved"),
         ("identity", "v = 0", "'m v = 0'", "proved"),

@@ -1,4 +1,4 @@
-//! Certificates: the equations of the model, the steps from them to a verdict, and the sides as they were read.
+//! Certificates: the equations of the model, the steps from them to a verdict, and the sides as written in the paper.
 
 use crate::PENDULUM;
 use claims::certificate::{Certificate, PartProof, Step};
@@ -43,7 +43,7 @@ fn an_integral_states_a_rate_and_a_number_its_last_digit() {
 
 #[test]
 fn a_verdict_without_a_certificate_says_why() {
-    // 0.25 is as far from 0.2 as from 0.3
+    // 0.25 is equally far from 0.2 and 0.3
     let tie = certificate("number", "h = 0.3", "given = ['l = 0.125']");
     assert!(tie.parts.is_empty() && tie.none.is_some(), "{tie:?}");
 }

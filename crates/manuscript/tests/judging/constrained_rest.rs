@@ -1,4 +1,4 @@
-//! Conditions of steady motions of systems with constraints: a cart on a spring with a pendulum in Cartesian coordinates.
+//! Conditions of steady motions of constrained systems: a cart on a spring with a pendulum in Cartesian coordinates.
 
 use crate::{judged, verdict};
 use dalembert_manuscript::Finding;

@@ -129,7 +129,7 @@ mass = "m"
 fn a_steady_motion_has_the_condition_of_its_equations() {
     let resting = r"resting = ['\theta', '\dot{\varphi}']";
     let found = on(SPHERICAL, "steady motion", r"\dot{\varphi}^2 l \cos\theta = g", resting);
-    // it hangs still as well
+    // the pendulum may also hang at rest
     assert_eq!(verdict(&found), "refuted", "{}", found.text());
     let aside = format!("{resting}\n{}", r"given = ['\sin\theta \neq 0']");
     let found = on(SPHERICAL, "steady motion", r"\dot{\varphi}^2 l \cos\theta = g", &aside);
@@ -248,7 +248,7 @@ fn a_loop_is_closed_at_an_exact_point_too() {
     }
 }
 
-/// A disc that rolls down a slope: where the speed of its centre rests, that of its angle does, since the constraint ties them.
+/// A disc that rolls down a slope: the constraint makes its angular speed constant if the speed of its centre is.
 #[test]
 fn a_speed_that_a_constraint_ties_to_one_at_rest_rests_too() {
     let system = r#"

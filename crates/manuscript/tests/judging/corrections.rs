@@ -74,7 +74,7 @@ fn a_hypothesis_that_is_missing_is_found() {
 
 #[test]
 fn no_correction_says_nothing() {
-    // with x for y both sides were one expression
+    // y replaced by x would make both sides equal expressions
     let found = on(CART, "formula", r"\dot{y} = \dot{x}", "");
     assert_eq!(verdict(&found), "refuted");
     for correction in &found.corrections {
@@ -102,7 +102,7 @@ fn many_slips_of_one_side_are_told_one_by_one() {
     assert_eq!(first.changes.len(), 4, "{}", found.text());
     assert!(first.changes.iter().all(|change| matches!(change.kind, EditKind::MissingFactor | EditKind::Sign)));
     assert!(first.says().starts_with("4 places differ: "), "{}", first.says());
-    // less than half of the print would stay
+    // a correction would keep less than half of the printed formula
     let printed = r"S = x^4 y + 5 x^3 y^2 + 10 x^2 y^3 - 7 x^2 y^4 + 3 x^5 y^4 + x^5 y^5 - x^5 y^6";
     assert!(on(&system, "formula", printed, "").corrections.is_empty());
 }
@@ -126,7 +126,7 @@ fn the_bracket_of_a_power_stays_where_its_letter_is_exchanged() {
 
 #[test]
 fn a_letter_for_others_does_not_hide_that_a_correction_says_nothing() {
-    // the left side by the right one, with l as h/2
+    // replacing the left side by the right one, with h/2 for l, would make both sides equal
     let found = on_pendulum("identity", r"\sqrt{l^2 + m^2} = \sqrt{l^2} + m", r"given = ['l \geq 0', 'm \geq 0']");
     assert_eq!(verdict(&found), "refuted", "{}", found.text());
     assert!(found.corrections.iter().all(|one| !one.formula.contains('h')), "{}", found.text());
@@ -146,7 +146,7 @@ fn no_condition_is_corrected_to_be_equivalent_to_itself() {
     }
 }
 
-/// A symmetric body about its centre of mass, whose inertia is any function of the time to the first order.
+/// A symmetric body about its centre of mass, with a moment of inertia that varies linearly in time.
 const BODY: &str = r#"
 title = "A free body"
 [parameters]
@@ -193,7 +193,7 @@ fn terms_of_direction_cosines_are_told_by_the_letters_that_a_paper_has_for_them(
     let found = on(BODY, "equation of motion", printed, "");
     let missing = found.judged.difference.as_ref().map(|(text, _)| text.as_str());
     assert_eq!(missing, Some("A'*gamma_1*p + A'*gamma_2*q"), "{}", found.text());
-    // a product of two of them
+    // the missing term has a product of two direction cosines
     let found = on(BODY, "formula", r"\dot{H} = 2\gamma_3 q \gamma_1", "");
     let missing = found.judged.difference.as_ref().map(|(text, _)| text.as_str());
     assert_eq!(missing, Some("-2*gamma_2*gamma_3*p"), "{}", found.text());

@@ -1,4 +1,4 @@
-//! Steady motions and equivalences: divisors, and the motions that they exclude.
+//! Steady motions and equivalences: divisors, and the motions at which a divisor vanishes.
 
 use crate::{on, on_pendulum, verdict};
 
@@ -86,7 +86,7 @@ fn a_rest_that_a_divisor_leaves_out_refutes_the_condition() {
 
 #[test]
 fn a_counterexample_lies_on_every_constraint() {
-    // the length is a positive root, which no normal form knows
+    // the length is a positive root, which a normal form does not represent
     for kind in ["identity", "formula"] {
         let found = on(CARTESIAN, kind, r"\rho = l", "given = ['l > 0']");
         assert_ne!(verdict(&found), "refuted", "{}", found.text());

@@ -1,4 +1,4 @@
-//! The domain of a formula, which a proved claim lists.
+//! The domain of a formula, which a proved claim lists as conditions.
 
 use crate::{Finding, PENDULUM, on, on_pendulum, verdict};
 
@@ -50,14 +50,14 @@ fn hypotheses_have_one_dimension() {
     let found = on_pendulum("formula", r"V = V", r"given = ['m > l']");
     let told = "in the hypothesis m > l";
     assert!(found.judged.objections.iter().any(|objection| objection.contains(told)), "{}", found.text());
-    // a number is in SI units
+    // numbers in hypotheses are in SI units
     let found = on_pendulum("formula", r"V = V", r"given = ['m > 2', 'l = 3']");
     assert!(found.judged.objections.iter().all(|objection| !objection.contains("hypothesis")), "{}", found.text());
 }
 
 #[test]
 fn identity_testing_has_a_verdict_of_its_own() {
-    // too long to be expanded: a power of a sum of many letters
+    // a power of a sum with many letters, too long to be expanded
     let system = PENDULUM.replace("[letters]", "[letters]\n'\\mu' = \"theta'\"\n'\\nu' = \"m*l\"");
     let sum = r"(m + l + g + \theta + \mu + \nu + T + V)";
     let formula = format!(r"{sum}^{{40}} - {sum}^{{20}} \cdot {sum}^{{20}} = 0");

@@ -1,4 +1,4 @@
-//! Corrections that would say nothing: factors that vanish on the motion, or multiply the whole claim.
+//! Corrections without content are not proposed: factors that vanish on the motion, or that multiply the whole claim.
 
 use crate::{PENDULUM, on, on_pendulum};
 
@@ -22,7 +22,7 @@ fn no_input_multiplies_a_whole_correction() {
     assert!(found.corrections.iter().all(|one| !one.formula.contains('u')), "{}", found.text());
 }
 
-/// An acceleration is zero without the weight that causes it.
+/// An acceleration would be zero only without gravity.
 #[test]
 fn no_hypothesis_takes_the_weight_away() {
     let found = on_pendulum("formula", "T + V = 0", r"given = ['\dot\theta = 0']");

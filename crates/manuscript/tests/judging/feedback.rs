@@ -1,4 +1,4 @@
-//! Inputs that hypotheses give as functions of the state hold at all times.
+//! Hypotheses that state an input as a function of the state hold at all times.
 
 use crate::cases::BLOCK;
 use crate::{on, verdict};

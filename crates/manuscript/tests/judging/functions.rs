@@ -1,4 +1,4 @@
-//! Functions of a coordinate that a paper declares, with their derivatives.
+//! Functions of a coordinate that a paper declares, and their derivatives.
 
 use crate::{PENDULUM, on, refused, verdict};
 

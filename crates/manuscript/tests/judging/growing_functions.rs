@@ -1,8 +1,8 @@
-//! Inequalities by sums of squares with sines, and by functions that grow.
+//! Inequalities proved by sums of squares with sines, and by monotonic functions.
 
 use crate::{PENDULUM, on, on_pendulum, verdict};
 
-/// A hoop with a bob on its rim rolls along a line.
+/// A hoop with a bob on its rim that rolls along a line.
 const HOOP: &str = r#"
 title = "A hoop with a bob"
 [parameters]

@@ -1,4 +1,4 @@
-//! The letter pi is the number, unless the paper declares it.
+//! The letter pi is the number pi, unless the paper declares the letter.
 
 use crate::{PENDULUM, on, on_pendulum, refused, verdict};
 
@@ -65,7 +65,7 @@ fn an_angle_has_one_value() {
     assert!(told.contains("contradict each other"), "{told}");
 }
 
-/// Cosines of parts of a half turn are numbers, which no point chooses.
+/// Cosines of rational multiples of pi are constants; a counterexample does not choose their values.
 #[test]
 fn no_point_gives_a_value_to_the_cosine_of_a_part_of_a_half_turn() {
     for (formula, may_be) in [

@@ -1,4 +1,4 @@
-//! Hypotheses under which constraints or equations of motion, solved for a rate, divide by zero.
+//! Hypotheses under which solving the constraints or the equations of motion for a rate divides by zero.
 
 use crate::{on, verdict};
 
@@ -63,7 +63,7 @@ mass = "m + M"
 'x' = "x"
 "#;
 
-/// At the top of the circle a bead moves with y' = 0.
+/// At the top and the bottom of the circle a bead moves with y' = 0.
 #[test]
 fn a_divisor_that_a_hypothesis_hides_is_listed() {
     let found = on(WIRE, "formula", r"\dot{x} = 0", r"given = ['\dot{y} = 0']");
@@ -72,7 +72,7 @@ fn a_divisor_that_a_hypothesis_hides_is_listed() {
     assert_ne!(verdict(&found), "proved", "{}", found.text());
 }
 
-/// x' = u cos(theta) is zero at theta = pi/2 for every u.
+/// x' = u cos(theta) vanishes at theta = pi/2 for every u.
 #[test]
 fn a_divisor_that_hypotheses_make_zero_proves_nothing() {
     let given = r"given = ['\dot{x} = 0', '\theta = \frac{\pi}{2}']";

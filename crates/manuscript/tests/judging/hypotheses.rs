@@ -17,7 +17,7 @@ fn a_hypothesis_that_holds_at_an_instant_proves_no_integral() {
         let told = refused(&claim("integral of motion", formula, given));
         assert!(told.contains("holds at an instant alone"), "{told}");
     }
-    // at rest in an equilibrium everything persists
+    // at rest in an equilibrium both hypotheses hold at all times
     let found = on_pendulum("integral of motion", energy, r"given = ['\theta = 0', '\dot\theta = 0']");
     assert_eq!(verdict(&found), "proved", "{}", found.text());
 }
@@ -28,7 +28,7 @@ fn hypotheses_that_contradict_each_other_state_nothing() {
         let told = refused(&claim("formula", "V = V", given));
         assert!(told.contains("contradict each other"), "{told}");
     }
-    // bounds of pi stand in no line of the file
+    // the rational bounds of pi are internal, and not printed
     let told = refused(&claim("formula", "V = V", r"'\theta > \pi', '\theta < 2'"));
     assert!(told.contains("`theta < 2`") && !told.contains("333/106"), "{told}");
 }
@@ -78,7 +78,7 @@ fn an_angle_that_is_a_part_of_pi_has_its_cosine() {
     }
 }
 
-/// A letter with a numerical value sets a scale, one that equals another letter does not.
+/// A hypothesis with a numerical value sets a scale; an equality of letters does not.
 #[test]
 fn an_equality_of_letters_keeps_the_check_of_dimensions() {
     for (given, is_checked) in [("h = l", true), (r"\theta = \frac{\pi}{3}", true), ("l = 1", false)] {

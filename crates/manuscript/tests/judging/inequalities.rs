@@ -1,4 +1,4 @@
-//! Inequalities of polynomials: squares, discriminants, real roots, and given hypotheses.
+//! Inequalities of polynomials: squares, discriminants, real roots, and hypotheses.
 
 use crate::{PENDULUM, on, on_pendulum, verdict};
 use dalembert_manuscript::EditKind;
@@ -50,7 +50,7 @@ fn hypotheses_about_signs_are_used() {
 #[test]
 fn what_is_open_says_why() {
     let (verdict, text) = found(r"m^2 l^4 + m^4 l^2 + g^6 - 3 m^2 l^2 g^2 \geq 0", "");
-    // Motzkin's form is no sum of squares
+    // Motzkin's polynomial is not negative, and no sum of squares
     assert_eq!(verdict, "undecided", "{text}");
     assert!(text.contains("neither the signs of its terms nor squares"), "{text}");
     assert!(PENDULUM.contains("theta"));
@@ -65,7 +65,7 @@ fn an_inequality_has_one_dimension_and_its_correction_says_something() {
     assert!(found.corrections.iter().all(|one| one.formula != r"\frac{\theta}{\theta} \geq 0"), "{}", found.text());
 }
 
-/// No point gives pi another value, nor an angle a sine that is none of its own, where a hypothesis or an inequality asks for it.
+/// No counterexample gives pi another value, or the sine of an angle a value that belongs to another angle.
 #[test]
 fn a_point_that_refutes_is_one_of_real_numbers() {
     for (formula, given) in [
@@ -79,11 +79,11 @@ fn a_point_that_refutes_is_one_of_real_numbers() {
         let (verdict, text) = found(formula, given);
         assert_ne!(verdict, "refuted", "{text}");
     }
-    // both sides are the same within the hypothesis
+    // both sides are equal under the hypothesis
     let found =
         on_pendulum("identity", r"\sqrt{1 - \sin^2\theta} = \cos\theta", r"given = ['\theta \geq 0', '\theta \leq 1']");
     assert_ne!(verdict(&found), "refuted", "{}", found.text());
-    // without one an angle and its sine may have any values of their own: some angle does not fulfil this
+    // without a hypothesis angle and sine are chosen independently: some angle violates this equation
     let found = on_pendulum("identity", r"\sin\theta = \theta", "");
     assert_eq!(verdict(&found), "refuted", "{}", found.text());
 }
@@ -103,7 +103,7 @@ fn a_relation_that_admits_equality_is_a_correction_with_the_point_of_equality() 
         let words = &first.changes[0].words;
         assert!(words.contains("both sides are equal at") && words.contains(at), "{words}");
     }
-    // where equality is not all that is wrong, the direction is
+    // at a point of equality the inequality fails too, so that the direction is corrected
     let found = on_pendulum("inequality", r"\theta^2 + 2 < 2 \theta", "");
     let directions: Vec<EditKind> = found.corrections.iter().map(|one| one.changes[0].kind).collect();
     assert_eq!(directions, [EditKind::Direction], "{}", found.text());

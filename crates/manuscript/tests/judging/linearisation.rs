@@ -1,4 +1,4 @@
-//! Linearised equations: terms of the second order are left out, those of the first are not.
+//! Linearised equations have no terms of second order, and all terms of first order.
 
 use crate::{PENDULUM, on, on_pendulum, verdict};
 
@@ -41,7 +41,7 @@ fn inputs_are_small_where_no_hypothesis_gives_them() {
     assert_eq!(verdict(&found), "refuted", "{}", found.text());
 }
 
-/// At a right angle the weight turns the pendulum: no small motions are about it.
+/// At a right angle the weight accelerates the pendulum: small motions about this angle do not exist.
 #[test]
 fn letters_that_do_not_stay_constant_are_told_with_their_acceleration() {
     let about = |given: &str| format!("resting = ['\\theta']\ngiven = [{given}]");
@@ -52,7 +52,7 @@ fn letters_that_do_not_stay_constant_are_told_with_their_acceleration() {
         assert_eq!(verdict(&found), "undefined", "{}", found.text());
         assert!(found.judged.evidence.contains("give theta'' = -g"), "{}", found.text());
     }
-    // without a value of the angle the equation holds where the weight turns nothing, and a wrong one fails at such an angle
+    // without a value of the angle the equation holds at equilibria, and a wrong equation fails at one of them
     let found = on_pendulum("linearised equation", r"l \ddot\theta + g\sin\theta = 0", &about(""));
     assert_eq!(verdict(&found), "proved", "{}", found.text());
     assert!(found.judged.requires.iter().any(|(told, _)| told == "sin(theta) = 0"), "{}", found.text());

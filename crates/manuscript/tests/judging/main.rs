@@ -1,4 +1,4 @@
-//! Findings on papers of a few lines.
+//! Findings on short papers.
 
 mod admissible;
 mod angle_bounds;
@@ -36,7 +36,7 @@ use dalembert_manuscript::{Finding, PaperText};
 use reader::SceneError;
 use std::path::Path;
 
-/// A pendulum with its letters; claims follow.
+/// A pendulum with its letters; claims are added to this text.
 pub const PENDULUM: &str = r#"
 title = "A pendulum"
 gravity = "-g*N.y"
@@ -64,17 +64,17 @@ mass = "m"
 '\mathbf{v}' = ["velocity(P) . N.x", "velocity(P) . N.y"]
 "#;
 
-/// The claims of a paper whose text this is.
+/// The findings on the claims of a paper.
 pub fn judged(text: &str) -> Result<Vec<Finding>, SceneError> {
     PaperText::parse(Path::new("paper.toml"), text.to_owned())?.judge()
 }
 
-/// A claim on the pendulum.
+/// The finding on one claim about the pendulum.
 pub fn on_pendulum(kind: &str, formula: &str, more: &str) -> Finding {
     on(PENDULUM, kind, formula, more)
 }
 
-/// A claim on a system.
+/// The finding on one claim about a system.
 pub fn on(system: &str, kind: &str, formula: &str, more: &str) -> Finding {
     let text = format!("{system}\n[[claim]]\nequation = \"1\"\nkind = \"{kind}\"\nformula = '{formula}'\n{more}\n");
     let mut found = judged(&text).unwrap_or_else(|error| panic!("{error}"));
@@ -82,12 +82,12 @@ pub fn on(system: &str, kind: &str, formula: &str, more: &str) -> Finding {
     found.remove(0)
 }
 
-/// The word of a verdict.
+/// The name of a verdict.
 pub fn verdict(finding: &Finding) -> &'static str {
     finding.judged.verdict.name()
 }
 
-/// All that is wrong with a paper.
+/// All errors of a paper that cannot be read, as text.
 pub fn refused(text: &str) -> String {
     match judged(text) {
         Ok(found) => panic!("{} claims were judged", found.len()),

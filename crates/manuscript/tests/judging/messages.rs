@@ -1,4 +1,4 @@
-//! Faults of a paper, each at its place.
+//! Errors of a paper, each with its line.
 
 use crate::{PENDULUM, refused};
 
@@ -13,7 +13,7 @@ fn a_formula_with_two_readings_is_shown_with_a_caret() {
     assert!(told.contains(r"formula = 'T = m \sin \theta l'") && told.contains("^^^^"), "{told}");
     let told = refused(&claim(r"'T = k l'"));
     assert!(told.contains("unknown letter `k`") && told.contains("declared are: m, l, g"), "{told}");
-    // with escapes the whole formula is marked
+    // in a string with escapes the whole formula is marked
     let told = refused(&claim(r#""T = \\sin \\theta l""#));
     assert!(told.contains("argument of"), "{told}");
 }

@@ -1,4 +1,4 @@
-//! Printed numbers: powers of ten, many digits, values without a number.
+//! Printed numbers: powers of ten, many digits, and quantities without a value.
 
 use crate::cases::BLOCK;
 use crate::{on, verdict};

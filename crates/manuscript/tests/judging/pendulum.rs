@@ -31,7 +31,7 @@ fn a_slip_is_refuted_at_an_exact_point_with_the_terms_that_are_missing() {
     let at: Vec<&str> = found.judged.counterexample.iter().map(|(name, _)| name.as_str()).collect();
     assert!(["m", "l", "g", "sin(theta)"].iter().all(|name| at.contains(name)), "{at:?}");
     assert!(found.sides.is_some());
-    // a cosine in the place of a sine, a lost factor, a lost square
+    // a cosine for a sine, a factor 2, a lost factor, a lost sine
     for formula in [
         r"l \ddot{\theta} + g \cos\theta = 0",
         r"2 l \ddot{\theta} + g \sin\theta = 0",
@@ -66,7 +66,7 @@ fn quantities_have_their_values() {
     ] {
         assert_eq!(verdict(&on_pendulum("formula", formula, "")), expected, "{formula}");
     }
-    // a formula that needs the equations of motion is no identity
+    // a formula that needs the equations of motion is not an identity
     let rate = r"\frac{d}{dt}(T) = -m g l \dot\theta\sin\theta";
     assert_eq!(verdict(&on_pendulum("identity", rate, "")), "refuted");
 }
@@ -129,7 +129,7 @@ fn stability_is_decided_by_the_roots_of_the_linear_equations() {
     assert_eq!(verdict(&found), "proved", "{}", found.text());
     let found = on_pendulum("stability", r"g < 0", hanging);
     assert_eq!(verdict(&found), "refuted", "{}", found.text());
-    // off its equilibria there is no steady motion
+    // away from its equilibria the pendulum has no steady motion
     let found = on_pendulum("stability", r"g > 0", "resting = ['\\theta']\ngiven = ['\\theta = 1', 'm > 0', 'l > 0']");
     assert_eq!(verdict(&found), "undecided", "{}", found.text());
 }
@@ -139,7 +139,7 @@ fn a_counterexample_satisfies_every_hypothesis() {
     // false only where the sine vanishes
     let found = on_pendulum("identity", r"\frac{\sin\theta}{\sin\theta} = 1", r"given = ['\sin\theta \neq 0']");
     assert_eq!(verdict(&found), "proved", "{}", found.text());
-    // the letters of a hypothesis that the formula does not have take part
+    // letters that only hypotheses contain have values too
     let found = on_pendulum("formula", r"T = 0", r"given = ['l > 2 g', 'g > 3', 'm > l']");
     assert_eq!(verdict(&found), "refuted", "{}", found.text());
     let value = |name: &str| {
@@ -148,7 +148,7 @@ fn a_counterexample_satisfies_every_hypothesis() {
         above.parse::<f64>().unwrap() / below.parse::<f64>().unwrap()
     };
     assert!(value("l") > 2.0 * value("g") && value("g") > 3.0 && value("m") > value("l"), "{}", found.text());
-    // hypotheses of which no point is known
+    // no point that satisfies these hypotheses is found
     let found = on_pendulum("formula", r"V = V", r"given = ['g > l + m', 'l > g + m']");
     assert_ne!(verdict(&found), "refuted", "{}", found.text());
 }

@@ -1,9 +1,9 @@
-//! Corrections that a reader would write: nothing cancels, nothing is said twice, and the model keeps its inertia.
+//! Corrections as a reader would write them: nothing cancels, no term is repeated, and the model keeps its inertia.
 
 use crate::{on, on_pendulum};
 use dalembert_manuscript::Finding;
 
-/// A symmetric top on Euler's angles.
+/// A heavy symmetric top with Euler's angles.
 const TOP: &str = r#"
 title = "A heavy top"
 [parameters]
@@ -62,7 +62,7 @@ fn no_term_stands_beside_its_multiple() {
     for formula in formulas(&found) {
         assert_eq!(formula.matches(r"\cos").count(), 1, "{}", found.text());
     }
-    // what vanishes by itself corrects no integral
+    // a rate that is zero on every motion corrects no integral
     let found = on(TOP, "integral of motion", r"\dot\psi + \dot\varphi = \mathrm{const}", "");
     assert!(formulas(&found).iter().all(|one| !one.contains('E')), "{}", found.text());
 }

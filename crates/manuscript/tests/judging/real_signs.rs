@@ -1,4 +1,4 @@
-//! Signs over real numbers: in one unknown, of roots, by hypotheses, on the domain of a formula.
+//! Signs over the real numbers: in one unknown, of roots, by hypotheses, on the domain of a formula.
 
 use crate::{PENDULUM, on, on_pendulum, verdict};
 
@@ -134,7 +134,7 @@ zero = "x^2 + y^2 - l^2"
 fn constraints_of_positions_give_squares() {
     let found = on(ROD, "inequality", r"x^2 \leq l^2", "");
     assert_eq!(verdict(&found), "proved", "{}", found.text());
-    // a speed that vanishes would put the bob on one axis, where nothing is left to state
+    // the hypothesis of a zero speed would leave the bob on one axis, where the claim is trivial
     let found = on(ROD, "identity", r"y = -\sqrt{l^2 - x^2}", "");
     let offered: Vec<&str> = found.corrections.iter().map(|one| one.changes[0].after.as_str()).collect();
     assert_eq!(offered, [r"y \leq 0"], "{}", found.text());
@@ -152,7 +152,7 @@ fn hypotheses_with_roots_leave_points() {
     let given = |more: &str| format!("given = ['m > 0', 'k > 0', {more}]");
     let found = on(&system, "inequality", r"\zeta < 1", &given("'c^2 < 4 k m'"));
     assert_eq!(verdict(&found), "proved", "{}", found.text());
-    // a negative damping has a negative ratio
+    // with a negative damping the ratio is negative, and the claim may fail
     let found = on(&system, "inequality", "c^2 < 4 k m", &given(r"'\zeta < 1'"));
     assert_eq!(verdict(&found), "refuted", "{}", found.text());
 }

@@ -1,4 +1,4 @@
-//! Relations between letters: sides that differ, and conditions of the second degree.
+//! Relations between letters: inequations, and conditions of second degree.
 
 use crate::{PENDULUM, on, on_pendulum, verdict};
 
@@ -28,7 +28,7 @@ fn squares_are_equal_for_opposite_letters_too() {
         (r"\theta^2 = \varphi^2 \iff \theta = \varphi", "", "refuted"),
         (r"\theta^2 = \varphi^2 \iff \theta = \varphi", r"given = ['\theta > 0', '\varphi > 0']", "proved"),
         (r"\theta^2 - \varphi^2 = 0 \iff (\theta - \varphi)(\theta + \varphi) = 0", "", "proved"),
-        // a condition that always holds is equivalent to no other one
+        // a condition that always holds is not equivalent to one that may fail
         (r"\theta^2 = \theta^2 \iff \theta = \varphi", "", "refuted"),
         (
             r"\theta^2 - 3 \theta \varphi + 2 \varphi^2 = 0 \iff \theta = \varphi",

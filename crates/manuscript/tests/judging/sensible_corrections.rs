@@ -1,4 +1,4 @@
-//! Corrections that an author would take: they state something of the model, and are near the print.
+//! Corrections that an author would accept: they state something about the model, and change little of the printed formula.
 
 use crate::{PENDULUM, on, on_pendulum, verdict};
 use dalembert_manuscript::{EditKind, Finding};

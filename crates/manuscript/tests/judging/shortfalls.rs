@@ -1,4 +1,4 @@
-//! The terms that a print lacks, in the letters of the paper.
+//! The terms missing in a printed formula, in the letters of the paper.
 
 use crate::{PENDULUM, on, verdict};
 use dalembert_manuscript::Finding;
@@ -79,7 +79,7 @@ fn a_letter_for_a_product_is_told_where_the_print_has_it() {
     assert!(!missing(&found).contains("kappa"), "{}", found.text());
 }
 
-/// A satellite whose direction cosines are letters.
+/// A satellite whose direction cosines are letters of the paper.
 const SATELLITE: &str = r#"
 title = "A satellite"
 [parameters]

@@ -1,9 +1,9 @@
-//! Stability of several degrees of freedom: minima of the energy, kept momenta, gyroscopic terms, exact points of instability.
+//! Stability with several degrees of freedom: minima of the energy, conserved momenta, gyroscopic terms, exact points of instability.
 
 use crate::{on, verdict};
 use dalembert_manuscript::Finding;
 
-/// Letters of a plane system with numbers of every kind.
+/// A plane system with given energies, and letters for parameters of every kind.
 fn plane(kinetic: &str, potential: &str) -> String {
     format!(
         r#"
@@ -41,7 +41,7 @@ fn claimed(system: &str, formula: &str, given: &str) -> Finding {
 fn a_minimum_of_the_potential_energy_is_stable_and_a_negative_value_of_its_form_is_not() {
     for (potential, formula, given, expected) in [
         ("k/2*x^2 + q/2*y^2", "k > 0", "'q > 0'", "proved"),
-        // equal frequencies are no edge of a minimum
+        // a minimum is strict for equal frequencies too
         ("k/2*x^2 + k/2*y^2", "k > 0", "", "proved"),
         ("k/2*x^2 + q/2*y^2", "q > 0", "'k > 0', 'q = 4 k'", "proved"),
         ("k/2*x^2 + q/2*y^2", "q > 0", "'k > q'", "proved"),
@@ -124,7 +124,7 @@ is = "-k*x*N.x - q*y*N.y"
 
 #[test]
 fn a_circular_orbit_is_stable_by_its_momentum() {
-    // V = -k/r - q/r^3: the radius of the last stable orbit is where k r^2 = 3 q
+    // V = -k/r - q/r^3: the radius of the last stable orbit has k r^2 = 3 q
     let system = r#"
 title = "Orbit"
 [parameters]
@@ -154,7 +154,7 @@ potential = "-k/r - q/r^3"
     }
 }
 
-/// Three masses between springs, the first of which is to be decided.
+/// Three masses between springs; the stiffness of the first spring is the condition of the claim.
 #[test]
 fn three_degrees_of_freedom_are_decided_by_minors() {
     let system = r#"
@@ -185,7 +185,7 @@ potential = "k/2*x^2 + q/2*(y - x)^2 + q/2*(z - y)^2"
     }
 }
 
-/// An inequality that no value satisfies names no stable motion.
+/// An inequality that no value satisfies is a condition of no stable motion.
 #[test]
 fn an_inequality_that_holds_nowhere_is_no_condition_of_stability() {
     let stiff = plane(BOTH, "k/2*x^2 + q/2*y^2");
@@ -202,7 +202,7 @@ fn an_inequality_that_holds_nowhere_is_no_condition_of_stability() {
     }
 }
 
-/// The moment of the weight is that of a length which must be positive; a model without its mass has no motion.
+/// A pendulum below its pivot is stable only for a positive length; without mass it has no equation of motion.
 #[test]
 fn the_sign_of_a_length_is_a_missing_hypothesis() {
     let hanging = "resting = ['\\theta']\ngiven = ['\\theta = 0']";

@@ -1,9 +1,9 @@
-//! Conditions of steady motions: several of them name one motion together.
+//! Several conditions of a steady motion that define one motion together.
 
 use crate::{judged, on, verdict};
 use dalembert_manuscript::Finding;
 
-/// A pendulum with a spring for its rod, in a plane that turns about the vertical.
+/// A pendulum with a spring as its rod, in a plane that rotates about the vertical.
 const SPRING: &str = r#"
 title = "Spring"
 gravity = "-g*N.y"
@@ -57,20 +57,20 @@ fn two_displays_of_one_motion_say_one_thing() {
         assert!(found.judged.evidence.contains("together with eq"), "{}", found.text());
         assert!(found.judged.requires.iter().any(|(told, _)| told == "r != 0"), "{}", found.text());
     }
-    // one of them alone is no condition of the motion
+    // one condition alone does not determine the motion
     for formula in [ANGLE, LENGTH] {
         assert_eq!(verdict(&claims(&[formula])[0]), "refuted");
     }
 }
 
-/// With the first line k (r - l) = m r W^2 sin^2 theta + m g cos theta is m g/cos theta: the line has no value where cos theta is zero.
+/// With the first condition the second is `k*(r - l) = m*g/cos(theta)`, which has no value where `cos(theta) = 0`.
 #[test]
 fn a_line_that_divides_is_judged_where_it_has_values() {
     for found in claims(&[ANGLE, r"k (r - l) = \frac{m g}{\cos\theta}"]) {
         assert_eq!(verdict(&found), "proved", "{}", found.text());
         assert!(found.judged.requires.iter().any(|(told, _)| told.contains("cos")), "{}", found.text());
     }
-    // a point at which one line fails alone refutes nothing where the other does not hold
+    // a point refutes one condition only if it satisfies the other
     let lines = claims(&[ANGLE, r"k (r - l) \cos\theta = m g"]);
     assert!(lines.iter().all(|found| verdict(found) != "refuted"), "{}", lines[1].text());
 }
@@ -133,7 +133,7 @@ fn an_equality_that_always_holds_states_no_condition() {
     }
 }
 
-/// A cart with a pendulum that is pulled by a force.
+/// A cart with a pendulum, pulled by a force.
 const CART: &str = r#"
 title = "Cart"
 gravity = "-g*N.y"

@@ -1,4 +1,4 @@
-//! A formula that cannot be read leaves the other claims judged.
+//! A formula that cannot be read does not prevent verdicts on the other claims.
 
 use crate::PENDULUM;
 use dalembert_manuscript::{PaperFindings, PaperText};

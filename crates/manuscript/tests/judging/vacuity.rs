@@ -1,8 +1,8 @@
-//! Vacuous claims: no point satisfies the hypotheses together with the domain of the formula.
+//! Vacuous claims: no point satisfies the hypotheses within the domain of the formula.
 
 use crate::{PENDULUM, on, refused, verdict};
 
-/// The pendulum with numbers beside it.
+/// The pendulum with three numbers as further parameters.
 fn system() -> String {
     let letters = "[letters]\n'a' = \"a\"\n'b' = \"b\"\n'c' = \"c\"\n";
     PENDULUM
@@ -65,7 +65,7 @@ fn what_holds_somewhere_is_proved() {
     for (formula, given) in [
         (r"\sqrt{a b} = \sqrt{a}\sqrt{b}", r"'a \geq 0', 'b \geq 0'"),
         (r"\sqrt{1 - a^2}\sqrt{1 - a^2} = 1 - a^2", "'a > 0.5'"),
-        // one point is enough for a print
+        // the domain is the point a = 0, which suffices
         (r"\sqrt{a}\sqrt{a} + \sqrt{-a} - \sqrt{-a} = a", ""),
         ("a b = b a", r"'a \geq b', 'a \leq b'"),
     ] {
@@ -112,7 +112,7 @@ fn what_is_divided_by_the_rate_of_an_integral_claims_nothing() {
     for formula in [r"\frac{M}{\dot p} > 0", r"\frac{M}{\dot p} < 0"] {
         assert_eq!(verdict(&on(CENTRAL, "inequality", formula, "")), "undefined", "{formula}");
     }
-    // and a rate that is zero is no factor of a correction
+    // a rate that is zero is no factor of a correction either
     let found = on(CENTRAL, "formula", r"\ddot\nu = 0", "");
     assert!(!found.corrections.is_empty(), "{}", found.text());
     assert!(found.corrections.iter().all(|one| !one.formula.contains(r"\dot{p}")), "{}", found.text());

@@ -1,4 +1,4 @@
-//! Made-up data of the size and shape of a full report: every statement, number and verdict here is a specimen.
+//! Invented data with the size and structure of a full report: no statement, number or verdict in it is a real one.
 
 mod ledger;
 mod pictures;

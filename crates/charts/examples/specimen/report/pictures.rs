@@ -1,4 +1,4 @@
-//! An invented cone of axes and invented timings.
+//! An invented cone of axes, an invented map with two kinds of areas, and invented timings.
 
 use dalembert_charts::{
     AreaCurve, Areas, Contender, Curve, CurvePoint, Mark, Sphere, Study, Table, TimingRow, Timings,
@@ -52,7 +52,7 @@ fn branch(name: &str, side: f64, valued: bool) -> Curve {
     Curve { name: name.into(), points: (0..=900).map(point).collect(), ..Curve::default() }
 }
 
-/// Two kinds on either side of a parabola.
+/// One study with a map, a table and a remark.
 pub fn studies() -> Vec<Study> {
     vec![Study {
         id: "invented".into(),

@@ -1,4 +1,4 @@
-//! Six invented scenes with six methods at ten tolerances.
+//! Six invented scenes, each with six methods at ten tolerances.
 
 use dalembert_charts::{
     Failure, Method, Panel, Parameter, Point, SceneSection, Table, Track, Trajectory, Work, WorkPrecision,
@@ -13,7 +13,7 @@ const NAMES: [&str; 6] = [
     "Governor near blow-up",
 ];
 
-/// Name, order, cost of a step, floor of the error.
+/// For each method: its name, its order, the cost of a step, and the smallest error.
 const METHODS: [(&str, f64, f64, f64); 6] = [
     ("DOPRI5", 5.0, 7.0, 4e-15),
     ("DOP853", 8.0, 12.0, 2e-15),
@@ -114,7 +114,7 @@ fn trajectory(position: usize) -> Trajectory {
     }
 }
 
-/// Some scenes have a run fewer.
+/// The panel with its first three series; with two of them at position 3.
 fn runs(mut panel: Panel, position: usize) -> Panel {
     panel.series.truncate(if position == 3 { 2 } else { 3 });
     panel

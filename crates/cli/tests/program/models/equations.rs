@@ -1,4 +1,4 @@
-//! Equations of motion as they are printed.
+//! Equations of motion as `derive` prints them.
 
 use super::{BLOCK, MODEL, printed};
 use crate::{run, temporary};
@@ -102,7 +102,7 @@ fn an_echo_shows_definitions_centres_and_loads() {
         assert!(echo.lines().any(|known| known.trim() == line), "{line}\n{echo}");
     }
     assert!(echo.contains("force on bob at O - l/2*A.y = "), "{echo}");
-    // its acceleration would hold a third rate
+    // the acceleration of this point would need a third derivative
     assert!(echo.contains("fast - O = ") && !echo.contains("acceleration(fast)"), "{echo}");
     std::fs::remove_file(path).expect("it is there");
 }

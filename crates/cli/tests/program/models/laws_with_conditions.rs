@@ -1,9 +1,9 @@
-//! Steady motions of laws with conditions, and in turning frames, as they are told.
+//! Steady motions of laws with conditions and in rotating frames, as `stationary` prints them.
 
 use super::{printed, refused};
 use crate::{run, temporary};
 
-/// A file that is removed when it is left.
+/// A file that is deleted with this value.
 struct Scene(std::path::PathBuf);
 
 impl Scene {
@@ -69,7 +69,7 @@ fn a_turning_hoop_is_judged_by_jacobis_integral() {
     let (told, warned) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
     assert!(told.contains("2 steady motions, each alone in its box; there are no others"), "{told}");
     assert!(told.contains("(Jacobi's integral) has a strict minimum"), "{told}");
-    // the file is read once
+    // the file is read once, so that the warning is printed once
     assert_eq!(warned.matches("the parameter `spare` is not used").count(), 1, "{warned}");
 }
 
@@ -89,7 +89,7 @@ fn eigenvalues_along_a_parameter_speak_of_zeros_where_there_are_some() {
     assert!(told.contains("every eigenvalue but 2 zeros with reasons left of the imaginary axis"), "{told}");
 }
 
-/// Springs 0.1 + 0.2 - 0.3 cancel: both eigenvalues are zero, and one verdict is printed.
+/// The stiffnesses 0.1 + 0.2 - 0.3 cancel: both eigenvalues are zero, and one verdict is printed.
 #[test]
 fn linear_equations_have_one_verdict() {
     let text = |force: &str| {
@@ -126,7 +126,7 @@ fn changes_that_the_table_shows_are_not_denied_and_a_cubic_force_decides_nothing
     assert!(told.contains("not decided by linear equations") && !told.contains("asymptotically stable"), "{told}");
 }
 
-/// A pendulum with a rough joint, by the torque of its friction.
+/// A pendulum whose joint has the torque `friction`.
 fn rough_joint(name: &str, friction: &str) -> Scene {
     Scene::of(
         name,
@@ -165,7 +165,7 @@ fn methods_are_judged_on_motions_in_touch_with_a_smooth_contact() {
          gap = \"y - (0.2 1/m)*x^2\"\nnormal = \"N.y - (0.4 1/m)*x*N.x\"\n[run]\nspan = \"1 s\"\n",
     );
     let told = printed(&["numerical-stability", &scene.path(), "--range", "x=-1..1.1", "--range", "y=-1..1"]);
-    // x'' = -2 m g a x/m: 2 rad/s
+    // x'' = -2 m g a x/m: the eigenvalues are ±2i rad/s
     assert!(told.contains("eigenvalues, 1/s: ±2.0000000000i") && !told.contains("not known"), "{told}");
 }
 

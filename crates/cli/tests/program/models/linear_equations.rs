@@ -1,4 +1,4 @@
-//! Linear equations, forces for a motion, equilibria.
+//! Linear equations, forces for a given motion, equilibria.
 
 use super::{MODEL, SPRING, printed, refused};
 use crate::{json, run, temporary};
@@ -31,8 +31,8 @@ fn linear_equations_are_printed_in_every_format() {
     std::fs::remove_file(&path).expect("it is there");
 }
 
-/// An input of the file is an input without being asked for; a point that cannot move has an empty state; quasi-velocities are left
-/// out about an equilibrium.
+/// A letter of `[inputs]` is an input without `--input`; a point without degrees of freedom has an empty state; quasi-velocities are not
+/// used about an equilibrium.
 #[test]
 fn inputs_of_the_file_empty_states_and_equilibria_are_accepted() {
     let path = temporary("odd_point.toml");
@@ -66,7 +66,7 @@ fn a_run_is_linearised_at_its_instants() {
     assert_eq!(points[0]["point"], "moving point");
 }
 
-/// About its middle axis a body turns over: a free frame has three turns and three speeds in its linear equations.
+/// A body that rotates about its middle axis, which is unstable: a free frame has three rotations and three speeds in the linear equations.
 #[test]
 fn a_free_frame_is_linearised_by_its_turns() {
     let body = "scenes/models/tumbling_body.toml";
@@ -161,7 +161,7 @@ fn angles_of_a_motion_without_a_unit_are_warned_of() {
     assert!(told.contains("90 rad are 14.3 turns"), "{told}");
 }
 
-/// Whipple's bicycle upright at 5 m/s, from the nonlinear text: zeros with their reasons, entries that rely on enclosures.
+/// Whipple's bicycle upright at 5 m/s, from the nonlinear text: exact zeros with their reasons, and entries proved by enclosures.
 #[test]
 fn enclosed_eigenvalues_are_told_with_the_reasons_of_zeros() {
     let upright = ["linearise", "scenes/foreign/bicycle.toml", "--set", "lean=0", "--set", "rear'=-16.666666666666668"];
@@ -206,7 +206,7 @@ fn exact_boundaries_are_told_along_a_parameter() {
     std::fs::remove_file(&path).expect("it is there");
 }
 
-/// A pendulum that is released level swings in 4 K(1/2) sqrt(l/g).
+/// A pendulum released in a horizontal position has the period `4 K(1/2) sqrt(l/g)`.
 #[test]
 fn multipliers_of_a_swing_are_told() {
     let swing = ["linearise", "scenes/foreign/cartesian_pendulum.toml", "--period"];

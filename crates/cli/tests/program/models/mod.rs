@@ -1,4 +1,4 @@
-//! Systems that are written in a file, at the command line.
+//! Systems described in a file, at the command line.
 
 mod equations;
 mod laws_with_conditions;
@@ -32,7 +32,7 @@ const PENDULUM: &str = "title = \"A pendulum\"\ngravity = \"-(9.81 m/s^2)*N.y\"\
     [[event]]\nname = \"low\"\nwhen = \"theta - (32 rad)\"\nend = true\n\
     [start]\ntheta = 30\n[run]\nspan = \"9 s\"\n";
 
-/// A block that a limited drive pulls, with dry friction, a damping called c1 and a coordinate called f1.
+/// A block pulled by a drive of limited force, with dry friction, a damping called `c1` and a coordinate called `f1`.
 const BLOCK: &str = "title = \"A block\"\n[parameters]\nm = \"2 kg\"\nc1 = \"3 N s/m\"\nF = \"4 N\"\n[coordinates]\nf1 = \"m\"\ny = \"m\"\n\
     [bodies.b]\ncentre = \"O + f1*N.x + y*N.y\"\nmass = \"m\"\n[[force]]\non = \"b\"\nis = \"(-c1*f1' - F*sign(f1'))*N.x\"\n\
     [[force]]\non = \"b\"\nis = \"min(F, F*sin(t*(2 rad/s)) + F*cos(t*(3 rad/s))*sin(t*(5 rad/s)))*N.x\"\n\
@@ -40,7 +40,7 @@ const BLOCK: &str = "title = \"A block\"\n[parameters]\nm = \"2 kg\"\nc1 = \"3 N
     [[event]]\nname = \"wall\"\nwhen = \"f1 - (1 m)\"\ndirection = \"up\"\nset = { \"f1'\" = \"-0.5*f1'\" }\nend = true\n\
     [start]\n\"f1'\" = \"1 m/s\"\n[run]\nspan = \"1 s\"\n";
 
-/// A mass on a spring, pushed by a force: every entry of its linear equations is known.
+/// A mass on a spring with a force as input: every entry of its linear equations is known.
 const SPRING: &str = "title = \"A mass on a spring\"\n[parameters]\nm = \"2 kg\"\nk = \"18 N/m\"\nF = \"N\"\n[coordinates]\nx = \"mm\"\n\
     [points]\nP = \"O + x*N.x\"\n[bodies.bob]\ncentre = \"P\"\nmass = \"m\"\n[[force]]\non = \"bob\"\nis = \"(F - k*x)*N.x\"\n\
     [outputs]\npull = \"k*x\"\n[run]\nspan = \"1 s\"\n";

@@ -1,9 +1,9 @@
-//! Verdicts of a proof.
+//! Verdicts that `prove` prints.
 
 use super::{MODEL, printed};
 use crate::{json, root, run, temporary};
 
-/// Quasi-velocities are chosen so that the divisors of a proof do not vanish at the initial state of the file.
+/// Quasi-velocities are chosen such that no divisor of a proof vanishes at the initial state of the file.
 #[test]
 fn divisors_of_a_proof_do_not_vanish_at_the_start() {
     let path = temporary("divisors.toml");
@@ -22,7 +22,7 @@ fn divisors_of_a_proof_do_not_vanish_at_the_start() {
     assert!(across.contains(&format!("{divisors} sin(psi) (true at the start)")), "{across}");
 }
 
-/// Divisors of free frames have names, a long list stands once, and one that cannot vanish, such as pi, is not listed.
+/// Divisors of free frames have names, a long list is printed once, and a nonzero constant such as pi is not listed.
 #[test]
 fn divisors_are_named_and_a_long_list_stands_once() {
     let path = temporary("named_divisors.toml");
@@ -56,7 +56,7 @@ fn verdicts_of_a_proof_are_read_by_programs() {
     assert_eq!(energy["says"], "(T + V)' is zero");
 }
 
-/// Standard error names each long step before it begins, unless only results are asked for.
+/// Standard error announces each long step, unless `--quiet` is given.
 #[test]
 fn long_judgements_are_told_before_they_begin() {
     let told = |arguments: &[&str]| String::from_utf8_lossy(&run(arguments).stderr).into_owned();
@@ -66,7 +66,7 @@ fn long_judgements_are_told_before_they_begin() {
     assert_eq!(told(&["prove", MODEL]), "");
 }
 
-/// A rolling disc: every line has a verdict, and the usual mistake with the disc is refuted.
+/// A rolling disc: every line has a verdict, and a common error about the disc is refuted.
 #[test]
 fn a_proof_says_what_it_rests_on_and_what_a_mistake_loses() {
     let output = run(&["prove", "scenes/models/rolling_disc.toml"]);

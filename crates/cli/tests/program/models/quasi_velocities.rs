@@ -1,10 +1,10 @@
-//! A system with quasi-velocities, and one with a constraint that follows from others.
+//! A system with quasi-velocities, and a system with a redundant constraint.
 
 use super::{printed, refused};
 use crate::{json, root, run, temporary};
 use std::path::PathBuf;
 
-/// A scene of the folder with other tables.
+/// A copy of a scene with `from` replaced by `to`.
 fn edited(name: &str, scene: &str, from: &str, to: &str) -> PathBuf {
     let text = std::fs::read_to_string(root().join("scenes").join(scene)).expect("it is there");
     assert_eq!(text.matches(from).count(), 1, "`{from}` must stand once");
@@ -30,7 +30,7 @@ fn equations_stand_in_quasi_velocities_where_the_principle_uses_them() {
     }
     for principle in ["lagrange", "gauss", "newton-euler", "hamilton"] {
         let text = printed(&["derive", file, "--principle", principle]);
-        // J is a parameter there
+        // `J` is a parameter of the system
         assert!(text.contains("M q'' + h = Q + jacobian^T lambda") && !text.contains("h[v]"), "{principle}: {text}");
     }
     for (format, part) in [
@@ -77,7 +77,7 @@ fn without_quasi_velocities_equations_stand_along_independent_rates() {
         &["derive", "scenes/models/double_pendulum.toml", "--principle", "maggi"],
         "maggi does not apply: without constraints its equations are those of lagrange",
     );
-    // the other names of two principles
+    // two principles have a second name
     for (name, of) in [("kane", "virtual-power"), ("lagrange-1", "lagrange")] {
         let [one, other] =
             [name, of].map(|name| printed(&["derive", "scenes/models/slider_crank.toml", "--principle", name]));
@@ -135,7 +135,7 @@ fn of_constraints_that_contradict_each_other_nothing_is_derived_or_proved() {
         refused(command, "constraint 2 `against` contradicts constraint 1 `edge`");
     }
     std::fs::remove_file(path).expect("it is there");
-    // a start that is not met is no fault of the equations
+    // an unsatisfied initial state does not prevent a derivation
     let start = "\"y'\" = \"7 m/s\"\n\n[run]";
     let path = edited("unmet.toml", "models/chaplygin_sleigh.toml", "[run]", start);
     let file = path.to_str().expect("a path in UTF-8");
@@ -145,7 +145,7 @@ fn of_constraints_that_contradict_each_other_nothing_is_derived_or_proved() {
     std::fs::remove_file(path).expect("it is there");
 }
 
-/// Eight pole pairs: powers of cosines and sines come together again as multiple angles, inside exponentials too.
+/// Eight pole pairs: products of cosines and sines become multiple angles again, also inside exponentials.
 #[test]
 fn machines_of_many_poles_have_short_equations() {
     let text = std::fs::read_to_string(root().join("scenes/models/interior_magnet.toml")).expect("it is there");
@@ -160,7 +160,7 @@ fn machines_of_many_poles_have_short_equations() {
     assert!(text.contains("exp(id/i0)") && !text.contains("cos(theta)"), "{text}");
 }
 
-/// Seven speeds, four constraints: the kinematic equations alone are pages.
+/// Seven speeds and four constraints: the kinematic equations alone fill pages.
 #[test]
 fn equations_that_nobody_reads_are_code_alone() {
     let speeds = "[speeds]\nu4 = \"lean'\"\nu6 = \"rear'\"\nu7 = \"steer'\"\n\n[frames]";
@@ -176,7 +176,7 @@ fn equations_that_nobody_reads_are_code_alone() {
     std::fs::remove_file(path).expect("it is there");
 }
 
-/// Two cranks of a parallelogram turn alike: their difference is zero on the branch of the start.
+/// Two equal cranks of a parallelogram: the difference of their angles is zero on the branch of the initial state.
 #[test]
 fn code_whose_divisor_vanishes_at_the_start_is_warned_of() {
     let cranks = |speed: &str| {
@@ -200,7 +200,7 @@ fn code_whose_divisor_vanishes_at_the_start_is_warned_of() {
     std::fs::remove_file(path).expect("it is there");
 }
 
-/// The bowl's ball has turned by the length of its way over its radius: its speeds at the start play no part.
+/// A ball that rolls in a bowl: its equilibrium does not depend on the initial speeds.
 #[test]
 fn an_equilibrium_that_motions_reach_is_told() {
     let path = temporary("bowl.toml");

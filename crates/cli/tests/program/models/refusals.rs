@@ -1,4 +1,4 @@
-//! Commands refused for the files they are given.
+//! Commands that refuse the given file.
 
 use super::{BLOCK, MODEL, PENDULUM, refused};
 use crate::{run, temporary};

@@ -1,4 +1,4 @@
-//! Runs and members of a system that is text.
+//! Runs and ensembles of a system described in a file.
 
 use super::{MODEL, PENDULUM, SPRING, printed};
 use crate::{json, program, root, run, table_at, temporary};
@@ -12,7 +12,7 @@ fn rows_of_a_run_have_the_units_of_their_values() {
     printed(&["run", &path, "--out", &table]);
     let rows = table_at(&table);
     let heading = rows.lines().next().unwrap_or_default();
-    // x is written in millimetres, and runs in metres
+    // x is written in millimetres in the file, and in metres in the table
     assert_eq!(heading, "time [s],x [m],x' [m/s],pull [N],kinetic_energy [J],potential_energy [J],work [J]");
     for file in [path, table] {
         std::fs::remove_file(file).expect("it is there");
@@ -34,13 +34,13 @@ fn an_ensemble_of_a_file_goes_on_where_it_was_killed() {
     assert!(table.starts_with(
         "member,parameters.m2 [kg],parameters.l2 [m],start.a [rad],start.b' [rad/s],stopped,time [s],steps,a [rad],"
     ));
-    // a row that is cut in the middle, as by a kill
+    // a row cut in the middle, as by a kill
     std::fs::write(&path, &table[..table.len() / 2]).expect("it can be written");
     let again = asked(&path, "3");
     let told = String::from_utf8_lossy(&again.stdout).into_owned();
     assert!(again.status.success() && told.contains("were there already"), "{told}");
     assert_eq!(std::fs::read_to_string(&path).expect("it was written"), table);
-    // another length of a rod is another ensemble
+    // another length of a rod defines another ensemble
     std::fs::write(&scene, text.replace("members = 10000", "members = 60").replace("l1 = \"1 m\"", "l1 = \"2 m\""))
         .expect("it can be written");
     let other = asked(&path, "1");
@@ -69,7 +69,7 @@ fn an_angle_of_several_turns_is_told_by_its_place_and_the_event_that_ends_a_run_
     let output = run(&["ensemble", &file, "--out", &table.to_string_lossy()]);
     let message = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(message.contains(": 20 rad are 3.2 turns") && message.contains("\"20 deg\""), "{message}");
-    // 20 rad are more than 30 deg: nothing ran
+    // 20 rad are more than 30 deg, so that the run ends at once
     assert!(output.status.code() == Some(2) && !table.exists(), "{message}");
     std::fs::write(&scene, PENDULUM).expect("it can be written");
     let quiet = run(&["run", &file, "--quiet"]);
@@ -81,7 +81,7 @@ fn an_angle_of_several_turns_is_told_by_its_place_and_the_event_that_ends_a_run_
     std::fs::remove_file(&scene).expect("it is there");
 }
 
-/// The crossing of 32 rad lies between two samples; a run that stops ends between two samples too.
+/// The angle reaches 32 rad between two samples; a run that stops also ends between two samples.
 #[test]
 fn the_table_of_a_run_ends_where_the_run_ends() {
     let (scene, table) = (temporary("ends.toml"), temporary("ends.csv"));

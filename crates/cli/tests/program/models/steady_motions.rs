@@ -1,4 +1,4 @@
-//! All steady motions of a system that is written in its file, and the stability of numerical methods on them.
+//! All steady motions of a system described in its file, and the stability of numerical methods on them.
 
 use super::{MODEL, PENDULUM, printed, refused};
 use crate::{run, temporary};
@@ -78,7 +78,7 @@ fn what_is_asked_of_another_kind_of_scene_is_refused() {
     refused(&["stationary", MODEL, "--boxes", "0"], "--boxes");
 }
 
-/// Two constraints, y (y - 1) = 0 and y = 0: one follows from the other near the start, and the first allows y = 1 elsewhere.
+/// The constraints `y*(y - 1) = 0` and `y = 0`: near the start the first follows from the second, but the first also allows `y = 1`.
 #[test]
 fn motions_fulfil_the_constraints_that_follow_from_others_near_the_start() {
     let file = temporary("double_floor.toml");
@@ -91,7 +91,7 @@ fn motions_fulfil_the_constraints_that_follow_from_others_near_the_start() {
     std::fs::remove_file(&file).expect("it is there");
 }
 
-/// The distance of a spring has no derivative where it is zero: a box about this point is undecided, and no other.
+/// The length of a spring has no derivative at zero: a box about this point is undecided, and no other box.
 #[test]
 fn a_place_without_slopes_is_told_as_undecided() {
     let file = temporary("no_slope.toml");
@@ -118,14 +118,14 @@ fn motions_between_events_are_those_without_them() {
 #[test]
 fn steps_that_misjudge_a_motion_of_a_file_are_told_for_each_method() {
     let told = printed(&["numerical-stability", MODEL]);
-    // sqrt(8) over the larger frequency
+    // the limit is sqrt(8) over the larger frequency
     assert!(told.contains("Runge-Kutta 4        never correct; damps an undamped mode for h < 0.4887256673; grows although the motion does not for h > 0.4887256673"), "{told}");
     assert!(told.contains("implicit midpoint    correct at every step"), "{told}");
     let object: Value =
         serde_json::from_str(&printed(&["numerical-stability", MODEL, "--format", "json"])).expect("it is JSON");
     let of_first = object["motions"][0]["methods"].as_array().expect("methods");
     assert_eq!(of_first.len(), 8);
-    // R(h mu) leaves the circle there
+    // there the stability function has |R(h mu)| = 1
     let frequency = object["motions"][0]["eigenvalues"][2][1].as_f64().expect("a number").abs();
     assert!((0.4887256673 * frequency - 8f64.sqrt()).abs() < 1e-8);
     refused(&["numerical-stability", MODEL, "--omega0", "3"], "--omega0 is about the built-in machines");
@@ -135,8 +135,8 @@ fn steps_that_misjudge_a_motion_of_a_file_are_told_for_each_method() {
     );
 }
 
-/// A motor held fast at the current limit of its amplifier: its current decays with R/L = 2000/s, and Euler's method is stable
-/// up to 2 L/R.
+/// A blocked motor at the current limit of its amplifier: the current decays at the rate R/L = 2000/s, and Euler's method is stable for
+/// steps up to 2 L/R.
 #[test]
 fn steps_on_a_motion_of_a_law_with_conditions_are_those_of_its_side() {
     let scene = "scenes/foreign/stalled_motor.toml";
@@ -152,7 +152,7 @@ fn steps_on_a_motion_of_a_law_with_conditions_are_those_of_its_side() {
     assert!((rate + 2000.0).abs() < 1e-9, "{object}");
 }
 
-/// Each oscillation about rest loses by Runge-Kutta 4 the fraction of the closed form, for every frequency.
+/// Runge-Kutta 4 damps each oscillation about an equilibrium as its stability function predicts, for every frequency.
 #[test]
 fn the_drift_of_oscillations_is_that_of_the_stability_function() {
     let options =
@@ -202,7 +202,7 @@ fn values_at_which_motions_change_are_enclosed_along_a_parameter() {
         shaft = { frame = \"A\", inertia = \"0.2*(1 kg m^2)\" }\n[start]\ntheta = \"0.5 rad\"\n[run]\nspan = \"1 s\"\n";
     std::fs::write(&shaft, text).expect("it can be written");
     let path = shaft.to_string_lossy().into_owned();
-    // w^2 = g/l
+    // the bifurcation is at w^2 = g/l
     let told = printed(&["stationary", &path, "--along", "phi'=1..8.03"]);
     assert!(told.contains("at phi' = 4.4294469") && told.contains("two motions leave a third (pitchfork)"), "{told}");
     assert!(told.contains("phi' from 1 to") && told.contains("rad/s: 2 motions: 1 stable, 1 unstable"), "{told}");
@@ -215,7 +215,7 @@ fn values_at_which_motions_change_are_enclosed_along_a_parameter() {
     assert!(from < 9.81 / 25.0 && 9.81 / 25.0 < to && to - from < 1e-5, "{from} {to}");
     refused(&["stationary", &path, "--along", "n=0..1"], "no parameter and no speed is called `n`");
     refused(&["stationary", &path, "--along", "m=-1..-0.5", "--values", "2"], "at m = -0.5");
-    // values without a system are told, and the others are searched
+    // values without a system are reported, and the search goes on with the others
     let output = run(&["stationary", &path, "--along", "m=-1..1", "--values", "5"]);
     let told = String::from_utf8_lossy(&output.stderr).into_owned();
     assert_eq!(output.status.code(), Some(1), "{told}");
@@ -229,7 +229,7 @@ fn values_at_which_motions_change_are_enclosed_along_a_parameter() {
     refused(&["stationary", &path, "--along", "theta=0..1"], "`theta` is a coordinate");
     refused(&["stationary", &path, "--along", "phi'=0..1", "--range", "phi'=1"], "leave one of the two out");
     refused(&["stationary", &path, "--range", "phi=1"], "`phi` is cyclic: no equation depends on it");
-    // other values of the file
+    // with other values of the parameters
     let told = printed(&["stationary", &path, "--range", "phi'=5", "--set", "l=0.1"]);
     assert!(told.contains("2 steady motions"), "{told}");
     let told = printed(&["stationary", &path, "--set", "phi'=6", "--set", "l=0.4"]);

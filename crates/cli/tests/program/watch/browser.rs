@@ -1,6 +1,6 @@
-//! The page in a browser: a text is saved, broken and mended, a slider moves, and the page shows it without a complaint.
+//! The page in a browser: the file is saved with an error and without one, a slider moves, and the page shows each state without errors.
 //!
-//! Chromium is driven by its DevTools protocol over pipes: messages of JSON, each ended by a zero.
+//! Chromium is controlled by its DevTools protocol over pipes: JSON messages, each ended by a zero byte.
 
 use super::{PENDULUM, Watched, is_own_processor};
 use serde_json::{Value, json};
@@ -11,18 +11,18 @@ use tempfile::TempDir;
 /// A browser with one page.
 struct Browser {
     child: Child,
-    /// Its profile, which goes with it.
+    /// The folder of its profile, deleted with this value.
     _folder: TempDir,
     input: ChildStdin,
     output: BufReader<ChildStdout>,
     session: Value,
     count: u64,
-    /// Errors of scripts, of the network, and of the page's policy.
+    /// Errors of scripts and of the network, and violations of the page's security policy.
     complaints: Vec<String>,
 }
 
 impl Browser {
-    /// None where there is no browser.
+    /// Starts a browser; `None` if none is installed.
     fn start() -> Option<Self> {
         let names = ["chromium", "chromium-browser", "google-chrome"];
         let is_there = |name: &&str| Command::new(name).arg("--version").output().is_ok();
@@ -31,7 +31,7 @@ impl Browser {
             return None;
         };
         let folder = tempfile::tempdir().expect("a folder can be made");
-        // the protocol is spoken on the descriptors 3 and 4
+        // the DevTools protocol uses the file descriptors 3 and 4
         let line = format!(
             "exec {name} --headless --no-sandbox --disable-gpu --remote-debugging-pipe --window-size=1200,900 --user-data-dir='{}' \
              3<&0 4>&1 </dev/null >/dev/null 2>&1",
@@ -52,7 +52,7 @@ impl Browser {
         Some(browser)
     }
 
-    /// The result of a command.
+    /// Sends a command and returns its result.
     fn ask(&mut self, method: &str, parameters: Value) -> Value {
         self.count += 1;
         let mut message = json!({ "id": self.count, "method": method, "params": parameters });
@@ -109,7 +109,7 @@ impl Drop for Browser {
     }
 }
 
-/// A part of the page is of the present text.
+/// A JavaScript condition: three parts of the page belong to the present text.
 const DONE: &str =
     "['heading', 'motion', 'verdicts'].every((part) => document.getElementById(part)?.dataset.state === 'current')";
 
@@ -136,7 +136,7 @@ fn a_browser_shows_a_text_its_fault_its_mending_and_a_slider_without_a_complaint
     browser.until(&format!("document.title === 'Mended' && {DONE}"));
     assert_eq!(browser.value("document.querySelector('#heading .fault').innerText"), "");
 
-    // a page that is opened later has its sliders where they were moved
+    // a page that is opened later shows the sliders at their present values
     let reset = "document.querySelector('#values .reset')";
     assert_eq!(watched.move_to(&json!({ "parameters.l": 0.4 })), 200);
     browser.open(&address);

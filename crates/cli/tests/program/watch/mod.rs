@@ -1,4 +1,4 @@
-//! The page that follows a file: its content, and the requests that its server answers.
+//! The page of `watch`: its content, and the requests that its server answers.
 
 mod browser;
 mod page;
@@ -14,7 +14,7 @@ use std::process::{Child, Stdio};
 use std::time::Duration;
 use tempfile::TempDir;
 
-/// Longer than anything that is waited for takes on a machine that does much else.
+/// The time limit for each event, longer than any takes on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(60);
 
 const PENDULUM: &str = r#"title = "A <pendulum>"
@@ -27,13 +27,13 @@ start = { theta = "40 deg" }
 run = { span = "1 s", samples = 50 }
 "#;
 
-/// A program that shows a file in a folder of its own.
+/// A running `watch` with its file in a folder of this test.
 struct Watched {
     child: Child,
     folder: TempDir,
     file: PathBuf,
     port: u16,
-    /// `/KEY/`.
+    /// The root of all paths, `/KEY/`.
     root: String,
 }
 
@@ -66,7 +66,7 @@ impl Watched {
         stream
     }
 
-    /// The status and the whole of an answer to a head without its last line, and a body.
+    /// Sends a request and returns status and text of the answer. The head has no `Content-Length` line, which is added.
     fn ask(&self, head: &str, body: &str) -> (u16, String) {
         let mut stream = self.connected();
         let whole = format!("{head}Content-Length: {}\r\n\r\n{body}", body.len());
@@ -74,7 +74,7 @@ impl Watched {
         answer(stream)
     }
 
-    /// The same with a path below the key, from this machine.
+    /// Sends a GET request for a path below the key.
     fn get(&self, path: &str) -> (u16, String) {
         self.ask(&self.head("GET", path), "")
     }
@@ -83,7 +83,7 @@ impl Watched {
         format!("{method} {}{path} HTTP/1.1\r\nHost: 127.0.0.1:{}\r\n", self.root, self.port)
     }
 
-    /// Moves sliders.
+    /// Moves sliders to values, and returns the status.
     fn move_to(&self, values: &Value) -> u16 {
         self.ask(&self.head("POST", "values"), &values.to_string()).0
     }
@@ -105,14 +105,14 @@ impl Drop for Watched {
 
 fn answer(mut stream: TcpStream) -> (u16, String) {
     let mut bytes = Vec::new();
-    // a server that has refused may close before all was sent
+    // a server that refuses a request may close the connection before all is sent
     let _ = stream.read_to_end(&mut bytes);
     let text = String::from_utf8_lossy(&bytes).into_owned();
     let status = text.split(' ').nth(1).and_then(|status| status.parse().ok()).unwrap_or(0);
     (status, text)
 }
 
-/// The page as its script has it.
+/// The state of the page in its script.
 #[derive(Default)]
 struct Page {
     parts: BTreeMap<String, Value>,
@@ -133,14 +133,14 @@ impl Page {
     }
 }
 
-/// News of the page.
+/// The stream of events that updates a page.
 struct Events {
     lines: BufReader<TcpStream>,
     page: Page,
 }
 
 impl Events {
-    /// The page once it is so.
+    /// Reads events until the page satisfies a condition.
     fn until(&mut self, what: &str, is_so: impl Fn(&Page) -> bool) -> &Page {
         while !is_so(&self.page) {
             let told = self.next().unwrap_or_else(|| panic!("it ended before: {what}; {:#?}", self.page.parts));
@@ -158,7 +158,7 @@ impl Events {
         &self.page
     }
 
-    /// The next news; none where the program said that it ends.
+    /// The next event; `None` at the end of the stream.
     fn next(&mut self) -> Option<Value> {
         loop {
             let mut line = String::new();
@@ -173,7 +173,7 @@ impl Events {
     }
 }
 
-/// Whether programs can start themselves here: not where their processor is emulated.
+/// Whether the program can start itself, which an emulated processor prevents.
 fn is_own_processor() -> bool {
     let is_own = std::env::var_os("DALEMBERT_RUNNER").is_none();
     if !is_own {

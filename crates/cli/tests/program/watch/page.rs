@@ -1,4 +1,4 @@
-//! The content of the page: a text, a fault and its mending, sliders, a paper, the page as a file.
+//! The content of the page: a text, an error and its correction, sliders, a paper, and the page saved as a file.
 
 use super::{PENDULUM, Watched, copied, is_own_processor};
 use crate::{run, temporary};
@@ -52,7 +52,7 @@ fn a_fault_is_told_at_its_place_above_the_last_good_state_until_it_is_mended() {
     std::fs::remove_file(&watched.file).expect("it is there");
     let page = events.until("the file is away", |page| page.is("heading", "earlier"));
     assert!(page.text("heading", "fault").contains("there is no such file"));
-    // as editors save
+    // editors save by writing another file and renaming it
     let other = watched.folder.path().join("swing.toml~");
     std::fs::write(&other, PENDULUM).expect("it can be written");
     std::fs::rename(&other, &watched.file).expect("it can be moved");
@@ -116,7 +116,7 @@ fn a_sketch_needs_neither_a_run_nor_values_and_leaves_with_its_system() {
     let mut events = watched.events();
     let page = events.until("the sketch is there", |page| page.is("sketch", "current"));
     assert!(page.content("sketch").contains("Parameters without a value are drawn as 1: m, l."), "{:?}", page.parts);
-    // a run that fails: its fault is one of this text, and the sketch is there
+    // the run fails: the error belongs to this text, and the sketch is still drawn
     watched.save(&format!("{}run = {{ span = \"1 s\" }}\n", open("Failing")));
     let page = events.until("the run fails", |page| page.text("motion", "fault").contains("no value"));
     assert!(page.is("motion", "current") && page.is("sketch", "current"), "{:?}", page.parts);
@@ -133,7 +133,7 @@ fn a_page_that_is_saved_when_the_time_is_over_keeps_what_there_is() {
         return;
     }
     let [scene, page] = ["late.toml", "late.html"].map(temporary);
-    // its evaluations take longer than the seconds, on any machine
+    // on any machine the run takes longer than the time limit
     let sines: Vec<String> = (2..200).map(|k| format!("sin({k}*theta)")).collect();
     let force = format!("force = [{{ along = \"theta\", is = \"-(1e-6 N m)*({})\" }}]\n", sines.join(" + "));
     std::fs::write(&scene, PENDULUM.replace("1 s", "1e9 s") + &force).expect("it can be written");

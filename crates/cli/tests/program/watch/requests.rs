@@ -1,4 +1,4 @@
-//! Requests that the server answers or refuses, and its end.
+//! Requests that the server answers or refuses, and the end of the server.
 
 use super::{PENDULUM, Watched, answer, is_own_processor};
 use crate::run;
