@@ -33,13 +33,13 @@ pub struct Args {
     /// The scene, a TOML file
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
-    /// Draws the chart: error against evaluations as .svg, with error against time in addition as .html; or writes every run as a table, .csv
+    /// The file of the chart: error against evaluations as .svg; as .html also error against time; as .csv every run as a table
     #[arg(long, value_name = "FILE.svg|FILE.html|FILE.csv")]
     pub out: Option<PathBuf>,
-    /// Replaces the file of --out even where `chart` did not write what stands there
+    /// Replaces the file of --out even if `chart` did not write it
     #[arg(long, requires = "out")]
     pub force: bool,
-    /// Output format: text is for reading, JSON has one object for every run
+    /// Output format: text for readers, or JSON with one object for each run
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
     /// The unit of the horizontal axis; the default is evaluations

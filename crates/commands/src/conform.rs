@@ -21,7 +21,7 @@ pub struct Args {
     /// Another model of the motor, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,
-    /// Output format; JSON is one object: motor, checks, each with check, verdict, says (the sentence)
+    /// Output format; JSON is one object: motor, checks, each with check, verdict, says (a sentence)
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }

@@ -20,20 +20,20 @@ pub struct Args {
     /// The scene, a TOML file with points, bodies or frames; values of parameters are those of the file
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
-    /// The picture; without it, it is printed
+    /// The file of the picture; the default is standard output
     #[arg(long, value_name = "FILE.svg")]
     pub out: Option<PathBuf>,
-    /// Replaces the file of --out even where `draw` did not write what stands there
+    /// Replaces the file of --out even if `draw` did not write it
     #[arg(long, requires = "out")]
     pub force: bool,
-    /// The motion of a run as an animated picture in a loop, without a script: the whole run, or its beginning if the whole needs more than
+    /// Animates the motion of a run as a loop, without a script: the whole run, or its beginning if the whole run needs more than
     /// 300 pictures
     #[arg(long, conflicts_with = "time")]
     pub animate: bool,
     /// The part of the run that --animate shows, in seconds
     #[arg(long, value_name = "FROM..TO", value_parser = span, requires = "animate", allow_hyphen_values = true)]
     pub span: Option<Interval>,
-    /// The instant of a run that is drawn, in seconds; without it the start
+    /// The instant of a run that is drawn, in seconds; the default is the start
     #[arg(long, value_name = "S", value_parser = instant, allow_negative_numbers = true)]
     pub time: Option<f64>,
     /// The direction of view: from the system to the eye, along x, y and z of the ground

@@ -31,7 +31,7 @@ pub struct Args {
     /// The version of the standard of --fmu: 3, which is the default, or 2
     #[arg(long, value_name = "VERSION", value_parser = version)]
     pub fmi: Option<Version>,
-    /// Replaces a file even where `export` did not write what stands there
+    /// Replaces a file even if `export` did not write it
     #[arg(long)]
     pub force: bool,
 }

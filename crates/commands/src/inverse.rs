@@ -17,12 +17,12 @@ pub struct Args {
     /// A file with `[coordinates]`
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
-    /// A coordinate as an expression of the time and of parameters, such as "theta = 0.5*sin(w*t)"; a free frame by turns, such as
-    /// "F = w*t about z, then (10 deg) about x"; once for each degree of freedom. A current, "motor.i_f = (2 A)" or "id = 0",
-    /// where the motion leaves it open
+    /// A coordinate as an expression of the time and of parameters, such as "theta = 0.5*sin(w*t)"; a free frame by rotations, such as
+    /// "F = w*t about z, then (10 deg) about x"; once for each degree of freedom. Also a current, "motor.i_f = (2 A)" or "id = 0",
+    /// that the motion does not determine
     #[arg(long = "motion", value_name = "Q = EXPRESSION", required = true, value_parser = motion)]
     pub motions: Vec<(String, String)>,
-    /// A parameter or an input that is sought, such as a force; may be repeated
+    /// A parameter or an input that is unknown, such as a force; may be repeated
     #[arg(long = "unknown", value_name = "NAME")]
     pub unknowns: Vec<String>,
     /// The last instant, in seconds

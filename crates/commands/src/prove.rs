@@ -23,9 +23,9 @@ pub struct Args {
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum MistakeName {
-    /// Constraints of speeds are put into the kinetic energy before Lagrange's derivatives are taken
+    /// Constraints of speeds are inserted into the kinetic energy before Lagrange's derivatives are formed
     ConstraintsInEnergy,
-    /// Appell's energy of accelerations is made of the kinetic energy by writing accelerations for speeds
+    /// The energy of accelerations is formed from the kinetic energy by replacing speeds by accelerations
     AccelerationsInEnergy,
 }
 

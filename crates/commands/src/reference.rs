@@ -21,13 +21,13 @@ pub struct Args {
     /// The scene, a TOML file
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
-    /// The file of the reference; the default is `references/SCENE.reference` in the scene's folder, where charts look for it
+    /// The file of the reference; the default is `references/SCENE.reference` in the scene's folder, where charts search for it
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
-    /// Replaces the file even where `reference` did not write what stands there
+    /// Replaces the file even if `reference` did not write it
     #[arg(long)]
     pub force: bool,
-    /// The end in seconds, earlier than that of the scene, for a scene whose motion ends
+    /// The end in seconds, earlier than that of the scene, for a scene whose motion ends early
     #[arg(long, value_name = "T")]
     pub until: Option<f64>,
 }

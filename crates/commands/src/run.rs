@@ -52,10 +52,10 @@ pub struct Args {
     /// energy, the residual of constraints), and speeds over coordinates
     #[arg(long, value_name = "FILE.svg")]
     pub plot: Option<PathBuf>,
-    /// Replaces the files of --out, --plot and --transition even where `run` did not write what stands there
+    /// Replaces the files of --out, --plot and --transition even if `run` did not write them
     #[arg(long)]
     pub force: bool,
-    /// Output format of the summary; JSON is one object: time, state, work, invariants, model, method; null where a number is not
+    /// Output format of the summary; JSON is one object: time, state, work, invariants, model, method; null for a number that is not
     /// defined
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,

@@ -11,7 +11,7 @@ use studies::AnyScene;
 /// Arguments of `scenes`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// Where the scene files are
+    /// The folder of the scene files
     #[arg(default_value = "scenes")]
     pub folder: PathBuf,
     /// Output format

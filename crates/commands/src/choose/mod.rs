@@ -29,24 +29,24 @@ pub struct Args {
     /// Largest error allowed, relative to the size of each output
     #[arg(long = "tol", value_name = "T", value_parser = tolerance, allow_negative_numbers = true, default_value = "1e-6")]
     pub tolerance: f64,
-    /// The outputs that must meet the tolerance, by the names of a run's columns; the default is the `outputs` of [run], or all columns where
-    /// [run] names none. The answer says which were taken
+    /// The outputs that must meet the tolerance, by the names of a run's columns. The default is the `outputs` of [run], or all columns if
+    /// [run] names none; the answer lists them
     #[arg(long, value_name = "A,B", value_delimiter = ',')]
     pub outputs: Vec<String>,
     /// The model to compare with: another model of the motor, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,
-    /// Draws error against the cost of every model
+    /// The file of a chart: error against the cost of every model
     #[arg(long, value_name = "FILE.svg")]
     pub out: Option<PathBuf>,
-    /// Replaces the file of --out even where `choose` did not write what stands there
+    /// Replaces the file of --out even if `choose` did not write it
     #[arg(long, requires = "out")]
     pub force: bool,
-    /// Also measures times, side by side for three seconds, and looks for segments of the run on which a reduced model of a motor
+    /// Also measures times, alternately for three seconds, and searches for segments of the run on which a reduced model of a motor
     /// is accurate enough; the choice itself always uses counted work
     #[arg(long)]
     pub times: bool,
-    /// Output format of the result; JSON has null where a number is not defined
+    /// Output format of the result; JSON has null for a number that is not defined
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }

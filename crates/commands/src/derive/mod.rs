@@ -22,7 +22,7 @@ pub struct Args {
     /// of which the right-hand side and the Jacobian are printed as code
     #[arg(value_name = "SYSTEM|SCENE.toml")]
     pub system: String,
-    /// The principle; without it the first that applies
+    /// The principle; the default is the first that applies
     #[arg(long, value_enum)]
     pub principle: Option<PrincipleName>,
     /// Format of the equations; for a scene, text, LaTeX and MathML show its motor, the other formats its rates and Jacobian
@@ -31,8 +31,8 @@ pub struct Args {
     /// For the code of a gyrostat: the equations in the principal axes of A (first) or of A* (second); the default is the first
     #[arg(long)]
     pub form: Option<Axes>,
-    /// For a file with `[coordinates]`: first the angular velocity of every frame, the position, velocity and acceleration of every point,
-    /// and the kind of every constraint
+    /// For a file with `[coordinates]`: prints before the equations the angular velocity of every frame, the position, velocity and
+    /// acceleration of every point, and the kind of every constraint
     #[arg(long)]
     pub echo: bool,
 }
@@ -72,9 +72,9 @@ pub enum Equations {
     Latex,
     /// One element for each equation
     Mathml,
-    /// Equations over symbols of their own; of a scene the rates and the Jacobian over the symbols of its states
+    /// Equations over SymPy symbols; for a scene the rates and the Jacobian over the symbols of its states
     Sympy,
-    /// Straight-line code, each common subexpression once; for a system the left sides minus the right ones
+    /// Code without branches, each common subexpression once; for a system the left sides minus the right sides
     C,
     Python,
     Rust,

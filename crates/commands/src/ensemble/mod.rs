@@ -23,8 +23,8 @@ pub struct Args {
     /// The scene with a table `ensemble`, such as `scenes/ensembles/spread.toml` or `scenes/models/double_pendulum.toml`
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
-    /// The table of results, a row for each member; a table of this ensemble is continued. The default is the scene's name, in the
-    /// current folder
+    /// The table of results, a row for each member; a table of this ensemble is continued. The default is a file in the current folder
+    /// with the name of the scene
     #[arg(long, value_name = "FILE.csv")]
     pub out: Option<PathBuf>,
     /// Replaces another file, or a table of another ensemble

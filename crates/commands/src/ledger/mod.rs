@@ -31,7 +31,7 @@ pub struct Args {
     /// Writes a file PAPER.json for each paper, from which a checker can repeat the proof of every verdict, see verify/README.md
     #[arg(long, value_name = "DIR")]
     pub certificates: Option<PathBuf>,
-    /// Replaces files of --certificates even where `ledger` did not write what stands there
+    /// Replaces files of --certificates even if `ledger` did not write them
     #[arg(long, requires = "certificates")]
     pub force: bool,
 }

@@ -23,7 +23,7 @@ const KEPT: Duration = Duration::from_millis(500);
 #[derive(clap::Args, Debug)]
 #[command(group(ArgGroup::new("written").args(["page", "certificates"]).multiple(true)))]
 pub struct Args {
-    /// The paper: a file with [letters] and [[claim]], beside the tables of its system or `model`, the name of their file
+    /// The paper: a file with [letters] and [[claim]], and with the tables of its system or `model`, the name of the system's file
     #[arg(value_name = "PAPER.toml")]
     pub paper: PathBuf,
     /// Claims whose id contains this, such as cart_pole/eq2
@@ -38,7 +38,7 @@ pub struct Args {
     /// Writes PAPER.json into this folder, from which a checker can repeat the proof of every verdict, see verify/README.md
     #[arg(long, value_name = "DIR")]
     pub certificates: Option<PathBuf>,
-    /// Replaces the file of --page or --certificates even where `judge` did not write what stands there
+    /// Replaces the file of --page or --certificates even if `judge` did not write it
     #[arg(long, requires = "written")]
     pub force: bool,
     /// Prints only how many verdicts are equal to `expect`; each other verdict is an error, and the exit code is then 1

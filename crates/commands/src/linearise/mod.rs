@@ -43,7 +43,7 @@ pub struct Args {
     /// Another value, in SI units, for a parameter, or for a coordinate or a speed at the start; may be repeated
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = named_value)]
     pub values: Vec<(String, f64)>,
-    /// A parameter that is taken as an input, in addition to the inputs of the file; may be repeated
+    /// A parameter that is an input, in addition to the inputs of the file; may be repeated
     #[arg(long = "input", value_name = "NAME")]
     pub inputs: Vec<String>,
     /// Format of the matrices; CSV has a line for each entry: time, matrix, row, column, value. The unit of an entry is that of its row over

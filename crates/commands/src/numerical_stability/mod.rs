@@ -28,7 +28,7 @@ pub struct Args {
     /// The scene, a TOML file
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
-    /// The angular velocity of the motions about the vertical, rad/s; without it 0
+    /// The angular velocity of the motions about the vertical, rad/s; the default is 0
     #[arg(long, value_name = "W", value_parser = finite, allow_negative_numbers = true)]
     pub omega0: Option<f64>,
     #[command(flatten)]
@@ -36,11 +36,11 @@ pub struct Args {
     /// Another model of the motor, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,
-    /// The drift of conserved energies and momenta, by theory and by runs: along the motion from the start, or for oscillations about each
-    /// steady motion
+    /// Prints the drift of conserved energies and momenta, by theory and by runs: along the motion from the start, or for oscillations about
+    /// each steady motion
     #[arg(long, value_enum, value_name = "MOTION", num_args = 0..=1, require_equals = true, default_missing_value = "start")]
     pub drift: Option<Motion>,
-    /// For --drift: equal steps in a period; several with commas
+    /// For --drift: the number of equal steps in a period; several numbers are separated by commas
     #[arg(long, value_name = "N,N", value_delimiter = ',', default_values_t = [20, 100], value_parser = whole::<u32>(1..=1_000_000), requires = "drift")]
     pub steps: Vec<u32>,
     /// For --drift: the number of periods of each run; the default is as many periods as two million steps make, at most a million

@@ -25,10 +25,10 @@ pub struct Args {
     /// Writes the regulated motion as a table, each column with its unit: time, states, inputs, cost
     #[arg(long, value_name = "FILE.csv")]
     pub out: Option<PathBuf>,
-    /// Replaces the file of --out even where `regulate` did not write what stands there
+    /// Replaces the file of --out even if `regulate` did not write it
     #[arg(long)]
     pub force: bool,
-    /// The format of the answer
+    /// Output format
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }

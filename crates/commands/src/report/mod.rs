@@ -22,16 +22,16 @@ use studies::failures;
 /// Arguments of the report, which the program makes without a command.
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// Where the scene files are
+    /// The folder of the scene files
     #[arg(long, value_name = "FOLDER", default_value = "scenes")]
     pub scenes: PathBuf,
-    /// Where papers as files are; the folder may be missing
+    /// The folder of the papers; it may be missing
     #[arg(long, value_name = "FOLDER", default_value = "papers")]
     pub papers: PathBuf,
-    /// The page
+    /// The file of the page
     #[arg(long, value_name = "FILE.html", default_value = "report/index.html")]
     pub out: PathBuf,
-    /// Replaces the page even where the report did not write what stands there
+    /// Replaces the page even if the report did not write it
     #[arg(long)]
     pub force: bool,
 }

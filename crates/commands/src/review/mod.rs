@@ -22,8 +22,8 @@ use std::path::PathBuf;
 /// Arguments of `review`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// A system or a paper in its file: its equations, steady motions and run, or its claims, are compared; without it the project's
-    /// reviewed pages
+    /// The file of a system or of a paper, of which equations, steady motions and run, or claims, are compared; the default is the
+    /// reviewed pages of the project
     #[arg(value_name = "SCENE.toml|PAPER.toml")]
     pub file: Option<PathBuf>,
     /// The commit of git to compare with, or a file; without a scene or paper, new snapshots (`.snap.new`) are compared with the accepted
@@ -33,7 +33,7 @@ pub struct Args {
     /// The range of a coordinate in which steady motions of a system are compared, in SI units; angles need none
     #[arg(long, value_name = "NAME=FROM..TO", value_parser = named_range, num_args = 1)]
     pub range: Vec<(String, Range)>,
-    /// The form in which the changes are printed
+    /// Output format
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }

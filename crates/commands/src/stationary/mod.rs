@@ -35,35 +35,35 @@ pub struct Args {
     /// The scene, a TOML file
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
-    /// Stationary motions with this angular velocity about the vertical, rad/s
+    /// Steady motions with this angular velocity about the vertical, rad/s
     #[arg(long, value_name = "W", value_parser = finite, allow_negative_numbers = true, conflicts_with_all = ["momentum", "cone"])]
     pub omega0: Option<f64>,
-    /// Stationary motions with this angular momentum about the vertical, N m s; without any of the three options, that of the scene's start
+    /// Steady motions with this angular momentum about the vertical, N m s; without any of the three options, that of the scene's start
     #[arg(long, value_name = "P", value_parser = finite, allow_negative_numbers = true, conflicts_with = "cone")]
     pub momentum: Option<f64>,
-    /// The number of stationary motions for every angular velocity, and the angular velocities at which two merge
+    /// The number of steady motions for every angular velocity, and the angular velocities at which two merge
     #[arg(long)]
     pub cone: bool,
-    /// Given twice: a map over two data in SI units, such as load and carrier.centre.3, of the stability of the rotation about the rotor's
-    /// axis, or of every motion where this is no common axis of the bodies
+    /// Given twice: a stability map over two values in SI units, such as load and carrier.centre.3. The map shows the rotation about the rotor's
+    /// axis if this is a common principal axis of the bodies, else every steady motion
     #[arg(long, value_name = "DATUM=FROM..TO", value_parser = ranged, num_args = 1, conflicts_with_all = ["momentum", "cone"])]
     pub map: Vec<Ranged>,
     /// For --map: the rotor's axis points against the weight
     #[arg(long, requires = "map")]
     pub upright: bool,
-    /// For --map: every stationary motion, not only the rotation about the rotor's axis
+    /// For --map: every steady motion, not only the rotation about the rotor's axis
     #[arg(long, requires = "map", conflicts_with = "upright")]
     pub every: bool,
-    /// The file of the picture: of a map by --map or two --along, or of the branches along one parameter
+    /// The file of the picture: of a map by --map or two --along, or of the branches of steady motions along one parameter
     #[arg(long, value_name = "FILE.svg", visible_alias = "picture")]
     pub out: Option<PathBuf>,
-    /// Replaces the file of --out even where `stationary` did not write what stands there
+    /// Replaces the file of --out even if `stationary` did not write it
     #[arg(long, requires = "out")]
     pub force: bool,
     #[command(flatten)]
     pub steady: SteadyBox,
-    /// The steady motions of a system in its file at values of a parameter in SI units, or of the speed of a cyclic coordinate, and
-    /// where they change; twice: a map of the numbers of steady motions and of stable ones over both
+    /// The steady motions of a system described in its file, at values of a parameter in SI units, or of the speed of a cyclic coordinate, with
+    /// the values at which they change. Given twice: a map of the numbers of steady motions and of stable ones over both
     #[arg(long, value_name = "NAME=FROM..TO", value_parser = named_range, num_args = 1, conflicts_with_all = ["omega0", "momentum", "cone", "map"])]
     pub along: Vec<(String, Range)>,
     /// The number of values for --along; the default is 41, and 24 in each direction of a map

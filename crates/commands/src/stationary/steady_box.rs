@@ -19,14 +19,14 @@ use units::nearest;
 #[derive(clap::Args, Debug)]
 pub struct SteadyBox {
     /// The range or the value, in SI units, of a coordinate, or of the constant speed of a cyclic coordinate or of a quasi-velocity, in a
-    /// system that is written in its file. The default for angles is the whole circle
+    /// system described in its file. The default for angles is the whole circle
     #[arg(long, value_name = "NAME=FROM..TO", value_parser = named_range, num_args = 1)]
     pub range: Vec<(String, Range)>,
-    /// The largest number of boxes in the search, for a system that is written in its file; in each combination of cases where the law changes at
-    /// conditions or with contacts
+    /// The largest number of boxes in the search, for a system described in its file; with contacts or conditions, for each combination of
+    /// their cases
     #[arg(long, value_name = "N", default_value_t = 200_000, allow_negative_numbers = true, value_parser = RangedU64ValueParser::<usize>::new().range(1..=1_000_000_000))]
     pub boxes: usize,
-    /// Another value, in SI units, for a parameter, or for a coordinate or a speed at the start, in a system that is written in its file; may be
+    /// Another value, in SI units, for a parameter, or for a coordinate or a speed at the start, in a system described in its file; may be
     /// repeated
     #[arg(id = "set", long = "set", value_name = "NAME=VALUE", value_parser = named_value)]
     pub values: Vec<(String, f64)>,

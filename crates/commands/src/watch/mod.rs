@@ -28,22 +28,22 @@ use std::time::Duration;
 /// Arguments of `watch`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// A scene, or a paper with [[claim]], that is shown as it is saved: equations, verdicts, the run, errors where the text is wrong
+    /// A scene, or a paper with [[claim]]. The page shows it as last saved: equations, verdicts, the run, and errors of the text
     #[arg(value_name = "SCENE.toml|PAPER.toml")]
     pub file: PathBuf,
     /// The port of the page on 127.0.0.1; the default is a free port
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..), conflicts_with = "save")]
     pub port: Option<u16>,
-    /// Seconds that each part of the page may take: equations, verdicts, the run, claims
+    /// Time limit in seconds for each part of the page: equations, verdicts, the run, claims
     #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..=86_400))]
     pub budget: u32,
-    /// Writes the page of the file as it is now, to be read without the program, and ends
+    /// Writes the page of the present file to this file, readable without the program, and ends
     #[arg(long, value_name = "FILE.html")]
     pub save: Option<PathBuf>,
-    /// Replaces the file of --save even where `watch` did not write what stands there
+    /// Replaces the file of --save even if `watch` did not write it
     #[arg(long, requires = "save")]
     pub force: bool,
-    /// One part of the page, for the program itself
+    /// The part of the page that this process computes; used by the program itself
     #[arg(long, hide = true, value_enum)]
     stage: Option<Stage>,
 }

@@ -69,7 +69,7 @@ fn an_angle_of_several_turns_is_told_by_its_place_and_the_event_that_ends_a_run_
     let output = run(&["ensemble", &file, "--out", &table.to_string_lossy()]);
     let message = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(message.contains(": 20 rad are 3.2 turns") && message.contains("\"20 deg\""), "{message}");
-    // 20 rad are more than 30 deg, so that the run ends at once
+    // the lower bound 20 rad exceeds the upper bound 30 deg: the ensemble is refused
     assert!(output.status.code() == Some(2) && !table.exists(), "{message}");
     std::fs::write(&scene, PENDULUM).expect("it can be written");
     let quiet = run(&["run", &file, "--quiet"]);
