@@ -88,7 +88,7 @@ pub struct ClaimRow {
     pub correction: Option<Box<ClaimRow>>,
     /// The reason for which the printed statement fails, as text; empty where it holds.
     pub why: String,
-    /// The chosen reading of a damaged or ambiguous print, as text; empty where the print is unambiguous.
+    /// The chosen reading of a damaged or ambiguous print, as text; empty where the printed formula is unambiguous.
     pub reading: String,
     /// Further remarks, as text; empty where there are none.
     pub note: String,

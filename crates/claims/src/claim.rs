@@ -19,7 +19,7 @@ pub struct Claim {
     pub expected: Verdict,
     /// The corrected claim, for a claim that fails.
     pub correction: Option<Box<Claim>>,
-    /// The reason for which the print fails, such as the slip behind it; empty where it holds.
+    /// The reason for which the printed statement fails, such as the slip behind it; empty where it holds.
     pub why: String,
     /// The reading of a damaged or ambiguous text: the signs of the source, the restored signs, and the reading that is judged.
     pub reading: String,

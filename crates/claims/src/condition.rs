@@ -64,7 +64,7 @@ impl Condition {
             Self::Equal(a, b) => Self::Equal(a, b + b + one),
             Self::NonZero(_) => Self::NonZero(Sym::ZERO),
             Self::Positive(e) => Self::Positive(-e),
-            // the negation alone could be proved beside the condition: both hold where the expression vanishes
+            // the negation alone could be proved in addition to the condition: both hold where the expression vanishes
             Self::NotNegative(e) => Self::Positive(-e),
         }
     }

@@ -32,9 +32,9 @@ pub struct Judged {
     /// The derived expression minus the printed one as (text, LaTeX); `None` where it is zero.
     pub difference: Option<(String, String)>,
     pub correction: Option<Box<Judged>>,
-    /// The reason for which the print fails; empty where it holds.
+    /// The reason for which the printed statement fails; empty where it holds.
     pub why: String,
-    /// The reading of a damaged or ambiguous text; empty where the print is unambiguous.
+    /// The reading of a damaged or ambiguous text; empty where the printed formula is unambiguous.
     pub reading: String,
     pub note: String,
     /// The objections of the cross-examination; empty for a sound claim.

@@ -17,7 +17,7 @@ pub struct Entry {
     pub formulas: Vec<String>,
     /// All premises: hypotheses, divisors that must not vanish, signs.
     pub requires: Vec<String>,
-    /// The reason for which the print fails, for a refuted claim.
+    /// The reason for which the printed statement fails, for a refuted claim.
     pub why: Option<String>,
     /// The reading of a damaged or ambiguous text.
     pub reading: Option<String>,

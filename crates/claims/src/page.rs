@@ -110,7 +110,7 @@ impl<'a> Draft<'a> {
         self
     }
 
-    /// Sets the reason for which the print fails, one sentence about the slip behind it. Every refuted claim needs it.
+    /// Sets the reason for which the printed statement fails, one sentence about the slip behind it. Every refuted claim needs it.
     pub fn why(mut self, why: impl Into<String>) -> Self {
         self.why = why.into();
         self

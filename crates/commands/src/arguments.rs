@@ -147,6 +147,9 @@ pub enum Command {
 }
 
 /// Parses a finite number.
+///
+/// # Errors
+/// The text is not a number, or the number is infinite; the message names the accepted form.
 pub fn finite(text: &str) -> Result<f64, String> {
     text.parse()
         .ok()
@@ -155,6 +158,7 @@ pub fn finite(text: &str) -> Result<f64, String> {
 }
 
 /// A parser of integers within a range.
+/// The parser returns a message with the range for any other text.
 pub fn whole<N>(range: RangeInclusive<N>) -> impl Fn(&str) -> Result<N, String> + Clone
 where
     N: FromStr + PartialOrd + Display + Clone,
@@ -166,6 +170,9 @@ where
 }
 
 /// Parses a tolerance, the error that a method may make in one step.
+///
+/// # Errors
+/// The number is below 1e-14, or not below 1.
 pub fn tolerance(text: &str) -> Result<f64, String> {
     let value: f64 = text.parse().map_err(|_| "a number such as 1e-8 is accepted".to_owned())?;
     check_tolerance(value).map_err(|wrong| format!("{wrong}; from 1e-14 to below 1 is accepted"))?;

@@ -1,7 +1,7 @@
 //! Atomic writing of output files: a kill of the program never leaves an incomplete file under the requested name.
 //!
 //! The content is written to a temporary file in the same folder and synced to the disk. The temporary file is then renamed to the requested name,
-//! under which there is at any time either the old content or all of the new. A kill during the writing leaves `.NAME.*.part` behind; Ctrl-C does not.
+//! under which there is at any time either the old content or all of the new. A kill during the writing leaves the file `.NAME.*.part`; Ctrl-C does not.
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};

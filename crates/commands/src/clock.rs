@@ -1,7 +1,7 @@
 //! The clock of a command: its deadline, Ctrl-C, and the thread that enforces both.
 //!
-//! A command that can keep partial results stops by itself, since its integrations ask [`integrators::clock`]. Other work, such as
-//! algebra, does not ask; for such work the thread of the clock ends the program after it has printed the results so far. The thread
+//! A command that can keep partial results stops by itself, since its integrations check [`integrators::clock`]. Other work, such as
+//! algebra, does not; for such work the thread of the clock ends the program after it has printed the results so far. The thread
 //! waits while something is printed or written.
 
 use crate::{atomic_write, progress};

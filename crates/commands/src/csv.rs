@@ -17,6 +17,9 @@ pub struct Table {
 
 impl Table {
     /// Checks the destination before the run. `columns` are names with units, without the time, which is added as the first column.
+    ///
+    /// # Errors
+    /// The destination cannot be written, or contains a file of another origin.
     pub fn at(
         writes: &Writes<'_>,
         path: Option<&Path>,
@@ -34,6 +37,9 @@ impl Table {
     }
 
     /// Writes the samples of a run, and its last state where the run ends after the last sample, for example at an event.
+    ///
+    /// # Errors
+    /// The file system fails.
     pub fn write(self, times: &[f64], rows: &[Vec<f64>], end: (f64, &[f64])) -> Result<Option<Written>, Exit> {
         let Table { output, heading, provenance } = self;
         let samples = times.iter().copied().zip(rows.iter().map(Vec::as_slice));
@@ -86,6 +92,9 @@ pub struct Matrix {
 
 impl Matrix {
     /// Checks the destination before the run. `columns` are the names of the states with units.
+    ///
+    /// # Errors
+    /// The destination cannot be written, or contains a file of another origin.
     pub fn at(
         writes: &Writes<'_>,
         path: Option<&Path>,
@@ -102,6 +111,9 @@ impl Matrix {
     }
 
     /// Writes the matrix with one row for each final state. The unit of an entry is the unit of its row divided by that of its column.
+    ///
+    /// # Errors
+    /// The file system fails.
     pub fn write(self, rows: &[Vec<f64>]) -> Result<Option<Written>, Exit> {
         let Matrix { output, columns, provenance } = self;
         let content = |out: &mut dyn Write| {

@@ -100,6 +100,9 @@ pub fn draw(asked: &Args) -> Result<Exit, Exit> {
 }
 
 /// The sketch of a system at its start, without a run.
+///
+/// # Errors
+/// The text has a fault, or no start satisfies its constraints.
 pub fn still(path: &Path, text: &SystemText, towards: Option<[f64; 3]>) -> Result<Sketch, Exit> {
     let (title, model) = ::scenes::parse_titled(&text.name, &text.text, Task::Run)?;
     still_of(path, (&title, model), towards)

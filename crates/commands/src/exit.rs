@@ -26,7 +26,7 @@ pub fn is_quiet() -> bool {
     QUIET.load(Relaxed)
 }
 
-/// The outcome of a command, from which the exit code follows.
+/// The outcome of a command, from which the exit code follows. As the error of a function it is a refusal, or the early end of the command.
 #[derive(Debug)]
 pub enum Exit {
     /// Success.
@@ -118,6 +118,9 @@ fn rendered(error: &SceneError) -> String {
 }
 
 /// Prints to standard output, with control characters made visible. A closed pipe is not an error.
+///
+/// # Errors
+/// Standard output cannot be written, for example because the disk is full.
 pub fn print(text: &str) -> Result<(), Exit> {
     let _held = clock::held();
     // the final text contains the interim results, which must not be printed a second time

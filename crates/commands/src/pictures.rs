@@ -38,7 +38,7 @@ pub fn trajectory(scene: &dyn IvpScene, run: &Trajectory) -> charts::Trajectory 
     }
 }
 
-/// The charts of one run on one sheet: outputs over time, below them quantities that should stay zero, beside them speeds over coordinates.
+/// The charts of one run on one sheet: outputs over time, below them quantities that should stay zero, next to them speeds over coordinates.
 pub fn sheet(scene: &dyn IvpScene, run: &Trajectory) -> Sheet {
     let mut against_time = trajectory(scene, run);
     let stopped = run.stopped();

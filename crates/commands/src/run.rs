@@ -308,6 +308,9 @@ pub fn writes(asked: &Args) -> Writes<'_> {
 }
 
 /// The scene with the requested model of the motor; unchanged without a request.
+///
+/// # Errors
+/// The model is unknown, or the scene lacks data for it.
 pub fn with_model(scene: Scene, model: Option<&str>, path: &Path) -> Result<Scene, Exit> {
     let Some(model) = model else { return Ok(scene) };
     scene.with_model(model).map_err(|error| {

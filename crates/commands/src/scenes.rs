@@ -56,6 +56,9 @@ fn object(path: String, scene: Result<(String, String), usize>) -> Value {
 }
 
 /// The paths of the TOML files in a folder and its subfolders: the files of each folder first, sorted by name.
+///
+/// # Errors
+/// A folder cannot be read, or there is no scene.
 pub fn files(folder: &Path) -> Result<Vec<PathBuf>, Exit> {
     let unreadable = |error: io::Error| {
         let accepted = "a folder with scene files is accepted; the project's own is `scenes`";

@@ -8,7 +8,10 @@ use std::path::Path;
 const FILE: &str = "benches/peers/proofs.json";
 const COMMAND: &str = "python3 benches/peers/proofs.py";
 
-/// The times, or the reason for which there are none.
+/// The times in the file of the measuring script.
+///
+/// # Errors
+/// The file is missing or has another format, as a sentence for the page.
 pub fn read(scenes: &Path) -> Result<Timings, String> {
     let path = scenes.parent().unwrap_or(Path::new("")).join(FILE);
     let missing = || format!("Not measured here: {COMMAND} writes {FILE}, and the next page shows it.");

@@ -94,7 +94,7 @@ pub struct Change {
     pub kind: EditKind,
     /// The changed part in words: `the sign of the second term of the left side`.
     pub words: String,
-    /// The changed part of the print in LaTeX; empty for an addition.
+    /// The changed part of the printed formula in LaTeX; empty for an addition.
     pub before: String,
     /// The replacement in LaTeX; empty for a removal.
     pub after: String,

@@ -158,14 +158,14 @@ pub(crate) fn missing(kind: Kind, line: &Line, motion: &Motion<'_, '_>, told: To
     }
 }
 
-/// An expression in normal form in the letters of a print, if it is short enough to read.
+/// An expression in normal form in the letters of a printed formula, if it is short enough to read.
 pub(crate) fn readable(left: Sym, print: [Sym; 2], motion: &Motion<'_, '_>, told: Told<'_, '_, '_>) -> Option<Sym> {
     let form = normal(left, &motion.hypotheses).ok()?;
     plainest(form.to_sym(), print, motion, told).filter(|own| length(*own) <= READABLE)
 }
 
 /// The form of an expression in the paper's letters with the fewest symbols for which the paper has no letter, and among these with the fewest symbols
-/// that the print does not contain.
+/// that the printed formula does not contain.
 pub(crate) fn plainest(
     expression: Sym,
     print: [Sym; 2],

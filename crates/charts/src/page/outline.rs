@@ -48,7 +48,7 @@ fn counts(report: &Report, set: &mut Typesetter) -> Markup {
     }
 }
 
-/// The table of contents, beside the page or above it.
+/// The table of contents, next to the page or above it.
 pub(super) fn contents(report: &Report, set: &mut Typesetter) -> Markup {
     let refuted = report.count(Verdict::Refuted);
     html! {

@@ -27,10 +27,10 @@ pub(super) fn whole(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
     }
 }
 
-/// Evidence that hundreds of rows share. The page states it once, beside the meaning of the verdict.
+/// Evidence that hundreds of rows share. The page states it once, next to the meaning of the verdict.
 const USUAL: [&str; 2] = ["normal form zero", "normal form of the difference is zero"];
 
-/// The sentence that stands for the evidence in `USUAL`, beside the meaning of the verdict.
+/// The sentence that stands for the evidence in `USUAL`, next to the meaning of the verdict.
 pub(super) const UNTOLD: &str = "; if no reason is given, the normal form of the difference is zero";
 
 /// The evidence of a claim; empty where it is in `USUAL`.

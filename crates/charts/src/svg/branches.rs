@@ -46,7 +46,7 @@ pub struct Branches {
 }
 
 const LEFT: f64 = 56.0;
-/// The width in pixels of the label beside the axis with its gaps; [`DIGIT`] is the width of a digit.
+/// The width in pixels of the label next to the axis with its gaps; [`DIGIT`] is the width of a digit.
 const LABEL: f64 = 32.0;
 const DIGIT: f64 = 8.5;
 const RIGHT: f64 = WIDTH - 14.0;

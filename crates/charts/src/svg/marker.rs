@@ -123,7 +123,7 @@ fn outline(shape: usize, r: f64) -> (String, Paint) {
     }
 }
 
-/// The path of a circle: one arc from the top that ends a tenth of a pixel beside its start. Two half circles would be twice as long.
+/// The path of a circle: one arc from the top that ends a tenth of a pixel from its start. Two half circles would be twice as long.
 fn circle(r: f64) -> String {
     let n = coordinate;
     format!("m0 {}a{r} {r} 0 1 0 .1 0z", n(-r), r = n(r))

@@ -80,8 +80,8 @@ pub struct Stability {
     pub neutral: u32,
     /// The expression that the printed condition states to be positive.
     pub printed: usize,
-    /// The quotient of the condition that the theorem leaves, after the signs of terms, and the printed condition. The index and the even power are
-    /// those of a relation of `given` by which the quotient was divided.
+    /// The ratio of the theorem's condition, reduced by the signs of its terms, to the printed condition; with it the relation of `given` (by its
+    /// index) and the even power of it by which the ratio was divided, if any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ratio: Option<(usize, Option<(usize, i32)>)>,
     /// A point at which the printed condition and the theorem disagree.
@@ -127,7 +127,7 @@ pub struct Combined {
 pub struct Product {
     /// The entry of the positive number.
     pub number: usize,
-    /// The factors that are sides' differences of relations, by their indices in `given`; the index after the last one stands for the negated
+    /// Factors that are differences of the sides of relations, by their indices in `given`; the index after the last one is the negated
     /// conclusion. The difference of a relation `!=` occurs twice, as a square.
     pub of: Vec<usize>,
     /// Entries that are square roots.

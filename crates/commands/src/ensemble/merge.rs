@@ -92,7 +92,10 @@ pub fn missing(scene: &EnsembleScene, paths: &[PathBuf], makers: Makers) -> Resu
     Ok(if any { Exit::Stopped } else { Exit::Done })
 }
 
-/// Writes one table with all members.
+/// Writes one table with all members, and prints the counts of their outcomes.
+///
+/// # Errors
+/// A member is in no table, two tables disagree on a member, a table belongs to another ensemble, or the destination cannot be written.
 pub fn merge(
     scene: &EnsembleScene,
     paths: &[PathBuf],

@@ -49,6 +49,9 @@ pub struct Rows<'a, R> {
 
 impl<'a, R: BufRead> Rows<'a, R> {
     /// Opens a table. `None` where its first line is incomplete, because a run was killed before its first row.
+    ///
+    /// # Errors
+    /// The table cannot be read, or its first line does not contain the columns of this ensemble.
     pub fn of(mut table: R, scene: &'a EnsembleScene, makers: Makers) -> Result<Option<Self>, Foreign> {
         let heading = heading(scene);
         let unreadable = |error: io::Error| (1, error.to_string());

@@ -40,6 +40,9 @@ pub struct Table {
 
 impl Table {
     /// Creates the table for a range of members, or opens an existing one to continue it. Returns the counts of the members in it.
+    ///
+    /// # Errors
+    /// Another run writes to the table, it belongs to another ensemble (accepted with `force`), or the file system fails.
     pub fn open(
         writes: &Writes<'_>,
         path: &Path,
@@ -85,6 +88,9 @@ impl Table {
     }
 
     /// Adds a row. A kill loses buffered rows; a power failure loses rows that are not synced.
+    ///
+    /// # Errors
+    /// Those of [`Table::settle`].
     pub fn push(&mut self, row: &Row) -> Result<(), Exit> {
         self.waiting += &line(row, self.columns, &self.fingerprint);
         if self.settled.elapsed() >= CHUNK {
@@ -94,6 +100,9 @@ impl Table {
     }
 
     /// Writes buffered rows, syncs the file to the disk, and checks that the path still leads to this file.
+    ///
+    /// # Errors
+    /// Another program has deleted, replaced or changed the file, or the file system fails.
     pub fn settle(&mut self) -> Result<(), Exit> {
         let settled = self.write().and_then(|()| self.file.sync_data());
         settled.map_err(|error| self.unwritable(&error))?;

@@ -29,6 +29,9 @@ impl<'a> CertificateFolder<'a> {
     }
 
     /// Writes the certificates of a paper with its key, title and citation; writes nothing where there are no certificates.
+    ///
+    /// # Errors
+    /// The file cannot be written, or has another origin.
     pub fn write(
         &self,
         [key, title, citation]: [&str; 3],

@@ -137,7 +137,7 @@ impl Form {
         }
     }
 
-    /// Whether a file with this beginning was written with a seal, as all files except references without the version of the program.
+    /// Whether a file with this beginning was written with a seal. All files are, except references that do not name the version of the program.
     fn was_sealed(&self, head: &str) -> bool {
         let has_version =
             |head: &str| head.lines().any(|line| line.starts_with("# Made by: ") && line.contains(", version "));

@@ -5,7 +5,7 @@
 //! * An existing file is replaced only if this command wrote it and nobody has changed it since, which its mark and seal show (see [`Form`]),
 //!   or with `--force`. A file that the command reads is never replaced, whatever the path to it.
 //! * These rules are checked before the work, and again when the file is written. If another program has created the file meanwhile, that file
-//!   remains, and the results are kept beside it under another name.
+//!   remains, and the results are kept next to it under another name.
 //! * Output to a pipe or a device is written directly, whatever its name; a pipe without a reader is refused.
 
 mod form;
@@ -66,6 +66,9 @@ struct Rights {
 impl Writes<'_> {
     /// The destination at a path, in the form among `forms` that its extension determines. It is checked before the work, so that an unacceptable
     /// name does not waste the work; nothing is created yet.
+    ///
+    /// # Errors
+    /// The extension is that of none of the `forms`, the file is one that the command reads or did not write, or the file system refuses it.
     pub fn output(&self, path: &Path, forms: &[Form]) -> Result<Output, Exit> {
         let place = Target::of(path).map_err(|error| Exit::unwritable(path, &error))?;
         let form = match (Form::named(path, forms), &place) {
@@ -92,11 +95,17 @@ impl Writes<'_> {
     }
 
     /// The destination at a path; `None` without a path.
+    ///
+    /// # Errors
+    /// Those of [`Writes::output`].
     pub fn optional(&self, path: Option<&Path>, forms: &[Form]) -> Result<Option<Output>, Exit> {
         path.map(|path| self.output(path, forms)).transpose()
     }
 
     /// The path of a table that is read before it is continued: an existing file or a free name. Its rows show whether the command wrote it.
+    ///
+    /// # Errors
+    /// Those of [`Writes::output`], or the path leads to a pipe or a device.
     pub fn continued(&self, path: &Path) -> Result<PathBuf, Exit> {
         let output = Writes { force: true, reads: self.reads.clone(), ..*self };
         match output.output(path, &[Form::Table(String::new())])?.place {
@@ -160,6 +169,9 @@ impl Output {
     }
 
     /// Writes the content atomically, with the mark of the command and the seal of the form.
+    ///
+    /// # Errors
+    /// Writing fails, or another program has created or changed the file since the first check; the results are then in another file.
     pub fn write(self, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<Written, Exit> {
         let _held = clock::held();
         let Output { path, form, place, rights } = self;
@@ -197,6 +209,9 @@ impl Output {
     }
 
     /// Writes a text.
+    ///
+    /// # Errors
+    /// Those of [`Output::write`].
     pub fn write_text(self, text: &str) -> Result<Written, Exit> {
         self.write(|out| out.write_all(text.as_bytes()))
     }
@@ -208,6 +223,9 @@ pub struct Written(PathBuf);
 
 impl Written {
     /// Prints the name of the file, unless the output is JSON.
+    ///
+    /// # Errors
+    /// Standard output cannot be written.
     pub fn tell(self, format: Format) -> Result<(), Exit> {
         match format {
             Format::Text if !is_quiet() => print(&format!("{}\n", self.0.display())),

@@ -15,6 +15,9 @@ pub enum Target {
 impl Target {
     /// Finds the target of a path. A pipe is opened here and stays open, so that its reader waits for the output. If it has no reader, this
     /// function waits a few seconds for one.
+    ///
+    /// # Errors
+    /// The path leads to a folder, a missing target of a link, a read-only file, or a pipe without a reader.
     pub fn of(path: &Path) -> io::Result<Self> {
         let found = match fs::metadata(path) {
             Ok(found) => found,

@@ -35,7 +35,7 @@ pub struct Prepared {
     pub timed: Duration,
 }
 
-/// A scene with the reference that is stored beside its file.
+/// A scene with the reference that is stored next to its file.
 pub struct Read {
     pub id: String,
     pub scene: AnyScene,

@@ -57,6 +57,9 @@ pub struct Combination {
 
 impl Combinations {
     /// The parts of a system that was read from a file; `None` where its law has no conditions and no free frame.
+    ///
+    /// # Errors
+    /// A name has two ranges or values, or steady motions of the system are not searched for; the message states the reason.
     pub fn of(steady: &SteadyBox, path: &Path, system: &SoughtSystem) -> Result<Option<Self>, Exit> {
         steady.checked()?;
         let _progress = Progress::new("steady motions");

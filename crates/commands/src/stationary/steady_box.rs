@@ -33,6 +33,9 @@ pub struct SteadyBox {
 }
 
 /// Parses a name with a range or a value.
+///
+/// # Errors
+/// The text has another form, or the range descends.
 pub fn named_range(text: &str) -> Result<(String, Range), String> {
     let accepted = || {
         "a coordinate with its range in SI units, such as x=-0.1..0.1, or with one value, x=0.1, is accepted".to_owned()
@@ -80,6 +83,9 @@ pub struct AlongFound {
 pub type SoughtSystem = (String, Model, Source);
 
 /// Reads the system of a text and prepares it for the search.
+///
+/// # Errors
+/// All faults of the text and of its replaced values.
 pub fn sought(text: &SystemText) -> Result<SoughtSystem, SceneError> {
     let (title, model, source) = parse_with_source(&text.name, &text.text, Task::Vary)?;
     let mut model = text.with_its_values(model)?;
@@ -99,11 +105,17 @@ pub fn unit(model: &Model, name: &str) -> String {
 
 impl SteadyBox {
     /// Reads the system of a file and prepares it for the search.
+    ///
+    /// # Errors
+    /// All faults of the file and of the values of `--set`.
     pub fn system_in(&self, path: &Path) -> Result<SoughtSystem, Exit> {
         Ok(sought(&SystemText { values: self.values.clone(), ..SystemText::read(path)? })?)
     }
 
     /// All steady motions of a system that was read from a file.
+    ///
+    /// # Errors
+    /// A name has two ranges or values, or steady motions of the system are not searched for; the message states the reason.
     pub fn find(&self, path: &Path, (title, model, source): SoughtSystem) -> Result<Found, Exit> {
         self.checked()?;
         let _progress = Progress::new("steady motions");
@@ -113,6 +125,9 @@ impl SteadyBox {
     }
 
     /// All steady motions of the system in a file, at values of a parameter or of the speed of a cyclic coordinate.
+    ///
+    /// # Errors
+    /// Those of [`SteadyBox::along`], or steady motions of the system are not searched for.
     pub fn find_along(&self, path: &Path, (name, range): &(String, Range), values: usize) -> Result<AlongFound, Exit> {
         let (title, model, asked) = self.along(path, &[name])?;
         let _progress = Progress::new("steady motions");
@@ -123,7 +138,7 @@ impl SteadyBox {
             sample.found.unknowns.iter().map(|unknown| self::unit(&model, &unknown.name)).collect()
         });
         let why = |why: &NoSteadyMotions| {
-            // the value is printed beside the reason
+            // the value is printed next to the reason
             let own = if let NoSteadyMotions::At { why, .. } = why { why } else { why };
             reason(&model, asked.text.as_deref(), own.clone()).title
         };
@@ -132,6 +147,9 @@ impl SteadyBox {
     }
 
     /// The system of a file, prepared such that parameters or speeds of cyclic coordinates with these names can be varied.
+    ///
+    /// # Errors
+    /// The file has a fault, or a name cannot be varied.
     pub fn along(&self, path: &Path, names: &[&String]) -> Result<(String, Model, SteadySearch), Exit> {
         self.checked()?;
         let (title, model, source) = self.system_in(path)?;

@@ -111,7 +111,7 @@ fn decides(found: &Eigenvalues) -> Option<&EnclosedSpectrum> {
     found.enclosed.as_ref().ok().filter(|found| spectrum::is_decided(found))
 }
 
-/// Whether at least so many zero eigenvalues have reasons in the nonlinear equations, such as a cyclic coordinate; a zero from a force x³ has none.
+/// Whether at least `zeros` zero eigenvalues have reasons in the nonlinear equations, such as a cyclic coordinate; a zero from a force x³ has none.
 fn has_reasons(found: &Eigenvalues, zeros: usize) -> bool {
     zeros == 0 || found.enclosed.as_ref().is_ok_and(|enclosed| enclosed.zeros.len() >= zeros)
 }

@@ -27,7 +27,7 @@ impl Endurance {
         }
     }
 
-    /// The completed study for the report; results of longer runs are read from a file beside the folder of scenes.
+    /// The completed study for the report; results of longer runs are read from a file next to the folder of scenes.
     pub fn study(self, scenes: &Path) -> Study {
         let courses: Vec<MethodRun> = self.courses.into_iter().flatten().flatten().collect();
         let mut study = Study {

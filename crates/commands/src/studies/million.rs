@@ -18,7 +18,7 @@ struct Kept {
     samples: Vec<[Option<f64>; 6]>,
 }
 
-/// The runs over a million revolutions, read from a file beside the folder `scenes`.
+/// The runs over a million revolutions, read from a file next to the folder `scenes`.
 ///
 /// # Errors
 /// A sentence for the report, where the file is missing or belongs to another version.

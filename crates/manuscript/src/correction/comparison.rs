@@ -60,7 +60,7 @@ impl<G: Ground> Side<'_, G> {
         self.ground.text()
     }
 
-    /// The edited formula with the sought letter as a further term of this side.
+    /// The edited formula with the letter of the unknown term as a further term of this side.
     fn asked(&self, edits: &[Edit]) -> Option<latex::Statement> {
         let mut known = self.ground.known();
         if known.iter().any(|name| name == SOUGHT) {
@@ -109,7 +109,7 @@ impl<G: Ground> Side<'_, G> {
             .map(|one| &self.places.summands[one.summand].span)
             .collect();
         let (printed, kept) = (self.kept(&[]), self.kept(&gone));
-        // if less than half of the print remained, this would be a new formula and not a correction
+        // if less than half of the printed formula remained, this would be a new formula and not a correction
         if 2 * kept < printed {
             return None;
         }

@@ -36,7 +36,7 @@ pub(super) fn factors(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<
             }
         }
     }
-    // cosines and sines of angles that are coordinates are tried even if the print does not contain them
+    // cosines and sines of angles that are coordinates are tried even if the printed formula does not contain them
     let is_angle = |rate: &&LetterRate| {
         rate.order == 0 && rate.is_symbol && !rate.is_parameter && rate.dimension == Dimension::none()
     };

@@ -50,10 +50,10 @@ pub(super) trait Ground {
     /// The residual of the formula at some points, in double precision; it vanishes for a true formula. `None` if it cannot be evaluated.
     fn residual(&self, statement: &Statement) -> Option<Vec<f64>>;
 
-    /// The value that the sought letter must have, in normal form in the symbols of the model.
+    /// The value that the letter of the unknown term must have, in normal form in the symbols of the model.
     fn lack(&self, statement: &Statement) -> Option<Sym>;
 
-    /// The values that the sought letter may have, in the printed letters.
+    /// The values that the letter of the unknown term may have, in the printed letters.
     fn sought(&self, statement: &Statement) -> Vec<Sym>;
 
     /// Edits that add the terms which a sum lacks, if these are at most `most` terms.

@@ -1,4 +1,4 @@
-//! Hypotheses that the print may have omitted, such as that a letter is zero or has a sign.
+//! Hypotheses that the printed formula may have omitted, such as that a letter is zero or has a sign.
 
 use super::letter_rates::LetterRate;
 use super::lost_inertia::takes_inertia;

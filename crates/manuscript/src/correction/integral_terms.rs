@@ -6,7 +6,7 @@ use crate::letters::Letters;
 use latex::{Statement, Value, value};
 use symbolic::{Hypotheses, Sym, normal};
 
-/// The values of the sought letter for which an expression is a multiple of an integral of the model: of its energy, or of the momentum of a cyclic
+/// The values of the letter of the unknown term for which an expression is a multiple of an integral of the model: of its energy, or of the momentum of a cyclic
 /// coordinate.
 pub(super) fn integral_terms(statement: &Statement, letters: &Letters<'_, '_>) -> Vec<Sym> {
     let trace = letters.trace;

@@ -18,7 +18,7 @@ use model::equations::Equations;
 use std::ops::Range;
 use symbolic::{Hypotheses, Sym, normal};
 
-/// The largest length of a lost term in characters; a longer term is not a plausible error of the print.
+/// The largest length of a lost term in characters; a longer term is not a plausible error of the printed formula.
 pub(super) const SHORT: usize = 140;
 
 /// The letter that stands for the unknown lost term.
@@ -38,7 +38,7 @@ pub(super) fn lost(ground: &TextClaim<'_, '_, '_>, places: &Places, probe: &Prob
     lost_terms(places, ground.text(), letters.spelt(), most, &|statement| missing_values(ground, statement, probe))
 }
 
-/// The values of the sought letter with which a claim holds.
+/// The values of the letter of the unknown term with which a claim holds.
 pub(super) fn sought_values(ground: &TextClaim<'_, '_, '_>, statement: &Statement, probe: &Probe<'_, '_>) -> Vec<Sym> {
     // a single part of a linearised equation does not determine the letter
     if ground.claim.kind == Kind::LinearisedEquation {
@@ -53,7 +53,7 @@ fn missing_values(ground: &TextClaim<'_, '_, '_>, statement: &Statement, probe: 
 }
 
 /// Edits that add the terms which each sum lacks, if these are at most `most` short terms. `of` returns their values from the formula in which
-/// the sought letter is added to the sum.
+/// the letter of the unknown term is added to the sum.
 pub(super) fn lost_terms(
     places: &Places,
     text: &str,
@@ -71,7 +71,7 @@ pub(super) fn lost_terms(
         let terms = read(&with, &known).map_or_else(|_| Vec::new(), |statement| of(&statement));
         let is_short = |term: &Sym| {
             let told = term.to_string();
-            // several terms that are much longer than the print would be a new formula
+            // several terms that are much longer than the printed formula would be a new formula
             let is_less = count(&told) == 1 || 2 * letters(*term) <= 3 * printed;
             *term != Sym::ZERO && told.chars().count() <= SHORT && count(&told) <= most && is_less
         };
@@ -164,7 +164,7 @@ fn one_difference(statement: &Statement, letters: &Letters<'_, '_>) -> Option<Sy
     }
 }
 
-/// The values of the sought term in the paper's letters, on the motion and by each equation of motion.
+/// The values of the unknown term in the paper's letters, on the motion and by each equation of motion.
 fn missing(kind: Kind, difference: Sym, letters: &Letters<'_, '_>, probe: &Probe<'_, '_>) -> Vec<Sym> {
     let sought = sought();
     // if the term stands in a denominator, the numerator of the difference is linear in it
@@ -265,21 +265,21 @@ pub(super) fn sought() -> Sym {
     Sym::symbol("sought term")
 }
 
-/// The value of the sought letter from an expression that is zero; `None` if the expression is not linear in the letter.
+/// The value of the letter of the unknown term from an expression that is zero; `None` if the expression is not linear in the letter.
 pub(super) fn solved(zero: Sym) -> Option<Sym> {
     let slope = zero.diff(sought());
     let is_linear = slope != Sym::ZERO && !slope.symbols_of().contains(&sought());
     is_linear.then(|| -zero.substitute(&[(sought(), Sym::ZERO)]) / slope)
 }
 
-/// The value of the sought letter in a claim, on the motion.
+/// The value of the letter of the unknown term in a claim, on the motion.
 pub(super) fn lack(statement: &Statement, letters: &Letters<'_, '_>, probe: &Probe<'_, '_>) -> Option<Sym> {
     let motion = probe.motion();
     let value = motion.reduced(solved(one_difference(statement, letters)?)?);
     normal(value, &motion.hypotheses).ok().map(|form| form.to_sym())
 }
 
-/// The meanings of the paper's letters and of the sought letter.
+/// The meanings of the paper's letters and of the letter of the unknown term.
 pub(super) struct Sought<'a, 't, 'm>(pub &'a Letters<'t, 'm>);
 
 impl Meaning for Sought<'_, '_, '_> {

@@ -1,7 +1,7 @@
 //! The smallest edit of a printed formula that makes a refuted claim true.
 //!
 //! # Overview
-//! * [`places`]: terms, factors, letters, numbers and powers with their ranges in the print;
+//! * [`places`]: terms, factors, letters, numbers and powers with their ranges in the printed formula;
 //! * [`exchanges`], [`factors`], [`terms`], [`lost`]: the edits, ordered by size;
 //! * [`ground`]: letters, test points and judge of a formula: of a claim about its model ([`text_claim`], with [`probe`]), or of a recorded
 //!   equation that is compared with the derived one ([`recorded_equation`]);

@@ -4,7 +4,7 @@ use super::lost::SOUGHT;
 use latex::letter_name;
 use symbolic::Sym;
 
-/// A letter of the print (order 0) or a rate of it.
+/// A letter of the printed formula (order 0) or a rate of it.
 pub(super) struct Letter {
     pub name: String,
     pub order: u32,

@@ -21,9 +21,9 @@ pub(super) struct Probe<'t, 'm> {
     /// The point, extended by accelerations, multipliers and other values that follow from it.
     at: Option<Refutation>,
     kind: Kind,
-    /// The number of lines that state nothing in the print.
+    /// The number of lines that state nothing in the printed formula.
     empty: usize,
-    /// Letters that are not in the print and denote expressions in printed letters, with these expressions.
+    /// Letters that are not in the printed formula and denote expressions in printed letters, with these expressions.
     foreign: Vec<(Sym, Sym)>,
     samples: Option<Samples>,
     linear: Option<Linearisation<'t, 'm>>,

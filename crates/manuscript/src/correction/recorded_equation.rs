@@ -24,7 +24,7 @@ pub struct LineCorrection {
     pub line: Line,
 }
 
-/// The reason for which the print of a recorded equation cannot be edited.
+/// The reason for which the printed formula of a recorded equation cannot be edited.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NotRead(pub String);
 

@@ -53,7 +53,7 @@ pub(super) struct Search<'a, G> {
     known: Vec<String>,
     /// Whether the difference of the sides of the printed formula is a number.
     is_number: bool,
-    /// The number of parts of the print that state nothing.
+    /// The number of parts of the printed formula that state nothing.
     redundancies: usize,
 }
 
@@ -105,7 +105,7 @@ impl<'a, G: Ground> Search<'a, G> {
             return found;
         }
         let factors = factors::factors(places, text, self.ground.rates());
-        // rates and composed quantities that the print does not contain are not added together with other edits
+        // rates and composed quantities that the printed formula does not contain are not added together with other edits
         let is_printed = |rate: &LetterRate| places.atoms.iter().any(|atom| atom.name == rate.name);
         let is_quantity = |rate: &&LetterRate| (rate.order > 0 || !rate.is_symbol) && !is_printed(rate);
         let foreign = self.ground.rates().iter().filter(is_quantity);

@@ -23,7 +23,7 @@ const MOST_TERMS_FOR_ZERO: usize = 8;
 /// The largest number of terms in the value of a whole side.
 const MOST_OF_SIDE: usize = 6;
 
-/// A part of the print that is replaced.
+/// A part of the printed formula that is replaced.
 struct Part {
     /// The range that the value replaces.
     span: Range<usize>,
@@ -72,7 +72,7 @@ pub(super) fn values(ground: &impl Ground, places: &Places, are_sides: bool) -> 
         let Some(Ok(statement)) = asked.map(|(asked, _)| read(&asked, &known)) else { continue };
         for value in ground.sought(&statement) {
             let weight = weight(value);
-            // a sum that replaces several terms and is much longer than the print would be a new formula
+            // a sum that replaces several terms and is much longer than the printed formula would be a new formula
             let is_new = !part.away.is_empty() && 2 * letters(value) > 3 * printed;
             if weight > most.0 || terms(value) > most.1 || is_new {
                 continue;

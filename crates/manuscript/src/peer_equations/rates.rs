@@ -36,6 +36,10 @@ fn unknown(name: &str) -> Sym {
 }
 
 impl PeerRates {
+    /// Reads the equations; `meaning` returns the value of a letter in the symbols of the model.
+    ///
+    /// # Errors
+    /// A text cannot be read, or the equations do not determine the speeds; with the accepted form.
     pub fn of(peer: &PeerEquations, trace: &Trace<'_>, meaning: impl Fn(&str) -> Sym) -> Result<Self, Refusal> {
         let unread = |why: String| (why, "expressions of coordinates, rates and parameters");
         let mut words = Vocabulary::new(trace.time, trace.pi);

@@ -25,7 +25,7 @@ pub struct LiveVector {
     pub latex: Option<String>,
 }
 
-/// HTML of the vectors, each beside its name, and of the lines of text.
+/// HTML of the vectors, each next to its name, and of the lines of text.
 pub fn vectors(all: &[LiveVector]) -> String {
     let mut set = Typesetter::default();
     let set = &mut set;

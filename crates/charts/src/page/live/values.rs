@@ -37,7 +37,7 @@ pub fn sliders(all: &[Slider], about: &str) -> String {
 /// The largest length of a name, in bytes, that fits the narrow column of names.
 const SHORT: usize = 8;
 
-/// The name beside the slider: the name alone of a parameter, and the whole path of any other number.
+/// The name next to the slider: the name alone of a parameter, and the whole path of any other number.
 fn name(id: &str) -> String {
     id.strip_prefix("parameters.").unwrap_or(id).replace('"', "")
 }

@@ -1,4 +1,4 @@
-//! Names beside the points of a sketch. Each name has one position relative to its point, chosen such that it covers least over the whole motion;
+//! Names next to the points of a sketch. Each name has one position relative to its point, chosen such that it covers least over the whole motion;
 //! a name that is farther away is joined to its point by a line. A name is left out where every position is taken.
 
 use super::camera::Camera;

@@ -18,7 +18,7 @@ pub struct Sphere {
     pub title: String,
     /// A description, as text.
     pub description: String,
-    /// Data beside the picture: names and values, as texts.
+    /// Data next to the picture: names and values, as texts.
     pub facts: Vec<(String, String)>,
     /// The quantity that colours the curves, as plain text with its unit.
     pub value: String,

@@ -65,7 +65,7 @@ fn turns(places: &[(f64, f64)]) -> usize {
     slopes.windows(2).filter(|pair| pair[0].signum() != pair[1].signum()).count()
 }
 
-/// Draws the number beside the cross where several runs stopped. A single stop needs none, since its reason stands above the first panel.
+/// Draws the number next to the cross where several runs stopped. A single stop needs none, since its reason stands above the first panel.
 pub(super) fn number(drawing: &mut Drawing, track: &Track, stops: &[Stop], x: &Axis, y: &Axis) {
     let (Some(stop), Some(end), [_, _, ..]) = (Stop::of(track), finite(track).last(), stops) else { return };
     let number = stops.iter().position(|known| known.is(&stop)).map_or(0, |position| position + 1);

@@ -13,6 +13,9 @@ const BEFORE: &str = "; sha256 of all else here: ";
 const DIGITS: usize = 64;
 
 /// Writes a file from its beginning. If its first line is a comment, the hash of the content is inserted at the end of this line.
+///
+/// # Errors
+/// Writing to `out` fails.
 pub fn sealed<W: Write + Seek>(out: &mut W, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     let mut opened = Opened { out, length: 0, digits: Digits::Unknown };
     let mut hashed = Hashed::of(&mut opened);

@@ -27,6 +27,9 @@ impl Around {
 }
 
 /// Writes the content, a line end where its last line has none, then the line with the hash of all of this.
+///
+/// # Errors
+/// Writing to `out` fails.
 pub fn sealed(
     out: &mut dyn Write,
     around: Around,

@@ -56,7 +56,7 @@ fn source(paper: &PaperText, claim: &manuscript::ClaimText) -> LiveClaim {
     }
 }
 
-/// The row of a judged claim without its reading, since the source stands beside the formula.
+/// The row of a judged claim without its reading, since the source stands next to the formula.
 fn decided(finding: &Finding) -> ClaimRow {
     ClaimRow { reading: String::new(), ..row(&finding.judged) }
 }
