@@ -43,6 +43,7 @@ pub enum Keeps {
 struct Clock {
     command: &'static str,
     keeps: Keeps,
+    /// The time limit in seconds; `None` without a limit.
     seconds: Option<u32>,
     deadline: Option<Instant>,
 }

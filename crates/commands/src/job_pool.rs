@@ -9,6 +9,7 @@ pub struct JobPool<'s> {
 }
 
 struct Job<'s> {
+    /// The approximate time in seconds.
     cost: f64,
     work: Box<dyn FnOnce() + Send + 's>,
 }

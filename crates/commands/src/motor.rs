@@ -41,6 +41,7 @@ const SWINGS: f64 = 200.0;
 
 /// The results for a motor with a given number of bars.
 struct Case {
+    /// The number of bars; `None` for a motor without a count of bars.
     bars: Option<usize>,
     /// The axial moment of inertia, kg m².
     axial: f64,
@@ -60,7 +61,9 @@ struct Common {
     /// Enclosures of the synchronous angles without an additional load.
     angles: Vec<Angle>,
     pull_out: Standing,
+    /// The additional loads of the table, N m.
     loads: Vec<f64>,
+    /// The duration of the run from each start, s.
     span: f64,
 }
 

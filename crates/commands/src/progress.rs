@@ -28,6 +28,7 @@ struct Work {
 /// A phase of the work. Dropping the value removes the progress bar and restores the phase before.
 pub struct Progress {
     before: Option<Work>,
+    /// The number of marks of the bar that have been reported.
     shown: u64,
 }
 

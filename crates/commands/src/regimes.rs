@@ -73,6 +73,7 @@ struct Regime {
 struct Margin {
     contact: String,
     condition: String,
+    /// The distance from the limit of the condition, in `unit`; positive where the condition holds.
     value: f64,
     unit: &'static str,
 }

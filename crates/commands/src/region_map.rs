@@ -31,6 +31,7 @@ const NOTE: &str = "In the middle of each cell the motion is isolated and judged
 /// A scene with the two data over which it is mapped, and their ranges.
 pub struct MapRequest<'a> {
     pub scene: &'a Scene,
+    /// The two data with their ranges, in SI units.
     pub data: [(&'a Datum, [f64; 2]); 2],
     /// The angular velocity about the vertical, rad/s.
     pub speed: f64,

@@ -18,9 +18,11 @@ const BEYOND: &str = "no stationary motion: the motor is pulled out";
 /// A map of a scene over two data, each in its range.
 pub struct MapRequest<'a> {
     pub scene: &'a Scene,
+    /// The two data with their ranges, in SI units.
     pub data: [(&'a Datum, [f64; 2]); 2],
     /// The angular velocity about the vertical, rad/s.
     pub speed: f64,
+    /// Whether the centre of mass hangs below the fixed point; otherwise it is above.
     pub hanging: bool,
 }
 

@@ -119,6 +119,7 @@ pub(crate) fn unusual(found: &Refutation, motion: &Motion<'_, '_>) -> Unusual {
 /// A parameter with its sign at a counterexample.
 struct Valued {
     symbol: Sym,
+    /// -1, 0 or 1.
     sign: i32,
     /// Whether its dimension is in [`POSITIVE`].
     is_of_body: bool,

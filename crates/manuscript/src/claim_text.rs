@@ -24,6 +24,7 @@ pub enum Kind {
 }
 
 impl Kind {
+    /// All kinds.
     pub const ALL: [Kind; 10] = [
         Kind::EquationOfMotion,
         Kind::LinearisedEquation,

@@ -8,6 +8,7 @@ use symbolic::{Hypotheses, Node, Sym, normal, univariate};
 
 /// The least sign of an expression where the conditions on its unknown hold, with points at which it has this sign.
 pub(crate) struct Least {
+    /// -1, 0 or 1.
     pub sign: i32,
     /// The points, those with few digits before roots of polynomials.
     pub points: Vec<Refutation>,

@@ -17,6 +17,7 @@ pub(crate) struct LinearMotion {
     pub equations: Vec<Sym>,
     /// The indices of the coordinates that are constant; the others have constant speeds.
     pub resting: Vec<usize>,
+    /// The matrix of the accelerations, n × n for n coordinates; `damping` is that of the speeds.
     pub inertia: Vec<Vec<Sym>>,
     pub damping: Vec<Vec<Sym>>,
     /// The stiffness matrix; its columns for coordinates with constant speeds are zero.

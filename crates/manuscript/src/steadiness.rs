@@ -132,7 +132,7 @@ fn of_statement(claim: &ClaimText, statement: &Statement, letters: &Letters<'_, 
 struct Print<'a, 't, 'm> {
     /// The condition in the symbols of the model, as it was read.
     is: Sym,
-    /// Its sides in the paper's letters, the right one zero.
+    /// The sides of the condition in the paper's letters, with zero as the right side.
     own: [Sym; 2],
     letters: &'a Letters<'t, 'm>,
     assumed: &'a [Hypothesis],

@@ -33,6 +33,7 @@ pub struct Areas {
 #[derive(Clone, Debug, Default)]
 pub struct AreaCurve {
     pub name: String,
+    /// Points (x, y) in the units of the axes.
     pub points: Vec<(f64, f64)>,
 }
 

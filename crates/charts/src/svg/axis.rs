@@ -8,6 +8,7 @@ pub(crate) const FLOOR: f64 = 1e-32;
 /// A tick of an axis; its label is `None` where labels would be too close.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Tick {
+    /// The value; on a logarithmic axis its logarithm to base ten.
     pub at: f64,
     pub label: Option<String>,
 }
@@ -16,8 +17,10 @@ pub(crate) struct Tick {
 #[derive(Clone, Debug)]
 pub(crate) struct Axis {
     logarithmic: bool,
+    /// The lower bound of the values; `high` is the upper one.
     low: f64,
     high: f64,
+    /// The pixel of the lower bound; `to` is that of the upper one.
     from: f64,
     to: f64,
     pub ticks: Vec<Tick>,

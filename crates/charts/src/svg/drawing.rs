@@ -24,6 +24,7 @@ pub(crate) enum Anchor {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Drawing {
     body: String,
+    /// The height in pixels.
     pub height: f64,
     /// The width as a multiple of `WIDTH`; both 0 and 1 mean one column.
     columns: usize,

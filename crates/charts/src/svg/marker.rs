@@ -12,6 +12,7 @@ const STYLES: usize = 12;
 pub(crate) struct Look {
     /// The index of the CSS class for colour and dashes, `s0` to `s11`; `None` for grey.
     style: Option<usize>,
+    /// The index of the shape, from 0 to 11.
     shape: usize,
     /// The index of the CSS class of other dashes, `d0` to `d11`; `None` for the dashes of `style`.
     dashes: Option<usize>,

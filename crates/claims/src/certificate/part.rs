@@ -11,6 +11,7 @@ use symbolic::{Hypotheses, Node, Sym};
 pub struct Relation {
     /// `=`, `!=`, `>`, `>=`, or `rate`: the time derivative of the left side is the right side.
     pub is: &'static str,
+    /// The entry of the left side; `right` is that of the right side.
     pub left: usize,
     pub right: usize,
 }
@@ -64,9 +65,11 @@ pub enum PartProof {
 /// A proof about linear stability: the equations about a steady motion, their characteristic polynomial, the theorem on its roots, the printed condition.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Stability {
+    /// The citation of the theorem.
     pub theorem: &'static str,
     /// Expressions that vanish along every motion, one for each coordinate.
     pub equations: Vec<usize>,
+    /// The entries of the coordinates, of their rates (`speeds`) and of their second rates (`accelerations`), all in one order.
     pub coordinates: Vec<usize>,
     pub speeds: Vec<usize>,
     pub accelerations: Vec<usize>,
@@ -93,9 +96,11 @@ pub struct Stability {
 /// signs of both quadratic forms.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Minimum {
+    /// The citation of the theorem.
     pub theorem: &'static str,
     /// Expressions that vanish along every motion, one for each coordinate.
     pub equations: Vec<usize>,
+    /// The entries of the coordinates, of their rates (`speeds`) and of their second rates (`accelerations`), all in one order.
     pub coordinates: Vec<usize>,
     pub speeds: Vec<usize>,
     pub accelerations: Vec<usize>,
@@ -119,6 +124,7 @@ pub struct Combined {
     pub multiplier: Vec<usize>,
     /// Pairs (index of g_k in `given`, entry of c_k in the program).
     pub cofactors: Vec<(usize, usize)>,
+    /// The entry of d; `None` for a conclusion f = 0.
     pub factor: Option<usize>,
 }
 

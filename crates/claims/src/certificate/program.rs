@@ -41,6 +41,7 @@ impl Serialize for Operation {
 /// Records expressions of the calling thread as a program.
 #[derive(Default)]
 pub struct Recorder {
+    /// The index of the entry of each recorded expression.
     places: HashMap<Sym, usize>,
     operations: Vec<Operation>,
 }

@@ -9,6 +9,7 @@ use std::path::Path;
 /// Counts of members that reached the end and of members that stopped.
 #[derive(Default)]
 pub struct Fates {
+    /// The number of members, whether they stopped or not.
     pub members: u64,
     /// Counts of stopped members by the kind of reason.
     stopped: BTreeMap<String, Counted>,

@@ -22,6 +22,7 @@ pub enum Makers {
 
 /// A row: the number of its member, and whether the member reached the end of its run.
 pub struct RowOfMember {
+    /// The number of the member, from 1.
     pub member: u64,
     /// The reason for which the member stopped; `None` if it reached the end.
     pub stopped: Option<String>,
@@ -43,7 +44,9 @@ pub struct Rows<'a, R> {
     columns: usize,
     /// The last row with its line end.
     text: Vec<u8>,
+    /// The number of the line of the last row, from 1.
     line: usize,
+    /// The number of the member of the last row; 0 before the first row.
     before: u64,
 }
 

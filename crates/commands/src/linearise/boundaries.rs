@@ -13,6 +13,7 @@ use units::nearest;
 #[derive(Clone, Debug)]
 pub struct AlongWhat {
     pub name: String,
+    /// The range of values in SI units.
     pub range: Option<[f64; 2]>,
 }
 

@@ -38,6 +38,7 @@ pub(super) const CLASSICAL: [Method; 4] = [
 /// The drifts for a method with a number of steps per period.
 struct Row {
     method: Method,
+    /// The number of steps per period.
     steps: u32,
     expected: Result<Vec<Expected>, String>,
     measured: Result<Vec<Option<Measured>>, String>,
@@ -48,6 +49,7 @@ struct Found {
     title: String,
     window: Window,
     integrals: Vec<Integral>,
+    /// The magnitude of each conserved quantity, in its unit; zero where it has none.
     sizes: Vec<f64>,
     rows: Vec<Row>,
     /// Whether the work of loads is integrated as an additional state.

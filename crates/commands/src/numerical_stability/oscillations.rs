@@ -30,6 +30,7 @@ const SMALL: f64 = 1e-3;
 /// The change of the energy of an oscillation, for a method with a number of steps per period.
 struct Row {
     method: Method,
+    /// The number of steps per period.
     steps: u32,
     /// The relative change of the energy in one period.
     theory: Option<f64>,

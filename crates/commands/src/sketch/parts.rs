@@ -10,6 +10,7 @@ pub struct Parts<'a> {
     pub geometry: &'a Geometry,
     pub figures: &'a [Figure],
     pub parts: Vec<SketchPart>,
+    /// The points with names, by their indices, the more important ones first.
     pub names: Vec<(usize, String)>,
     pub instants: Vec<Instant>,
     /// For each body, the index of the point at which its name stands.

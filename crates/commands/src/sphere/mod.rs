@@ -52,7 +52,9 @@ struct Cone {
 /// A drawn cone: the permanent rotations of a gyrostat, in pieces of one stability, and its data.
 struct Case {
     conditions: Conditions<f64>,
+    /// The constant speed of the rotor relative to the carrier, rad/s.
     speed: f64,
+    /// The ratio D = det A / det A*.
     singularity: f64,
     pieces: Vec<Piece>,
     census: Option<Census>,

@@ -38,6 +38,7 @@ pub(super) struct Known<'a> {
     pub case: &'a Case,
     /// The principal axes as columns.
     pub axes: Matrix3<f64>,
+    /// For each angular velocity (its bits), the directions of the motions with their verdicts.
     pub at: HashMap<u64, Vec<(Vector3<f64>, Fate)>>,
 }
 

@@ -81,6 +81,7 @@ pub struct Args {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ranged {
     pub name: String,
+    /// The range in SI units.
     pub range: [f64; 2],
 }
 

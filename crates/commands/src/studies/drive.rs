@@ -16,8 +16,10 @@ const FILLS: f64 = 4.0;
 /// The parts of the study, each a separate job.
 #[derive(Default)]
 pub struct Drive {
+    /// The samples of an accurate run, and the number of digits on which two runs agree.
     exact: Option<Result<(Vec<Sample>, f64), Failure>>,
     bearable: Option<Result<Bearable, Failure>>,
+    /// The largest damping gain for which Euler's method is stable.
     most_damping: Option<f64>,
 }
 

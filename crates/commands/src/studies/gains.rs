@@ -17,6 +17,7 @@ pub struct Gains {
     maps: [Option<Map>; SCHEMES.len()],
     goal: OnceLock<Result<Goal, Failure>>,
     compared: [Option<Result<Compared, Failure>>; RUNS.len()],
+    /// The time of each treatment, s; `None` where it was not measured.
     times: Vec<Option<f64>>,
 }
 

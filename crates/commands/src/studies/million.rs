@@ -15,6 +15,7 @@ struct Kept {
     method: String,
     tolerance: f64,
     steps: u64,
+    /// For each sample: revolutions, energy, swing, length, momentum and phase, as in [`Sample`].
     samples: Vec<[Option<f64>; 6]>,
 }
 

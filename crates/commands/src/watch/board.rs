@@ -18,10 +18,12 @@ pub struct Board {
 
 #[derive(Default)]
 struct State {
+    /// The version of the last change of anything.
     version: u64,
     parts: [Entry; Part::ALL.len()],
     /// The values to which sliders were moved, by the ids of the sliders.
     values: Map<String, Value>,
+    /// The version of the last change of the values.
     values_changed: u64,
     /// The ends of each slider, with its id.
     ranges: Vec<(String, [f64; 2])>,

@@ -10,6 +10,7 @@ use std::thread;
 
 /// An event of a worker, with the number of the worker.
 pub struct WorkerNews {
+    /// The number of the worker, by which events of a stopped worker are ignored.
     pub number: u64,
     pub event: WorkerEvent,
 }

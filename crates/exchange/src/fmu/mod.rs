@@ -21,7 +21,7 @@ pub struct Variable {
     /// The coherent SI unit; `1` for a pure number.
     pub unit: String,
     pub description: String,
-    /// The initial value; zero for a dependent variable.
+    /// The initial value, in `unit`; zero for a dependent variable.
     pub value: f64,
 }
 
@@ -56,6 +56,7 @@ pub struct Unit {
     pub tool: String,
     /// The default tolerance, the error allowed in a step.
     pub tolerance: f64,
+    /// The duration of a default simulation in seconds.
     pub span: f64,
     pub states: Vec<Variable>,
     pub parameters: Vec<Variable>,

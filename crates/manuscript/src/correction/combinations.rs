@@ -7,6 +7,7 @@ use std::ops::Range;
 /// Edits with the change of the residual that they cause at the test points.
 pub(super) struct Effect {
     pub edits: Vec<Edit>,
+    /// The change of the residual, one entry for each equality and each test point.
     pub change: Vec<f64>,
 }
 
@@ -126,6 +127,7 @@ pub(super) fn apart(first: &Edit, second: &Edit) -> bool {
 /// Effects sorted by the first entry of their change.
 struct Sorted<'a> {
     effects: &'a [Effect],
+    /// The indices of the effects in ascending order of this entry.
     order: Vec<usize>,
 }
 

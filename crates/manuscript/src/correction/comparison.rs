@@ -24,6 +24,7 @@ type Products = BTreeMap<Vec<(String, u32)>, Rational>;
 /// A term with the factor by which it must be multiplied; zero for a superfluous term.
 #[derive(Clone, Copy)]
 struct Scaled {
+    /// The index of the term in [`Places::summands`].
     summand: usize,
     by: Rational,
 }
@@ -32,6 +33,7 @@ struct Scaled {
 #[derive(Default)]
 struct Choice {
     numbers: Vec<Scaled>,
+    /// The number of correct products of letters.
     right: usize,
 }
 

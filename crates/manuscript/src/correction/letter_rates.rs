@@ -7,18 +7,19 @@ use symbolic::{Dimension, Sym};
 /// A letter (order 0), its rate (1) or its second rate (2).
 pub(super) struct LetterRate {
     pub name: String,
+    /// The number of differentiations.
     pub order: u32,
     pub latex: String,
     pub dimension: Dimension,
-    /// Whether it is a single symbol of the model.
+    /// Whether the letter is a single symbol of the model.
     pub is_symbol: bool,
     pub is_input: bool,
     pub is_parameter: bool,
-    /// Whether it is the reaction of a constraint.
+    /// Whether the letter is the reaction of a constraint.
     pub is_reaction: bool,
-    /// Its value in the symbols of the model.
+    /// The value in the symbols of the model.
     pub value: Sym,
-    /// Whether it is zero along every motion, such as the rate of an integral; a formula multiplied by it would state nothing.
+    /// Whether the value is zero along every motion, such as the rate of an integral; a formula multiplied by it would state nothing.
     pub vanishes: bool,
 }
 

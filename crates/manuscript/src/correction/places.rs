@@ -23,18 +23,23 @@ pub(super) struct Summand {
 
 /// A letter (order 0) or a rate of it.
 pub(super) struct Atom {
+    /// The range of the letter with its dots.
     pub span: Range<usize>,
     pub name: String,
+    /// The number of dots, or the order of the derivative.
     pub order: u32,
+    /// Whether the letter is the base of a power.
     pub is_powered: bool,
 }
 
 /// A function with the range of its command.
 pub(super) struct Call {
+    /// The range of the command, such as `\sin`.
     pub command: Range<usize>,
     pub function: Function,
     /// The range of the argument.
     pub argument: Range<usize>,
+    /// Whether the function has an exponent.
     pub is_powered: bool,
 }
 
@@ -51,6 +56,7 @@ pub(super) struct Places {
     pub atoms: Vec<Atom>,
     pub calls: Vec<Call>,
     pub powers: Vec<Raised>,
+    /// Printed numbers with their ranges.
     pub numbers: Vec<(Range<usize>, Rational)>,
     /// Quotients of two numbers.
     pub fractions: Vec<(Range<usize>, Rational)>,

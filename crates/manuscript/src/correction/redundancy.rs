@@ -15,7 +15,7 @@ pub(super) fn on_both_sides(statement: &Statement, own: &dyn Fn(&Term) -> Option
     let [left, right] = &sides[..] else { return 0 };
     let values = |side: &Term| summands(side).into_iter().filter_map(|(_, term)| own(term)).collect::<Vec<Sym>>();
     let (left, right) = (values(left), values(right));
-    // two single terms are the formula itself
+    // an equality of two single terms has no redundant part
     if left.len() == 1 && right.len() == 1 {
         return 0;
     }

@@ -49,6 +49,7 @@ pub(super) struct Search<'a, G> {
     pub ground: &'a G,
     pub places: Places,
     exchanges: Vec<Edit>,
+    /// The residual of the printed formula at the test points; `None` if it cannot be evaluated.
     residual: Option<Vec<f64>>,
     known: Vec<String>,
     /// Whether the difference of the sides of the printed formula is a number.
@@ -298,6 +299,7 @@ fn is_number(expression: Sym) -> bool {
 struct Candidate {
     text: String,
     edits: Vec<Edit>,
+    /// The ranges of the edits in the text, in bytes.
     parts: Vec<Range<usize>>,
     /// The difference of its sides in the printed letters.
     own: Option<Sym>,

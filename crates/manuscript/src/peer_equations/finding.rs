@@ -86,6 +86,7 @@ pub(super) fn judged(
 
 /// The degrees of freedom of both programs.
 pub(super) struct Freedom {
+    /// The degrees of freedom of the other program; `ours` are those of the model.
     pub theirs: usize,
     /// The number of undecided equations of the other program, each of which may be a constraint and remove a degree of freedom.
     pub open: usize,

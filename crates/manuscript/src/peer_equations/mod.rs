@@ -34,6 +34,7 @@ pub struct PeerEquations {
     pub speeds: Vec<String>,
     /// The accelerations in the equations, `q''` or `u'`.
     pub accelerations: Vec<String>,
+    /// The names of the multipliers of constraints in the equations.
     pub multipliers: Vec<String>,
     /// Abbreviations with their expressions, in terms of letters and earlier abbreviations.
     pub abbreviations: Vec<(String, String)>,

@@ -49,6 +49,7 @@ pub enum Part {
 }
 
 impl Part {
+    /// All parts in the order of the page.
     pub const ALL: [Part; 9] = [
         Part::Heading,
         Part::Claims,

@@ -7,7 +7,9 @@ use maud::html;
 pub struct Slider {
     /// The path of the number in the file: `parameters.m`.
     pub id: String,
+    /// The present value, in `unit`.
     pub number: f64,
+    /// The unit as written in the file; empty for a pure number.
     pub unit: String,
     /// The ends of the slider, in `unit`.
     pub range: [f64; 2],

@@ -23,6 +23,7 @@ impl Default for View {
 /// A parallel projection with its scale, from metres to pixels.
 #[derive(Clone, Debug)]
 pub(super) struct Camera {
+    /// The unit vectors to the right, upwards, and towards the viewer.
     right: [f64; 3],
     up: [f64; 3],
     towards: [f64; 3],
@@ -30,6 +31,7 @@ pub(super) struct Camera {
     pub scale: f64,
     /// The coordinates of the middle of the picture, to the right and upwards, in metres.
     middle: (f64, f64),
+    /// The height of the picture in pixels.
     pub height: f64,
 }
 

@@ -5,6 +5,7 @@ use super::{Sketch, SketchPart};
 /// A bounding box: the lowest and the highest values of two coordinates.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Extent {
+    /// The lowest coordinates (to the right, upwards) in metres; `high` contains the highest.
     low: (f64, f64),
     high: (f64, f64),
 }

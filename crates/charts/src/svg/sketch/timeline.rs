@@ -9,6 +9,7 @@ const SEEN: (f64, f64) = (2.0, 20.0);
 
 /// The relation between the time of the motion and the time of the animation.
 pub(super) struct Timeline {
+    /// The times of the first and of the last instant of the motion, in seconds.
     span: (f64, f64),
     /// The duration of the animation, in seconds.
     seconds: f64,

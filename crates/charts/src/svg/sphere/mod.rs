@@ -47,6 +47,7 @@ pub struct Curve {
 /// A direction, with the value of the colouring quantity there if there is one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CurvePoint {
+    /// The direction, a vector of any length along the axes of the sphere.
     pub at: [f64; 3],
     pub value: Option<f64>,
 }
@@ -55,6 +56,7 @@ pub struct CurvePoint {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mark {
     pub name: String,
+    /// The direction, a vector of any length along the axes of the sphere.
     pub at: [f64; 3],
     /// The note that is shown on hovering. Notes of hollow marks also stand below the picture, each once.
     pub note: String,

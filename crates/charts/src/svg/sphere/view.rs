@@ -5,8 +5,10 @@ use super::{CENTRE, RADIUS};
 /// An orthographic projection from a direction given by azimuth and elevation, in degrees.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct View {
+    /// The azimuth in degrees; `height` is the elevation in degrees.
     azimuth: f64,
     height: f64,
+    /// The unit vectors to the right, upwards, and towards the viewer.
     right: [f64; 3],
     up: [f64; 3],
     towards: [f64; 3],

@@ -34,6 +34,7 @@ pub struct Panel {
 #[derive(Clone, Debug, Default)]
 pub struct Track {
     pub name: String,
+    /// Points (time, value), in the units of the axes.
     pub points: Vec<(f64, f64)>,
     /// The reason for which the run stopped early, if it did; a cross marks its last point.
     pub stopped: Option<String>,

@@ -19,6 +19,7 @@ const DENSE: usize = 30;
 pub(super) struct Stop<'a> {
     pub name: &'a str,
     pub reason: &'a str,
+    /// The time of the last finite point, in the unit of the time axis.
     pub time: f64,
 }
 

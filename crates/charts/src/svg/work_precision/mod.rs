@@ -69,7 +69,9 @@ pub struct Method {
 /// A completed run: its work and its error.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Point {
+    /// The work in the unit of [`Work`].
     pub work: f64,
+    /// The error against a reference, as the label of the axis defines it.
     pub error: f64,
 }
 

@@ -17,6 +17,7 @@ pub struct Carried {
     title: String,
     /// The axial moment of inertia A' of the rotor, and its effective value for torques between rotor and carrier, kg m².
     axial: [f64; 2],
+    /// The pull-out load, N m.
     pull_out: f64,
     /// The pull-in with the rotor's own moment of inertia, and with the effective one.
     pull_in: [Option<PullIn>; 2],

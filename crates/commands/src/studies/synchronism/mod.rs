@@ -29,6 +29,7 @@ const SWINGS: f64 = 120.0;
 
 /// The results for a number of bars: asynchronous motions, pull-in, and the outcomes of the starts.
 struct OfBars {
+    /// The number of bars.
     bars: usize,
     slipping: Option<OutOfStep>,
     pull_in: Option<PullIn>,
@@ -41,6 +42,7 @@ pub struct Synchronism {
     title: String,
     motor: Option<Loaded>,
     in_step: Vec<Standing>,
+    /// The pull-out load, N m.
     pull_out: f64,
     bars: [Option<Option<OfBars>>; BARS.len()],
     rows: [Option<Option<Row>>; DAMPINGS.len()],

@@ -20,12 +20,14 @@ pub struct FollowedFile {
     content: Option<Content>,
     /// The number of checks since the file was found empty or missing.
     looks: u32,
+    /// The further files, each with its stamp and its last content.
     beside: Vec<(PathBuf, Option<Stamp>, Option<Content>)>,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Stamp {
     modified: SystemTime,
+    /// The length in bytes.
     length: u64,
 }
 

@@ -19,12 +19,14 @@ use units::quantity::parse_any;
 pub struct Datum {
     /// The path of the number in the file, as dotted keys of TOML: `parameters.m`.
     pub id: String,
+    /// The value in the file, in `unit`.
     pub number: f64,
     /// The unit as written in the file; empty for a pure number.
     pub unit: String,
     /// The text before the number: `guess ` or empty.
     pub before: &'static str,
     pub place: Place,
+    /// Whether the number is an initial value.
     is_start: bool,
 }
 

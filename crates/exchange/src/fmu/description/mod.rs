@@ -15,6 +15,7 @@ struct Listed<'a> {
     unit: &'a str,
     description: &'a str,
     kind: Kind,
+    /// The initial value, in `unit`; `None` for a computed variable.
     start: Option<f64>,
 }
 
