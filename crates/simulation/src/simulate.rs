@@ -3,7 +3,7 @@
 use super::problem::Row;
 use super::singular_rows::interpolated;
 use super::{Axes, Problem, Run};
-use crate::events::Passage;
+use crate::events::{Cause, Passage};
 use integrators::{
     Deviation, End, Failure, Lost, Method, Observer, Outcome, Record, Refusal, Span, StepHalvingCheck, Tolerance,
     check_by_step_halving,
@@ -314,7 +314,13 @@ impl<F: FnMut(f64) -> ControlFlow<()>> Observer<f64> for Kept<'_, F> {
             error.max(f64::EPSILON)
         );
         let row = interpolated(self.row, (time, state), nodes);
-        self.singular_positions.push(Passage { time, what, then: Some(String::new()), row });
+        self.singular_positions.push(Passage {
+            time,
+            cause: Cause::SingularPosition,
+            what,
+            then: Some(String::new()),
+            row,
+        });
     }
 
     fn progress(&mut self, fraction: f64) {

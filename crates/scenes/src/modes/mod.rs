@@ -62,7 +62,7 @@ pub use regimes::{CriticalFriction, Margin, Motions, Regime, Regimes};
 use sides::Side;
 use signals::{Fall, GLIDE, Signals};
 use simulation::Law;
-use simulation::events::{Passage, Segment, Switching};
+use simulation::events::{Cause, Passage, Segment, Switching};
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 pub(crate) use touches::NEGATIVE;
@@ -208,10 +208,15 @@ impl Modes {
     }
 
     /// Records an event in the list of passages, with the next law, or with the end of the run.
-    fn tell(&self, time: f64, state: &[f64], what: String, (by, goes_on): (&CompiledSystem, bool)) {
+    fn tell(
+        &self,
+        (time, state): (f64, &[f64]),
+        (cause, what): (Cause, String),
+        (by, goes_on): (&CompiledSystem, bool),
+    ) {
         let then = goes_on.then(|| self.laws.words.mode(&by.mode));
         let row = [state, &by.outputs(time, state)].concat();
-        self.passages.lock().unwrap_or_else(PoisonError::into_inner).push(Passage { time, what, then, row });
+        self.passages.lock().unwrap_or_else(PoisonError::into_inner).push(Passage { time, cause, what, then, row });
     }
 
     /// Records an event after which no motion continues, with the reason.
@@ -225,7 +230,7 @@ impl Modes {
         if why != reasons::BROKEN
             && let Some(fall) = fall
         {
-            self.tell(time, state, self.laws.words.fall(fall), (&before.moded.system, false));
+            self.tell((time, state), (fall.cause(), self.laws.words.fall(fall)), (&before.moded.system, false));
         }
         self.follow(Some(Crossing { sets, ..crossing }), before);
     }
@@ -299,7 +304,7 @@ impl Switching for Modes {
         let begun = self.begun(time, state)?;
         begun.moded.system.set_algebraic_speeds(time, state);
         self.push_off(time, state, &begun);
-        self.tell(time, state, "start".to_owned(), (&begun.moded.system, true));
+        self.tell((time, state), (Cause::Start, "start".to_owned()), (&begun.moded.system, true));
         self.follow(None, &begun);
         Ok(self.enter(begun))
     }
@@ -329,12 +334,16 @@ impl Switching for Modes {
                     Sets::Rest { contact, .. } => (event.time + rest, Fall::Stops { contact }),
                     _ => (event.time, fall),
                 };
-                self.tell(time, state, self.laws.words.fall(fall), (&current.moded.system, true));
+                self.tell((time, state), (fall.cause(), self.laws.words.fall(fall)), (&current.moded.system, true));
                 self.follow(crossing(sets), &current);
                 Ok(Some(self.enter(current)))
             }
             After::Ended => {
-                self.tell(event.time, state, self.laws.words.fall(fall), (&before.moded.system, false));
+                self.tell(
+                    (event.time, state),
+                    (fall.cause(), self.laws.words.fall(fall)),
+                    (&before.moded.system, false),
+                );
                 self.follow(crossing(Sets::End), &before);
                 Ok(None)
             }

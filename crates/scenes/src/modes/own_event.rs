@@ -11,6 +11,7 @@ use super::signals::Fall;
 use super::{Current, Modes};
 use integrators::{Event, Happening};
 use model::Direction;
+use simulation::events::Cause;
 
 impl Modes {
     /// The continuation after event `number` of the model. `late` is the error of its time (s), `known` the motion at this time in the
@@ -64,7 +65,7 @@ impl Modes {
         if let Some(broken) = kept.broken(event.time, &set) {
             let name = self.laws.words.fall(Fall::Event { event: number });
             let what = format!("after {name} {broken}, which must be zero");
-            self.tell(event.time, state, what, (&before.moded.system, false));
+            self.tell((event.time, state), (Cause::Own, what), (&before.moded.system, false));
             return Err(BROKEN);
         }
         state.copy_from_slice(&set);

@@ -12,6 +12,7 @@ use field::{Analytic, Over, Scalar};
 use integrators::{Signal, Switches};
 use model::equations::vanishes;
 use model::{Assignment, Model, Trace};
+use simulation::events::Cause;
 use simulation::{Program, Running};
 use symbolic::{Sym, apart, substitute_all};
 
@@ -74,6 +75,15 @@ impl Fall {
     /// True for a signal of the observation of a contact that slides in space.
     pub fn is_of_a_glide(self) -> bool {
         matches!(self, Fall::Slows { .. } | Fall::Hastens { .. } | Fall::Turns { .. })
+    }
+
+    /// The kind of event that the signal announces.
+    pub fn cause(self) -> Cause {
+        match self {
+            Fall::Passes { .. } | Fall::Leaves { .. } | Fall::Frees { .. } => Cause::Condition,
+            Fall::Event { .. } => Cause::Own,
+            _ => Cause::Contact,
+        }
     }
 }
 

@@ -11,4 +11,4 @@ pub use law_end::{Ending, Margin, Margins, of_leading, outside};
 pub(crate) use one_law::OneLaw;
 pub use poles::POLE;
 pub(crate) use segments::integrate;
-pub use segments::{ACCUMULATE, Passage, Segment, Switching, TOO_MANY};
+pub use segments::{ACCUMULATE, Cause, Passage, Segment, Switching, TOO_MANY};

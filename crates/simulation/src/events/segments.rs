@@ -23,10 +23,25 @@ pub struct Segment {
     pub switches: Box<dyn Switches>,
 }
 
+/// The kind of an event of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cause {
+    Start,
+    /// The expression of a condition reaches or leaves zero.
+    Condition,
+    /// A contact, a diode or a freewheel closes, opens, sticks or slides.
+    Contact,
+    /// An event that the model defines.
+    Own,
+    /// The motion goes on through a singular position of the constraints.
+    SingularPosition,
+}
+
 /// A change of a law, or of a state, along a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Passage {
     pub time: f64,
+    pub cause: Cause,
     /// The event, in words.
     pub what: String,
     /// The law that follows, in words; none where the motion ends.
@@ -65,8 +80,9 @@ pub trait Switching: Send + Sync {
     }
 }
 
-/// Events after which a run is given up.
-const MOST_EVENTS: usize = 20_000;
+/// A run is given up where this number of events takes less than a part of its span: switching at a fixed frequency goes on, chattering ends.
+const MANY_EVENTS: usize = 20_000;
+const SHORT: f64 = 0.02;
 
 /// The number of events in a row within a rounding of the time after which their times are taken to have a limit.
 const MOST_TOGETHER: usize = 64;
@@ -74,8 +90,8 @@ const MOST_TOGETHER: usize = 64;
 /// Why a run ends where the times of its events have a limit.
 pub const ACCUMULATE: &str = "infinitely many events follow each other in a finite time";
 
-/// Why a run ends after its largest number of events.
-pub const TOO_MANY: &str = "more events than 20,000";
+/// Why a run ends where events follow each other too fast.
+pub const TOO_MANY: &str = "20,000 events follow each other within 2 % of the span";
 
 /// Runs over a span, event after event, as long as the margins are positive, or beyond on the smooth branch of the motion if it `goes_on`
 /// there. The reason is given if the motion ends before the span does.
@@ -102,8 +118,15 @@ pub(crate) fn integrate(
     };
     let (mut together, mut sampled) = (0, 0);
     let mut trail = goes_on.then(Trail::default);
-    for _ in 0..=MOST_EVENTS {
+    let mut counted_from = span.start;
+    for number in 0_usize.. {
         let here = at.time;
+        if number > 0 && number.is_multiple_of(MANY_EVENTS) {
+            if (here - counted_from).abs() < SHORT * (span.end - span.start).abs() {
+                break;
+            }
+            counted_from = here;
+        }
         // the instant of an event is shown once, on one of its sides
         let outputs: Vec<f64> = span.outputs[sampled..].iter().filter(|time| **time >= here).copied().collect();
         let states = at.state.len();

@@ -1,6 +1,7 @@
 //! Diagnosis of accumulating events: Zeno behaviour, where event times converge to a limit, and chattering, thousands of events in succession.
 
 use super::samples::Samples;
+use simulation::events::Cause;
 use simulation::{FailureKind, RunFailure};
 use std::collections::BTreeSet;
 
@@ -38,9 +39,21 @@ pub(super) fn chattering(run: &Samples<'_>) -> RunFailure {
         kind: FailureKind::Chattering,
         at: run.last().0,
         evidence: format!("{} follow each other, the last {count} every {mean:.1e} s", names(run)),
-        remedy: "the two laws as one expression `if(s > 0, a, b)` in the place of events: where both drive s back to zero the run stays \
-                 there (a sliding mode); or a wider dead band"
-            .to_owned(),
+        remedy: remedy(run).to_owned(),
+    }
+}
+
+/// A remedy for the kind of the last events.
+fn remedy(run: &Samples<'_>) -> &'static str {
+    let last = || run.trajectory.passages.iter().skip(1).rev().take(LOOKED_AT).map(|passage| passage.cause);
+    let are_all = |cause: Cause| last().all(|own| own == cause);
+    if are_all(Cause::Contact) {
+        "a smaller `restitution`, or `impact = \"moreau\"` at each of these contacts, so that their impacts end; or a run that ends before"
+    } else if are_all(Cause::Condition) {
+        "a law without this switching, such as its mean over a period; or a shorter run"
+    } else {
+        "the two laws as one expression `if(s > 0, a, b)` in the place of events: where both drive s back to zero the run stays there (a \
+         sliding mode); or a wider dead band"
     }
 }
 
