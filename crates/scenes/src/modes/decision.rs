@@ -168,7 +168,9 @@ fn tried(
     for slack in SLACKS {
         let Some((best, agreeing)) = best(&all, open, slack) else { continue };
         let differs = |place: &usize| differ(&all[agreeing[0]].1, &all[*place].1, slack);
-        several = matches!(best, Standing::Moves | Standing::Carries) && agreeing.iter().skip(1).any(differs);
+        several = matches!(best, Standing::Moves | Standing::Carries) && agreeing.iter().skip(1).any(differs)
+            || best == Standing::Moves
+                && (0..all.len()).any(|place| stays_off(&all[place], open, slack) && differs(&place));
         if !several {
             let (mut mode, expansion) = all.swap_remove(agreeing[0]);
             mode.rest(&expansion, open, slack);
@@ -263,6 +265,15 @@ fn best(all: &[(Mode, Expansion<TERMS>)], open: Open<'_>, slack: f64) -> Option<
     Some((best, (0..all.len()).filter(|&place| standings[place] == Some(best)).collect()))
 }
 
+/// True if a motion keeps conditions at zero that are off, as g > 0 is at g = 0: a body at rest at x = 0 under `if(x > 0, F, 0)`, beside the motion
+/// that leaves zero at once.
+fn stays_off((mode, expansion): &(Mode, Expansion<TERMS>), open: Open<'_>, slack: f64) -> bool {
+    let rests = |switch: &&usize| rests(expansion, mode.cases[**switch], **switch, slack);
+    standing(expansion, mode, open, slack) == Some(Standing::Rests)
+        && of_contacts(expansion, mode, open, slack) == Some(Standing::Moves)
+        && open.switches.iter().filter(rests).all(|switch| mode.cases[*switch] == Case::Off)
+}
+
 /// All consistent combinations, each with its series and the number of its motion: combinations with equal motions have equal numbers.
 /// `None` if there are too many combinations.
 pub(super) fn agreeing(
@@ -276,12 +287,14 @@ pub(super) fn agreeing(
         return None;
     }
     let all = Candidates::of(expansions, instant, (mode, &phases), open).all;
-    let Some((slack, (_, agreeing))) = SLACKS.iter().find_map(|&slack| Some((slack, best(&all, open, slack)?))) else {
+    let Some((slack, (best, agreeing))) = SLACKS.iter().find_map(|&slack| Some((slack, best(&all, open, slack)?)))
+    else {
         return Some(Vec::new());
     };
+    let staying = (0..all.len()).filter(|&place| best == Standing::Moves && stays_off(&all[place], open, slack));
     let mut found: Vec<(Mode, Expansion<TERMS>, usize)> = Vec::new();
     let mut motions = 0;
-    for place in agreeing {
+    for place in agreeing.into_iter().chain(staying) {
         let (mut mode, expansion) = all[place].clone();
         mode.rest(&expansion, open, slack);
         let same = found.iter().find(|(_, known, _)| !differ(known, &expansion, slack)).map(|(.., motion)| *motion);

@@ -12,6 +12,7 @@ mod rational_regimes;
 mod references;
 mod refusals;
 mod regimes;
+mod rocking;
 mod simultaneous_impacts;
 mod space;
 mod starts;
